@@ -1,0 +1,87 @@
+#include "core/unproject_matrix_inverse.h"
+
+#include <glm/matrix.hpp>
+
+#include <cmath>
+
+namespace unprojector {
+namespace {
+
+/// Row echelon by the largest pivot tells a singular matrix apart from one whose determinant is merely small:
+/// a determinant scales with the fourth power of the units.
+bool isSingular(glm::dmat4 m)
+{
+    for (int column = 0; column < 4; ++column) {
+        double scale = 0.0;
+        for (int row = 0; row < 4; ++row)
+            scale = std::max(scale, std::abs(m[column][row]));
+        if (scale == 0.0)
+            return true;
+    }
+    for (int k = 0; k < 4; ++k) {
+        int pivot = k;
+        for (int row = k + 1; row < 4; ++row) {
+            if (std::abs(m[k][row]) > std::abs(m[k][pivot]))
+                pivot = row;
+        }
+        if (m[k][pivot] == 0.0)
+            return true;
+        for (int column = 0; column < 4; ++column)
+            std::swap(m[column][k], m[column][pivot]);
+        for (int row = k + 1; row < 4; ++row) {
+            const double factor = m[k][row] / m[k][k];
+            for (int column = k; column < 4; ++column)
+                m[column][row] -= factor * m[column][k];
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+template <class Space, class Scalar>
+Result<Point<Space>> unprojectByInverse(const glm::dmat4 &clipFromSpace, const Viewport &viewport,
+                                        const DepthRange &range, const WindowPoint &window)
+{
+    using Vec4 = glm::vec<4, Scalar>;
+    using Mat4 = glm::mat<4, 4, Scalar>;
+
+    if (const Check valid = check(viewport); !valid)
+        return valid.error();
+    if (const Check valid = check(range); !valid)
+        return valid.error();
+    for (const double value : {window.x, window.y, window.z}) {
+        if (!std::isfinite(value))
+            return Error{ErrorCode::NotFinite, value};
+    }
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!std::isfinite(clipFromSpace[column][row]))
+                return Error{ErrorCode::NotFinite, clipFromSpace[column][row]};
+        }
+    }
+    if (isSingular(clipFromSpace))
+        return Error{ErrorCode::SingularMatrix};
+
+    const Scalar two = 2, one = 1;
+    const Vec4 ndc(two * (Scalar(window.x) - Scalar(viewport.x)) / Scalar(viewport.width) - one,
+                   two * (Scalar(window.y) - Scalar(viewport.y)) / Scalar(viewport.height) - one,
+                   two * (Scalar(window.z) - Scalar(range.atNear)) / Scalar(range.atFar - range.atNear) - one, one);
+    const Vec4 homogeneous = glm::inverse(Mat4(clipFromSpace)) * ndc;
+    const Vec4 p = homogeneous / homogeneous.w;
+    if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
+        return Error{ErrorCode::PointAtInfinity};
+    return Point<Space>(double(p.x), double(p.y), double(p.z));
+}
+
+#define UNPROJECTOR_INSTANTIATE(Space)                                                                                 \
+    template Result<Point<Space>> unprojectByInverse<Space, double>(const glm::dmat4 &, const Viewport &,             \
+                                                                    const DepthRange &, const WindowPoint &);         \
+    template Result<Point<Space>> unprojectByInverse<Space, float>(const glm::dmat4 &, const Viewport &,              \
+                                                                   const DepthRange &, const WindowPoint &)
+UNPROJECTOR_INSTANTIATE(EyeSpace);
+UNPROJECTOR_INSTANTIATE(WorldSpace);
+UNPROJECTOR_INSTANTIATE(ObjectSpace);
+#undef UNPROJECTOR_INSTANTIATE
+
+} // namespace unprojector

@@ -1,0 +1,139 @@
+#include "core/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector {
+namespace {
+
+/// floor, but a value that rounding left just below a whole number counts as that number.
+double floorSnapped(double value)
+{
+    constexpr double kSnapPixels = 1e-6;
+    const double nearest = std::round(value);
+    return std::abs(value - nearest) < kSnapPixels ? nearest : std::floor(value);
+}
+
+} // namespace
+
+Surface surfaceFromWidget(int widthLogical, int heightLogical, double devicePixelRatio)
+{
+    const auto pixels = [=](int logical) { return static_cast<int>(std::floor(logical * devicePixelRatio + 0.5)); };
+    return {pixels(widthLogical), pixels(heightLogical), devicePixelRatio};
+}
+
+Viewport wholeSurface(const Surface &surface)
+{
+    return {0.0, 0.0, static_cast<double>(surface.widthPixels), static_cast<double>(surface.heightPixels)};
+}
+
+Check check(const Viewport &viewport)
+{
+    for (const double value : {viewport.x, viewport.y, viewport.width, viewport.height}) {
+        if (!std::isfinite(value))
+            return Error{ErrorCode::NotFinite, value};
+    }
+    if (!(viewport.width > 0.0 && viewport.height > 0.0))
+        return Error{ErrorCode::EmptyViewport, viewport.width, viewport.height};
+    return std::monostate{};
+}
+
+Check check(const DepthRange &range)
+{
+    for (const double value : {range.atNear, range.atFar}) {
+        if (!std::isfinite(value))
+            return Error{ErrorCode::NotFinite, value};
+    }
+    if (range.atNear == range.atFar)
+        return Error{ErrorCode::EmptyDepthRange, range.atNear};
+    return std::monostate{};
+}
+
+Check check(const Surface &surface)
+{
+    if (surface.widthPixels <= 0 || surface.heightPixels <= 0)
+        return Error{ErrorCode::EmptyFramebuffer, double(surface.widthPixels), double(surface.heightPixels)};
+    if (!(std::isfinite(surface.devicePixelRatio) && surface.devicePixelRatio > 0.0))
+        return Error{ErrorCode::PixelRatioNotPositive, surface.devicePixelRatio};
+    return std::monostate{};
+}
+
+DevicePoint deviceFromWidget(const Surface &surface, const WidgetPoint &position)
+{
+    return DevicePoint(position.coordinates() * surface.devicePixelRatio);
+}
+
+WidgetPoint widgetFromDevice(const Surface &surface, const DevicePoint &position)
+{
+    return WidgetPoint(position.coordinates() / surface.devicePixelRatio);
+}
+
+Result<DevicePixel> devicePixelFromWidget(const Surface &surface, const WidgetPoint &position)
+{
+    if (const Check valid = check(surface); !valid)
+        return valid.error();
+    for (const double value : {position.x, position.y}) {
+        if (!std::isfinite(value))
+            return Error{ErrorCode::NotFinite, value};
+    }
+    const DevicePoint device = deviceFromWidget(surface, position);
+    const double i = floorSnapped(device.x);
+    const double j = floorSnapped(device.y);
+    if (i < 0.0 || j < 0.0 || i >= surface.widthPixels || j >= surface.heightPixels)
+        return Error{ErrorCode::OutsideFramebuffer, position.x, position.y};
+    return DevicePixel{static_cast<int>(i), static_cast<int>(j)};
+}
+
+DevicePoint pixelCenter(const DevicePixel &pixel)
+{
+    return DevicePoint(pixel.i + 0.5, pixel.j + 0.5);
+}
+
+int framebufferRow(const Surface &surface, const DevicePixel &pixel)
+{
+    return surface.heightPixels - 1 - pixel.j;
+}
+
+WindowPoint windowFromDevice(const Surface &surface, const DevicePoint &position, double depth)
+{
+    return WindowPoint(position.x, surface.heightPixels - position.y, depth);
+}
+
+DevicePoint deviceFromWindow(const Surface &surface, const WindowPoint &point)
+{
+    return DevicePoint(point.x, surface.heightPixels - point.y);
+}
+
+WindowPoint windowFromNdc(const Viewport &v, const DepthRange &range, const NdcPoint &point)
+{
+    return WindowPoint(v.x + (point.x + 1.0) * v.width / 2.0, v.y + (point.y + 1.0) * v.height / 2.0,
+                       range.atNear + (point.z + 1.0) * (range.atFar - range.atNear) / 2.0);
+}
+
+NdcPoint ndcFromWindow(const Viewport &v, const DepthRange &range, const WindowPoint &point)
+{
+    return NdcPoint(2.0 * (point.x - v.x) / v.width - 1.0, 2.0 * (point.y - v.y) / v.height - 1.0,
+                    2.0 * (point.z - range.atNear) / (range.atFar - range.atNear) - 1.0);
+}
+
+glm::dmat4 windowFromNdc(const Viewport &v, const DepthRange &range)
+{
+    glm::dmat4 m(1.0);
+    m[0][0] = v.width / 2.0;
+    m[1][1] = v.height / 2.0;
+    m[2][2] = (range.atFar - range.atNear) / 2.0;
+    m[3] = {v.x + v.width / 2.0, v.y + v.height / 2.0, (range.atNear + range.atFar) / 2.0, 1.0};
+    return m;
+}
+
+Result<double> unitDepth(const DepthRange &range, double depth)
+{
+    if (const Check valid = check(range); !valid)
+        return valid.error();
+    const double unit = (depth - range.atNear) / (range.atFar - range.atNear);
+    if (!(unit >= 0.0 && unit <= 1.0))
+        return Error{ErrorCode::DepthOutsideRange, depth};
+    return unit;
+}
+
+} // namespace unprojector

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/result.h"
+#include "core/spaces.h"
+
+#include <glm/mat4x4.hpp>
+
+namespace unprojector {
+
+/// The surface that a view draws into: its framebuffer in device pixels and the device pixels per logical pixel
+/// (fractional ratios such as 1.25 exist).
+struct Surface {
+    int widthPixels = 0;
+    int heightPixels = 0;
+    double devicePixelRatio = 1.0;
+    friend bool operator==(const Surface &, const Surface &) = default;
+};
+
+/// The surface of a widget of so many logical pixels: width * ratio and height * ratio, rounded to whole pixels
+/// (halves up), as Qt sizes the framebuffer of an OpenGL widget.
+Surface surfaceFromWidget(int widthLogical, int heightLogical, double devicePixelRatio);
+
+/// glViewport(x, y, width, height), device pixels, origin at the bottom-left corner of the framebuffer. It need
+/// not fill the window.
+struct Viewport {
+    double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+    friend bool operator==(const Viewport &, const Viewport &) = default;
+};
+
+Viewport wholeSurface(const Surface &surface);
+
+/// glDepthRange(atNear, atFar): the window depths of the near and far planes. They may be reversed, not equal.
+struct DepthRange {
+    double atNear = 0.0;
+    double atFar = 1.0;
+    friend bool operator==(const DepthRange &, const DepthRange &) = default;
+};
+
+/// @return NotFinite; EmptyViewport (width or height not above 0); EmptyDepthRange
+Check check(const Viewport &viewport);
+Check check(const DepthRange &range);
+/// @return EmptyFramebuffer; PixelRatioNotPositive (NaN and infinity included)
+Check check(const Surface &surface);
+
+// ---- widget <-> device <-> window: the only place with a y flip, a pixel ratio or half a pixel -------------------
+
+/// Continuous device position (px, py) of a widget position: widget * ratio. px and py are what formulas (7) to
+/// (12) take: origin top-left, the centre of pixel (i, j) at (i + 1/2, j + 1/2).
+DevicePoint deviceFromWidget(const Surface &surface, const WidgetPoint &position);
+WidgetPoint widgetFromDevice(const Surface &surface, const DevicePoint &position);
+
+/// The pixel that a widget position lies in: floor(widget * ratio). A product within 1e-6 of a whole number counts
+/// as that number: with ratio 1.5 the widget position of device column 413 comes as 413 / 1.5, whose product with
+/// 1.5 may round to just below 413.
+/// @return OutsideFramebuffer; the errors of check(surface); NotFinite
+Result<DevicePixel> devicePixelFromWidget(const Surface &surface, const WidgetPoint &position);
+
+/// (i + 1/2, j + 1/2): where OpenGL samples, and where a click on the pixel is unprojected.
+DevicePoint pixelCenter(const DevicePixel &pixel);
+
+/// The framebuffer row, counted from the bottom as glReadPixels counts, of a pixel: H - 1 - j.
+int framebufferRow(const Surface &surface, const DevicePixel &pixel);
+
+/// (7) x_v = px and (8) y_v = rect.bottom - py, with rect.bottom = H, the framebuffer's height.
+/// The paper and `zhangci` put an integer py into (8) and so name the pixel's upper edge; here py is continuous and
+/// a pixel's centre has its half.
+WindowPoint windowFromDevice(const Surface &surface, const DevicePoint &position, double depth);
+DevicePoint deviceFromWindow(const Surface &surface, const WindowPoint &point);
+
+// ---- NDC <-> window --------------------------------------------------------------------------------------------
+
+/// x_w = vx + (x_n + 1) w / 2, y_w = vy + (y_n + 1) h / 2, d = dn + (z_n + 1) (df - dn) / 2
+/// @pre the viewport and the depth range are valid
+WindowPoint windowFromNdc(const Viewport &viewport, const DepthRange &range, const NdcPoint &point);
+NdcPoint ndcFromWindow(const Viewport &viewport, const DepthRange &range, const WindowPoint &point);
+
+/// windowFromNdc as a matrix, the last factor of MVPW.
+glm::dmat4 windowFromNdc(const Viewport &viewport, const DepthRange &range);
+
+/// The depth mapped back to [0, 1], 0 on the near plane: (d - dn) / (df - dn).
+/// @return DepthOutsideRange (NaN included; both ends are inside), EmptyDepthRange
+Result<double> unitDepth(const DepthRange &range, double depth);
+
+} // namespace unprojector
