@@ -1,0 +1,313 @@
+// The numbers that the originals print (corrected where they are wrong): figures, tables and programs whose results
+// anybody can check by hand.
+
+#include "core/camera.h"
+#include "core/projection.h"
+#include "core/unproject_closed_form.h"
+#include "core/unproject_matrix_inverse.h"
+#include "core/viewport.h"
+
+#include <QTest>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <numbers>
+
+using namespace unprojector;
+
+namespace {
+
+/// The originals print six decimals.
+constexpr double kPrintedDigits = 5e-7;
+/// Coordinates of order 100, taken forward and backward in double.
+constexpr double kRoundTrip = 1e-10;
+
+constexpr double kRightAngle = std::numbers::pi / 2.0;
+
+bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
+{
+    for (int k = 0; k < 3; ++k) {
+        if (!(std::abs(a[k] - b[k]) <= tolerance)) {
+            qWarning("(%.17g, %.17g, %.17g) is not (%.17g, %.17g, %.17g)", a.x, a.y, a.z, b.x, b.y, b.z);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool isNear(double a, double b, double tolerance)
+{
+    if (std::abs(a - b) <= tolerance)
+        return true;
+    qWarning("%.17g is not %.17g", a, b);
+    return false;
+}
+
+/// OpenGL numbers a matrix's elements down the columns: m[12..14] is the translation.
+double element(const glm::dmat4 &m, int index)
+{
+    return m[index / 4][index % 4];
+}
+
+NdcPoint ndcFromClip(const glm::dvec4 &clip)
+{
+    return NdcPoint(glm::dvec3(clip) / clip.w);
+}
+
+/// Forward by matrices, for the vertices of the originals' programs: their model-view matrix is the identity.
+WindowPoint windowFromEye(const Projection &projection, const Viewport &viewport, const EyePoint &point)
+{
+    const glm::dvec4 clip = clipFromEye(projection).value() * glm::dvec4(point.coordinates(), 1.0);
+    return windowFromNdc(viewport, DepthRange{}, ndcFromClip(clip));
+}
+
+} // namespace
+
+class TestFormulaNumbers : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void thePlaneExampleTakesAModelPointToTheViewer();
+    void aViewFromFiveWithAModelAtMinusThreePutsTheModelAtMinusEight();
+    void matricesHaveThePrintedElements_data();
+    void matricesHaveThePrintedElements();
+    void ndcDepthOneHalfIsWindowDepthThreeQuarters();
+    void theWorldOriginIsTheMiddleOfTheWidgetAndBack_data();
+    void theWorldOriginIsTheMiddleOfTheWidgetAndBack();
+    void threeProjectionsGiveOnePictureOnlyInASquareWindow_data();
+    void threeProjectionsGiveOnePictureOnlyInASquareWindow();
+    void programVerticesGoToTheirPixelsAndBack_data();
+    void programVerticesGoToTheirPixelsAndBack();
+    void theCotangentOfTheObliqueProgramIsNotOne();
+};
+
+// Affine 2-D: columns of GLM are the columns of the printed matrix.
+void TestFormulaNumbers::thePlaneExampleTakesAModelPointToTheViewer()
+{
+    const glm::dmat3 worldFromModel{{-1, 0, 0}, {0, 1, 0}, {4, 3, 1}};
+    const glm::dmat3 viewerFromWorld{{1, 0, 0}, {0, -1, 0}, {-5, 2, 1}};
+    const glm::dmat3 viewerFromModel{{-1, 0, 0}, {0, -1, 0}, {-1, -1, 1}};
+
+    QVERIFY(worldFromModel * glm::dvec3(1, 1, 1) == glm::dvec3(3, 4, 1));
+    QVERIFY(viewerFromWorld * glm::dvec3(3, 4, 1) == glm::dvec3(-2, -2, 1));
+    QVERIFY(viewerFromWorld * worldFromModel == viewerFromModel);
+    QVERIFY(viewerFromModel * glm::dvec3(1, 1, 1) == glm::dvec3(-2, -2, 1));
+    QVERIFY(glm::inverse(viewerFromModel) * glm::dvec3(-2, -2, 1) == glm::dvec3(1, 1, 1));
+}
+
+void TestFormulaNumbers::aViewFromFiveWithAModelAtMinusThreePutsTheModelAtMinusEight()
+{
+    const EyeFrame frame = eyeFrame({WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}}).value();
+    const glm::dmat4 worldFromObject = glm::translate(glm::dmat4(1.0), {0.0, 0.0, -3.0});
+    const glm::dmat4 eyeFromObject = eyeFromWorld(frame) * worldFromObject;
+
+    const double printed[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -8, 1};
+    for (int index = 0; index < 16; ++index)
+        QCOMPARE(element(eyeFromObject, index), printed[index]);
+}
+
+void TestFormulaNumbers::matricesHaveThePrintedElements_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::addColumn<QList<double>>("printed");
+
+    QTest::newRow("fig-2.10: glOrtho(-10, 10, -10, 10, -10, 10)")
+        << Projection(Ortho{-10, 10, -10, 10, -10, 10})
+        << QList<double>{0.1, 0, 0, 0, 0, 0.1, 0, 0, 0, 0, -0.1, 0, 0, 0, 0, 1};
+    QTest::newRow("fig-2.12: gluPerspective(45, 1, 1, 100)")
+        << Projection(Perspective{std::numbers::pi / 4.0, 1, 1, 100})
+        << QList<double>{2.4142137, 0, 0, 0, 0, 2.4142137, 0, 0, 0, 0, -1.0202020, -1, 0, 0, -2.0202019, 0};
+    QTest::newRow("parallel-projection 1: glOrtho(-9, 9, -9, 9, 2, 9)")
+        << Projection(Ortho{-9, 9, -9, 9, 2, 9})
+        << QList<double>{0.1111111, 0, 0, 0, 0, 0.1111111, 0, 0, 0, 0, -0.2857143, 0, 0, 0, -1.5714286, 1};
+    QTest::newRow("parallel-projection 2: glOrtho(-10, 10, -10, 10, 2, 9), sheared by 0.78")
+        << Projection(Oblique{{-10, 10, -10, 10, 2, 9}, 0.78, 0.78})
+        << QList<double>{0.1, 0, 0, 0, 0, 0.1, 0, 0, 0.1010855, 0.1010855, -0.2857143, 0, 0, 0, -1.5714286, 1};
+    QTest::newRow("off-centre glFrustum(-1, 3, -2, 1, 2, 10)")
+        << Projection(Frustum{-1, 3, -2, 1, 2, 10})
+        << QList<double>{1, 0, 0, 0, 0, 1.3333333, 0, 0, 0.5, -0.3333333, -1.5, -1, 0, 0, -5, 0};
+    QTest::newRow("off-centre glOrtho(-1, 3, -2, 1, 2, 10)")
+        << Projection(Ortho{-1, 3, -2, 1, 2, 10})
+        << QList<double>{0.5, 0, 0, 0, 0, 0.6666667, 0, 0, 0, 0, -0.25, 0, -0.5, 0.3333333, -1.5, 1};
+}
+
+void TestFormulaNumbers::matricesHaveThePrintedElements()
+{
+    QFETCH(Projection, projection);
+    QFETCH(QList<double>, printed);
+    const glm::dmat4 matrix = clipFromEye(projection).value();
+    for (int index = 0; index < 16; ++index)
+        QVERIFY2(isNear(element(matrix, index), printed[index], kPrintedDigits), qPrintable(QString::number(index)));
+}
+
+void TestFormulaNumbers::ndcDepthOneHalfIsWindowDepthThreeQuarters()
+{
+    const Viewport viewport{0, 0, 50, 50};
+    QVERIFY(windowFromNdc(viewport, DepthRange{}, NdcPoint(0, 0, 0.5)).coordinates() == glm::dvec3(25, 25, 0.75));
+    QVERIFY(windowFromNdc(viewport, DepthRange{}) * glm::dvec4(0, 0, 0.5, 1) == glm::dvec4(25, 25, 0.75, 1));
+}
+
+void TestFormulaNumbers::theWorldOriginIsTheMiddleOfTheWidgetAndBack_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::addColumn<WorldPoint>("eye");
+    QTest::addColumn<double>("depth");
+
+    // The origin is 5, or sqrt(3^2 + 4^2 + 12^2) = 13, in front of the eye.
+    QTest::newRow("perspective from the front")
+        << Projection(Perspective{kRightAngle, 1, 1, 100}) << WorldPoint(0, 0, 5) << 400.0 / 495.0;
+    QTest::newRow("perspective from aside")
+        << Projection(Perspective{kRightAngle, 1, 1, 100}) << WorldPoint(3, 4, 12) << 1200.0 / 1287.0;
+    QTest::newRow("ortho from the front") << Projection(Ortho{-10, 10, -10, 10, 1, 9}) << WorldPoint(0, 0, 5) << 0.5;
+    QTest::newRow("ortho from aside") << Projection(Ortho{-10, 10, -10, 10, 3, 33}) << WorldPoint(3, 4, 12)
+                                      << 1.0 / 3.0;
+}
+
+void TestFormulaNumbers::theWorldOriginIsTheMiddleOfTheWidgetAndBack()
+{
+    QFETCH(Projection, projection);
+    QFETCH(WorldPoint, eye);
+    QFETCH(double, depth);
+    const EyeFrame frame = eyeFrame({eye, WorldPoint(0, 0, 0), {0, 1, 0}}).value();
+    const Surface surface = surfaceFromWidget(300, 300, 1.0);
+    const Viewport viewport = wholeSurface(surface);
+
+    const WindowPoint window = windowFromEye(projection, viewport, eyeFromWorld(frame, WorldPoint(0, 0, 0)));
+    const WidgetPoint widget = widgetFromDevice(surface, deviceFromWindow(surface, window));
+    QVERIFY(isNear({widget.x, widget.y, window.z}, {150, 150, depth}, kRoundTrip));
+
+    const WindowPoint clicked = windowFromDevice(surface, deviceFromWidget(surface, WidgetPoint(150, 150)), depth);
+    const EyePoint byFormula = unprojectClosedForm(projection, viewport, DepthRange{}, clicked).value();
+    QVERIFY(isNear(worldFromEye(frame, byFormula), {0, 0, 0}, kRoundTrip));
+    const glm::dmat4 clipFromWorld = clipFromEye(projection).value() * eyeFromWorld(frame);
+    QVERIFY(isNear(unprojectByInverse<WorldSpace>(clipFromWorld, viewport, DepthRange{}, clicked).value(), {0, 0, 0},
+                   kRoundTrip));
+}
+
+void TestFormulaNumbers::threeProjectionsGiveOnePictureOnlyInASquareWindow_data()
+{
+    QTest::addColumn<double>("width");
+    QTest::addColumn<double>("height");
+    QTest::addColumn<double>("handMade");
+    QTest::addColumn<double>("gluPerspective");
+
+    QTest::newRow("800x600: the pictures differ") << 800.0 << 600.0 << 1.3333333 << 0.75;
+    QTest::newRow("600x600: the pictures agree") << 600.0 << 600.0 << 1.0 << 1.0;
+    QTest::newRow("600x800: the pictures differ the other way") << 600.0 << 800.0 << 0.75 << 1.3333333;
+}
+
+void TestFormulaNumbers::threeProjectionsGiveOnePictureOnlyInASquareWindow()
+{
+    QFETCH(double, width);
+    QFETCH(double, height);
+    QFETCH(double, handMade);
+    QFETCH(double, gluPerspective);
+
+    // As the original's program has it: AspectRatio = height / width, ViewAngleV across, ViewAngleH up.
+    const double viewAngleH = kRightAngle;
+    const double viewAngleV = std::atan(std::tan(viewAngleH / 2.0) * (height / width)) * 2.0;
+    const double right = 5.0 * std::tan(viewAngleV / 2.0);
+    const double top = 5.0 * std::tan(viewAngleH / 2.0);
+    const glm::dmat4 frustum = clipFromEye(Frustum{-right, right, -top, top, 5, 80000}).value();
+    QVERIFY(isNear(element(frustum, 0), 1.0 / std::tan(viewAngleV / 2.0), 1e-15));
+    QVERIFY(isNear(element(frustum, 0), handMade, kPrintedDigits));
+    QVERIFY(isNear(element(frustum, 5), 1.0, kPrintedDigits));
+
+    const glm::dmat4 perspective = clipFromEye(Perspective{kRightAngle, width / height, 5, 80000}).value();
+    QVERIFY(isNear(element(perspective, 0), gluPerspective, kPrintedDigits));
+    QVERIFY(isNear(element(perspective, 5), 1.0, kPrintedDigits));
+    // The depth rows agree: -80005/79995 and -800000/79995.
+    for (const glm::dmat4 &m : {frustum, perspective}) {
+        QVERIFY(isNear(element(m, 10), -1.0001250, kPrintedDigits));
+        QVERIFY(isNear(element(m, 14), -10.0006250, kPrintedDigits));
+        QCOMPARE(element(m, 11), -1.0);
+    }
+}
+
+void TestFormulaNumbers::programVerticesGoToTheirPixelsAndBack_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::addColumn<Viewport>("viewport");
+    QTest::addColumn<EyePoint>("vertex");
+    QTest::addColumn<glm::dvec3>("window");
+
+    // projection-derivation. x_n = x / |z| * 4/3 for the hand-made matrix, * 3/4 for gluPerspective.
+    const Viewport wide{0, 0, 800, 600};
+    const Projection handMade = Frustum{-3.75, 3.75, -5, 5, 5, 80000};
+    const Projection perspective = Perspective{kRightAngle, 800.0 / 600.0, 5, 80000};
+    const double at10 = 0.5000312519532471, at20 = 0.7500468779298706, at30 = 0.8333854199220785,
+                 at40 = 0.8750546909181824;
+    QTest::newRow("fan, hand-made, as printed: apex")
+        << handMade << wide << EyePoint(0, 0, -20) << glm::dvec3(400, 300, at20);
+    QTest::newRow("fan, hand-made, as printed: second")
+        << handMade << wide << EyePoint(30, 20, -40) << glm::dvec3(800, 450, at40);
+    QTest::newRow("fan, hand-made, as printed: third, right of the window")
+        << handMade << wide << EyePoint(40, 10, -30) << glm::dvec3(400 + 400 * 16.0 / 9.0, 400, at30);
+    QTest::newRow("fan, hand-made, translated: apex")
+        << handMade << wide << EyePoint(0, 0, -10) << glm::dvec3(400, 300, at10);
+    QTest::newRow("fan, hand-made, translated: second")
+        << handMade << wide << EyePoint(30, 20, -30) << glm::dvec3(400 + 400 * 4.0 / 3.0, 500, at30);
+    QTest::newRow("fan, gluPerspective, as printed: apex")
+        << perspective << wide << EyePoint(0, 0, -20) << glm::dvec3(400, 300, at20);
+    QTest::newRow("fan, gluPerspective, as printed: second")
+        << perspective << wide << EyePoint(30, 20, -40) << glm::dvec3(625, 450, at40);
+    QTest::newRow("fan, gluPerspective, as printed: third")
+        << perspective << wide << EyePoint(40, 10, -30) << glm::dvec3(800, 400, at30);
+    QTest::newRow("fan, gluPerspective, translated: third")
+        << perspective << wide << EyePoint(40, 10, -20) << glm::dvec3(1000, 450, at20);
+
+    // parallel-projection 1: SIZE = 4.5 is truncated to 4, so the corners are at 4/9 of the half window.
+    const Projection box = Ortho{-9, 9, -9, 9, 2, 9};
+    const double left = 400 - 1600.0 / 9.0, right = 400 + 1600.0 / 9.0, below = 300 - 1200.0 / 9.0,
+                 above = 300 + 1200.0 / 9.0;
+    QTest::newRow("quad A, red") << box << wide << EyePoint(-4, 4, -4) << glm::dvec3(left, above, 2.0 / 7.0);
+    QTest::newRow("quad B, green") << box << wide << EyePoint(4, 4, -4) << glm::dvec3(right, above, 2.0 / 7.0);
+    QTest::newRow("quad C, blue") << box << wide << EyePoint(4, -4, -4) << glm::dvec3(right, below, 2.0 / 7.0);
+    QTest::newRow("quad D, white") << box << wide << EyePoint(-4, -4, -4) << glm::dvec3(left, below, 2.0 / 7.0);
+    QTest::newRow("quad on the near plane") << box << wide << EyePoint(9, -9, -2) << glm::dvec3(800, 0, 0);
+    QTest::newRow("quad on the far plane") << box << wide << EyePoint(-9, 9, -9) << glm::dvec3(0, 600, 1);
+
+    // parallel-projection 2: x_n = (x - 1.0108550 |z|) / 10. With cot = 1 the front corner would be at 0.15, not 0.1467.
+    const Projection sheared = Oblique{{-10, 10, -10, 10, 2, 9}, 0.78, 0.78};
+    const Viewport square{0, 0, 600, 600};
+    const auto at = [](double ndc) { return 300.0 * (1.0 + ndc); };
+    const double front = 1.0 / 7.0, back = 2.5 / 7.0;
+    QTest::newRow("box H, front top right") << sheared << square << EyePoint(4.5, 4.5, -3)
+                                            << glm::dvec3(at(0.1467434911629235), at(0.1467434911629235), front);
+    QTest::newRow("box A, front bottom left") << sheared << square << EyePoint(-4.5, -4.5, -3)
+                                              << glm::dvec3(at(-0.7532565088370765), at(-0.7532565088370765), front);
+    QTest::newRow("box B, back bottom left") << sheared << square << EyePoint(-4.5, -4.5, -4.5)
+                                             << glm::dvec3(at(-0.9048847632556147), at(-0.9048847632556147), back);
+    QTest::newRow("box E, back top right") << sheared << square << EyePoint(4.5, 4.5, -4.5)
+                                           << glm::dvec3(at(-0.0048847632556147), at(-0.0048847632556147), back);
+    QTest::newRow("box G, back bottom right") << sheared << square << EyePoint(4.5, -4.5, -4.5)
+                                              << glm::dvec3(at(-0.0048847632556147), at(-0.9048847632556147), back);
+}
+
+void TestFormulaNumbers::programVerticesGoToTheirPixelsAndBack()
+{
+    QFETCH(Projection, projection);
+    QFETCH(Viewport, viewport);
+    QFETCH(EyePoint, vertex);
+    QFETCH(glm::dvec3, window);
+
+    QVERIFY(isNear(windowFromEye(projection, viewport, vertex), window, kRoundTrip));
+
+    const WindowPoint clicked(window);
+    QVERIFY(isNear(unprojectClosedForm(projection, viewport, DepthRange{}, clicked).value(), vertex, kRoundTrip));
+    // 5 : 80000 costs the inverse matrix four more digits.
+    const glm::dmat4 matrix = clipFromEye(projection).value();
+    QVERIFY(isNear(unprojectByInverse<EyeSpace>(matrix, viewport, DepthRange{}, clicked).value(), vertex, 1e-9));
+}
+
+void TestFormulaNumbers::theCotangentOfTheObliqueProgramIsNotOne()
+{
+    QVERIFY(isNear(cotangent(0.78), 1.01086, 5e-6));
+    QVERIFY(isNear(cotangent(0.78), 1.0108550294569216, 1e-15));
+    QVERIFY(isNear(cotangent(std::numbers::pi / 4.0), 1.0, 1e-15));
+    QCOMPARE(cotangent(kRightAngle), 0.0);
+}
+
+QTEST_GUILESS_MAIN(TestFormulaNumbers)
+#include "test_formula_numbers.moc"

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/camera.h"
+#include "core/projection.h"
+#include "core/viewport.h"
+#include "tests/support/random_scene.h"
+
+/// The oracle's plain structs as core's. This is the only place where the two meet.
+namespace oracle {
+
+inline unprojector::LookAt coreView(const View &view)
+{
+    return {unprojector::WorldPoint(view.eye[0], view.eye[1], view.eye[2]),
+            unprojector::WorldPoint(view.center[0], view.center[1], view.center[2]),
+            {view.up[0], view.up[1], view.up[2]}};
+}
+
+inline unprojector::Projection coreProjection(const Projection &p)
+{
+    const unprojector::Ortho box{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
+    switch (p.kind) {
+    case ProjectionKind::Frustum:
+        return unprojector::Frustum{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
+    case ProjectionKind::Perspective:
+        return unprojector::Perspective{p.verticalFovRadians, p.aspect, p.nearDistance, p.farDistance};
+    case ProjectionKind::Oblique:
+        return unprojector::Oblique{box, p.thetaRadians, p.phiRadians};
+    case ProjectionKind::Ortho:
+        break;
+    }
+    return box;
+}
+
+inline unprojector::Viewport coreViewport(const Target &t)
+{
+    return {t.x, t.y, t.width, t.height};
+}
+
+inline unprojector::DepthRange coreDepthRange(const Target &t)
+{
+    return {t.depthAtNear, t.depthAtFar};
+}
+
+inline Vector3 extended(const glm::dvec3 &v)
+{
+    return {Extended(v.x), Extended(v.y), Extended(v.z)};
+}
+
+} // namespace oracle

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <array>
+
+/// A second, independent way from a world point to a window position and back, for judging core. It is written from
+/// the OpenGL 2.1 reference pages, includes nothing of core, takes plain doubles and computes with 50 digits, so
+/// that its own rounding does not show beside a double's.
+///
+/// Back is not a formula here either: the point under a window position is the solution of the linear system
+/// that the forward matrices make.
+namespace oracle {
+
+using Extended = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Vector3 = std::array<Extended, 3>;
+using Vector4 = std::array<Extended, 4>;
+using Matrix4 = std::array<Vector4, 4>; ///< m[row][column], column vectors
+
+/// The arguments of gluLookAt.
+struct View {
+    std::array<double, 3> eye, center, up;
+};
+
+enum class ProjectionKind { Frustum, Ortho, Perspective, Oblique };
+
+/// The arguments of glFrustum, glOrtho, gluPerspective (angle in radians) or of a sheared glOrtho; those that the
+/// kind does not have are not read.
+struct Projection {
+    ProjectionKind kind = ProjectionKind::Ortho;
+    double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
+    double nearDistance = 1.0, farDistance = 2.0;
+    double verticalFovRadians = 1.0, aspect = 1.0;
+    double thetaRadians = 1.0, phiRadians = 1.0;
+};
+
+/// The arguments of glViewport and glDepthRange.
+struct Target {
+    double x = 0.0, y = 0.0, width = 1.0, height = 1.0;
+    double depthAtNear = 0.0, depthAtFar = 1.0;
+};
+
+struct Stages {
+    Vector3 eye;
+    Vector4 clip;
+    Vector3 ndc;
+    Vector3 window;
+};
+
+Matrix4 lookAtMatrix(const View &view);
+Matrix4 projectionMatrix(const Projection &projection);
+Matrix4 targetMatrix(const Target &target);
+Matrix4 product(const Matrix4 &a, const Matrix4 &b);
+
+class Oracle
+{
+public:
+    Oracle(const View &view, const Projection &projection, const Target &target);
+
+    Stages forward(const Vector3 &world) const;
+    /// @param window  origin bottom-left; its depth in the target's depth range
+    Vector3 eyeUnder(const std::array<double, 3> &window) const;
+    Vector3 worldUnder(const std::array<double, 3> &window) const;
+
+    const Matrix4 &eyeFromWorld() const { return m_eyeFromWorld; }
+    const Matrix4 &clipFromEye() const { return m_clipFromEye; }
+
+private:
+    Matrix4 m_eyeFromWorld;
+    Matrix4 m_clipFromEye;
+    Matrix4 m_windowFromNdc;
+    Matrix4 m_windowFromEye;
+    Matrix4 m_windowFromWorld;
+};
+
+/// The largest absolute component.
+Extended maxNorm(const Vector3 &v);
+Vector3 difference(const Vector3 &a, const Vector3 &b);
+
+} // namespace oracle
