@@ -1,0 +1,318 @@
+#include "core/mesh_normals.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+namespace unprojector {
+
+namespace {
+
+constexpr std::uint32_t kEmpty = 0xffffffffu;
+constexpr std::size_t kTrianglesBetweenReports = 1 << 16;
+
+std::uint64_t mixed(std::uint64_t hash, std::uint32_t word)
+{
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15ull;
+    return hash ^ (hash >> 29);
+}
+
+std::uint64_t hashOf(const glm::vec3 &v, std::uint64_t hash = 0x2545f4914f6cdd1dull)
+{
+    // Adding 0 turns -0 into 0: equal numbers must hash alike.
+    hash = mixed(hash, std::bit_cast<std::uint32_t>(v.x + 0.0f));
+    hash = mixed(hash, std::bit_cast<std::uint32_t>(v.y + 0.0f));
+    return mixed(hash, std::bit_cast<std::uint32_t>(v.z + 0.0f));
+}
+
+std::size_t slotCountFor(std::size_t count)
+{
+    return std::bit_ceil(std::max<std::size_t>(16, count + count / 2));
+}
+
+/// A triangle's unit normal, and its area in units that keep the sums far from overflow.
+struct FaceNormal {
+    glm::vec3 direction{0.0f};
+    float weight = 0.0f;
+};
+
+std::vector<FaceNormal> faceNormalsOf(const Mesh &mesh, const std::function<void(double)> &report)
+{
+    Box box;
+    for (const glm::vec3 &position : mesh.positions)
+        box.add(glm::dvec3(position));
+    const double scale = box.diagonal() > 0.0 ? 1.0 / box.diagonal() : 1.0;
+
+    std::vector<FaceNormal> faces(mesh.triangleCount());
+    for (std::size_t t = 0; t < faces.size(); ++t) {
+        if (t % kTrianglesBetweenReports == 0 && report)
+            report(0.4 * static_cast<double>(t) / static_cast<double>(faces.size()));
+        const glm::dvec3 a(mesh.positions[mesh.indices[3 * t]]);
+        const glm::dvec3 b(mesh.positions[mesh.indices[3 * t + 1]]);
+        const glm::dvec3 c(mesh.positions[mesh.indices[3 * t + 2]]);
+        const glm::dvec3 normal = glm::cross((b - a) * scale, (c - a) * scale);
+        const double area = glm::length(normal);
+        if (area > 0.0)
+            faces[t] = {glm::vec3(normal / area), static_cast<float>(area)};
+    }
+    return faces;
+}
+
+/// The corners around each creased position, sorted by position, in compressed rows.
+struct CornerRows {
+    std::vector<std::uint32_t> begin;   ///< by creased position's number, one more than there are
+    std::vector<std::uint32_t> corners;
+};
+
+/// Groups the faces around one position: faces that share an edge there and turn by less than the crease angle.
+class CreaseGroups {
+public:
+    CreaseGroups(const std::vector<FaceNormal> &faces, const std::vector<std::uint32_t> &positionOfCorner,
+                 float cosineOfCrease)
+        : m_faces(faces), m_positionOfCorner(positionOfCorner), m_cosineOfCrease(cosineOfCrease)
+    {
+    }
+
+    /// Fills `groups` with the group of each corner, numbered from 0, and returns how many there are.
+    std::uint32_t group(const std::uint32_t *corners, std::uint32_t count, std::vector<std::uint32_t> &groups)
+    {
+        m_parents.resize(count);
+        std::iota(m_parents.begin(), m_parents.end(), 0u);
+        m_edges.clear();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t first = corners[i] - corners[i] % 3;
+            m_edges.emplace_back(m_positionOfCorner[first + (corners[i] + 1 - first) % 3], i);
+            m_edges.emplace_back(m_positionOfCorner[first + (corners[i] + 2 - first) % 3], i);
+        }
+        std::sort(m_edges.begin(), m_edges.end());
+        for (std::size_t e = 1; e < m_edges.size(); ++e) {
+            if (m_edges[e - 1].first != m_edges[e].first)
+                continue;
+            const FaceNormal &one = m_faces[corners[m_edges[e - 1].second] / 3];
+            const FaceNormal &other = m_faces[corners[m_edges[e].second] / 3];
+            const bool isFlat = one.weight == 0.0f || other.weight == 0.0f;
+            if (isFlat || glm::dot(one.direction, other.direction) >= m_cosineOfCrease)
+                m_parents[root(m_edges[e - 1].second)] = root(m_edges[e].second);
+        }
+        groups.assign(count, kEmpty);
+        std::uint32_t groupCount = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t top = root(i);
+            if (groups[top] == kEmpty)
+                groups[top] = groupCount++;
+            groups[i] = groups[top];
+        }
+        return groupCount;
+    }
+
+private:
+    std::uint32_t root(std::uint32_t i)
+    {
+        while (m_parents[i] != i)
+            i = m_parents[i] = m_parents[m_parents[i]];
+        return i;
+    }
+
+    const std::vector<FaceNormal> &m_faces;
+    const std::vector<std::uint32_t> &m_positionOfCorner;
+    float m_cosineOfCrease;
+    std::vector<std::uint32_t> m_parents;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;
+};
+
+glm::vec3 normalizedOrUp(const glm::vec3 &sum)
+{
+    // The square of a tiny area's normal underflows in single precision.
+    const double length = glm::length(glm::dvec3(sum));
+    return length > 0.0 ? glm::vec3(glm::dvec3(sum) / length) : glm::vec3(0.0f, 0.0f, 1.0f);
+}
+
+std::uint32_t appendCopy(Mesh &mesh, std::uint32_t vertex)
+{
+    mesh.positions.push_back(glm::vec3(mesh.positions[vertex]));
+    mesh.normals.push_back(glm::vec3(mesh.normals[vertex]));
+    if (!mesh.colors.empty())
+        mesh.colors.push_back(glm::u8vec4(mesh.colors[vertex]));
+    if (!mesh.texcoords.empty())
+        mesh.texcoords.push_back(glm::vec2(mesh.texcoords[vertex]));
+    return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+}
+
+} // namespace
+
+PositionIndex::PositionIndex(std::size_t expectedCount) : m_slots(slotCountFor(expectedCount), kEmpty)
+{
+    m_positions.reserve(expectedCount);
+}
+
+std::uint32_t PositionIndex::add(const glm::vec3 &position)
+{
+    if (m_positions.size() + m_positions.size() / 4 >= m_slots.size())
+        grow();
+    const std::size_t mask = m_slots.size() - 1;
+    std::size_t slot = hashOf(position) & mask;
+    while (m_slots[slot] != kEmpty) {
+        if (m_positions[m_slots[slot]] == position)
+            return m_slots[slot];
+        slot = (slot + 1) & mask;
+    }
+    m_slots[slot] = static_cast<std::uint32_t>(m_positions.size());
+    m_positions.push_back(position);
+    return m_slots[slot];
+}
+
+void PositionIndex::grow()
+{
+    m_slots.assign(m_slots.size() * 2, kEmpty);
+    const std::size_t mask = m_slots.size() - 1;
+    for (std::size_t i = 0; i < m_positions.size(); ++i) {
+        std::size_t slot = hashOf(m_positions[i]) & mask;
+        while (m_slots[slot] != kEmpty)
+            slot = (slot + 1) & mask;
+        m_slots[slot] = static_cast<std::uint32_t>(i);
+    }
+}
+
+void mergeEqualVertices(Mesh &mesh)
+{
+    const bool hasNormals = !mesh.normals.empty();
+    const bool hasColors = !mesh.colors.empty();
+    const bool hasTexcoords = !mesh.texcoords.empty();
+    const auto areEqual = [&](std::uint32_t a, std::uint32_t b) {
+        return mesh.positions[a] == mesh.positions[b] && (!hasNormals || mesh.normals[a] == mesh.normals[b])
+               && (!hasColors || mesh.colors[a] == mesh.colors[b])
+               && (!hasTexcoords || mesh.texcoords[a] == mesh.texcoords[b]);
+    };
+
+    std::vector<std::uint32_t> slots(slotCountFor(mesh.positions.size()), kEmpty);
+    std::vector<std::uint32_t> mergedFromOld(mesh.positions.size(), kEmpty);
+    std::vector<std::uint32_t> oldFromMerged;
+    const std::size_t mask = slots.size() - 1;
+    for (std::uint32_t &index : mesh.indices) {
+        if (mergedFromOld[index] == kEmpty) {
+            std::uint64_t hash = hashOf(mesh.positions[index]);
+            if (hasNormals)
+                hash = hashOf(mesh.normals[index], hash);
+            if (hasTexcoords)
+                hash = hashOf(glm::vec3(mesh.texcoords[index], 0.0f), hash);
+            std::size_t slot = hash & mask;
+            while (slots[slot] != kEmpty && !areEqual(oldFromMerged[slots[slot]], index))
+                slot = (slot + 1) & mask;
+            if (slots[slot] == kEmpty) {
+                slots[slot] = static_cast<std::uint32_t>(oldFromMerged.size());
+                oldFromMerged.push_back(index);
+            }
+            mergedFromOld[index] = slots[slot];
+        }
+        index = mergedFromOld[index];
+    }
+
+    const auto gather = [&](auto &values) {
+        if (values.empty())
+            return;
+        std::remove_reference_t<decltype(values)> gathered;
+        gathered.reserve(oldFromMerged.size());
+        for (const std::uint32_t old : oldFromMerged)
+            gathered.push_back(values[old]);
+        values = std::move(gathered);
+    };
+    gather(mesh.positions);
+    gather(mesh.normals);
+    gather(mesh.colors);
+    gather(mesh.texcoords);
+}
+
+void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(double)> &report)
+{
+    const std::vector<FaceNormal> faces = faceNormalsOf(mesh, report);
+
+    PositionIndex positionIndex(mesh.positions.size());
+    std::vector<std::uint32_t> positionOfVertex(mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        positionOfVertex[v] = positionIndex.add(mesh.positions[v]);
+    std::vector<glm::vec3> sums(positionIndex.size(), glm::vec3(0.0f));
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c)
+        sums[positionOfVertex[mesh.indices[c]]] += faces[c / 3].direction * faces[c / 3].weight;
+    for (glm::vec3 &sum : sums)
+        sum = normalizedOrUp(sum);
+    if (report)
+        report(0.6);
+
+    mesh.normals.resize(mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        mesh.normals[v] = sums[positionOfVertex[v]];
+
+    // Faces within half the crease angle of their mean are within the crease angle of each other: nearly all
+    // positions of a scan are settled by that, and only the rest is worth looking at edge by edge.
+    const float cosineOfHalfCrease = std::sqrt((1.0f + cosineOfCrease) / 2.0f);
+    std::vector<std::uint32_t> creasedNumber(positionIndex.size(), kEmpty);
+    CornerRows rows;
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+        const FaceNormal &face = faces[c / 3];
+        const std::uint32_t position = positionOfVertex[mesh.indices[c]];
+        if (face.weight > 0.0f && !(glm::dot(face.direction, sums[position]) >= cosineOfHalfCrease))
+            creasedNumber[position] = 0;
+    }
+    std::uint32_t creasedCount = 0;
+    for (std::uint32_t &number : creasedNumber) {
+        if (number != kEmpty)
+            number = creasedCount++;
+    }
+    if (report)
+        report(0.8);
+    if (creasedCount == 0)
+        return;
+
+    std::vector<std::uint32_t> positionOfCorner(mesh.indices.size());
+    rows.begin.assign(creasedCount + 1, 0);
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+        positionOfCorner[c] = positionOfVertex[mesh.indices[c]];
+        if (const std::uint32_t number = creasedNumber[positionOfCorner[c]]; number != kEmpty)
+            ++rows.begin[number + 1];
+    }
+    std::partial_sum(rows.begin.begin(), rows.begin.end(), rows.begin.begin());
+    rows.corners.resize(rows.begin.back());
+    std::vector<std::uint32_t> next(rows.begin.begin(), rows.begin.end() - 1);
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+        if (const std::uint32_t number = creasedNumber[positionOfCorner[c]]; number != kEmpty)
+            rows.corners[next[number]++] = static_cast<std::uint32_t>(c);
+    }
+
+    CreaseGroups creaseGroups(faces, positionOfCorner, cosineOfCrease);
+    std::vector<std::uint32_t> groups;
+    std::vector<glm::vec3> groupNormals;
+    // (vertex, group) to the vertex that stands for it; a vertex's first group keeps its number.
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    for (std::uint32_t number = 0; number < creasedCount; ++number) {
+        if (number % kTrianglesBetweenReports == 0 && report)
+            report(0.8 + 0.2 * number / creasedCount);
+        const std::uint32_t *corners = rows.corners.data() + rows.begin[number];
+        const std::uint32_t count = rows.begin[number + 1] - rows.begin[number];
+        const std::uint32_t groupCount = creaseGroups.group(corners, count, groups);
+
+        groupNormals.assign(groupCount, glm::vec3(0.0f));
+        for (std::uint32_t i = 0; i < count; ++i)
+            groupNormals[groups[i]] += faces[corners[i] / 3].direction * faces[corners[i] / 3].weight;
+        order.clear();
+        for (std::uint32_t i = 0; i < count; ++i)
+            order.emplace_back(std::uint64_t{mesh.indices[corners[i]]} << 32 | groups[i], corners[i]);
+        std::sort(order.begin(), order.end());
+        std::uint32_t target = 0;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const auto vertex = static_cast<std::uint32_t>(order[i].first >> 32);
+            if (i == 0 || order[i].first != order[i - 1].first) {
+                const bool isFirstGroup = i == 0 || vertex != order[i - 1].first >> 32;
+                target = isFirstGroup ? vertex : appendCopy(mesh, vertex);
+                mesh.normals[target] = normalizedOrUp(groupNormals[order[i].first & 0xffffffffu]);
+            }
+            mesh.indices[order[i].second] = target;
+        }
+    }
+}
+
+} // namespace unprojector

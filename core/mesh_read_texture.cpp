@@ -1,0 +1,71 @@
+#include "core/mesh_reader.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace unprojector::mesh_reader {
+
+namespace {
+
+int hexDigit(char c)
+{
+    if (c >= '0' && c <= '9')
+        return c - '0';
+    if (c >= 'a' && c <= 'f')
+        return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F')
+        return c - 'A' + 10;
+    return -1;
+}
+
+std::string percentDecoded(const std::string &text)
+{
+    std::string decoded;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '%' && i + 2 < text.size() && hexDigit(text[i + 1]) >= 0 && hexDigit(text[i + 2]) >= 0) {
+            decoded.push_back(static_cast<char>(hexDigit(text[i + 1]) * 16 + hexDigit(text[i + 2])));
+            i += 2;
+        } else {
+            decoded.push_back(text[i]);
+        }
+    }
+    return decoded;
+}
+
+} // namespace
+
+std::filesystem::path resolveReference(const std::filesystem::path &modelFile, const std::string &reference)
+{
+    const std::filesystem::path folder = modelFile.parent_path();
+    std::string slashed = reference;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    for (const std::string &candidate : {reference, slashed, percentDecoded(slashed)}) {
+        const std::filesystem::path relative = pathFromUtf8(candidate);
+        // Many files hold the path of the author's own disk; the picture then often lies beside the model.
+        for (const std::filesystem::path &file : {folder / relative, folder / relative.filename()}) {
+            std::error_code error;
+            if (std::filesystem::is_regular_file(file, error))
+                return file;
+        }
+    }
+    return {};
+}
+
+Texture readTexture(const std::filesystem::path &modelFile, const std::string &reference)
+{
+    Texture texture;
+    texture.file = resolveReference(modelFile, reference);
+    if (texture.file.empty()) {
+        texture.file = modelFile.parent_path() / pathFromUtf8(reference);
+        return texture;
+    }
+    try {
+        texture.encoded = readFile(texture.file);
+    } catch (const Failure &) {
+        // A picture that cannot be read is no reason to show nothing.
+        texture.encoded.clear();
+    }
+    return texture;
+}
+
+} // namespace unprojector::mesh_reader

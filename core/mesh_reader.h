@@ -1,0 +1,93 @@
+#pragma once
+
+#include "core/mesh.h"
+#include "core/mesh_import.h"
+
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// What the format readers behind importModel share. Not for use elsewhere.
+namespace unprojector::mesh_reader {
+
+/// Thrown inside the import only; importModel turns it into an ImportError. A std::exception, so that it passes
+/// through assimp's own catch clauses.
+struct Failure : std::exception {
+    explicit Failure(ImportErrorCode failureCode, std::string failureDetail = {}, std::size_t failureIndex = 0)
+        : code(failureCode), detail(std::move(failureDetail)), index(failureIndex)
+    {
+    }
+    const char *what() const noexcept override { return detail.c_str(); }
+
+    ImportErrorCode code;
+    std::string detail;
+    std::size_t index;
+};
+
+[[noreturn]] inline void failMalformed(std::string detail)
+{
+    throw Failure(ImportErrorCode::Malformed, std::move(detail));
+}
+
+/// Passes the share done on, never falling.
+class ProgressReporter {
+public:
+    explicit ProgressReporter(const ImportProgress &callback) : m_callback(callback) {}
+
+    /// The part of the whole that the following reports fill from 0 to 1.
+    void beginStage(double from, double to);
+    /// @param share  of the stage, in [0, 1]
+    /// Throws Failure (Cancelled) when the callback says stop, then and at every later call.
+    void report(double share);
+    bool isCancelled() const { return m_cancelled; }
+
+private:
+    const ImportProgress &m_callback;
+    double m_from = 0.0;
+    double m_to = 1.0;
+    double m_last = 0.0;
+    bool m_cancelled = false;
+};
+
+/// A model file in memory, and what a reader needs besides.
+struct Source {
+    std::filesystem::path file;
+    std::string suffix;                 ///< lower case, without the dot
+    std::span<const std::uint8_t> bytes;
+    ProgressReporter &progress;
+
+    std::string_view text() const { return {reinterpret_cast<const char *>(bytes.data()), bytes.size()}; }
+};
+
+/// The readers. Meshes may lack normals; their indices and values are checked by finishModel.
+/// Each throws Failure, or std::bad_alloc.
+Model readStl(const Source &source);
+Model readPly(const Source &source);
+Model readOff(const Source &source);
+/// OBJ, glTF and GLB.
+Model readWithAssimp(const Source &source);
+
+/// Throws Failure (Malformed with the line, NotFinite with the vertex, NoTriangles) for what assimp accepts in
+/// silence: missing coordinates, faces that refer to vertices the file does not have.
+void checkObj(const Source &source);
+/// Throws Failure (Malformed) for glTF whose buffers, accessors or node tree would lead assimp astray.
+void checkGltf(const Source &source);
+
+/// The texture a model file refers to, read from disk; `encoded` stays empty when there is no such file.
+/// @param reference  UTF-8, as written in the file: relative to the model file's folder, either slash, perhaps with
+///                   %20 for a blank
+Texture readTexture(const std::filesystem::path &modelFile, const std::string &reference);
+/// The file that such a reference means, or an empty path.
+std::filesystem::path resolveReference(const std::filesystem::path &modelFile, const std::string &reference);
+/// A regular file's bytes. Throws Failure (NotReadable).
+std::vector<std::uint8_t> readFile(const std::filesystem::path &file, ProgressReporter *progress = nullptr);
+
+std::filesystem::path pathFromUtf8(std::string_view utf8);
+std::string utf8FromPath(const std::filesystem::path &path);
+
+} // namespace unprojector::mesh_reader

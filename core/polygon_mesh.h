@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace unprojector::mesh_reader {
+
+/// Builds one mesh out of a file's vertices and polygons. Colours and texture coordinates may belong to vertices, or
+/// to the corners of faces: then vertices are split where the corners around them differ.
+class PolygonMesh {
+public:
+    explicit PolygonMesh(std::size_t vertexCount) : m_vertexCount(vertexCount) {}
+
+    /// The vertices; colours and texture coordinates either for all or for none. Before the first polygon, or else
+    /// concave polygons become fans.
+    Mesh mesh;
+
+    /// @param face  the face's number in the file, for messages
+    /// Throws Failure (Malformed) for a vertex the file does not have.
+    void addPolygon(std::span<const std::int64_t> vertices, std::size_t face);
+    /// Sets the corners of the polygon added last, and so of all: those never set are white or (0, 0).
+    void setFaceColor(const glm::u8vec4 &color);
+    void setCornerTexcoords(std::span<const glm::vec2> texcoords);
+    /// Adds a strip of triangles; a negative number starts a new one.
+    void addStrip(std::span<const std::int64_t> vertices, std::size_t strip);
+
+    /// The finished mesh.
+    Mesh take();
+
+private:
+    std::uint32_t checked(std::int64_t vertex, const char *what, std::size_t number) const;
+
+    std::size_t m_vertexCount;
+    std::size_t m_polygonBegin = 0;                 ///< where the last polygon starts in mesh.indices
+    std::vector<std::uint32_t> m_localTriangles;    ///< the last polygon's triangles, as corners of the polygon
+    std::vector<glm::vec3> m_corners;
+    std::vector<glm::u8vec4> m_cornerColors;        ///< one an index, or shorter
+    std::vector<glm::vec2> m_cornerTexcoords;
+};
+
+} // namespace unprojector::mesh_reader
