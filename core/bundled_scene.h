@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/mesh.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace unprojector {
+
+/// A model and where it stands.
+struct BundledObject {
+    std::string name; ///< English, for the object list and for scene files
+    std::shared_ptr<const Model> model;
+    glm::dmat4 worldFromObject{1.0}; ///< rotation, uniform scale and translation only
+};
+
+/// What the program shows before a file is opened: a teapot, a cube whose faces differ in colour, a torus, a ball and a
+/// cone, side by side on the plane y = 0, y up, a few world units apart and at clearly different depths. Seen from
+/// about (6, 4.5, 9) towards (0, 1, 0) with a vertical field of view of 45 degrees, all are in view and none hides
+/// another. Colours are sRGB bytes or fractions; where a mesh has vertex colours its base colour is white.
+///
+/// The meshes are built anew on every call, in milliseconds.
+std::vector<BundledObject> bundledScene();
+
+} // namespace unprojector

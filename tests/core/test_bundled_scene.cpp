@@ -1,0 +1,615 @@
+#include "core/bundled_scene.h"
+#include "core/solids.h"
+#include "core/utah_teapot.h"
+
+#include <QtTest>
+
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/epsilon.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+using namespace unprojector;
+
+namespace {
+
+using Place = std::tuple<float, float, float>;
+
+// Positions are floats of size up to 4: their rounding is at most 2.4e-7, and a few of them add up.
+constexpr double kFloatTolerance = 1e-6;
+// A normal is three rounded floats of size up to 1.
+constexpr double kUnitTolerance = 1e-6;
+// A volume sums thousands of products of rounded positions; relative.
+constexpr double kVolumeTolerance = 1e-5;
+// How much less than the ideal volume an inscribed tessellation as fine as the scene's may hold; relative.
+constexpr double kTessellationLoss = 0.01;
+
+constexpr int kTeapotDivisions = 10;
+
+glm::dvec3 corner(const Mesh &mesh, std::size_t index)
+{
+    return glm::dvec3(mesh.positions[mesh.indices[index]]);
+}
+
+std::array<glm::dvec3, 3> triangle(const Mesh &mesh, std::size_t number)
+{
+    return {corner(mesh, 3 * number), corner(mesh, 3 * number + 1), corner(mesh, 3 * number + 2)};
+}
+
+/// Vertices at one place are one.
+Place place(const glm::dvec3 &point)
+{
+    // Adding zero turns -0 into 0; they compare equal anyway, this is for whoever prints them.
+    const glm::vec3 p = glm::vec3(point) + 0.0f;
+    return {p.x, p.y, p.z};
+}
+
+/// Twice the area, along the side from which the corners run counter-clockwise.
+glm::dvec3 areaVector(const std::array<glm::dvec3, 3> &t)
+{
+    return glm::cross(t[1] - t[0], t[2] - t[0]);
+}
+
+/// By the divergence theorem: positive when a closed mesh is counter-clockwise from outside.
+double signedVolume(const Mesh &mesh)
+{
+    double volume = 0.0;
+    for (std::size_t number = 0; number < mesh.triangleCount(); ++number) {
+        const auto t = triangle(mesh, number);
+        volume += glm::dot(t[0], glm::cross(t[1], t[2])) / 6.0;
+    }
+    return volume;
+}
+
+/// How often each directed edge occurs, after welding.
+std::map<std::pair<Place, Place>, int> directedEdges(const Mesh &mesh)
+{
+    std::map<std::pair<Place, Place>, int> edges;
+    for (std::size_t number = 0; number < mesh.triangleCount(); ++number) {
+        const auto t = triangle(mesh, number);
+        for (std::size_t i = 0; i < 3; ++i)
+            ++edges[{place(t[i]), place(t[(i + 1) % 3])}];
+    }
+    return edges;
+}
+
+bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance = kFloatTolerance)
+{
+    return glm::all(glm::epsilonEqual(a, b, tolerance));
+}
+
+bool hasVertexAt(const Mesh &mesh, const glm::dvec3 &point)
+{
+    return std::any_of(mesh.positions.begin(), mesh.positions.end(),
+                       [&](const glm::vec3 &position) { return isNear(glm::dvec3(position), point); });
+}
+
+/// Whether the triangle meets the segment from start to start + way, its ends left out. Möller and Trumbore 1997.
+bool meetsSegment(const std::array<glm::dvec3, 3> &t, const glm::dvec3 &start, const glm::dvec3 &way)
+{
+    const glm::dvec3 ab = t[1] - t[0];
+    const glm::dvec3 ac = t[2] - t[0];
+    const glm::dvec3 p = glm::cross(way, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0.0)
+        return false;
+    const glm::dvec3 fromA = start - t[0];
+    const double b = glm::dot(fromA, p) / determinant;
+    const glm::dvec3 q = glm::cross(fromA, ab);
+    const double c = glm::dot(way, q) / determinant;
+    const double share = glm::dot(ac, q) / determinant;
+    return b >= 0.0 && c >= 0.0 && b + c <= 1.0 && share > 0.0 && share < 1.0 - 1e-9;
+}
+
+glm::dvec3 worldPosition(const BundledObject &object, const glm::vec3 &position)
+{
+    return glm::dvec3(object.worldFromObject * glm::dvec4(glm::dvec3(position), 1.0));
+}
+
+struct Shape {
+    std::function<Mesh()> make;
+    std::size_t triangles;
+    glm::dvec3 lowest;
+    glm::dvec3 highest;
+    double volume;      // of the ideal solid
+    double allowedLoss; // relative
+};
+
+/// The cone's base is a regular polygon, so its volume is known without a loss.
+double coneVolume(double radius, double height, int n)
+{
+    return n / 2.0 * std::sin(2.0 * std::numbers::pi / n) * radius * radius * height / 3.0;
+}
+
+void addShapes()
+{
+    constexpr double kPi = std::numbers::pi;
+    QTest::addColumn<Shape>("shape");
+    QTest::newRow("cube") << Shape{[] { return cubeMesh(1.5); }, 12, glm::dvec3(-0.75), glm::dvec3(0.75), 3.375, 0.0};
+    QTest::newRow("torus") << Shape{[] { return torusMesh(2.0, 0.5, 96, 48); },
+                                    9216,
+                                    {-2.5, -2.5, -0.5},
+                                    {2.5, 2.5, 0.5},
+                                    2.0 * kPi * kPi * 2.0 * 0.25,
+                                    kTessellationLoss};
+    QTest::newRow("coarsest-torus") << Shape{[] { return torusMesh(2.0, 0.5, 4, 4); },
+                                             32,
+                                             {-2.5, -2.5, -0.5},
+                                             {2.5, 2.5, 0.5},
+                                             2.0 * kPi * kPi * 2.0 * 0.25,
+                                             0.7};
+    QTest::newRow("sphere") << Shape{[] { return sphereMesh(1.25, 4); },
+                                     5120,
+                                     glm::dvec3(-1.25),
+                                     glm::dvec3(1.25),
+                                     4.0 / 3.0 * kPi * 1.25 * 1.25 * 1.25,
+                                     kTessellationLoss};
+    QTest::newRow("cone") << Shape{
+        [] { return coneMesh(1.0, 3.0, 96); }, 192, {-1.0, -1.5, -1.0}, {1.0, 1.5, 1.0}, coneVolume(1.0, 3.0, 96), 0.0};
+    QTest::newRow("cone-of-four-sides") << Shape{
+        [] { return coneMesh(2.0, 3.0, 4); }, 8, {-2.0, -1.5, -2.0}, {2.0, 1.5, 2.0}, 8.0, 0.0};
+}
+
+void addMeshes()
+{
+    QTest::addColumn<Mesh>("mesh");
+    QTest::newRow("cube") << cubeMesh(1.5);
+    QTest::newRow("torus") << torusMesh(2.0, 0.5, 96, 48);
+    QTest::newRow("sphere") << sphereMesh(1.25, 4);
+    QTest::newRow("icosahedron") << sphereMesh(1.0, 0);
+    QTest::newRow("cone") << coneMesh(1.0, 3.0, 96);
+    QTest::newRow("teapot") << utahTeapotMesh(kTeapotDivisions);
+    QTest::newRow("coarse-teapot") << utahTeapotMesh(8);
+    QTest::newRow("fine-teapot") << utahTeapotMesh(25);
+    for (const BundledObject &object : bundledScene())
+        QTest::addRow("scene: %s", object.name.c_str()) << object.model->meshes.front();
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Mesh)
+Q_DECLARE_METATYPE(Shape)
+Q_DECLARE_METATYPE(glm::dvec3)
+
+class TestBundledScene : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Every mesh
+    void arraysFitTogether_data() { addMeshes(); }
+    void arraysFitTogether();
+    void everyTriangleHasAnArea_data() { addMeshes(); }
+    void everyTriangleHasAnArea();
+    void normalsAreUnitAndOnTheFrontOfTheirTriangles_data() { addMeshes(); }
+    void normalsAreUnitAndOnTheFrontOfTheirTriangles();
+    void neighboursAreWoundAlike_data() { addMeshes(); }
+    void neighboursAreWoundAlike();
+
+    // Solids
+    void aSolidIsClosed_data() { addShapes(); }
+    void aSolidIsClosed();
+    void aSolidHasItsExtentsAndTriangles_data() { addShapes(); }
+    void aSolidHasItsExtentsAndTriangles();
+    void aSolidHoldsItsVolume_data() { addShapes(); }
+    void aSolidHoldsItsVolume();
+    void torusVerticesLieOnTheTorus();
+    void sphereVerticesLieOnTheSphere();
+    void cubeFacesComeInOrderAndAreFlat();
+
+    // Teapot
+    void teapotHas32PatchesOf290DifferentPoints();
+    void teapotControlPointsAreThePublishedOnes_data();
+    void teapotControlPointsAreThePublishedOnes();
+    void teapotPassesThrough_data();
+    void teapotPassesThrough();
+    void teapotReachesAsFarAsPublished();
+    void teapotTriangleCount_data();
+    void teapotTriangleCount();
+    void teapotPointsUpAtTheKnobAndDownAtTheBottom();
+    void teapotIsOpenOnlyWhereItWasIn1975();
+    void teapotNormalsPointAwayFromTheAxis();
+
+    // Scene
+    void objectsAreNamedApart();
+    void objectsHaveTheirBounds();
+    void objectsStandOnTheGround();
+    void objectsAreOnlyTurnedScaledAndMoved();
+    void coloursAreGivenOnce();
+    void cubeFacesHaveSixColours();
+    void depthsDiffer();
+    void allIsInViewAndNothingHidesAnother();
+};
+
+void TestBundledScene::arraysFitTogether()
+{
+    QFETCH(Mesh, mesh);
+    QVERIFY(!mesh.indices.empty());
+    QCOMPARE(mesh.indices.size() % 3, std::size_t(0));
+    QCOMPARE(mesh.normals.size(), mesh.positions.size());
+    QVERIFY(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
+    QVERIFY(*std::max_element(mesh.indices.begin(), mesh.indices.end()) < mesh.positions.size());
+}
+
+void TestBundledScene::everyTriangleHasAnArea()
+{
+    QFETCH(Mesh, mesh);
+    double smallest = 1.0;
+    for (std::size_t number = 0; number < mesh.triangleCount(); ++number)
+        smallest = std::min(smallest, glm::length(areaVector(triangle(mesh, number))));
+    QVERIFY2(smallest > 1e-6, qPrintable(QString::number(smallest)));
+}
+
+void TestBundledScene::normalsAreUnitAndOnTheFrontOfTheirTriangles()
+{
+    QFETCH(Mesh, mesh);
+    for (const glm::vec3 &normal : mesh.normals)
+        QVERIFY(std::abs(glm::length(glm::dvec3(normal)) - 1.0) < kUnitTolerance);
+    for (std::size_t number = 0; number < mesh.triangleCount(); ++number) {
+        const glm::dvec3 front = areaVector(triangle(mesh, number));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 normal(mesh.normals[mesh.indices[3 * number + i]]);
+            QVERIFY2(glm::dot(front, normal) > 0.0, qPrintable(QString("triangle %1").arg(number)));
+        }
+    }
+}
+
+void TestBundledScene::neighboursAreWoundAlike()
+{
+    QFETCH(Mesh, mesh);
+    for (const auto &[edge, count] : directedEdges(mesh))
+        QCOMPARE(count, 1); // a second triangle may only run along it the other way
+}
+
+void TestBundledScene::aSolidIsClosed()
+{
+    QFETCH(Shape, shape);
+    const auto edges = directedEdges(shape.make());
+    for (const auto &[edge, count] : edges) {
+        QCOMPARE(count, 1);
+        QVERIFY(edges.contains({edge.second, edge.first}));
+    }
+}
+
+void TestBundledScene::aSolidHasItsExtentsAndTriangles()
+{
+    QFETCH(Shape, shape);
+    const Mesh mesh = shape.make();
+    const Box box = boundsOf({mesh});
+    QCOMPARE(mesh.triangleCount(), shape.triangles);
+    QVERIFY(isNear(box.lowest, shape.lowest));
+    QVERIFY(isNear(box.highest, shape.highest));
+}
+
+void TestBundledScene::aSolidHoldsItsVolume()
+{
+    QFETCH(Shape, shape);
+    const double share = signedVolume(shape.make()) / shape.volume;
+    QVERIFY2(share < 1.0 + kVolumeTolerance, qPrintable(QString::number(share, 'g', 9)));
+    QVERIFY2(share > 1.0 - shape.allowedLoss - kVolumeTolerance, qPrintable(QString::number(share, 'g', 9)));
+}
+
+void TestBundledScene::torusVerticesLieOnTheTorus()
+{
+    const Mesh mesh = torusMesh(2.0, 0.5, 30, 14);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::dvec3 p(mesh.positions[i]);
+        const glm::dvec3 middle = 2.0 * glm::normalize(glm::dvec3(p.x, p.y, 0.0));
+        QVERIFY(std::abs(glm::distance(p, middle) - 0.5) < kFloatTolerance);
+        QVERIFY(isNear(glm::dvec3(mesh.normals[i]), (p - middle) / 0.5, 4.0 * kUnitTolerance));
+    }
+}
+
+void TestBundledScene::sphereVerticesLieOnTheSphere()
+{
+    const Mesh mesh = sphereMesh(1.25, 3);
+    QCOMPARE(mesh.positions.size(), std::size_t(642)); // 10 * 4^3 + 2: each vertex is shared
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        QVERIFY(std::abs(glm::length(glm::dvec3(mesh.positions[i])) - 1.25) < kFloatTolerance);
+        QVERIFY(isNear(1.25 * glm::dvec3(mesh.normals[i]), glm::dvec3(mesh.positions[i])));
+    }
+}
+
+void TestBundledScene::cubeFacesComeInOrderAndAreFlat()
+{
+    const Mesh mesh = cubeMesh(2.0);
+    const std::array<glm::dvec3, 6> outward{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+    QCOMPARE(mesh.positions.size(), 6 * kVerticesPerCubeFace);
+    for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+        const glm::dvec3 normal = outward[vertex / kVerticesPerCubeFace];
+        QVERIFY(isNear(glm::dvec3(mesh.normals[vertex]), normal));
+        QCOMPARE(glm::dot(glm::dvec3(mesh.positions[vertex]), normal), 1.0);
+    }
+}
+
+void TestBundledScene::teapotHas32PatchesOf290DifferentPoints()
+{
+    std::set<Place> points;
+    Box box;
+    const std::vector<BezierPatch> patches = utahTeapotPatches();
+    for (const BezierPatch &patch : patches) {
+        for (const auto &row : patch) {
+            for (const glm::dvec3 &point : row) {
+                points.insert(place(point));
+                box.add(point);
+            }
+        }
+    }
+    QCOMPARE(patches.size(), std::size_t(32));
+    QCOMPARE(points.size(), std::size_t(290)); // 306 in the published list, which repeats 16
+    QVERIFY(isNear(box.lowest, {-3.0, 0.0, -2.0}));
+    QVERIFY(isNear(box.highest, {3.525, 3.15, 2.0}));
+}
+
+void TestBundledScene::teapotControlPointsAreThePublishedOnes_data()
+{
+    QTest::addColumn<int>("patchNumber"); // as published, from 1
+    QTest::addColumn<int>("row");
+    QTest::addColumn<int>("column");
+    QTest::addColumn<glm::dvec3>("published"); // z up
+
+    QTest::newRow("rim") << 1 << 1 << 1 << glm::dvec3(1.3375, -0.749, 2.53125);
+    QTest::newRow("rim, second quarter") << 2 << 2 << 2 << glm::dvec3(-1.4375, -0.805, 2.53125);
+    QTest::newRow("upper body, third quarter") << 7 << 1 << 1 << glm::dvec3(-1.75, 0.98, 1.875);
+    QTest::newRow("lower body, fourth quarter") << 12 << 2 << 1 << glm::dvec3(0.84, 1.5, 0.225);
+    QTest::newRow("handle, front") << 13 << 1 << 2 << glm::dvec3(-2.5, -0.3, 2.25);
+    QTest::newRow("handle, back") << 16 << 2 << 1 << glm::dvec3(-2.65, 0.3, 0.9375);
+    QTest::newRow("spout, front") << 17 << 1 << 2 << glm::dvec3(3.1, -0.66, 0.825);
+    QTest::newRow("spout, back") << 20 << 1 << 0 << glm::dvec3(3.525, 0.0, 2.49375);
+    QTest::newRow("knob's top") << 22 << 0 << 3 << glm::dvec3(0.0, 0.0, 3.15);
+    QTest::newRow("knob") << 21 << 1 << 1 << glm::dvec3(0.8, -0.45, 3.15);
+    QTest::newRow("lid") << 28 << 1 << 2 << glm::dvec3(0.4, 0.224, 2.55);
+    QTest::newRow("bottom") << 29 << 1 << 1 << glm::dvec3(1.425, 0.798, 0.0);
+    QTest::newRow("bottom, second quarter") << 30 << 2 << 3 << glm::dvec3(-1.5, 0.0, 0.075);
+}
+
+void TestBundledScene::teapotControlPointsAreThePublishedOnes()
+{
+    QFETCH(int, patchNumber);
+    QFETCH(int, row);
+    QFETCH(int, column);
+    QFETCH(glm::dvec3, published);
+    const glm::dvec3 point = utahTeapotPatches().at(patchNumber - 1).at(row).at(column);
+    QCOMPARE(point, glm::dvec3(published.x, published.z, -published.y)); // no arithmetic, no rounding
+}
+
+void TestBundledScene::teapotPassesThrough_data()
+{
+    // A cubic at its middle is (P0 + 3 P1 + 3 P2 + P3) / 8, worked out by hand from the published points.
+    QTest::addColumn<glm::dvec3>("point");
+    QTest::newRow("upper body") << glm::dvec3(1.84375, 1.621875, 0.0);
+    QTest::newRow("upper body, to the front") << glm::dvec3(0.0, 1.621875, 1.84375);
+    QTest::newRow("upper body, to the back") << glm::dvec3(0.0, 1.621875, -1.84375);
+    QTest::newRow("spout, upper edge") << glm::dvec3(2.3875, 1.8, 0.0);
+    QTest::newRow("handle, outer edge") << glm::dvec3(-2.625, 2.19375, 0.0);
+    QTest::newRow("handle, front") << glm::dvec3(-2.51875, 2.0953125, 0.225);
+    QTest::newRow("handle, back") << glm::dvec3(-2.51875, 2.0953125, -0.225);
+    QTest::newRow("knob") << glm::dvec3(0.325, 2.98125, 0.0);
+    QTest::newRow("bottom") << glm::dvec3(-1.284375, 0.046875, 0.0);
+}
+
+void TestBundledScene::teapotPassesThrough()
+{
+    QFETCH(glm::dvec3, point);
+    QVERIFY(hasVertexAt(utahTeapotMesh(kTeapotDivisions), point));
+}
+
+void TestBundledScene::teapotReachesAsFarAsPublished()
+{
+    const Box box = boundsOf({utahTeapotMesh(kTeapotDivisions)});
+    QVERIFY(isNear(box.lowest, {-3.0, 0.0, -2.0}));
+    // The spout's lip stays short of its control points, 3.525: its cubic at 4/10.
+    QVERIFY(isNear(box.highest, {3.434, 3.15, 2.0}));
+}
+
+void TestBundledScene::teapotTriangleCount_data()
+{
+    QTest::addColumn<int>("divisions");
+    QTest::addColumn<std::size_t>("triangles");
+    QTest::newRow("two") << 2 << std::size_t(240);
+    QTest::newRow("ten") << 10 << std::size_t(6320);
+}
+
+void TestBundledScene::teapotTriangleCount()
+{
+    QFETCH(int, divisions);
+    QFETCH(std::size_t, triangles);
+    QCOMPARE(utahTeapotMesh(divisions).triangleCount(), triangles);
+}
+
+void TestBundledScene::teapotPointsUpAtTheKnobAndDownAtTheBottom()
+{
+    const Mesh mesh = utahTeapotMesh(kTeapotDivisions);
+    int tops = 0;
+    int bottoms = 0;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        if (isNear(glm::dvec3(mesh.positions[i]), {0.0, 3.15, 0.0})) {
+            ++tops;
+            QVERIFY(isNear(glm::dvec3(mesh.normals[i]), {0.0, 1.0, 0.0}));
+        } else if (isNear(glm::dvec3(mesh.positions[i]), {0.0, 0.0, 0.0})) {
+            ++bottoms;
+            QVERIFY(isNear(glm::dvec3(mesh.normals[i]), {0.0, -1.0, 0.0}));
+        }
+    }
+    QCOMPARE(tops, 4 * (kTeapotDivisions + 1));
+    QCOMPARE(bottoms, 4 * (kTeapotDivisions + 1));
+}
+
+void TestBundledScene::teapotIsOpenOnlyWhereItWasIn1975()
+{
+    const auto edges = directedEdges(utahTeapotMesh(kTeapotDivisions));
+    int slit = 0;
+    int handleEnds = 0;
+    int spoutEnds = 0;
+    int elsewhere = 0;
+    for (const auto &[edge, count] : edges) {
+        if (edges.contains({edge.second, edge.first}))
+            continue;
+        const auto [x, y, z] = edge.first;
+        const double radius = std::hypot(double(x), double(z));
+        if (std::abs(y - 2.4) < 1e-6 && radius < 1.45)
+            ++slit;
+        else if (x < -1.4 && std::abs(z) < 0.3)
+            ++handleEnds;
+        else if (x > 1.6 && std::abs(z) < 0.6)
+            ++spoutEnds;
+        else
+            ++elsewhere;
+    }
+    QCOMPARE(slit, 2 * 4 * kTeapotDivisions); // rim and lid, four quarters each
+    QCOMPARE(handleEnds, 2 * 2 * kTeapotDivisions);
+    QCOMPARE(spoutEnds, 2 * 2 * kTeapotDivisions);
+    QCOMPARE(elsewhere, 0);
+}
+
+void TestBundledScene::teapotNormalsPointAwayFromTheAxis()
+{
+    const Mesh mesh = utahTeapotMesh(kTeapotDivisions);
+    const std::size_t perPatch = (kTeapotDivisions + 1) * (kTeapotDivisions + 1);
+    for (std::size_t i = 4 * perPatch; i < 12 * perPatch; ++i) { // the body's eight patches
+        const glm::dvec3 p(mesh.positions[i]);
+        QVERIFY(glm::dot(glm::dvec3(mesh.normals[i]), glm::dvec3(p.x, 0.0, p.z)) > 0.0);
+    }
+    QVERIFY(signedVolume(mesh) > 0.0);
+}
+
+void TestBundledScene::objectsAreNamedApart()
+{
+    std::set<std::string> names;
+    for (const BundledObject &object : bundledScene()) {
+        QVERIFY(!object.name.empty());
+        QCOMPARE(object.model->name, object.name);
+        names.insert(object.name);
+    }
+    QCOMPARE(names, (std::set<std::string>{"Teapot", "Cube", "Torus", "Ball", "Cone"}));
+}
+
+void TestBundledScene::objectsHaveTheirBounds()
+{
+    for (const BundledObject &object : bundledScene()) {
+        const Box bounds = boundsOf(object.model->meshes);
+        QCOMPARE(object.model->bounds.lowest, bounds.lowest);
+        QCOMPARE(object.model->bounds.highest, bounds.highest);
+        const double size = bounds.transformed(object.worldFromObject).diagonal();
+        QVERIFY2(size > 1.0 && size < 8.0, qPrintable(QString::number(size)));
+    }
+}
+
+void TestBundledScene::objectsStandOnTheGround()
+{
+    for (const BundledObject &object : bundledScene()) {
+        double lowest = 1.0;
+        for (const glm::vec3 &position : object.model->meshes.front().positions)
+            lowest = std::min(lowest, worldPosition(object, position).y);
+        QVERIFY2(std::abs(lowest) < kFloatTolerance, object.name.c_str());
+    }
+}
+
+void TestBundledScene::objectsAreOnlyTurnedScaledAndMoved()
+{
+    for (const BundledObject &object : bundledScene()) {
+        const glm::dmat3 linear(object.worldFromObject);
+        const double scale = std::cbrt(glm::determinant(linear));
+        QVERIFY(scale > 0.0);
+        const glm::dmat3 squared = glm::transpose(linear) * linear;
+        for (int column = 0; column < 3; ++column) {
+            for (int row = 0; row < 3; ++row)
+                QVERIFY(std::abs(squared[column][row] - (row == column ? scale * scale : 0.0)) < 1e-12);
+        }
+    }
+}
+
+void TestBundledScene::coloursAreGivenOnce()
+{
+    for (const BundledObject &object : bundledScene()) {
+        const Mesh &mesh = object.model->meshes.front();
+        QCOMPARE(mesh.texture, -1);
+        QCOMPARE(mesh.baseColor == glm::vec4(1.0f), !mesh.colors.empty());
+        QCOMPARE(mesh.baseColor.a, 1.0f);
+        for (const glm::u8vec4 &color : mesh.colors)
+            QCOMPARE(int(color.a), 255);
+    }
+}
+
+void TestBundledScene::cubeFacesHaveSixColours()
+{
+    const std::vector<BundledObject> scene = bundledScene();
+    const Mesh &mesh = scene.at(1).model->meshes.front();
+    std::set<std::tuple<int, int, int>> colors;
+    for (std::size_t vertex = 0; vertex < mesh.colors.size(); ++vertex) {
+        const glm::u8vec4 &color = mesh.colors[vertex];
+        QVERIFY(color == mesh.colors[vertex / kVerticesPerCubeFace * kVerticesPerCubeFace]);
+        colors.insert({color.r, color.g, color.b});
+    }
+    QCOMPARE(colors.size(), std::size_t(6));
+}
+
+namespace {
+
+const glm::dvec3 kEye{6.0, 4.5, 9.0};
+
+glm::dmat4 eyeFromWorld()
+{
+    return glm::lookAt(kEye, glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+}
+
+} // namespace
+
+void TestBundledScene::depthsDiffer()
+{
+    std::vector<double> distances;
+    for (const BundledObject &object : bundledScene()) {
+        const glm::dvec3 center = object.model->bounds.transformed(object.worldFromObject).center();
+        distances.push_back(-(eyeFromWorld() * glm::dvec4(center, 1.0)).z);
+    }
+    std::sort(distances.begin(), distances.end());
+    for (std::size_t i = 1; i < distances.size(); ++i)
+        QVERIFY2(distances[i] - distances[i - 1] > 0.5, qPrintable(QString::number(distances[i] - distances[i - 1])));
+}
+
+void TestBundledScene::allIsInViewAndNothingHidesAnother()
+{
+    const glm::dmat4 clipFromWorld = glm::perspective(std::numbers::pi / 4.0, 1.3, 0.1, 100.0) * eyeFromWorld();
+    const std::vector<BundledObject> scene = bundledScene();
+    for (const BundledObject &seen : scene) {
+        const std::vector<glm::vec3> &positions = seen.model->meshes.front().positions;
+        const std::size_t step = std::max<std::size_t>(1, positions.size() / 150);
+        int looked = 0;
+        int unhidden = 0;
+        for (std::size_t vertex = 0; vertex < positions.size(); vertex += step) {
+            const glm::dvec3 target = worldPosition(seen, positions[vertex]);
+            const glm::dvec4 clip = clipFromWorld * glm::dvec4(target, 1.0);
+            QVERIFY2(std::max(std::abs(clip.x), std::abs(clip.y)) < clip.w, seen.name.c_str());
+            bool isHidden = false;
+            for (const BundledObject &other : scene) {
+                if (other.name == seen.name)
+                    continue;
+                const glm::dmat4 objectFromWorld = glm::inverse(other.worldFromObject);
+                const glm::dvec3 start(objectFromWorld * glm::dvec4(kEye, 1.0));
+                const glm::dvec3 way(objectFromWorld * glm::dvec4(target - kEye, 0.0));
+                const Mesh &mesh = other.model->meshes.front();
+                for (std::size_t t = 0; t < mesh.triangleCount() && !isHidden; ++t)
+                    isHidden = meetsSegment(triangle(mesh, t), start, way);
+            }
+            ++looked;
+            unhidden += isHidden ? 0 : 1;
+        }
+        QVERIFY2(unhidden > 0.6 * looked,
+                 qPrintable(QString("%1: %2 of %3").arg(seen.name.c_str()).arg(unhidden).arg(looked)));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestBundledScene)
+#include "test_bundled_scene.moc"
