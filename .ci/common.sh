@@ -1,0 +1,16 @@
+# shellcheck shell=bash
+# Sourced by the scripts beside it.
+set -euo pipefail
+export root
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+
+# CMake reads this when it configures a build folder for the first time.
+if command -v ccache >/dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+fi
+
+# A display of its own, with software OpenGL. A QT_QPA_PLATFORM or a Wayland display of the surroundings would keep Qt
+# away from it.
+onVirtualDisplay() {
+    env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" "$@"
+}

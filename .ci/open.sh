@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the program and opens it; arguments are the program's own. Without a display it
+# leaves a picture of the window, unprojector.png, in the current folder.
+# shellcheck source=.ci/common.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+bash "$root/.ci/setup.sh"
+(cd -- "$root" && cmake --workflow --preset release) # Presets are looked for in the current folder.
+program=$root/build/release/gui/unprojector
+
+if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+    exec "$program" "$@"
+fi
+echo "There is no display (DISPLAY and WAYLAND_DISPLAY are empty): using a virtual one."
+case " $* " in
+*" --screenshot"*) onVirtualDisplay "$program" "$@" ;;
+*)
+    rm -f unprojector.png
+    onVirtualDisplay "$program" --screenshot unprojector.png --size 1280x800 "$@"
+    if [ ! -s unprojector.png ]; then
+        echo "The program left no picture." >&2
+        exit 1
+    fi
+    echo "The window's picture: $PWD/unprojector.png"
+    ;;
+esac

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Installs what building, testing and running need on Debian 12 or later and Ubuntu 24.04 or later. Does nothing when
+# everything is there.
+set -euo pipefail
+
+packages=(
+    cmake g++ ninja-build
+    # The window (Qt's OpenGL module is only recommended by qt6-base-dev); lrelease for the translations
+    qt6-base-dev libqt6opengl6-dev libgl-dev libopengl-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
+    # Vectors and matrices, model files (Assimp's package needs zlib's to link, and does not say so), scene files
+    libglm-dev libassimp-dev zlib1g-dev nlohmann-json3-dev
+    # Tests: extended precision
+    libboost-dev
+    # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none
+    libgl1-mesa-dri fonts-dejavu-core xvfb xauth
+)
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    cat >&2 <<EOF
+This script installs packages on Debian and Ubuntu only. Elsewhere, install a C++20 compiler, CMake 3.25 or later,
+Ninja, Qt 6.4 or later (base and tools), GLM, Assimp, nlohmann-json, the Boost headers and Xvfb, then run
+    cmake --workflow --preset release && build/release/gui/unprojector
+EOF
+    exit 1
+fi
+
+# Names of the installed packages and of what they provide: newer releases have Qt's OpenGL module in qt6-base-dev.
+installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package},${Provides}\n' |
+    sed -n 's/^installed //p' | sed 's/([^)]*)//g' | tr -d ' ' | tr ',' '\n')
+missing=()
+for package in "${packages[@]}"; do
+    grep -qxF -- "$package" <<<"$installed" || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+asRoot=()
+if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+        echo "Packages are missing and there is no sudo. As root, run: apt-get install ${missing[*]}" >&2
+        exit 1
+    fi
+    asRoot=(sudo)
+fi
+
+echo "Installing ${missing[*]}"
+apt=("${asRoot[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300)
+"${apt[@]}" update </dev/null
+"${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >/dev/null
