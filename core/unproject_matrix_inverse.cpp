@@ -2,7 +2,9 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace unprojector {
 namespace {
@@ -37,7 +39,26 @@ bool isSingular(glm::dmat4 m)
     return false;
 }
 
+double largestRowSum(const glm::dmat4 &m)
+{
+    double largest = 0.0;
+    for (int row = 0; row < 4; ++row) {
+        double sum = 0.0;
+        for (int column = 0; column < 4; ++column)
+            sum += std::abs(m[column][row]);
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
 } // namespace
+
+double conditionNumber(const glm::dmat4 &matrix)
+{
+    if (isSingular(matrix))
+        return std::numeric_limits<double>::infinity();
+    return largestRowSum(matrix) * largestRowSum(glm::inverse(matrix));
+}
 
 template <class Space, class Scalar>
 Result<Point<Space>> unprojectByInverse(const glm::dmat4 &clipFromSpace, const Viewport &viewport,

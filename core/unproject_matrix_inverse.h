@@ -23,4 +23,8 @@ template <class Space, class Scalar = double>
 Result<Point<Space>> unprojectByInverse(const glm::dmat4 &clipFromSpace, const Viewport &viewport,
                                         const DepthRange &range, const WindowPoint &window);
 
+/// How much inverting can amplify a relative error: |M| |M^-1| in the largest-row-sum norm, at least 1; infinity for a
+/// singular matrix.
+double conditionNumber(const glm::dmat4 &matrix);
+
 } // namespace unprojector

@@ -1,0 +1,139 @@
+#include "gui/error_text.h"
+#include "gui/main_window.h"
+#include "gui/screenshot_run.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+#include <cstdio>
+#include <optional>
+
+namespace {
+
+using namespace unprojector;
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+/// "1280x800"
+std::optional<QSize> parsedSize(const QString &text)
+{
+    const QStringList parts = text.split(u'x');
+    bool isWidth = false, isHeight = false;
+    const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(&isWidth), parts[1].toInt(&isHeight)) : QSize();
+    const bool isSensible = isWidth && isHeight && size.width() >= 200 && size.height() >= 150 && size.width() <= 16384 && size.height() <= 16384;
+    return isSensible ? std::optional(size) : std::nullopt;
+}
+
+/// "412,300" or "412.5,300.25"
+std::optional<WidgetPoint> parsedPosition(const QString &text)
+{
+    const QStringList parts = text.split(u',');
+    bool isX = false, isY = false;
+    if (parts.size() != 2)
+        return std::nullopt;
+    const WidgetPoint position(parts[0].toDouble(&isX), parts[1].toDouble(&isY));
+    return isX && isY ? std::optional(position) : std::nullopt;
+}
+
+int usageError(const QString &reason)
+{
+    std::fprintf(stderr, "unprojector: %s\n", reason.toLocal8Bit().constData());
+    return 2;
+}
+
+bool hasDisplay()
+{
+#ifdef Q_OS_LINUX
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")
+        || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+#else
+    return true;
+#endif
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QCoreApplication::setApplicationName(QStringLiteral("Unprojector"));
+    QCoreApplication::setOrganizationName(QStringLiteral("Unprojector"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(UNPROJECTOR_VERSION));
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(tr("Click a pixel of a 3-D view and get its world coordinate, computed twice."));
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
+    const QCommandLineOption screenshot(QStringLiteral("screenshot"), tr("Open, save a picture of the whole window, print the clicks as JSON, and quit."), QStringLiteral("OUT.png"));
+    const QCommandLineOption size(QStringLiteral("size"), tr("Size of the window in logical pixels (default 1280x800)."), QStringLiteral("WxH"), QStringLiteral("1280x800"));
+    const QCommandLineOption click(QStringLiteral("click"), tr("With --screenshot: press the left button at this position of the view, logical pixels from its top-left corner. May be given several times."), QStringLiteral("X,Y"));
+    const QCommandLineOption samples(QStringLiteral("samples"), tr("Samples a pixel for smooth edges: 0, 2, 4 or 8."), QStringLiteral("N"));
+    parser.addOptions({screenshot, size, click, samples});
+    parser.addPositionalArgument(QStringLiteral("MODEL"), tr("Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."), QStringLiteral("[MODEL …]"));
+
+    // The words are judged before there is a window, so that --help and mistakes need no display.
+    QStringList arguments;
+    {
+        QCoreApplication words(argc, argv);
+        arguments = words.arguments();
+        if (!parser.parse(arguments))
+            return usageError(parser.errorText() + QStringLiteral(" See --help."));
+        if (parser.isSet(help))
+            parser.showHelp(0);
+        if (parser.isSet(version))
+            parser.showVersion();
+    }
+    const std::optional<QSize> windowSize = parsedSize(parser.value(size));
+    if (!windowSize)
+        return usageError(tr("--size is %1; give width x height in pixels, such as 1280x800.").arg(parser.value(size)));
+    std::vector<WidgetPoint> clicks;
+    for (const QString &text : parser.values(click)) {
+        const std::optional<WidgetPoint> position = parsedPosition(text);
+        if (!position)
+            return usageError(tr("--click is %1; give x,y in logical pixels of the view, such as 412,300.").arg(text));
+        clicks.push_back(*position);
+    }
+    if (!clicks.empty() && !parser.isSet(screenshot))
+        return usageError(tr("--click works together with --screenshot OUT.png."));
+    int sampleCount = -1;
+    if (parser.isSet(samples)) {
+        bool isNumber = false;
+        sampleCount = parser.value(samples).toInt(&isNumber);
+        if (!isNumber || (sampleCount != 0 && sampleCount != 2 && sampleCount != 4 && sampleCount != 8))
+            return usageError(tr("--samples is %1; give 0, 2, 4 or 8.").arg(parser.value(samples)));
+    }
+    std::vector<std::filesystem::path> files;
+    for (const QString &file : parser.positionalArguments())
+        files.emplace_back(file.toStdU16String());
+    if (!hasDisplay())
+        return usageError(tr("There is no display. Set DISPLAY, or run under xvfb-run."));
+
+    QApplication application(argc, argv);
+    QTranslator translator;
+    if (translator.load(QLocale(), QStringLiteral("unprojector"), QStringLiteral("_"), QStringLiteral(":/translations")))
+        application.installTranslator(&translator);
+
+    if (parser.isSet(screenshot)) {
+        ScreenshotRun run({parser.value(screenshot), *windowSize, std::move(clicks), std::move(files), std::max(0, sampleCount)});
+        QObject::connect(&run, &ScreenshotRun::ended, &application, &QCoreApplication::exit, Qt::QueuedConnection);
+        run.start();
+        return application.exec();
+    }
+
+    MainWindow::Options options;
+    options.samples = sampleCount;
+    MainWindow window(options);
+    if (parser.isSet(size))
+        window.resize(*windowSize);
+    if (files.empty())
+        window.openBundledScene();
+    else
+        window.openFiles(std::move(files));
+    window.show();
+    return application.exec();
+}

@@ -1,0 +1,30 @@
+#include "gui/painters/background_painter.h"
+
+#include "gui/painters/shader.h"
+
+namespace unprojector {
+
+void BackgroundPainter::initialize()
+{
+    initializeOpenGLFunctions();
+    m_program = loadProgram(QStringLiteral("background"));
+    m_vertexArray.create();
+}
+
+void BackgroundPainter::release()
+{
+    m_program.reset();
+    m_vertexArray.destroy();
+}
+
+void BackgroundPainter::draw()
+{
+    glDisable(GL_DEPTH_TEST);
+    m_program->bind();
+    m_vertexArray.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    m_vertexArray.release();
+    m_program->release();
+}
+
+} // namespace unprojector

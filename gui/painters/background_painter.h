@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+
+#include <memory>
+
+namespace unprojector {
+
+/// A vertical gradient over the viewport. It leaves the depth buffer as it is.
+class BackgroundPainter : protected QOpenGLExtraFunctions {
+public:
+    void initialize();
+    void release();
+    void draw();
+
+private:
+    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    QOpenGLVertexArrayObject m_vertexArray; ///< empty: the shader makes its three corners; core profile wants one
+};
+
+} // namespace unprojector

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/spaces.h"
+
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVertexArrayObject>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <memory>
+
+namespace unprojector {
+
+/// The mark of the picked point: a ring of constant size with a dot at the point itself.
+class PickPainter : protected QOpenGLExtraFunctions {
+public:
+    void initialize();
+    void release();
+    /// @param pixelRatio  device pixels per logical pixel: the ring keeps its logical size
+    void draw(const WorldPoint &point, const glm::dmat4 &clipFromWorld, const glm::vec2 &viewportPixels,
+              float pixelRatio);
+
+private:
+    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    QOpenGLVertexArrayObject m_vertexArray;
+};
+
+} // namespace unprojector

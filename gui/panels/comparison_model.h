@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/pick.h"
+
+#include <QAbstractTableModel>
+
+#include <optional>
+#include <vector>
+
+namespace unprojector {
+
+/// A pick as a table: a row for each of x, y, z of a point, first in world, then in eye space (on the background: of
+/// the ray's near and far points in world space); the two methods, their difference, and what float would give.
+class ComparisonModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { Formula, Matrix, Difference, Ulps, MatrixInFloat, FloatDifference, ColumnCount };
+    /// Number of leading characters of a coordinate that are certain; the rest is below what depth and pixel tell.
+    static constexpr int CertainLengthRole = Qt::UserRole;
+    /// The double itself.
+    static constexpr int ValueRole = Qt::UserRole + 1;
+
+    explicit ComparisonModel(QObject *parent = nullptr);
+
+    void setPick(const std::optional<Pick> &pick);
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+    /// The whole table with all digits, tab-separated, for the clipboard.
+    QString text() const;
+
+private:
+    struct Row {
+        QString name;
+        std::optional<double> formula, matrix, matrixInFloat;
+        double ulp = 0.0;     ///< spacing of doubles at the point's largest component
+        int decimals = 15;    ///< all digits of the doubles
+        int certain = 15;     ///< decimals that are certain
+    };
+    template <class Space>
+    void addRows(const QString &space, const TwoWays<Space> &point, std::optional<double> certaintyRadius);
+
+    std::optional<double> value(const Row &row, int column) const;
+    QString coordinateText(const Row &row, int column) const;
+
+    std::vector<Row> m_rows;
+};
+
+} // namespace unprojector

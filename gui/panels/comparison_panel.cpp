@@ -1,0 +1,250 @@
+#include "gui/panels/comparison_panel.h"
+
+#include "gui/formula_text.h"
+#include "gui/number_text.h"
+#include "gui/panels/certain_digits_delegate.h"
+#include "gui/panels/comparison_model.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QFontDatabase>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace unprojector {
+namespace {
+
+QLabel *valueLabel(const QString &accessibleName, const QString &toolTip)
+{
+    auto *label = new QLabel;
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label->setAccessibleName(accessibleName);
+    label->setToolTip(toolTip);
+    return label;
+}
+
+QLabel *noteLabel(const QString &accessibleName)
+{
+    QLabel *label = valueLabel(accessibleName, {});
+    label->setWordWrap(true);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // Room for its longest text from the start, so that the panel does not jump from click to click.
+    label->setMinimumHeight(2 * label->fontMetrics().lineSpacing() + 2);
+    return label;
+}
+
+/// "(412.5, 299.5)": a position in pixels to a hundredth at the most.
+QString positionText(double x, double y)
+{
+    return QStringLiteral("(%1, %2)").arg(significantText(std::round(x * 100.0) / 100.0, 9), significantText(std::round(y * 100.0) / 100.0, 9));
+}
+
+} // namespace
+
+ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new ComparisonModel(this))
+{
+    m_heading = new QLabel;
+    QFont headingFont = m_heading->font();
+    headingFont.setBold(true);
+    m_heading->setFont(headingFont);
+    m_heading->setWordWrap(true);
+    m_heading->setAccessibleName(tr("What was clicked"));
+
+    m_widget = valueLabel(tr("Widget position"), tr("Logical pixels from the view's top-left corner, y down"));
+    m_devicePixel = valueLabel(tr("Device pixel"), tr("Column and row from the top-left corner of the framebuffer, in device pixels"));
+    m_window = valueLabel(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"));
+    m_depth = valueLabel(tr("Depth"), tr("As read from the depth buffer; 0 is the near plane, 1 the far plane"));
+    auto *chain = new QFormLayout;
+    chain->setContentsMargins(0, 0, 0, 0);
+    chain->setVerticalSpacing(2);
+    chain->addRow(tr("Widget position:"), m_widget);
+    chain->addRow(tr("Device pixel:"), m_devicePixel);
+    chain->addRow(tr("Window position:"), m_window);
+    chain->addRow(tr("Depth as read:"), m_depth);
+
+    m_table = new QTableView;
+    m_table->setModel(m_model);
+    m_table->setItemDelegate(new CertainDigitsDelegate(m_table));
+    m_table->setAccessibleName(tr("Coordinates by both methods"));
+    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    digits.setPointSizeF(font().pointSizeF() * 0.92);
+    m_table->setFont(digits);
+    m_table->horizontalHeader()->setFont(font());
+    m_table->verticalHeader()->setFont(font());
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+    m_table->horizontalHeader()->setMinimumSectionSize(36);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 6);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_table->setTabKeyNavigation(false);
+    m_table->installEventFilter(this);
+
+    m_showsFloat = new QCheckBox(tr("Show what &float would give"));
+    m_showsFloat->setToolTip(tr("The matrix inverse done in single precision, as most programs do it"));
+    m_copy = new QPushButton(tr("&Copy all"));
+    m_copy->setToolTip(tr("Copy the chain, the table with all digits and the formula"));
+    auto *tools = new QHBoxLayout;
+    tools->addWidget(m_showsFloat);
+    tools->addStretch();
+    tools->addWidget(m_copy);
+
+    m_certainty = noteLabel(tr("Certainty"));
+    m_cause = noteLabel(tr("Cause of the difference"));
+    m_cause->setMinimumHeight(3 * m_cause->fontMetrics().lineSpacing() + 2);
+
+    m_formula = new QPlainTextEdit;
+    m_formula->setReadOnly(true);
+    m_formula->setAccessibleName(tr("Formula with its numbers"));
+    m_formula->setFont(digits);
+    m_formula->setMinimumHeight(6 * m_formula->fontMetrics().lineSpacing());
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->addWidget(m_heading);
+    layout->addLayout(chain);
+    layout->addWidget(m_table);
+    layout->addLayout(tools);
+    layout->addWidget(m_certainty);
+    layout->addWidget(m_cause);
+    layout->addWidget(new QLabel(tr("The formula with its numbers:")));
+    layout->addWidget(m_formula, 1);
+
+    connect(m_showsFloat, &QCheckBox::toggled, this, [this](bool shows) {
+        m_table->setColumnHidden(ComparisonModel::MatrixInFloat, !shows);
+        m_table->setColumnHidden(ComparisonModel::FloatDifference, !shows);
+        fitTable();
+        emit showsFloatChanged(shows);
+    });
+    connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
+    m_table->setColumnHidden(ComparisonModel::MatrixInFloat, true);
+    m_table->setColumnHidden(ComparisonModel::FloatDifference, true);
+    setPick(std::nullopt);
+}
+
+void ComparisonPanel::fitTable()
+{
+    const QFontMetrics metrics(m_table->font());
+    const QFontMetrics header(m_table->horizontalHeader()->font());
+    // The widths are those of the longest texts to expect, so that the columns stand still from click to click.
+    const auto widest = [](int column) {
+        switch (column) {
+        case ComparisonModel::Formula:
+        case ComparisonModel::Matrix: return QStringLiteral("-0.000000000000000");
+        case ComparisonModel::Ulps: return QStringLiteral("-12345");
+        case ComparisonModel::MatrixInFloat: return QStringLiteral("-0.0000000");
+        default: return QStringLiteral("-1.2e-15");
+        }
+    };
+    int total = m_table->verticalHeader()->sizeHint().width() + 2 * m_table->frameWidth();
+    for (int column = 0; column < ComparisonModel::ColumnCount; ++column) {
+        int width = std::max(metrics.horizontalAdvance(widest(column)),
+                             header.horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
+        for (int row = 0; row < m_model->rowCount(); ++row)
+            width = std::max(width, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
+        constexpr int kPadding = 8;
+        m_table->setColumnWidth(column, width + kPadding);
+        total += m_table->isColumnHidden(column) ? 0 : width + kPadding;
+    }
+    const int rows = m_model->rowCount() * m_table->verticalHeader()->defaultSectionSize();
+    const int scrollBar = m_table->isColumnHidden(ComparisonModel::MatrixInFloat) ? 0 : style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows + 2 * m_table->frameWidth() + scrollBar);
+    const QMargins margins = layout()->contentsMargins();
+    if (scrollBar == 0)
+        setMinimumWidth(total + margins.left() + margins.right());
+}
+
+void ComparisonPanel::setPick(const std::optional<Pick> &pick)
+{
+    m_model->setPick(pick);
+    fitTable();
+    if (!pick) {
+        m_heading->setText(tr("Press the left button on the model"));
+        for (QLabel *label : {m_widget, m_devicePixel, m_window, m_depth})
+            label->setText(QStringLiteral("–"));
+        m_certainty->clear();
+        m_cause->clear();
+        m_formula->clear();
+        m_formula->setPlaceholderText(tr("The formulas appear here with the numbers of the click."));
+        m_copy->setEnabled(false);
+        return;
+    }
+    m_copy->setEnabled(true);
+    const Surface &surface = pick->geometry.surface;
+    m_heading->setText(pick->hit ? tr("A point on the surface") : tr("Background: no surface here"));
+    m_widget->setText(tr("%1 logical pixels").arg(positionText(pick->widget.x, pick->widget.y)));
+    m_devicePixel->setText(tr("(%1, %2) of %3 × %4, ratio %5")
+                               .arg(pick->devicePixel.i)
+                               .arg(pick->devicePixel.j)
+                               .arg(surface.widthPixels)
+                               .arg(surface.heightPixels)
+                               .arg(significantText(surface.devicePixelRatio, 4)));
+    m_window->setText(tr("%1, the pixel's centre").arg(positionText(pick->window.x, pick->window.y)));
+    m_depth->setText(pick->hit ? significantText(pick->window.z, 9) : tr("%1, the background's").arg(significantText(pick->window.z, 9)));
+    m_cause->setText(differenceCauseText(*pick));
+    if (pick->hit) {
+        m_certainty->setText(certaintyText(*pick));
+        m_formula->setPlainText(formulaText(*pick));
+    } else {
+        m_certainty->setText(tr("Where the ray enters and leaves the view volume:"));
+        m_formula->setPlainText(rayText(*pick));
+    }
+}
+
+bool ComparisonPanel::showsFloat() const
+{
+    return m_showsFloat->isChecked();
+}
+
+void ComparisonPanel::setShowsFloat(bool shows)
+{
+    m_showsFloat->setChecked(shows);
+}
+
+QString ComparisonPanel::text() const
+{
+    return QStringLiteral("%1\n%2\t%3\n%4\t%5\n%6\t%7\n%8\t%9\n")
+               .arg(m_heading->text(), m_widget->accessibleName(), m_widget->text(), m_devicePixel->accessibleName(),
+                    m_devicePixel->text(), m_window->accessibleName(), m_window->text(), m_depth->accessibleName(),
+                    m_depth->text())
+        + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formula->toPlainText() + u'\n';
+}
+
+bool ComparisonPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_table && event->type() == QEvent::KeyPress && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
+        copySelection();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+/// The selected cells with all their digits, a row a line, tab-separated.
+void ComparisonPanel::copySelection() const
+{
+    QModelIndexList selected = m_table->selectionModel()->selectedIndexes();
+    std::sort(selected.begin(), selected.end());
+    QString text;
+    int row = -1;
+    for (const QModelIndex &index : selected) {
+        if (!text.isEmpty())
+            text += index.row() == row ? u'\t' : u'\n';
+        row = index.row();
+        const QVariant value = index.data(ComparisonModel::ValueRole);
+        text += value.isValid() ? shortestText(value.toDouble()) : index.data().toString();
+    }
+    if (!text.isEmpty())
+        QApplication::clipboard()->setText(text);
+}
+
+} // namespace unprojector

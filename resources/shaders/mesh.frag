@@ -1,0 +1,26 @@
+in vec3 eyeNormal;
+in vec4 vertexColor;
+in vec2 uv;
+
+uniform vec4 baseColor;
+uniform bool isTextured;
+uniform sampler2D baseTexture;
+
+out vec4 fragment;
+
+// A key light over the camera's left shoulder and a dim fill from the right: both move with the camera, so no side of
+// a model is ever dark. Surfaces are lit on both sides, because scans are often wound the wrong way.
+void main()
+{
+    vec4 color = baseColor * vertexColor;
+    if (isTextured)
+        color *= texture(baseTexture, uv);
+    vec3 n = normalize(eyeNormal);
+    if (!gl_FrontFacing)
+        n = -n;
+    const vec3 key = vec3(-0.36, 0.48, 0.80);
+    const vec3 fill = vec3(0.60, -0.10, 0.79);
+    float light = 0.38 + 0.58 * max(dot(n, key), 0.0) + 0.18 * max(dot(n, fill), 0.0);
+    float gloss = 0.12 * pow(max(dot(n, normalize(key + vec3(0.0, 0.0, 1.0))), 0.0), 40.0);
+    fragment = vec4(color.rgb * light + gloss, 1.0);
+}

@@ -1,0 +1,18 @@
+in vec2 offset;
+
+uniform float pixelRatio;
+
+out vec4 fragment;
+
+// A dot and a ring, each with a light rim so that they show on any colour.
+void main()
+{
+    float r = length(offset);
+    float soft = 0.5 / pixelRatio;
+    float dotShape = 1.0 - smoothstep(2.0 - soft, 2.0 + soft, r);
+    float ring = 1.0 - smoothstep(1.0 - soft, 1.0 + soft, abs(r - 7.0));
+    float rim = max(1.0 - smoothstep(3.2 - soft, 3.2 + soft, r),
+                    1.0 - smoothstep(2.2 - soft, 2.2 + soft, abs(r - 7.0)));
+    float ink = max(dotShape, ring);
+    fragment = vec4(mix(vec3(1.0), vec3(0.85, 0.10, 0.30), ink), max(ink, rim * 0.85));
+}
