@@ -19,7 +19,7 @@ namespace {
 
 using Color = glm::u8vec4;
 
-// Muted, after the palette of Tableau 10, whose hues people with a colour vision deficiency can mostly tell apart too.
+// Muted, after the palette of Tableau 10.
 constexpr Color kBlue{78, 121, 167, 255};
 constexpr Color kClay{222, 150, 84, 255};
 constexpr Color kRed{225, 87, 89, 255};
