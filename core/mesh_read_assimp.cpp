@@ -35,7 +35,7 @@ std::uint8_t byteFromShare(float share)
     return share > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0f) * 255.0f)) : std::uint8_t{0};
 }
 
-/// An uncompressed embedded picture as a binary PPM, or PNG-like formats' simplest kin that holds no alpha.
+/// An uncompressed embedded picture as a binary PPM, which any decoder reads; PPM has no alpha.
 std::vector<std::uint8_t> ppmFromTexels(const aiTexture &texture)
 {
     const std::string header = "P6\n" + std::to_string(texture.mWidth) + ' ' + std::to_string(texture.mHeight) + "\n255\n";
@@ -226,7 +226,8 @@ private:
 /// assimp's message as one plain sentence part: "GLTF: …" and source locations say nothing to a user.
 std::string cleaned(std::string message)
 {
-    std::replace(message.begin(), message.end(), '\n', ' ');
+    for (char &c : message)
+        c = c >= ' ' && c <= '~' ? c : ' ';
     for (const char *prefix : {"GLTF: ", "OBJ: ", "OBJ-file", "Obj: "}) {
         if (message.starts_with(prefix))
             message.erase(0, std::string(prefix).size());
@@ -242,16 +243,23 @@ std::string cleaned(std::string message)
 
 Model readWithAssimp(const Source &source)
 {
-    if (source.suffix == "obj")
+    std::vector<std::uint8_t> checked;
+    Source checkedSource = source;
+    if (source.suffix == "obj") {
         checkObj(source);
-    else
-        checkGltf(source);
+    } else {
+        checked = checkedGltf(source);
+        checkedSource.bytes = checked;
+        // A GLB that is called .gltf.
+        if (checked.size() >= 4 && checked[0] == 'g')
+            checkedSource.suffix = "glb";
+    }
 
     Assimp::Importer importer;
     // The importer deletes both.
-    importer.SetIOHandler(new AssimpFiles(source));
+    importer.SetIOHandler(new AssimpFiles(checkedSource));
     importer.SetProgressHandler(new AssimpProgress(source.progress));
-    const aiScene *scene = importer.ReadFile("model." + source.suffix, aiProcess_Triangulate);
+    const aiScene *scene = importer.ReadFile("model." + checkedSource.suffix, aiProcess_Triangulate);
     // assimp swallows the exceptions thrown through it.
     if (source.progress.isCancelled())
         throw Failure(ImportErrorCode::Cancelled);

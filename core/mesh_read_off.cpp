@@ -145,8 +145,7 @@ private:
     }
     [[noreturn]] void failWord(std::string_view word, const char *what) const
     {
-        failMalformed("line " + std::to_string(m_scanner.line()) + ": \"" + std::string(word.substr(0, 40))
-                      + "\" stands where a " + what + " is expected");
+        failMalformed("line " + std::to_string(m_scanner.line()) + ": " + quoted(word) + " stands where a " + what + " is expected");
     }
 
     std::span<const std::uint8_t> m_bytes;

@@ -111,8 +111,7 @@ private:
         }
         const std::optional<float> number = floatFromWord(word);
         if (!number)
-            failMalformed("line " + std::to_string(m_scanner.line()) + ": \"" + std::string(word.substr(0, 40))
-                          + "\" is no number");
+            failMalformed("line " + std::to_string(m_scanner.line()) + ": " + quoted(word) + " is no number");
         return *number;
     }
 

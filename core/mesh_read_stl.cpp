@@ -143,8 +143,8 @@ Mesh readAscii(const Source &source)
                 const std::string_view number = scanner.nextWordInLine();
                 const std::optional<float> value = floatFromWord(number);
                 if (!value)
-                    failAtLine(scanner.line(), "a vertex needs three numbers"
-                                                   + (number.empty() ? std::string() : ", not \"" + std::string(number.substr(0, 40)) + '"'));
+                    failAtLine(scanner.line(), number.empty() ? "a vertex needs three numbers"
+                                                              : "a vertex needs three numbers, not " + quoted(number));
                 position[axis] = *value;
             }
             stl.add(position);
@@ -165,7 +165,7 @@ Mesh readAscii(const Source &source)
                 scanner.nextWordInLine();
         } else if (!equalsIgnoringCase(word, "facet") && !equalsIgnoringCase(word, "outer")
                    && !equalsIgnoringCase(word, "loop") && !equalsIgnoringCase(word, "endloop")) {
-            failAtLine(scanner.line(), "\"" + std::string(word.substr(0, 40)) + "\" does not belong in an STL file");
+            failAtLine(scanner.line(), quoted(word) + " does not belong in an STL file");
         }
     }
     if (cornersOfFacet != 0 || isInSolid)

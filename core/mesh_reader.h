@@ -75,8 +75,9 @@ Model readWithAssimp(const Source &source);
 /// Throws Failure (Malformed with the line, NotFinite with the vertex, NoTriangles) for what assimp accepts in
 /// silence: missing coordinates, faces that refer to vertices the file does not have.
 void checkObj(const Source &source);
-/// Throws Failure (Malformed) for glTF whose buffers, accessors or node tree would lead assimp astray.
-void checkGltf(const Source &source);
+/// A glTF or GLB file for assimp, without animations, skins and cameras. Throws Failure (Malformed) where buffers,
+/// accessors or the node tree would lead assimp beyond its memory.
+std::vector<std::uint8_t> checkedGltf(const Source &source);
 
 /// The texture a model file refers to, read from disk; `encoded` stays empty when there is no such file.
 /// @param reference  UTF-8, as written in the file: relative to the model file's folder, either slash, perhaps with

@@ -29,11 +29,6 @@ constexpr TypeName kTypeNames[] = {
     failMalformed("line " + std::to_string(line) + ": " + what);
 }
 
-std::string quoted(std::string_view word)
-{
-    return '"' + std::string(word.substr(0, 40)) + '"';
-}
-
 PlyType typeNamed(std::string_view name, std::size_t line)
 {
     for (const TypeName &candidate : kTypeNames) {

@@ -109,4 +109,13 @@ std::optional<long long> integerFromWord(std::string_view word)
     return value;
 }
 
+std::string quoted(std::string_view word)
+{
+    std::string text(1, '"');
+    for (const char c : word.substr(0, 40))
+        text.push_back(c >= ' ' && c <= '~' ? c : '?');
+    text.push_back('"');
+    return text;
+}
+
 } // namespace unprojector

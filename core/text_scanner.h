@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace unprojector {
@@ -40,5 +41,8 @@ private:
 /// large or too small for a float become infinity or 0. Nothing when the word is no number.
 std::optional<float> floatFromWord(std::string_view word);
 std::optional<long long> integerFromWord(std::string_view word);
+
+/// A word for a message: in quotes, cut at 40 characters, what is not printable ASCII shown as "?".
+std::string quoted(std::string_view word);
 
 } // namespace unprojector
