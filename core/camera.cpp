@@ -44,11 +44,14 @@ Result<EyeFrame> eyeFrame(const LookAt &view)
     if (!(sine > kParallelSine))
         return Error{ErrorCode::UpParallelToView};
 
-    // Normalised once more: a nearly parallel up leaves few digits in the cross product, and the axes must stay
-    // orthonormal to the last bit for worldFromEye to be the inverse.
     glm::dvec3 s = side / sine;
-    s -= forward * glm::dot(s, forward);
-    s /= length(s);
+    // A nearly parallel up leaves few digits in the cross product; the axes must be orthogonal to the last place for
+    // worldFromEye to be the inverse. Otherwise they are, and an exact 0 in a level side axis stays one.
+    constexpr double kFewDigitsSine = 0.1;
+    if (sine < kFewDigitsSine) {
+        s -= forward * glm::dot(s, forward);
+        s /= length(s);
+    }
     glm::dvec3 u = glm::cross(s, forward);
     u /= length(u);
     return EyeFrame{view.eye, s, u, forward};

@@ -239,11 +239,8 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     const ViewGeometry &g = m_document.geometry();
     switch (m_drag) {
     case Drag::None:
-        if (event->buttons() == Qt::NoButton) {
-            const WidgetPoint position = widgetPosition(event->position());
-            if (const std::optional<DepthSample> sample = depthAt(position))
-                emit hovered(position, *sample);
-        }
+        if (event->buttons() == Qt::NoButton)
+            reportHover(event->position());
         return;
     case Drag::Orbit: {
         // Half a turn for the height of the view.
@@ -262,9 +259,18 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     }
 }
 
-void SceneView::mouseReleaseEvent(QMouseEvent *)
+void SceneView::mouseReleaseEvent(QMouseEvent *event)
 {
     m_drag = Drag::None;
+    if (event->buttons() == Qt::NoButton && rect().contains(event->position().toPoint()))
+        reportHover(event->position());
+}
+
+void SceneView::reportHover(const QPointF &local)
+{
+    const WidgetPoint position = widgetPosition(local);
+    if (const std::optional<DepthSample> sample = depthAt(position))
+        emit hovered(position, *sample);
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
@@ -289,6 +295,7 @@ void SceneView::wheelEvent(QWheelEvent *event)
     const double factor = std::pow(1.2, notches);
     const ViewGeometry next = zoomed(m_document.geometry(), m_document.pivotAt(position, *sample), factor);
     m_document.setView(next.camera, next.projection);
+    reportHover(event->position());
     event->accept();
 }
 

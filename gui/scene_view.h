@@ -71,6 +71,7 @@ private:
     Surface currentSurface() const;
     /// The depth at a position, of a picture that is up to date.
     std::optional<DepthSample> depthAt(const WidgetPoint &position);
+    void reportHover(const QPointF &local);
     void drawAxes(const EyeFrame &frame);
     void redraw();
 

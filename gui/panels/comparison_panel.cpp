@@ -42,6 +42,25 @@ QLabel *noteLabel(const QString &accessibleName)
     return label;
 }
 
+/// Broken at blanks into lines of so many characters, continued with an indent. The editor's own wrapping would break
+/// numbers at their decimal points.
+QString wrapped(const QString &text, qsizetype columns)
+{
+    QStringList lines;
+    for (const QString &line : text.split(u'\n')) {
+        QString rest = line;
+        while (rest.size() > columns) {
+            const qsizetype blank = rest.lastIndexOf(u' ', columns);
+            if (blank <= 4)
+                break;
+            lines << rest.left(blank);
+            rest = QStringLiteral("    ") + rest.mid(blank + 1);
+        }
+        lines << rest;
+    }
+    return lines.join(u'\n');
+}
+
 /// "(412.5, 299.5)": a position in pixels to a hundredth at the most.
 QString positionText(double x, double y)
 {
@@ -107,6 +126,7 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
     m_formula->setReadOnly(true);
     m_formula->setAccessibleName(tr("Formula with its numbers"));
     m_formula->setFont(digits);
+    m_formula->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_formula->setMinimumHeight(6 * m_formula->fontMetrics().lineSpacing());
 
     auto *layout = new QVBoxLayout(this);
@@ -136,32 +156,38 @@ void ComparisonPanel::fitTable()
 {
     const QFontMetrics metrics(m_table->font());
     const QFontMetrics header(m_table->horizontalHeader()->font());
-    // The widths are those of the longest texts to expect, so that the columns stand still from click to click.
+    // The widths are those of the longest texts to expect, so that the columns and the panel stand still from click to
+    // click. Rarely a text is longer; then its column grows and the table scrolls.
     const auto widest = [](int column) {
         switch (column) {
         case ComparisonModel::Formula:
-        case ComparisonModel::Matrix: return QStringLiteral("-0.000000000000000");
+        case ComparisonModel::Matrix: return QStringLiteral("-0.00000000000000000");
         case ComparisonModel::Ulps: return QStringLiteral("-12345");
         case ComparisonModel::MatrixInFloat: return QStringLiteral("-0.0000000");
         default: return QStringLiteral("-1.2e-15");
         }
     };
-    int total = m_table->verticalHeader()->sizeHint().width() + 2 * m_table->frameWidth();
+    constexpr int kPadding = 8;
+    const int frame = m_table->verticalHeader()->sizeHint().width() + 2 * m_table->frameWidth();
+    int expected = frame, actual = frame;
     for (int column = 0; column < ComparisonModel::ColumnCount; ++column) {
-        int width = std::max(metrics.horizontalAdvance(widest(column)),
-                             header.horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
+        const int reserved = std::max(metrics.horizontalAdvance(widest(column)),
+                                      header.horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
+        int width = reserved;
         for (int row = 0; row < m_model->rowCount(); ++row)
             width = std::max(width, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
-        constexpr int kPadding = 8;
         m_table->setColumnWidth(column, width + kPadding);
-        total += m_table->isColumnHidden(column) ? 0 : width + kPadding;
+        if (!m_table->isColumnHidden(column)) {
+            actual += width + kPadding;
+            if (column < ComparisonModel::MatrixInFloat)
+                expected += reserved + kPadding;
+        }
     }
-    const int rows = m_model->rowCount() * m_table->verticalHeader()->defaultSectionSize();
-    const int scrollBar = m_table->isColumnHidden(ComparisonModel::MatrixInFloat) ? 0 : style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows + 2 * m_table->frameWidth() + scrollBar);
     const QMargins margins = layout()->contentsMargins();
-    if (scrollBar == 0)
-        setMinimumWidth(total + margins.left() + margins.right());
+    setMinimumWidth(expected + margins.left() + margins.right());
+    const int rows = m_model->rowCount() * m_table->verticalHeader()->defaultSectionSize();
+    const int scrollBar = actual > expected ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0;
+    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows + 2 * m_table->frameWidth() + scrollBar);
 }
 
 void ComparisonPanel::setPick(const std::optional<Pick> &pick)
@@ -174,7 +200,8 @@ void ComparisonPanel::setPick(const std::optional<Pick> &pick)
             label->setText(QStringLiteral("–"));
         m_certainty->clear();
         m_cause->clear();
-        m_formula->clear();
+        m_formulaText.clear();
+        showFormula();
         m_formula->setPlaceholderText(tr("The formulas appear here with the numbers of the click."));
         m_copy->setEnabled(false);
         return;
@@ -194,11 +221,26 @@ void ComparisonPanel::setPick(const std::optional<Pick> &pick)
     m_cause->setText(differenceCauseText(*pick));
     if (pick->hit) {
         m_certainty->setText(certaintyText(*pick));
-        m_formula->setPlainText(formulaText(*pick));
+        m_formulaText = formulaText(*pick);
     } else {
         m_certainty->setText(tr("Where the ray enters and leaves the view volume:"));
-        m_formula->setPlainText(rayText(*pick));
+        m_formulaText = rayText(*pick);
     }
+    showFormula();
+}
+
+void ComparisonPanel::showFormula()
+{
+    const QFontMetricsF metrics(m_formula->font());
+    const double width = m_formula->viewport()->width() - 2.0 * m_formula->document()->documentMargin();
+    m_formula->setPlainText(wrapped(m_formulaText, static_cast<qsizetype>(width / metrics.horizontalAdvance(u'0'))));
+}
+
+void ComparisonPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    showFormula();
 }
 
 bool ComparisonPanel::showsFloat() const
@@ -217,7 +259,7 @@ QString ComparisonPanel::text() const
                .arg(m_heading->text(), m_widget->accessibleName(), m_widget->text(), m_devicePixel->accessibleName(),
                     m_devicePixel->text(), m_window->accessibleName(), m_window->text(), m_depth->accessibleName(),
                     m_depth->text())
-        + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formula->toPlainText() + u'\n';
+        + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formulaText + u'\n';
 }
 
 bool ComparisonPanel::eventFilter(QObject *watched, QEvent *event)

@@ -35,11 +35,13 @@ signals:
     void showsFloatChanged(bool shows);
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void copySelection() const;
     void fitTable();
+    void showFormula();
 
     QLabel *m_heading;
     QLabel *m_widget;
@@ -51,6 +53,7 @@ private:
     QLabel *m_certainty;
     QLabel *m_cause;
     QPlainTextEdit *m_formula;
+    QString m_formulaText; ///< as it is copied: a formula a line
     QCheckBox *m_showsFloat;
     QPushButton *m_copy;
 };
