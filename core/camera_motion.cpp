@@ -161,10 +161,17 @@ ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds)
     constexpr double kMargin = 1.05;
     double distance = 2.0 * radius * kMargin;
     if (isPerspective(geometry.projection)) {
-        const double slope = std::min(halfWidth, halfHeight) / w.nearDistance;
-        distance = radius * kMargin / std::sin(std::atan(slope));
+        // Where the ball about the box, in the middle of the window, touches the steeper of two opposite edges.
+        const auto needed = [&](double low, double high, double half) {
+            return radius * kMargin * std::hypot(w.nearDistance, std::max(std::abs(low), std::abs(high))) / half;
+        };
+        distance = std::max(needed(w.left, w.right, halfWidth), needed(w.bottom, w.top, halfHeight));
     } else {
-        const double scale = radius * kMargin / std::min(halfWidth, halfHeight);
+        // A shear stretches the ball sideways.
+        const auto *sheared = std::get_if<Oblique>(&geometry.projection);
+        const double stretchX = sheared ? std::hypot(1.0, cotangent(sheared->thetaRadians)) : 1.0;
+        const double stretchY = sheared ? std::hypot(1.0, cotangent(sheared->phiRadians)) : 1.0;
+        const double scale = radius * kMargin * std::max(stretchX / halfWidth, stretchY / halfHeight);
         const double x = (w.left + w.right) / 2.0, y = (w.bottom + w.top) / 2.0;
         if (auto *ortho = std::get_if<Ortho>(&result.projection))
             *ortho = scaledAbout(*ortho, x, y, scale);
@@ -211,11 +218,16 @@ ViewGeometry withProjectionSwitched(const ViewGeometry &geometry)
 {
     ViewGeometry result = geometry;
     const double distance = centerDistance(geometry.camera);
-    const ProjectionWindow w = projectionWindow(geometry.projection);
+    ProjectionWindow w = projectionWindow(geometry.projection);
     if (isPerspective(geometry.projection)) {
         const double k = distance / w.nearDistance;
         result.projection = Ortho{w.left * k, w.right * k, w.bottom * k, w.top * k, w.nearDistance, w.farDistance};
         return result;
+    }
+    if (const auto *oblique = std::get_if<Oblique>(&geometry.projection)) {
+        // At the centre's distance the shear has moved the box sideways.
+        const double x = cotangent(oblique->thetaRadians) * distance, y = cotangent(oblique->phiRadians) * distance;
+        w = {w.left + x, w.right + x, w.bottom + y, w.top + y, w.nearDistance, w.farDistance};
     }
     // The eye of a box may stand anywhere on its axis; for a frustum it steps back until the window at the centre
     // has the height it had.
