@@ -521,6 +521,11 @@ void TestMeshImport::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("gltf-truncated") << "bad.gltf" << gltfBox().chopped(9) << Malformed << "JSON";
     QTest::newRow("gltf-buffer-missing") << "bad.gltf" << gltfJson("nowhere.bin") << Malformed << "nowhere.bin";
     QTest::newRow("gltf-accessor-too-long") << "bad.gltf" << gltfBox().replace("\"count\":36", "\"count\":37") << Malformed << "37 elements";
+    QTest::newRow("gltf-sparse-without-count") << "bad.gltf" << gltfBox().replace(R"("count":36,)", R"("count":36,"sparse":{},)")
+                                               << Malformed << "sparse";
+    QTest::newRow("gltf-strip-without-corners") << "bad.gltf" << gltfBox().replace(R"("indices":1)", R"("mode":5,"indices":1)").replace("\"count\":36", "\"count\":0")
+                                                << Malformed << "";
+    QTest::newRow("gltf-odd-media-type") << "bad.gltf" << gltfBox({}, R"("bufferView":3,"mimeType":"png")") << Malformed << "slash";
     QTest::newRow("gltf-circle") << "bad.gltf" << gltfBox(",\"children\":[0]") << Malformed << "circle";
     QTest::newRow("gltf-nested-deeply") << "bad.gltf" << QByteArray(100000, '[') << Malformed << "nested";
     QTest::newRow("gltf-version-1") << "bad.gltf" << QByteArray("{\"asset\":{\"version\":\"1.0\"}}") << Malformed << "version 2";
