@@ -188,16 +188,12 @@ private:
     {
         switch (number(object, "componentType", 0)) {
         case 5120:
-        case 5121:
-            return 1;
+        case 5121: return 1;
         case 5122:
-        case 5123:
-            return 2;
+        case 5123: return 2;
         case 5125:
-        case 5126:
-            return 4;
-        default:
-            failMalformed("an accessor has an unknown component type");
+        case 5126: return 4;
+        default: failMalformed("an accessor has an unknown component type");
         }
     }
 
@@ -263,7 +259,8 @@ private:
             failMalformed("an image has a media type without a slash");
         if (uri) {
             const std::string_view address = uri->get_ref<const std::string &>();
-            if (address.starts_with("data:") && address.substr(0, address.find_first_of(";,")).find('/') == address.npos)
+            if (address.starts_with("data:")
+                && address.substr(0, address.find_first_of(";,")).find('/') == address.npos)
                 failMalformed("an image has a media type without a slash");
         }
     }
@@ -297,8 +294,9 @@ private:
             for (const auto &[name, value] : attributes->items()) {
                 const Json &attribute = reference(*attributes, name.c_str(), "accessors");
                 if (number(attribute, "count", 0) != number(positions, "count", 0))
-                    failMalformed("the attribute " + name + " of a mesh has " + std::to_string(number(attribute, "count", 0))
-                                  + " values for " + std::to_string(number(positions, "count", 0)) + " vertices");
+                    failMalformed("the attribute " + name + " of a mesh has "
+                                  + std::to_string(number(attribute, "count", 0)) + " values for "
+                                  + std::to_string(number(positions, "count", 0)) + " vertices");
             }
             if (!find(primitive, "indices"))
                 corners = number(positions, "count", 0);
