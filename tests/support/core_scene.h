@@ -23,10 +23,8 @@ inline unprojector::Projection coreProjection(const Projection &p)
         return unprojector::Frustum{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
     case ProjectionKind::Perspective:
         return unprojector::Perspective{p.verticalFovRadians, p.aspect, p.nearDistance, p.farDistance};
-    case ProjectionKind::Oblique:
-        return unprojector::Oblique{box, p.thetaRadians, p.phiRadians};
-    case ProjectionKind::Ortho:
-        break;
+    case ProjectionKind::Oblique: return unprojector::Oblique{box, p.thetaRadians, p.phiRadians};
+    case ProjectionKind::Ortho: break;
     }
     return box;
 }
