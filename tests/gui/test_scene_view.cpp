@@ -7,11 +7,12 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QScreen>
+#include <QToolBar>
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <numbers>
+#include <set>
 
 using namespace guitest;
 
@@ -256,20 +257,35 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
 
 void TestSceneView::everyDevicePixelCanBeClicked()
 {
-    const auto window = shownWindow(0, {400, 360});
+    const auto window = shownWindow(0, {430, 420});
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     document.setObjects(cubeScene());
     const double ratio = view.devicePixelRatio();
-    const QPoint corner = view.mapTo(window.get(), QPoint(0, 0));
-    // The pointer stands on whole device pixels of the window; Qt divides by the ratio.
-    const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)), static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
-    for (int k = 0; k < 40; ++k) {
-        const QPoint pointer = first + QPoint(150 + k, 120 + k);
-        click(view, QPointF(pointer) / ratio - QPointF(corner));
-        QVERIFY(document.pick());
-        QCOMPARE(QPoint(document.pick()->devicePixel.i, document.pick()->devicePixel.j), QPoint(150 + k, 120 + k));
+    auto *dock = new QDockWidget;
+    window->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    QToolBar *bar = window->addToolBar(QStringLiteral("above"));
+    window->insertToolBarBreak(bar);
+    std::set<double> fractions;
+    for (const int size : {61, 62, 63, 64}) {
+        dock->setFixedWidth(size);
+        bar->setFixedHeight(size);
+        QVERIFY(QTest::qWaitFor([&] { return dock->width() == size && bar->height() == size; }));
+        QTest::qWait(20);
+        const QPoint corner = view.mapTo(window.get(), QPoint(0, 0));
+        for (const int origin : {corner.x(), corner.y()})
+            fractions.insert(origin * ratio - std::floor(origin * ratio));
+        // The pointer stands on whole device pixels of the window; Qt divides by the ratio.
+        const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)), static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
+        for (int k = 0; k < 12; ++k) {
+            const QPoint pointer = first + QPoint(150 + k, 120 + k);
+            click(view, QPointF(pointer) / ratio - QPointF(corner));
+            QVERIFY(document.pick());
+            QCOMPARE(QPoint(document.pick()->devicePixel.i, document.pick()->devicePixel.j), QPoint(150 + k, 120 + k));
+        }
     }
+    // The corner stood on every fraction of a pixel that the ratio knows.
+    QCOMPARE(fractions.size(), ratio == 1.25 ? 4u : ratio == 1.5 ? 2u : 1u);
 }
 
 void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
