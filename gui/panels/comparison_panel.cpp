@@ -168,15 +168,13 @@ void ComparisonPanel::fitTable()
         }
     };
     constexpr int kPadding = 8;
-    // The names of a background's rows are longer than those of a surface's.
+    // The names of a background's rows are longer than those of a surface's; room is for all of them.
     QHeaderView *names = m_table->verticalHeader();
     const QFontMetrics nameMetrics(names->font());
-    int shownName = 0, longestName = 0;
-    for (int row = 0; row < m_model->rowCount(); ++row)
-        shownName = std::max(shownName, nameMetrics.horizontalAdvance(m_model->headerData(row, Qt::Vertical).toString()));
+    int longestName = 0;
     for (const QString &name : ComparisonModel::pointNames())
         longestName = std::max(longestName, nameMetrics.horizontalAdvance(name + QStringLiteral(" x")));
-    names->setMinimumWidth(names->sizeHint().width() + std::max(0, longestName - shownName));
+    names->setFixedWidth(longestName + 2 * kPadding);
     const int frame = names->minimumWidth() + 2 * m_table->frameWidth();
     int expected = frame, actual = frame;
     for (int column = 0; column < ComparisonModel::ColumnCount; ++column) {

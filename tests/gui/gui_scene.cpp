@@ -126,12 +126,14 @@ DevicePixel pixelUnder(const SceneView &view, const QPointF &local)
 {
     const double ratio = view.devicePixelRatio();
     const QPoint corner = view.mapTo(view.window(), QPoint(0, 0));
-    const auto pixel = [ratio](double position, int origin) {
+    const auto pixel = [ratio](double position, int origin, int logicalSize) {
         // A device pixel comes as a quotient by the ratio, whose product may fall just short of it.
         const double pointer = std::floor((position + origin) * ratio + 1e-6);
-        return static_cast<int>(pointer - std::floor(origin * ratio + 0.5));
+        const int inView = static_cast<int>(pointer - std::floor(origin * ratio + 0.5));
+        // The view's corner is rounded to whole pixels, which can carry its rim a pixel out.
+        return std::clamp(inView, 0, static_cast<int>(std::floor(logicalSize * ratio + 0.5)) - 1);
     };
-    return {pixel(local.x(), corner.x()), pixel(local.y(), corner.y())};
+    return {pixel(local.x(), corner.x(), view.width()), pixel(local.y(), corner.y(), view.height())};
 }
 
 glm::dvec2 windowOf(const SceneView &view, const DevicePixel &pixel)
