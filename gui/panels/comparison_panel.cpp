@@ -162,9 +162,9 @@ void ComparisonPanel::fitTable()
         switch (column) {
         case ComparisonModel::Formula:
         case ComparisonModel::Matrix: return QStringLiteral("-0.00000000000000000");
-        case ComparisonModel::Ulps: return QStringLiteral("-12345");
+        case ComparisonModel::Ulps: return QStringLiteral("-888888");
         case ComparisonModel::MatrixInFloat: return QStringLiteral("-0.0000000");
-        default: return QStringLiteral("-1.2e-15");
+        default: return QStringLiteral("-8.8e-88");
         }
     };
     constexpr int kPadding = 8;
