@@ -444,7 +444,7 @@ void TestComparisonPanel::theCertaintyIsNamed()
 {
     Pick pick = picked(frustumGeometry(), 412.0, 299.0, 0.75);
     pick.certainty = {1.26e-6, 0.008, 0.0124};
-    QCOMPARE(withPlainSpaces(certaintyText(pick)), QStringLiteral("Certain to ± 1.3e-06 along the view (depth buffer) and ± 0.004 × 0.0062 across it (half a pixel)."));
+    QCOMPARE(withPlainSpaces(certaintyText(pick)), QStringLiteral("The buffers leave ± 1.3e-06 along the view (half a depth step) and ± 0.004 × 0.0062 across it (half a pixel)."));
 }
 
 void TestComparisonPanel::thePanelStandsStillFromClickToClick_data()
