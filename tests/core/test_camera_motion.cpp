@@ -115,8 +115,7 @@ std::vector<WorldPoint> cornersOf(const Box &box)
 
 } // namespace
 
-class TestCameraMotion : public QObject
-{
+class TestCameraMotion : public QObject {
     Q_OBJECT
 
 private slots:
@@ -172,7 +171,10 @@ void TestCameraMotion::orbitKeepsThePivotsPlaceAndAllDistances()
 
 void TestCameraMotion::orbitTurnsTheSceneWithTheHand()
 {
-    const ViewGeometry g{{800, 800, 1.0}, {0.0, 0.0, 800.0, 800.0}, {}, Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 100.0},
+    const ViewGeometry g{{800, 800, 1.0},
+                         {0.0, 0.0, 800.0, 800.0},
+                         {},
+                         Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 100.0},
                          {WorldPoint(0.0, 0.0, 10.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
     const WorldPoint pivot(0.0, 0.0, 0.0);
     const WorldPoint nearest(0.0, 0.0, 1.0), top(0.0, 1.0, 0.0);
@@ -267,9 +269,8 @@ void TestCameraMotion::seenFromLooksAlongTheNamedAxis_data()
     QTest::addColumn<glm::dvec3>("eye");
     QTest::addColumn<glm::dvec3>("rightInPicture");
     QTest::addColumn<glm::dvec3>("upInPicture");
-    const auto row = [](const char *name, StandardView side, const glm::dvec3 &eye, const glm::dvec3 &right, const glm::dvec3 &up) {
-        QTest::newRow(name) << static_cast<int>(side) << eye << right << up;
-    };
+    const auto row = [](const char *name, StandardView side, const glm::dvec3 &eye, const glm::dvec3 &right,
+                        const glm::dvec3 &up) { QTest::newRow(name) << static_cast<int>(side) << eye << right << up; };
     // The centre (1, 2, 3) at a distance of 10.
     row("front", StandardView::Front, {1.0, 2.0, 13.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
     row("back", StandardView::Back, {1.0, 2.0, -7.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
@@ -301,7 +302,8 @@ void TestCameraMotion::worldPerPixelMovesByOnePixel()
     const EyeFrame frame = *eyeFrame(geometry.camera);
     for (const WorldPoint &anchor : {WorldPoint(1.0, 2.0, 3.0), WorldPoint(-2.0, 1.0, -4.0)}) {
         const double scale = worldPerPixel(geometry, anchor);
-        const ViewGeometry after = withCamera(geometry, moved(geometry.camera, -(frame.side * 30.0 - frame.upward * 20.0) * scale));
+        const ViewGeometry after =
+            withCamera(geometry, moved(geometry.camera, -(frame.side * 30.0 - frame.upward * 20.0) * scale));
         const glm::dvec2 step = placeOf(after, anchor) - placeOf(geometry, anchor);
         QVERIFY(isNear(step.x, 30.0, kRoundingPixels));
         QVERIFY(isNear(step.y, -20.0, kRoundingPixels));
@@ -335,7 +337,8 @@ void TestCameraMotion::zoomKeepsTheAnchorsPlace()
 void TestCameraMotion::recenteredBringsThePointToTheMiddle()
 {
     QFETCH(ViewGeometry, geometry);
-    for (const WorldPoint &point : {WorldPoint(1.0, 2.0, 3.0), WorldPoint(0.0, 3.0, 1.0), WorldPoint(-7.0, 0.5, -4.0)}) {
+    for (const WorldPoint &point :
+         {WorldPoint(1.0, 2.0, 3.0), WorldPoint(0.0, 3.0, 1.0), WorldPoint(-7.0, 0.5, -4.0)}) {
         const ViewGeometry after = withCamera(geometry, recentered(geometry, point));
         const glm::dvec2 place = placeOf(after, point);
         QVERIFY(isNear(place.x, geometry.viewport.x + geometry.viewport.width / 2.0, kRoundingPixels));

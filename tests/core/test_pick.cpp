@@ -42,7 +42,10 @@ bool isRelativelyNear(double a, double b, double tolerance)
 /// 800 x 600 logical pixels, looked at from (0, 0, 5) towards the origin.
 ViewGeometry plainFrustum()
 {
-    return {{800, 600, 1.0}, {0.0, 0.0, 800.0, 600.0}, {}, Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 10.0},
+    return {{800, 600, 1.0},
+            {0.0, 0.0, 800.0, 600.0},
+            {},
+            Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 10.0},
             {WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
 }
 
@@ -50,15 +53,16 @@ ViewGeometry plainFrustum()
 /// camera looks along -z, so that its axes are the world's.
 ViewGeometry offsetBox()
 {
-    return {{1200, 900, 1.5}, {100.0, 50.0, 600.0, 400.0}, {}, Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0},
+    return {{1200, 900, 1.5},
+            {100.0, 50.0, 600.0, 400.0},
+            {},
+            Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0},
             {WorldPoint(10.0, 20.0, 30.0), WorldPoint(10.0, 20.0, 20.0), {0.0, 1.0, 0.0}}};
 }
 
 } // namespace
 
-
-class TestPick : public QObject
-{
+class TestPick : public QObject {
     Q_OBJECT
 
 private slots:
@@ -98,8 +102,8 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
 
     // device (450.75, 750.75); y_v = 900 - 750.5; x = 350.5 x 6 / 600 - 3, y = 99.5 x 4 / 400 - 2; z = 0.75 + 9 x 0.25
     const glm::dvec3 click(300.5, 500.5, 0.25), window(450.5, 149.5, 0.25);
-    QTest::newRow("ortho, offset viewport@1.5x")
-        << offsetBox() << click << QPoint(450, 750) << window << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
+    QTest::newRow("ortho, offset viewport@1.5x") << offsetBox() << click << QPoint(450, 750) << window
+                                                 << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
     ViewGeometry reversed = offsetBox();
     reversed.depthRange = {1.0, 0.0};
     QTest::newRow("ortho, reversed depth range@1.5x")
@@ -109,7 +113,8 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
     ViewGeometry oblique = offsetBox();
     oblique.projection = Oblique{std::get<Ortho>(offsetBox().projection), 0.7853981633974483, 0.7853981633974483};
     QTest::newRow("oblique, offset viewport@1.5x")
-        << oblique << click << QPoint(450, 750) << window << glm::dvec3(3.505, 1.995, -3.0) << glm::dvec3(13.505, 21.995, 27.0);
+        << oblique << click << QPoint(450, 750) << window << glm::dvec3(3.505, 1.995, -3.0)
+        << glm::dvec3(13.505, 21.995, 27.0);
     // The same window as a frustum with n = 1, f = 9: z = 9 / (9 x 0.75 + 0.25) = 9 / 7, x = 0.505 z, y = -1.005 z
     ViewGeometry frustum = offsetBox();
     frustum.projection = Frustum{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
@@ -120,12 +125,12 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
     // Seen along +x with z up: s = -y, u = z, f = x, so world = eye + (z, -x, y).
     ViewGeometry turned = offsetBox();
     turned.camera = {WorldPoint(10.0, 20.0, 30.0), WorldPoint(11.0, 20.0, 30.0), {0.0, 0.0, 1.0}};
-    QTest::newRow("ortho, turned camera@1.5x")
-        << turned << click << QPoint(450, 750) << window << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(13.0, 19.495, 28.995);
+    QTest::newRow("ortho, turned camera@1.5x") << turned << click << QPoint(450, 750) << window
+                                               << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(13.0, 19.495, 28.995);
     // Column 413 of ratio 1.5 comes as 413 / 1.5, whose product with 1.5 may fall just below 413.
     QTest::newRow("ortho, device column as a widget position@1.5x")
-        << offsetBox() << glm::dvec3(413.0 / 1.5, 750.0 / 1.5, 0.25) << QPoint(413, 750) << glm::dvec3(413.5, 149.5, 0.25)
-        << glm::dvec3(0.135, -1.005, -3.0) << glm::dvec3(10.135, 18.995, 27.0);
+        << offsetBox() << glm::dvec3(413.0 / 1.5, 750.0 / 1.5, 0.25) << QPoint(413, 750)
+        << glm::dvec3(413.5, 149.5, 0.25) << glm::dvec3(0.135, -1.005, -3.0) << glm::dvec3(10.135, 18.995, 27.0);
 }
 
 void TestPick::aClickIsFollowedBackToTheWorld()
@@ -161,7 +166,8 @@ void TestPick::allPositionsInAPixelGiveTheSamePoint()
     const ViewGeometry geometry = plainFrustum();
     const Result<Pick> middle = pickAt(geometry, WidgetPoint(412.5, 300.5), {0.5, true, 24});
     QVERIFY(middle.hasValue());
-    for (const WidgetPoint &position : {WidgetPoint(412.0, 300.0), WidgetPoint(412.99, 300.0), WidgetPoint(412.0, 300.99)}) {
+    for (const WidgetPoint &position :
+         {WidgetPoint(412.0, 300.0), WidgetPoint(412.99, 300.0), WidgetPoint(412.0, 300.99)}) {
         const Result<Pick> pick = pickAt(geometry, position, {0.5, true, 24});
         QVERIFY(pick.hasValue());
         QVERIFY(pick->devicePixel == (DevicePixel{412, 300}));
@@ -255,25 +261,33 @@ void TestPick::certaintyIsTheDepthStepAndThePixel_data()
     QTest::addColumn<double>("radius");
 
     // 25 x 9 / 10 / (2^24 - 1) / 2; 2 x 5 / 800, 1.5 x 5 / 600
-    QTest::newRow("frustum, 24 bits") << plainFrustum() << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125) << 0.00625;
+    QTest::newRow("frustum, 24 bits") << plainFrustum() << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125)
+                                      << 0.00625;
     // 25 x 9 / 10 / 65535 / 2
-    QTest::newRow("frustum, 16 bits") << plainFrustum() << 5.0 << 16 << glm::dvec3(1.7166399633783476e-4, 0.0125, 0.0125) << 0.00625;
+    QTest::newRow("frustum, 16 bits") << plainFrustum() << 5.0 << 16
+                                      << glm::dvec3(1.7166399633783476e-4, 0.0125, 0.0125) << 0.00625;
     // 81 x 9 / 10 / 255 / 2: the depth step is the largest of the three
-    QTest::newRow("frustum, 8 bits, far away") << plainFrustum() << 9.0 << 8 << glm::dvec3(0.14294117647058824, 0.0225, 0.0225) << 0.14294117647058824;
+    QTest::newRow("frustum, 8 bits, far away")
+        << plainFrustum() << 9.0 << 8 << glm::dvec3(0.14294117647058824, 0.0225, 0.0225) << 0.14294117647058824;
     // 8 / (2^24 - 1) / 2; 6 / 600, 4 / 400, wherever it lies
-    QTest::newRow("ortho, 24 bits") << offsetBox() << 3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01) << 0.005;
-    QTest::newRow("ortho, 24 bits, behind the eye") << offsetBox() << -3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01) << 0.005;
+    QTest::newRow("ortho, 24 bits") << offsetBox() << 3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01)
+                                    << 0.005;
+    QTest::newRow("ortho, 24 bits, behind the eye")
+        << offsetBox() << -3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01) << 0.005;
     ViewGeometry half = offsetBox();
     half.depthRange = {0.75, 0.25};
-    QTest::newRow("ortho, half the depth range") << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01) << 0.005;
+    QTest::newRow("ortho, half the depth range")
+        << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01) << 0.005;
     // gluPerspective(90 degrees, 2, 0.5, 8): window 2 x 1 at n = 0.5; 16 x 7.5 / 4 / (2^24 - 1) / 2; 2 x 4 / 0.5 / 800, 4 / 0.5 / 600
     ViewGeometry perspective = plainFrustum();
     perspective.projection = Perspective{1.5707963267948966, 2.0, 0.5, 8.0};
-    QTest::newRow("perspective, wide pixels") << perspective << 4.0 << 24 << glm::dvec3(8.940697249215677e-7, 0.02, 4.0 / 300.0) << 0.01;
+    QTest::newRow("perspective, wide pixels")
+        << perspective << 4.0 << 24 << glm::dvec3(8.940697249215677e-7, 0.02, 4.0 / 300.0) << 0.01;
     // A mirrored window: sizes stay positive.
     ViewGeometry mirrored = plainFrustum();
     mirrored.projection = Frustum{1.0, -1.0, 0.75, -0.75, 1.0, 10.0};
-    QTest::newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125) << 0.00625;
+    QTest::newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125)
+                                      << 0.00625;
 }
 
 void TestPick::certaintyIsTheDepthStepAndThePixel()

@@ -80,11 +80,13 @@ int faceOfColor(const QColor &color)
     return best;
 }
 
-std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &halfEdge, const glm::dvec3 &otherHalfEdge)
+std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &halfEdge,
+                                    const glm::dvec3 &otherHalfEdge)
 {
     Mesh mesh;
     // About the origin and small numbers: single precision shall not bend the plane.
-    for (const auto &[s, t] : {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(1.0, 1.0), std::pair(-1.0, 1.0)}) {
+    for (const auto &[s, t] :
+         {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(1.0, 1.0), std::pair(-1.0, 1.0)}) {
         mesh.positions.push_back(glm::vec3(s * halfEdge + t * otherHalfEdge));
         mesh.normals.push_back(glm::vec3(glm::normalize(glm::cross(halfEdge, otherHalfEdge))));
     }
@@ -144,7 +146,8 @@ glm::dvec2 windowOf(const SceneView &view, const DevicePixel &pixel)
 
 glm::dvec2 placeOf(const MainWindow &window, const glm::dvec3 &world)
 {
-    const Result<WindowPoint> point = windowFromWorld(const_cast<MainWindow &>(window).document().geometry(), WorldPoint(world));
+    const Result<WindowPoint> point =
+        windowFromWorld(const_cast<MainWindow &>(window).document().geometry(), WorldPoint(world));
     return point ? glm::dvec2(point->x, point->y) : glm::dvec2(std::nan(""));
 }
 
@@ -153,7 +156,8 @@ QPointF localOf(const MainWindow &window, const glm::dvec3 &world)
     SceneView &view = const_cast<MainWindow &>(window).view();
     const ViewGeometry &g = const_cast<MainWindow &>(window).document().geometry();
     const glm::dvec2 place = placeOf(window, world);
-    const WidgetPoint widget = widgetFromDevice(g.surface, deviceFromWindow(g.surface, WindowPoint(place.x, place.y, 0.0)));
+    const WidgetPoint widget =
+        widgetFromDevice(g.surface, deviceFromWindow(g.surface, WindowPoint(place.x, place.y, 0.0)));
     // The view's picture starts at a whole device pixel, its logical corner need not.
     const double ratio = view.devicePixelRatio();
     const QPoint corner = view.mapTo(view.window(), QPoint(0, 0));
@@ -163,10 +167,11 @@ QPointF localOf(const MainWindow &window, const glm::dvec3 &world)
 
 // ---- mouse -------------------------------------------------------------------------------------------------------
 
-void sendMouse(SceneView &view, QEvent::Type type, const QPointF &local, Qt::MouseButton button, Qt::MouseButtons buttons,
-               Qt::KeyboardModifiers modifiers)
+void sendMouse(SceneView &view, QEvent::Type type, const QPointF &local, Qt::MouseButton button,
+               Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers)
 {
-    QMouseEvent event(type, local, view.mapTo(view.window(), local), view.mapToGlobal(local), button, buttons, modifiers);
+    QMouseEvent event(type, local, view.mapTo(view.window(), local), view.mapToGlobal(local), button, buttons,
+                      modifiers);
     QCoreApplication::sendEvent(&view, &event);
 }
 
@@ -176,7 +181,8 @@ void click(SceneView &view, const QPointF &local)
     sendMouse(view, QEvent::MouseButtonRelease, local, Qt::LeftButton, Qt::NoButton);
 }
 
-void drag(SceneView &view, const QPointF &from, const QPointF &to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+void drag(SceneView &view, const QPointF &from, const QPointF &to, Qt::MouseButton button,
+          Qt::KeyboardModifiers modifiers)
 {
     sendMouse(view, QEvent::MouseButtonPress, from, button, button, modifiers);
     constexpr int kSteps = 5;
@@ -187,7 +193,8 @@ void drag(SceneView &view, const QPointF &from, const QPointF &to, Qt::MouseButt
 
 void turnWheel(SceneView &view, const QPointF &local, int notches)
 {
-    QWheelEvent event(local, view.mapToGlobal(local), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QWheelEvent event(local, view.mapToGlobal(local), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &event);
 }
 

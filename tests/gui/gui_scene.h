@@ -41,7 +41,8 @@ std::vector<SceneObject> cubeScene();
 int faceOfColor(const QColor &color);
 
 /// A plane of 2 x 2 half-edges about a point, both sides visible.
-std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &halfEdge, const glm::dvec3 &otherHalfEdge);
+std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &halfEdge,
+                                    const glm::dvec3 &otherHalfEdge);
 
 // ---- windows -----------------------------------------------------------------------------------------------------
 
@@ -65,11 +66,12 @@ glm::dvec2 placeOf(const MainWindow &window, const glm::dvec3 &world);
 // ---- mouse -------------------------------------------------------------------------------------------------------
 
 /// A mouse event at a position between the logical pixels, which QTest cannot give.
-void sendMouse(SceneView &view, QEvent::Type type, const QPointF &local, Qt::MouseButton button, Qt::MouseButtons buttons,
-               Qt::KeyboardModifiers modifiers = {});
+void sendMouse(SceneView &view, QEvent::Type type, const QPointF &local, Qt::MouseButton button,
+               Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = {});
 void click(SceneView &view, const QPointF &local);
 /// Press, move in steps, release.
-void drag(SceneView &view, const QPointF &from, const QPointF &to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = {});
+void drag(SceneView &view, const QPointF &from, const QPointF &to, Qt::MouseButton button,
+          Qt::KeyboardModifiers modifiers = {});
 void turnWheel(SceneView &view, const QPointF &local, int notches);
 
 // ---- rays by hand ------------------------------------------------------------------------------------------------

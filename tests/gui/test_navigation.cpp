@@ -31,7 +31,8 @@ QString heading(MainWindow &window)
 
 bool isSameCamera(const LookAt &a, const LookAt &b)
 {
-    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates() && a.up == b.up;
+    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates()
+           && a.up == b.up;
 }
 
 /// The picked point by formula.
@@ -60,7 +61,8 @@ std::unique_ptr<MainWindow> cubeWindow(bool isOrtho)
 {
     auto window = shownWindow(0, {500, 400});
     window->document().setObjects(cubeScene());
-    window->document().setCamera({WorldPoint(kCubeCenter + glm::dvec3(4.0, 3.0, 5.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    window->document().setCamera(
+        {WorldPoint(kCubeCenter + glm::dvec3(4.0, 3.0, 5.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     if (isOrtho)
         window->document().switchProjection();
     return window;
@@ -75,8 +77,7 @@ void addProjections()
 
 } // namespace
 
-class TestNavigation : public QObject
-{
+class TestNavigation : public QObject {
     Q_OBJECT
 
 private slots:
@@ -129,7 +130,9 @@ void TestNavigation::aTrembleIsNoDrag()
     SceneView &view = window->view();
     const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2));
     const LookAt before = window->document().geometry().camera;
-    for (const auto &[button, modifiers] : {std::pair(Qt::LeftButton, Qt::NoModifier), std::pair(Qt::LeftButton, Qt::ShiftModifier), std::pair(Qt::MiddleButton, Qt::NoModifier)}) {
+    for (const auto &[button, modifiers] :
+         {std::pair(Qt::LeftButton, Qt::NoModifier), std::pair(Qt::LeftButton, Qt::ShiftModifier),
+          std::pair(Qt::MiddleButton, Qt::NoModifier)}) {
         sendMouse(view, QEvent::MouseButtonPress, position, button, button, modifiers);
         for (const QPointF &step : {QPointF(1.0, 0.0), QPointF(1.0, -1.0), QPointF(-1.0, 0.0), QPointF(0.0, 0.0)})
             sendMouse(view, QEvent::MouseMove, position + step, Qt::NoButton, button, modifiers);
@@ -156,7 +159,8 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     const double yaw = std::atan2(f.z * g.x - f.x * g.z, f.x * g.x + f.z * g.z);
     QVERIFY(std::abs(yaw + 3.14159265358979 * 70.0 / view.height()) < 1e-9);
     QVERIFY(std::asin(g.y) > std::asin(f.y)); // upwards: the camera sinks and looks less down
-    QCOMPARE(glm::length(after.center.coordinates() - after.eye.coordinates()), glm::length(before.center.coordinates() - before.eye.coordinates()));
+    QCOMPARE(glm::length(after.center.coordinates() - after.eye.coordinates()),
+             glm::length(before.center.coordinates() - before.eye.coordinates()));
     // The pick stays what was clicked.
     QVERIFY(isSameCamera(window->document().pick()->geometry.camera, before));
 }
@@ -169,7 +173,8 @@ void TestNavigation::panningKeepsThePointUnderThePointer_data()
     for (const bool isOrtho : {false, true}) {
         const char *projection = isOrtho ? "orthographic" : "perspective";
         QTest::addRow("middle button, %s", projection) << isOrtho << int(Qt::MiddleButton) << int(Qt::NoModifier);
-        QTest::addRow("shift and left button, %s", projection) << isOrtho << int(Qt::LeftButton) << int(Qt::ShiftModifier);
+        QTest::addRow("shift and left button, %s", projection)
+            << isOrtho << int(Qt::LeftButton) << int(Qt::ShiftModifier);
     }
 }
 
@@ -201,7 +206,9 @@ void TestNavigation::theWheelKeepsThePointUnderThePointer()
     const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
     click(view, position);
     const glm::dvec3 point = picked(*window);
-    const auto size = [&] { return glm::length(placeOf(*window, point + glm::dvec3(0.0, 0.01, 0.0)) - placeOf(*window, point)); };
+    const auto size = [&] {
+        return glm::length(placeOf(*window, point + glm::dvec3(0.0, 0.01, 0.0)) - placeOf(*window, point));
+    };
     const double before = size();
     for (const int notches : {1, 3, -2}) {
         turnWheel(view, position, notches);
@@ -216,7 +223,8 @@ void TestNavigation::theWheelKeepsThePointUnderThePointer()
     const LookAt camera = window->document().geometry().camera;
     const Projection projection = window->document().geometry().projection;
     turnWheel(view, QPointF(4.0, 4.0), 1);
-    QVERIFY(!isSameCamera(window->document().geometry().camera, camera) || window->document().geometry().projection != projection);
+    QVERIFY(!isSameCamera(window->document().geometry().camera, camera)
+            || window->document().geometry().projection != projection);
 }
 
 void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
@@ -256,8 +264,10 @@ void TestNavigation::theBackgroundHasNoSurface()
     for (const Result<WorldPoint> &end : {pick.rayNear.world.formula, pick.rayFar.world.formula})
         QVERIFY(glm::length(glm::cross(end->coordinates() - ray.origin, ray.direction)) < 1e-9);
     const ProjectionWindow w = projectionWindow(pick.geometry.projection);
-    QVERIFY(std::abs(distanceOf(pick.geometry.camera, pick.rayNear.world.formula->coordinates()) - w.nearDistance) < 1e-9);
-    QVERIFY(std::abs(distanceOf(pick.geometry.camera, pick.rayFar.world.formula->coordinates()) - w.farDistance) < 1e-9);
+    QVERIFY(std::abs(distanceOf(pick.geometry.camera, pick.rayNear.world.formula->coordinates()) - w.nearDistance)
+            < 1e-9);
+    QVERIFY(std::abs(distanceOf(pick.geometry.camera, pick.rayFar.world.formula->coordinates()) - w.farDistance)
+            < 1e-9);
     // A surface pick does leave a marker.
     click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.0, 0.0)));
     QVERIFY(view.grabFramebuffer() != empty);
@@ -325,8 +335,10 @@ void TestNavigation::whatIsOnlyDrawnIsNeverPicked()
     }
     // On a crossing of ground lines, away from axes and cube: darker than beside it.
     const double spacing = document.groundSpacing();
-    const glm::dvec3 crossing(std::round(1.5 / spacing) * spacing, document.ground().lowest.y, std::round(1.5 / spacing) * spacing);
-    const QPointF onLine = localOf(*window, crossing), beside = localOf(*window, crossing + glm::dvec3(0.5, 0.0, 0.5) * spacing);
+    const glm::dvec3 crossing(std::round(1.5 / spacing) * spacing, document.ground().lowest.y,
+                              std::round(1.5 / spacing) * spacing);
+    const QPointF onLine = localOf(*window, crossing),
+                  beside = localOf(*window, crossing + glm::dvec3(0.5, 0.0, 0.5) * spacing);
     QVERIFY(view.rect().contains(onLine.toPoint()) && view.rect().contains(beside.toPoint()));
     QVERIFY(colorAt(onLine).lightness() < colorAt(beside).lightness() - 4);
     QVERIFY(isBackground(onLine));
@@ -354,7 +366,8 @@ void TestNavigation::keysLookFromTheSides_data()
     QTest::addColumn<int>("modifiers");
     QTest::addColumn<glm::dvec3>("forward");
     QTest::addColumn<QString>("face");
-    const auto row = [](const char *name, Qt::Key key, Qt::KeyboardModifiers modifiers, const glm::dvec3 &forward, const char *face) {
+    const auto row = [](const char *name, Qt::Key key, Qt::KeyboardModifiers modifiers, const glm::dvec3 &forward,
+                        const char *face) {
         QTest::newRow(name) << int(key) << int(modifiers) << forward << QString::fromLatin1(face);
     };
     row("1: front", Qt::Key_1, Qt::NoModifier, {0.0, 0.0, -1.0}, "+z, blue");
@@ -405,7 +418,8 @@ void TestNavigation::keysFitGoHomeAndSwitchTheProjection()
     turnWheel(view, QPointF(100.0, 80.0), 8);
     QTest::keyClick(&view, Qt::Key_F);
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 world = kCubeCenter + glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        const glm::dvec3 world =
+            kCubeCenter + glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
         QVERIFY(QRectF(view.rect()).contains(localOf(*window, world)));
     }
     QVERIFY(glm::length(forwardOf(document.geometry().camera) - glm::dvec3(0.0, 0.0, -1.0)) < 1e-12);
@@ -454,7 +468,9 @@ void TestNavigation::thePointerIsReadOutWithoutPicking()
     const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, -0.3));
     const DevicePixel pixel = pixelUnder(view, position);
     sendMouse(view, QEvent::MouseMove, position, Qt::NoButton, Qt::NoButton);
-    QVERIFY2(readOut().startsWith(QStringLiteral("world (4.25, ")) || readOut().startsWith(QStringLiteral("world (4.2, ")), qPrintable(readOut()));
+    QVERIFY2(readOut().startsWith(QStringLiteral("world (4.25, "))
+                 || readOut().startsWith(QStringLiteral("world (4.2, ")),
+             qPrintable(readOut()));
     QVERIFY2(readOut().endsWith(QStringLiteral("pixel (%1, %2)").arg(pixel.i).arg(pixel.j)), qPrintable(readOut()));
     sendMouse(view, QEvent::MouseMove, QPointF(view.width() - 5.0, 5.0), Qt::NoButton, Qt::NoButton);
     QVERIFY2(readOut().startsWith(QStringLiteral("background, pixel")), qPrintable(readOut()));

@@ -36,8 +36,8 @@ QByteArray triangleStl(int triangles)
     QByteArray text = "solid many\n";
     for (int i = 0; i < triangles; ++i) {
         const QByteArray x = QByteArray::number(i % 1000), y = QByteArray::number(i / 1000);
-        text += "facet normal 0 0 1\nouter loop\nvertex " + x + ' ' + y + " 0\nvertex " + x + ".5 " + y + " 0\nvertex " + x + ' ' + y
-            + ".5 0\nendloop\nendfacet\n";
+        text += "facet normal 0 0 1\nouter loop\nvertex " + x + ' ' + y + " 0\nvertex " + x + ".5 " + y + " 0\nvertex "
+                + x + ' ' + y + ".5 0\nendloop\nendfacet\n";
     }
     return text + "endsolid many\n";
 }
@@ -67,8 +67,11 @@ bool openAndWait(MainWindow &window, const QStringList &files)
 
 /// What must stay when an opening fails.
 struct State {
-    explicit State(MainWindow &window) : objects(window.document().objects()), geometry(window.document().geometry()), pick(window.document().pick()),
-        title(window.windowTitle()) {}
+    explicit State(MainWindow &window)
+        : objects(window.document().objects()), geometry(window.document().geometry()), pick(window.document().pick()),
+          title(window.windowTitle())
+    {
+    }
     std::vector<SceneObject> objects;
     ViewGeometry geometry;
     std::optional<Pick> pick;
@@ -78,23 +81,26 @@ struct State {
     {
         const State now(window);
         const auto same = [](const LookAt &a, const LookAt &b) {
-            return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates() && a.up == b.up;
+            return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates()
+                   && a.up == b.up;
         };
-        if (objects.size() != now.objects.size() || title != now.title || !(geometry.projection == now.geometry.projection)
-            || !same(geometry.camera, now.geometry.camera) || pick.has_value() != now.pick.has_value())
+        if (objects.size() != now.objects.size() || title != now.title
+            || !(geometry.projection == now.geometry.projection) || !same(geometry.camera, now.geometry.camera)
+            || pick.has_value() != now.pick.has_value())
             return false;
         for (std::size_t i = 0; i < objects.size(); ++i) {
             if (objects[i].model != now.objects[i].model)
                 return false;
         }
-        return !pick || (pick->hit == now.pick->hit && pick->point.world.formula->coordinates() == now.pick->point.world.formula->coordinates());
+        return !pick
+               || (pick->hit == now.pick->hit
+                   && pick->point.world.formula->coordinates() == now.pick->point.world.formula->coordinates());
     }
 };
 
 } // namespace
 
-class TestOpenFiles : public QObject
-{
+class TestOpenFiles : public QObject {
     Q_OBJECT
 
 private slots:
@@ -161,7 +167,8 @@ void TestOpenFiles::aNamedFileIsShown()
     // It can be clicked: the triangle lies in z = 0.
     click(window->view(), localOf(*window, {0.5, 0.5, 0.0}));
     QVERIFY(window->document().pick() && window->document().pick()->hit);
-    QVERIFY(glm::length(window->document().pick()->point.world.formula->coordinates() - glm::dvec3(0.5, 0.5, 0.0)) < 0.02);
+    QVERIFY(glm::length(window->document().pick()->point.world.formula->coordinates() - glm::dvec3(0.5, 0.5, 0.0))
+            < 0.02);
 }
 
 void TestOpenFiles::aDroppedFileIsShown()
@@ -192,7 +199,8 @@ void TestOpenFiles::aDroppedFileIsShown()
 void TestOpenFiles::severalFilesAreOneScene()
 {
     const auto window = shownWindow(0, {500, 400});
-    QVERIFY(openAndWait(*window, {write(QStringLiteral("b.obj"), kTriangleObj), write(QStringLiteral("a.stl"), triangleStl(2))}));
+    QVERIFY(openAndWait(
+        *window, {write(QStringLiteral("b.obj"), kTriangleObj), write(QStringLiteral("a.stl"), triangleStl(2))}));
     QCOMPARE(namesOf(window->document()), (QStringList{QStringLiteral("b.obj"), QStringLiteral("a.stl")}));
     QVERIFY(window->message().isEmpty());
 }
@@ -200,7 +208,8 @@ void TestOpenFiles::severalFilesAreOneScene()
 void TestOpenFiles::theGoodOfSeveralFilesAreShownAndTheBrokenNamed()
 {
     const auto window = shownWindow(0, {500, 400});
-    const QString good = write(QStringLiteral("good.obj"), kTriangleObj), other = write(QStringLiteral("other.stl"), triangleStl(2));
+    const QString good = write(QStringLiteral("good.obj"), kTriangleObj),
+                  other = write(QStringLiteral("other.stl"), triangleStl(2));
     const QString broken = write(QStringLiteral("broken.obj"), "v 0 0 0\nf 1 2 9\n");
     QVERIFY(openAndWait(*window, {good, broken, other}));
     QCOMPARE(namesOf(window->document()), (QStringList{QStringLiteral("good.obj"), QStringLiteral("other.stl")}));
@@ -216,17 +225,22 @@ void TestOpenFiles::aBrokenFileChangesNothing_data()
     QTest::addColumn<QString>("reason");
 
     QByteArray truncated(80, ' ');
-    truncated += QByteArray::fromHex("0a000000") + QByteArray(120, '\0'); // ten triangles announced, two and a bit there
+    truncated +=
+        QByteArray::fromHex("0a000000") + QByteArray(120, '\0'); // ten triangles announced, two and a bit there
     QTest::newRow("truncated binary STL") << "cut.stl" << truncated << "damaged";
     QTest::newRow("truncated ASCII STL") << "cut_text.stl" << triangleStl(3).left(150) << "damaged";
-    QTest::newRow("OBJ face without such a vertex") << "index.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n") << "7";
+    QTest::newRow("OBJ face without such a vertex")
+        << "index.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n") << "7";
     QTest::newRow("empty file") << "empty.ply" << QByteArray() << "empty";
     QTest::newRow("PLY without triangles") << "none.ply"
-        << QByteArray("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 0\n"
-                      "property list uchar int vertex_indices\nend_header\n0 0 0\n")
-        << "no triangles";
-    QTest::newRow("NaN vertex") << "nan.ply"
-        << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                                           << QByteArray("ply\nformat ascii 1.0\nelement vertex 1\nproperty float "
+                                                         "x\nproperty float y\nproperty float z\nelement face 0\n"
+                                                         "property list uchar int vertex_indices\nend_header\n0 0 0\n")
+                                           << "no triangles";
+    QTest::newRow("NaN vertex")
+        << "nan.ply"
+        << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+                      "z\nelement face 1\n"
                       "property list uchar int vertex_indices\nend_header\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n")
         << "vertex 1 is not a finite number";
     QTest::newRow("unknown suffix") << "notes.txt" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
@@ -259,7 +273,8 @@ void TestOpenFiles::aBrokenFileChangesNothing()
     QCOMPARE(failures.count(), 1);
     QVERIFY2(window->message().contains(name), qPrintable(window->message()));
     QVERIFY2(window->message().contains(reason), qPrintable(window->message()));
-    QVERIFY2(!window->message().contains(QStringLiteral("%1")) && !window->message().contains(QStringLiteral("%2")), qPrintable(window->message()));
+    QVERIFY2(!window->message().contains(QStringLiteral("%1")) && !window->message().contains(QStringLiteral("%2")),
+             qPrintable(window->message()));
     QVERIFY(before.isThatOf(*window));
     QVERIFY(!window->isLoading());
 }
@@ -347,7 +362,8 @@ void TestOpenFiles::recentFilesAreRemembered()
 {
     MainWindow::Options options;
     options.samples = 0;
-    const QString first = write(QStringLiteral("first.obj"), kTriangleObj), second = write(QStringLiteral("second & third.obj"), kTriangleObj);
+    const QString first = write(QStringLiteral("first.obj"), kTriangleObj),
+                  second = write(QStringLiteral("second & third.obj"), kTriangleObj);
     const QString broken = write(QStringLiteral("broken.obj"), "f 1 2 3\n");
     const auto recentMenu = [](MainWindow &window) {
         for (QMenu *menu : window.findChildren<QMenu *>()) {

@@ -34,14 +34,16 @@ double sampleReach(int samples)
 
 /// The farthest that a quantity of the plane point is from its value at the centre when the sample lies beside it.
 template <class Quantity>
-double slopeTerm(const ViewGeometry &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point, const glm::dvec3 &normal,
-                 Quantity quantity)
+double slopeTerm(const ViewGeometry &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point,
+                 const glm::dvec3 &normal, Quantity quantity)
 {
     const double middle = quantity(onPlane(rayThrough(g, window), point, normal));
     double farthest = 0.0;
     for (const double x : {-reach, reach}) {
         for (const double y : {-reach, reach})
-            farthest = std::max(farthest, std::abs(quantity(onPlane(rayThrough(g, window + glm::dvec2(x, y)), point, normal)) - middle));
+            farthest =
+                std::max(farthest,
+                         std::abs(quantity(onPlane(rayThrough(g, window + glm::dvec2(x, y)), point, normal)) - middle));
     }
     return farthest;
 }
@@ -90,8 +92,7 @@ int drawnSamples(SceneView &view)
 
 } // namespace
 
-class TestSceneView : public QObject
-{
+class TestSceneView : public QObject {
     Q_OBJECT
 
 private slots:
@@ -163,16 +164,21 @@ void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::d
     const glm::dvec3 expected = onPlane(ray, aimed, face.normal);
     const double step = 2.0 * pick.certainty.halfDepthStep;
     const double tolerance = step * kRasterizerSteps
-        + slopeTerm(g, center, sampleReach(samples), aimed, face.normal, [&](const glm::dvec3 &p) { return distanceOf(g.camera, p); });
+                             + slopeTerm(g, center, sampleReach(samples), aimed, face.normal,
+                                         [&](const glm::dvec3 &p) { return distanceOf(g.camera, p); });
     for (const Result<WorldPoint> &point : {pick.point.world.formula, pick.point.world.matrix}) {
         QVERIFY(point.hasValue());
         const glm::dvec3 off = point->coordinates() - expected;
         QVERIFY2(std::abs(glm::dot(off, forwardOf(g.camera))) <= tolerance,
-                 qPrintable(QStringLiteral("%1: off by %2 along the view, tolerance %3").arg(face.name).arg(glm::dot(off, forwardOf(g.camera))).arg(tolerance)));
+                 qPrintable(QStringLiteral("%1: off by %2 along the view, tolerance %3")
+                                .arg(face.name)
+                                .arg(glm::dot(off, forwardOf(g.camera)))
+                                .arg(tolerance)));
         // Across the ray there is nothing to read, so nothing to be off by but rounding.
         QVERIFY(glm::length(glm::cross(off, ray.direction)) <= 1e-10);
         // Along the ray that is so far from the face's plane.
-        QVERIFY(std::abs(glm::dot(point->coordinates() - aimed, face.normal)) <= tolerance * std::abs(glm::dot(ray.direction, face.normal)) + 1e-10);
+        QVERIFY(std::abs(glm::dot(point->coordinates() - aimed, face.normal))
+                <= tolerance * std::abs(glm::dot(ray.direction, face.normal)) + 1e-10);
     }
     // The way forward, from the plane's point that was found without core: back in the middle of the pixel.
     const glm::dvec2 back = placeOf(window, expected);
@@ -191,7 +197,8 @@ void TestSceneView::aClickOnAFaceGivesItsPlane()
         for (const Face &face : cubeFaces()) {
             window->document().setProjection(projectionNamed(projection, window->view()));
             window->document().setCamera(cameraBefore(face, window->document().geometry()));
-            QCOMPARE(window->document().geometry().projection.index(), projectionNamed(projection, window->view()).index());
+            QCOMPARE(window->document().geometry().projection.index(),
+                     projectionNamed(projection, window->view()).index());
             for (const glm::dvec2 &place : {glm::dvec2(0.0, 0.0), glm::dvec2(0.8, -0.7), glm::dvec2(-0.75, 0.6)}) {
                 clickFace(*window, face, place, samples);
                 if (QTest::currentTestFailed())
@@ -207,8 +214,10 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked_data()
     QTest::addColumn<glm::dvec3>("steep");
     QTest::addColumn<glm::dvec3>("level");
     for (const int samples : {0, 4}) {
-        QTest::addRow("from row to row, %d samples", samples) << samples << glm::dvec3(0.0, 8.0, 9.0) << glm::dvec3(12.0, 0.0, 0.0);
-        QTest::addRow("from column to column, %d samples", samples) << samples << glm::dvec3(10.0, 0.0, 9.0) << glm::dvec3(0.0, 12.0, 0.0);
+        QTest::addRow("from row to row, %d samples", samples)
+            << samples << glm::dvec3(0.0, 8.0, 9.0) << glm::dvec3(12.0, 0.0, 0.0);
+        QTest::addRow("from column to column, %d samples", samples)
+            << samples << glm::dvec3(10.0, 0.0, 9.0) << glm::dvec3(0.0, 12.0, 0.0);
     }
 }
 
@@ -242,10 +251,15 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
         QCOMPARE(QPoint(pick.devicePixel.i, pick.devicePixel.j), QPoint(pixel.i, pixel.j));
         const glm::dvec2 center = windowOf(view, pixel);
         const double expected = depthAt(onPlane(rayThrough(g, center), middle, normal));
-        const double tolerance = kRasterizerSteps / 16777215.0 + slopeTerm(g, center, sampleReach(samples), middle, normal, depthAt);
+        const double tolerance =
+            kRasterizerSteps / 16777215.0 + slopeTerm(g, center, sampleReach(samples), middle, normal, depthAt);
         QVERIFY2(std::abs(pick.window.z - expected) <= tolerance,
                  qPrintable(QStringLiteral("pixel (%1, %2): depth %3, not %4 ± %5")
-                                .arg(pixel.i).arg(pixel.j).arg(pick.window.z, 0, 'g', 12).arg(expected, 0, 'g', 12).arg(tolerance)));
+                                .arg(pixel.i)
+                                .arg(pixel.j)
+                                .arg(pick.window.z, 0, 'g', 12)
+                                .arg(expected, 0, 'g', 12)
+                                .arg(tolerance)));
         // The test can fail: a row or column beside, and without multisampling half a pixel, are outside that.
         const double least = samples > 0 ? 1.0 : 0.5;
         for (const double aside : {-least, least}) {
@@ -276,7 +290,8 @@ void TestSceneView::everyDevicePixelCanBeClicked()
         for (const int origin : {corner.x(), corner.y()})
             fractions.insert(origin * ratio - std::floor(origin * ratio));
         // The pointer stands on whole device pixels of the window; Qt divides by the ratio.
-        const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)), static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
+        const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)),
+                           static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
         for (int k = 0; k < 12; ++k) {
             const QPoint pointer = first + QPoint(150 + k, 120 + k);
             click(view, QPointF(pointer) / ratio - QPointF(corner));
@@ -305,21 +320,24 @@ void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
     if (!screen->availableGeometry().contains(window->frameGeometry()))
         QSKIP("the screen is too small to see the whole window");
     const QPoint corner = view.mapTo(window.get(), QPoint(0, 0));
-    const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)), static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
+    const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)),
+                       static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
     QImage drawn, seen;
     const auto isSame = [&] {
         drawn = view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
         seen = screen->grabWindow(window->winId()).toImage().convertToFormat(QImage::Format_RGB32);
         for (int j = 40; j < drawn.height() - 40; j += 3) {
             for (int i = 4; i < drawn.width() - 4; ++i) {
-                if (!seen.rect().contains(first + QPoint(i, j)) || seen.pixel(first + QPoint(i, j)) != drawn.pixel(i, j))
+                if (!seen.rect().contains(first + QPoint(i, j))
+                    || seen.pixel(first + QPoint(i, j)) != drawn.pixel(i, j))
                     return false;
             }
         }
         return true;
     };
     // The picture reaches the screen some time after it is drawn.
-    QVERIFY2(QTest::qWaitFor(isSame, 5000), qPrintable(QStringLiteral("corner at (%1, %2), ratio %3").arg(corner.x()).arg(corner.y()).arg(ratio)));
+    QVERIFY2(QTest::qWaitFor(isSame, 5000),
+             qPrintable(QStringLiteral("corner at (%1, %2), ratio %3").arg(corner.x()).arg(corner.y()).arg(ratio)));
 }
 
 QTEST_MAIN(TestSceneView)
