@@ -66,6 +66,7 @@ QString errorText(const Error &error)
     case ErrorCode::PointAtInfinity: return tr("The point lies at infinity.");
     case ErrorCode::ScaleIsZero: return tr("The scale is 0; it must differ from 0.");
     case ErrorCode::RotationAxisIsZero: return tr("The rotation axis is (0, 0, 0); give it a length.");
+    case ErrorCode::ClipPlaneHasNoNormal: return tr("A, B and C of the clip plane are all 0; one of them must differ.");
     }
     Q_UNREACHABLE();
 }

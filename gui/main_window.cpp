@@ -184,11 +184,8 @@ void MainWindow::createStatusBar()
 
 void MainWindow::openBundledScene()
 {
-    std::vector<SceneObject> objects;
-    for (const BundledObject &object : bundledScene())
-        objects.push_back({QString::fromStdString(object.name), {}, object.model, object.worldFromObject});
     setWindowTitle(tr("Bundled scene – Unprojector"));
-    m_document->setObjects(std::move(objects), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    m_document->setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
 }
 
 void MainWindow::askForFiles()
@@ -213,11 +210,12 @@ void MainWindow::takeLoaded(const std::vector<LoadedModel> &models, const std::v
     if (!models.empty()) {
         std::vector<SceneObject> objects;
         for (const LoadedModel &loaded : models) {
-            objects.push_back({pathText(loaded.file.filename()), loaded.file, loaded.model});
+            objects.push_back({pathText(loaded.file.filename()).toStdString(), loaded.file, loaded.model, {}});
             rememberRecent(loaded.file);
         }
-        setWindowTitle(models.size() == 1 ? tr("%1 – Unprojector").arg(objects.front().name)
-                                          : tr("%1 and %n more – Unprojector", nullptr, static_cast<int>(models.size()) - 1).arg(objects.front().name));
+        const QString first = QString::fromStdString(objects.front().name);
+        const int others = static_cast<int>(models.size()) - 1;
+        setWindowTitle(others == 0 ? tr("%1 – Unprojector").arg(first) : tr("%1 and %n more – Unprojector", nullptr, others).arg(first));
         m_document->setObjects(std::move(objects));
     }
     if (!errors.empty()) {
