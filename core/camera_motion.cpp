@@ -170,10 +170,17 @@ ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds)
     constexpr double kMargin = 1.05;
     double distance = centerDistance(geometry.camera);
     if (isPerspective(geometry.projection)) {
-        const double slope = std::min(halfWidth, halfHeight) / w.nearDistance;
-        distance = radius * kMargin / std::sin(std::atan(slope));
+        // Where the ball about the box, in the middle of the window, touches the steeper of two opposite edges.
+        const auto needed = [&](double low, double high, double half) {
+            return radius * kMargin * std::hypot(w.nearDistance, std::max(std::abs(low), std::abs(high))) / half;
+        };
+        distance = std::max(needed(w.left, w.right, halfWidth), needed(w.bottom, w.top, halfHeight));
     } else {
-        const double scale = radius * kMargin / std::min(halfWidth, halfHeight);
+        // A shear stretches the ball sideways.
+        const auto *sheared = std::get_if<Oblique>(&geometry.projection);
+        const double stretchX = sheared ? std::hypot(1.0, cotangent(sheared->thetaRadians)) : 1.0;
+        const double stretchY = sheared ? std::hypot(1.0, cotangent(sheared->phiRadians)) : 1.0;
+        const double scale = radius * kMargin * std::max(stretchX / halfWidth, stretchY / halfHeight);
         distance *= scale; // see zoomed: the eye comes along
         const double x = (w.left + w.right) / 2.0, y = (w.bottom + w.top) / 2.0;
         if (auto *ortho = std::get_if<Ortho>(&result.projection))

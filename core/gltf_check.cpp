@@ -20,6 +20,7 @@ constexpr std::size_t kDeepestNode = 512;
 /// Of an accessor that has no bytes of its own in the file.
 constexpr std::uint64_t kMostElementsOutOfNothing = 1 << 26;
 
+constexpr int kPoints = 0;
 constexpr std::uint32_t kGlbMagic = 0x46546c67;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
 constexpr std::uint32_t kBinChunk = 0x004e4942;
@@ -120,11 +121,11 @@ public:
             if (find(texture, "sampler"))
                 reference(texture, "sampler", "samplers");
         }
-        for (const Json &mesh : array("meshes"))
-            checkMesh(mesh);
         checkNodes();
         if (array("meshes").empty())
             throw Failure(ImportErrorCode::NoTriangles);
+        for (Json &mesh : m_root["meshes"])
+            checkMesh(mesh);
         // What moves, deforms or lights a model is not shown: assimp need not read it, nor fail on it.
         for (const char *unused : {"animations", "skins", "cameras", "extras"})
             m_root.erase(unused);
@@ -242,24 +243,29 @@ private:
         }
     }
 
-    void checkMesh(const Json &mesh) const
+    void checkMesh(Json &mesh) const
     {
         const Json *primitives = find(mesh, "primitives");
         if (!primitives || !primitives->is_array())
             failMalformed("a mesh has no primitives");
-        for (const Json &primitive : *primitives) {
+        for (Json &primitive : mesh["primitives"]) {
             const Json *attributes = find(primitive, "attributes");
             if (!attributes || !attributes->is_object())
                 failMalformed("a mesh primitive has no attributes");
             if (find(primitive, "material"))
                 reference(primitive, "material", "materials");
+            number(primitive, "mode", 0);
+            std::uint64_t corners = 0;
             if (find(primitive, "indices")) {
                 const Json &indices = reference(primitive, "indices", "accessors");
+                corners = number(indices, "count", 0);
                 if (*find(indices, "type") != "SCALAR" || number(indices, "componentType", 0) == 5126)
                     failMalformed("the indices of a mesh are no integers");
             }
-            if (!find(*attributes, "POSITION"))
+            if (!find(*attributes, "POSITION")) {
+                primitive["mode"] = kPoints;
                 continue;
+            }
             const Json &positions = reference(*attributes, "POSITION", "accessors");
             if (*find(positions, "type") != "VEC3" || number(positions, "componentType", 0) != 5126)
                 failMalformed("the positions of a mesh are not three floats each");
@@ -269,6 +275,11 @@ private:
                     failMalformed("the attribute " + name + " of a mesh has " + std::to_string(number(attribute, "count", 0))
                                   + " values for " + std::to_string(number(positions, "count", 0)) + " vertices");
             }
+            if (!find(primitive, "indices"))
+                corners = number(positions, "count", 0);
+            // assimp subtracts two from a strip's corner count to get its triangle count, zero or not.
+            if (corners < 3)
+                primitive["mode"] = kPoints;
         }
     }
 

@@ -1,0 +1,151 @@
+// The camera's axes and the two ways between eye and world.
+
+#include "core/camera.h"
+#include "tests/support/core_scene.h"
+
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
+
+using namespace unprojector;
+
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// Rounding of a unit vector's components and of the dot product that checks it.
+constexpr double kOrthonormal = 4 * kEpsilon;
+/// Three products, four roundings, each way; relative to the largest of eye, point and their distance.
+constexpr double kRoundTrip = 16 * kEpsilon;
+
+double maxNorm(const glm::dvec3 &v)
+{
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+} // namespace
+
+class TestCamera : public QObject {
+    Q_OBJECT
+
+private slots:
+    void literalAxes_data();
+    void literalAxes();
+    void axesAreOrthonormalAndRightHanded_data();
+    void axesAreOrthonormalAndRightHanded();
+    void worldFromEyeUndoesEyeFromWorld_data() { axesAreOrthonormalAndRightHanded_data(); }
+    void worldFromEyeUndoesEyeFromWorld();
+    void theMatrixDoesWhatTheFunctionDoes();
+    void theScaleOfUpDoesNotMatter();
+};
+
+void TestCamera::literalAxes_data()
+{
+    QTest::addColumn<LookAt>("camera");
+    QTest::addColumn<glm::dvec3>("side");
+    QTest::addColumn<glm::dvec3>("upward");
+    QTest::addColumn<glm::dvec3>("forward");
+
+    const auto row = [](const char *name, const LookAt &camera, const glm::dvec3 &side, const glm::dvec3 &upward,
+                        const glm::dvec3 &forward) { QTest::newRow(name) << camera << side << upward << forward; };
+    const WorldPoint origin;
+    // World x points right when the camera looks down -z: the paper's figure has it to the left.
+    row("from the front", {WorldPoint(0, 0, 5), origin, {0, 1, 0}}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1});
+    row("from the back", {WorldPoint(0, 0, -5), origin, {0, 1, 0}}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    row("from the right", {WorldPoint(5, 0, 0), origin, {0, 1, 0}}, {0, 0, -1}, {0, 1, 0}, {-1, 0, 0});
+    row("from above, north up", {WorldPoint(0, 5, 0), origin, {0, 0, -1}}, {1, 0, 0}, {0, 0, -1}, {0, -1, 0});
+    row("upside down", {WorldPoint(0, 0, 5), origin, {0, -2, 0}}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1});
+    row("a tilted up is straightened", {WorldPoint(0, 0, 5), origin, {0, 3, 7}}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1});
+    row("3-4-5", {WorldPoint(1, 1, 1), WorldPoint(4, 1, -3), {0, 1, 0}}, {0.8, 0, 0.6}, {0, 1, 0}, {0.6, 0, -0.8});
+}
+
+void TestCamera::literalAxes()
+{
+    QFETCH(LookAt, camera);
+    QFETCH(glm::dvec3, side);
+    QFETCH(glm::dvec3, upward);
+    QFETCH(glm::dvec3, forward);
+    const EyeFrame frame = eyeFrame(camera).value();
+    QVERIFY(maxNorm(frame.side - side) <= kEpsilon);
+    QVERIFY(maxNorm(frame.upward - upward) <= kEpsilon);
+    QVERIFY(maxNorm(frame.forward - forward) <= kEpsilon);
+    QVERIFY(frame.eye.coordinates() == camera.eye.coordinates());
+}
+
+void TestCamera::axesAreOrthonormalAndRightHanded_data()
+{
+    QTest::addColumn<quint64>("seed");
+    QTest::addColumn<double>("eyeHigh");
+    QTest::newRow("eyes up to 10 away") << quint64(21) << 10.0;
+    QTest::newRow("eyes up to 10^6 away") << quint64(22) << 1e6;
+}
+
+void TestCamera::axesAreOrthonormalAndRightHanded()
+{
+    QFETCH(quint64, seed);
+    QFETCH(double, eyeHigh);
+    oracle::Random random(seed);
+    oracle::SceneLimits limits;
+    limits.eyeHigh = eyeHigh;
+    for (int count = 0; count < 2000; ++count) {
+        const oracle::Scene scene = oracle::randomScene(random, oracle::ProjectionKind::Ortho, limits);
+        const EyeFrame frame = eyeFrame(oracle::coreView(scene.view)).value();
+        const auto &[eye, s, u, f] = frame;
+        for (const glm::dvec3 &axis : {s, u, f})
+            QVERIFY(std::abs(glm::dot(axis, axis) - 1.0) <= kOrthonormal);
+        QVERIFY(std::abs(glm::dot(s, u)) <= kOrthonormal);
+        QVERIFY(std::abs(glm::dot(s, f)) <= kOrthonormal);
+        QVERIFY(std::abs(glm::dot(u, f)) <= kOrthonormal);
+        QVERIFY(maxNorm(glm::cross(s, f) - u) <= kOrthonormal);
+        const glm::dvec3 up(scene.view.up[0], scene.view.up[1], scene.view.up[2]);
+        QVERIFY(glm::dot(u, up) > 0.0);
+    }
+}
+
+void TestCamera::worldFromEyeUndoesEyeFromWorld()
+{
+    QFETCH(quint64, seed);
+    QFETCH(double, eyeHigh);
+    oracle::Random random(seed);
+    oracle::SceneLimits limits;
+    limits.eyeHigh = eyeHigh;
+    for (int count = 0; count < 2000; ++count) {
+        const oracle::Scene scene = oracle::randomScene(random, oracle::ProjectionKind::Ortho, limits);
+        const EyeFrame frame = eyeFrame(oracle::coreView(scene.view)).value();
+        const WorldPoint world(random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-100, 100));
+        const double scale = std::max({maxNorm(world), maxNorm(frame.eye), glm::length(world - frame.eye)});
+        QVERIFY(maxNorm(worldFromEye(frame, eyeFromWorld(frame, world)) - world) <= kRoundTrip * scale);
+
+        const EyePoint eye(random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-100, 100));
+        const double eyeScale = std::max(maxNorm(frame.eye), 100.0);
+        QVERIFY(maxNorm(eyeFromWorld(frame, worldFromEye(frame, eye)) - eye) <= kRoundTrip * eyeScale);
+    }
+}
+
+void TestCamera::theMatrixDoesWhatTheFunctionDoes()
+{
+    const EyeFrame frame = eyeFrame({WorldPoint(1, 2, 3), WorldPoint(-4, 0, 1), {0, 1, 0}}).value();
+    const glm::dmat4 matrix = eyeFromWorld(frame);
+    for (const WorldPoint &world : {WorldPoint(0, 0, 0), WorldPoint(1, 2, 3), WorldPoint(-7, 8, 9)}) {
+        const glm::dvec4 product = matrix * glm::dvec4(world.coordinates(), 1.0);
+        QVERIFY(maxNorm(glm::dvec3(product) - eyeFromWorld(frame, world)) <= 20 * kRoundTrip);
+        QCOMPARE(product.w, 1.0);
+    }
+    QVERIFY(eyeFromWorld(frame, WorldPoint(1, 2, 3)).coordinates() == glm::dvec3(0, 0, 0));
+    QVERIFY(worldFromEye(frame, EyePoint(0, 0, 0)).coordinates() == glm::dvec3(1, 2, 3));
+}
+
+void TestCamera::theScaleOfUpDoesNotMatter()
+{
+    const EyeFrame one = eyeFrame({WorldPoint(1, 2, 3), WorldPoint(-4, 0, 1), {0.25, 1, 0.5}}).value();
+    for (const double scale : {0x1p-900, 0x1p-3, 0x1p+3, 0x1p+900}) {
+        const glm::dvec3 up = scale * glm::dvec3(0.25, 1, 0.5);
+        const EyeFrame other = eyeFrame({WorldPoint(1, 2, 3), WorldPoint(-4, 0, 1), up}).value();
+        QVERIFY(maxNorm(other.side - one.side) <= kEpsilon);
+        QVERIFY(maxNorm(other.upward - one.upward) <= kEpsilon);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestCamera)
+#include "test_camera.moc"

@@ -1,0 +1,307 @@
+// The chain of a click from the widget to the world, and how certain its end is. The rows are written out by hand from
+// formulas (7) to (12): a lost flip, half pixel, pixel ratio or viewport offset leaves both methods in agreement.
+
+#include "core/pick.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace unprojector;
+
+namespace {
+
+/// A few roundings of numbers up to 1000.
+constexpr double kRounding = 1e-12;
+/// The matrix is inverted, which costs digits: its condition number here stays below 10^4.
+constexpr double kInverseRounding = 1e-10;
+/// Single precision: 24 bits of numbers up to 100, times that condition.
+constexpr double kFloatRounding = 2e-3;
+
+bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(std::abs(a[axis] - b[axis]) <= tolerance)) {
+            qWarning("(%.17g, %.17g, %.17g) is not (%.17g, %.17g, %.17g)", a.x, a.y, a.z, b.x, b.y, b.z);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool isRelativelyNear(double a, double b, double tolerance)
+{
+    if (std::abs(a - b) <= tolerance * std::abs(b))
+        return true;
+    qWarning("%.17g is not %.17g", a, b);
+    return false;
+}
+
+/// 800 x 600 logical pixels, looked at from (0, 0, 5) towards the origin.
+ViewGeometry plainFrustum()
+{
+    return {{800, 600, 1.0}, {0.0, 0.0, 800.0, 600.0}, {}, Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 10.0},
+            {WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+}
+
+/// 1200 x 900 device pixels at ratio 1.5, with a viewport that does not start in the corner nor fill the surface; the
+/// camera looks along -z, so that its axes are the world's.
+ViewGeometry offsetBox()
+{
+    return {{1200, 900, 1.5}, {100.0, 50.0, 600.0, 400.0}, {}, Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0},
+            {WorldPoint(10.0, 20.0, 30.0), WorldPoint(10.0, 20.0, 20.0), {0.0, 1.0, 0.0}}};
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(unprojector::ViewGeometry)
+Q_DECLARE_METATYPE(glm::dvec3)
+
+class TestPick : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aClickIsFollowedBackToTheWorld_data();
+    void aClickIsFollowedBackToTheWorld();
+    void allPositionsInAPixelGiveTheSamePoint();
+    void aBackgroundClickGivesTheRayOfItsPixel();
+    void whatCannotBePickedIsRefused_data();
+    void whatCannotBePickedIsRefused();
+    void aDepthOutsideItsRangeIsRefusedOnASurfaceOnly();
+    void certaintyIsTheDepthStepAndThePixel_data();
+    void certaintyIsTheDepthStepAndThePixel();
+    void thePickKeepsTheCertaintyOfItsDistance();
+};
+
+void TestPick::aClickIsFollowedBackToTheWorld_data()
+{
+    QTest::addColumn<ViewGeometry>("geometry");
+    QTest::addColumn<glm::dvec3>("click"); // widget x, y; depth
+    QTest::addColumn<QPoint>("pixel");
+    QTest::addColumn<glm::dvec3>("window");
+    QTest::addColumn<glm::dvec3>("eye");
+    QTest::addColumn<glm::dvec3>("world");
+
+    // z = 1 x 10 / (10 x 0.5 + 1 x 0.5) = 10 / 5.5; x = z (400.5 x 2 / 800 - 1), y = z (299.5 x 1.5 / 600 - 0.75)
+    const double z = 1.8181818181818181;
+    QTest::newRow("frustum, middle@1x") << plainFrustum() << glm::dvec3(400.0, 300.0, 0.5) << QPoint(400, 300)
+                                        << glm::dvec3(400.5, 299.5, 0.5) << glm::dvec3(0.00125 * z, -0.00125 * z, -z)
+                                        << glm::dvec3(0.00125 * z, -0.00125 * z, 5.0 - z);
+    // The corner pixels: half a pixel, 0.00125 of z, inside the window's edges -1 .. 1 and -0.75 .. 0.75.
+    QTest::newRow("frustum, top-left@1x, near plane")
+        << plainFrustum() << glm::dvec3(0.0, 0.0, 0.0) << QPoint(0, 0) << glm::dvec3(0.5, 599.5, 0.0)
+        << glm::dvec3(-0.99875, 0.74875, -1.0) << glm::dvec3(-0.99875, 0.74875, 4.0);
+    QTest::newRow("frustum, bottom-right@1x, far plane")
+        << plainFrustum() << glm::dvec3(799.9, 599.9, 1.0) << QPoint(799, 599) << glm::dvec3(799.5, 0.5, 1.0)
+        << glm::dvec3(9.9875, -7.4875, -10.0) << glm::dvec3(9.9875, -7.4875, -5.0);
+
+    // device (450.75, 750.75); y_v = 900 - 750.5; x = 350.5 x 6 / 600 - 3, y = 99.5 x 4 / 400 - 2; z = 0.75 + 9 x 0.25
+    const glm::dvec3 click(300.5, 500.5, 0.25), window(450.5, 149.5, 0.25);
+    QTest::newRow("ortho, offset viewport@1.5x")
+        << offsetBox() << click << QPoint(450, 750) << window << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
+    ViewGeometry reversed = offsetBox();
+    reversed.depthRange = {1.0, 0.0};
+    QTest::newRow("ortho, reversed depth range@1.5x")
+        << reversed << glm::dvec3(300.5, 500.5, 0.75) << QPoint(450, 750) << glm::dvec3(450.5, 149.5, 0.75)
+        << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
+    // cot 45 degrees = 1: x and y grow by z = 3.
+    ViewGeometry oblique = offsetBox();
+    oblique.projection = Oblique{std::get<Ortho>(offsetBox().projection), 0.7853981633974483, 0.7853981633974483};
+    QTest::newRow("oblique, offset viewport@1.5x")
+        << oblique << click << QPoint(450, 750) << window << glm::dvec3(3.505, 1.995, -3.0) << glm::dvec3(13.505, 21.995, 27.0);
+    // The same window as a frustum with n = 1, f = 9: z = 9 / (9 x 0.75 + 0.25) = 9 / 7, x = 0.505 z, y = -1.005 z
+    ViewGeometry frustum = offsetBox();
+    frustum.projection = Frustum{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
+    const double distance = 9.0 / 7.0;
+    QTest::newRow("frustum, offset viewport@1.5x")
+        << frustum << click << QPoint(450, 750) << window << glm::dvec3(0.505 * distance, -1.005 * distance, -distance)
+        << glm::dvec3(10.0 + 0.505 * distance, 20.0 - 1.005 * distance, 30.0 - distance);
+    // Seen along +x with z up: s = -y, u = z, f = x, so world = eye + (z, -x, y).
+    ViewGeometry turned = offsetBox();
+    turned.camera = {WorldPoint(10.0, 20.0, 30.0), WorldPoint(11.0, 20.0, 30.0), {0.0, 0.0, 1.0}};
+    QTest::newRow("ortho, turned camera@1.5x")
+        << turned << click << QPoint(450, 750) << window << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(13.0, 19.495, 28.995);
+    // Column 413 of ratio 1.5 comes as 413 / 1.5, whose product with 1.5 may fall just below 413.
+    QTest::newRow("ortho, device column as a widget position@1.5x")
+        << offsetBox() << glm::dvec3(413.0 / 1.5, 750.0 / 1.5, 0.25) << QPoint(413, 750) << glm::dvec3(413.5, 149.5, 0.25)
+        << glm::dvec3(0.135, -1.005, -3.0) << glm::dvec3(10.135, 18.995, 27.0);
+}
+
+void TestPick::aClickIsFollowedBackToTheWorld()
+{
+    QFETCH(ViewGeometry, geometry);
+    QFETCH(glm::dvec3, click);
+    QFETCH(QPoint, pixel);
+    QFETCH(glm::dvec3, window);
+    QFETCH(glm::dvec3, eye);
+    QFETCH(glm::dvec3, world);
+
+    const Result<Pick> pick = pickAt(geometry, WidgetPoint(click.x, click.y), {click.z, true, 24});
+    QVERIFY(pick.hasValue());
+    QVERIFY(pick->hit);
+    QCOMPARE(pick->widget.x, click.x);
+    QCOMPARE(pick->widget.y, click.y);
+    QCOMPARE(QPoint(pick->devicePixel.i, pick->devicePixel.j), pixel);
+    QVERIFY(isNear(pick->window.coordinates(), window, 0.0));
+    QVERIFY(isNear(pick->point.eye.formula->coordinates(), eye, kRounding));
+    QVERIFY(isNear(pick->point.eye.matrix->coordinates(), eye, kInverseRounding));
+    QVERIFY(isNear(pick->point.eye.matrixInFloat->coordinates(), eye, kFloatRounding));
+    QVERIFY(isNear(pick->point.world.formula->coordinates(), world, kRounding));
+    QVERIFY(isNear(pick->point.world.matrix->coordinates(), world, kInverseRounding));
+    QVERIFY(isNear(pick->point.world.matrixInFloat->coordinates(), world, kFloatRounding));
+
+    const Result<WindowPoint> back = windowFromWorld(geometry, WorldPoint(world));
+    QVERIFY(back.hasValue());
+    QVERIFY(isNear(back->coordinates(), window, kInverseRounding));
+}
+
+void TestPick::allPositionsInAPixelGiveTheSamePoint()
+{
+    const ViewGeometry geometry = plainFrustum();
+    const Result<Pick> middle = pickAt(geometry, WidgetPoint(412.5, 300.5), {0.5, true, 24});
+    QVERIFY(middle.hasValue());
+    for (const WidgetPoint &position : {WidgetPoint(412.0, 300.0), WidgetPoint(412.99, 300.0), WidgetPoint(412.0, 300.99)}) {
+        const Result<Pick> pick = pickAt(geometry, position, {0.5, true, 24});
+        QVERIFY(pick.hasValue());
+        QVERIFY(pick->devicePixel == (DevicePixel{412, 300}));
+        QVERIFY(isNear(pick->point.world.formula->coordinates(), middle->point.world.formula->coordinates(), 0.0));
+        QVERIFY(isNear(pick->point.world.matrix->coordinates(), middle->point.world.matrix->coordinates(), 0.0));
+    }
+}
+
+void TestPick::aBackgroundClickGivesTheRayOfItsPixel()
+{
+    const Result<Pick> pick = pickAt(plainFrustum(), WidgetPoint(0.0, 0.0), {1.0, false, 24});
+    QVERIFY(pick.hasValue());
+    QVERIFY(!pick->hit);
+    QVERIFY(isNear(pick->window.coordinates(), {0.5, 599.5, 1.0}, 0.0));
+    QVERIFY(isNear(pick->rayNear.eye.formula->coordinates(), {-0.99875, 0.74875, -1.0}, kRounding));
+    QVERIFY(isNear(pick->rayFar.eye.formula->coordinates(), {-9.9875, 7.4875, -10.0}, kRounding));
+    QVERIFY(isNear(pick->rayNear.world.formula->coordinates(), {-0.99875, 0.74875, 4.0}, kRounding));
+    QVERIFY(isNear(pick->rayFar.world.formula->coordinates(), {-9.9875, 7.4875, -5.0}, kRounding));
+    QVERIFY(isNear(pick->rayNear.world.matrix->coordinates(), {-0.99875, 0.74875, 4.0}, kInverseRounding));
+    QVERIFY(isNear(pick->rayFar.world.matrix->coordinates(), {-9.9875, 7.4875, -5.0}, kInverseRounding));
+
+    // The ends are those of the depth range, wherever it puts them.
+    ViewGeometry reversed = plainFrustum();
+    reversed.depthRange = {1.0, 0.25};
+    const Result<Pick> other = pickAt(reversed, WidgetPoint(0.0, 0.0), {0.25, false, 24});
+    QVERIFY(other.hasValue());
+    QVERIFY(isNear(other->rayNear.world.formula->coordinates(), {-0.99875, 0.74875, 4.0}, kRounding));
+    QVERIFY(isNear(other->rayFar.world.formula->coordinates(), {-9.9875, 7.4875, -5.0}, kRounding));
+}
+
+void TestPick::whatCannotBePickedIsRefused_data()
+{
+    QTest::addColumn<ViewGeometry>("geometry");
+    QTest::addColumn<glm::dvec3>("click");
+    QTest::addColumn<int>("code");
+    const auto row = [](const char *name, const ViewGeometry &g, const glm::dvec3 &click, ErrorCode code) {
+        QTest::newRow(name) << g << click << static_cast<int>(code);
+    };
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const glm::dvec3 middle(400.0, 300.0, 0.5);
+    row("right of the view", plainFrustum(), {800.0, 300.0, 0.5}, ErrorCode::OutsideFramebuffer);
+    row("below the view", plainFrustum(), {400.0, 600.0, 0.5}, ErrorCode::OutsideFramebuffer);
+    row("above the view", plainFrustum(), {400.0, -0.5, 0.5}, ErrorCode::OutsideFramebuffer);
+    row("position NaN", plainFrustum(), {kNan, 0.0, 0.5}, ErrorCode::NotFinite);
+    ViewGeometry g = plainFrustum();
+    g.surface.heightPixels = 0;
+    row("no framebuffer", g, middle, ErrorCode::EmptyFramebuffer);
+    g = plainFrustum();
+    g.viewport.width = 0.0;
+    row("no viewport", g, middle, ErrorCode::EmptyViewport);
+    g = plainFrustum();
+    g.depthRange = {0.5, 0.5};
+    row("no depth range", g, middle, ErrorCode::EmptyDepthRange);
+    g = plainFrustum();
+    g.projection = Frustum{-1.0, 1.0, -1.0, 1.0, 0.0, 1.0};
+    row("near 0", g, middle, ErrorCode::NearNotPositive);
+    g = plainFrustum();
+    g.camera.center = g.camera.eye;
+    row("camera without direction", g, middle, ErrorCode::EyeEqualsCenter);
+}
+
+void TestPick::whatCannotBePickedIsRefused()
+{
+    QFETCH(ViewGeometry, geometry);
+    QFETCH(glm::dvec3, click);
+    QFETCH(int, code);
+    for (const bool hit : {true, false}) {
+        const Result<Pick> pick = pickAt(geometry, WidgetPoint(click.x, click.y), {click.z, hit, 24});
+        QVERIFY(!pick.hasValue());
+        QCOMPARE(static_cast<int>(pick.error().code), code);
+    }
+}
+
+void TestPick::aDepthOutsideItsRangeIsRefusedOnASurfaceOnly()
+{
+    for (const double depth : {-0.001, 1.001, std::numeric_limits<double>::quiet_NaN()}) {
+        const Result<Pick> surface = pickAt(plainFrustum(), WidgetPoint(1.0, 1.0), {depth, true, 24});
+        QVERIFY(!surface.hasValue());
+        QCOMPARE(surface.error().code, ErrorCode::DepthOutsideRange);
+        // The background's depth is not unprojected: its ray takes the ends of the range.
+        QVERIFY(pickAt(plainFrustum(), WidgetPoint(1.0, 1.0), {depth, false, 24}).hasValue());
+    }
+}
+
+void TestPick::certaintyIsTheDepthStepAndThePixel_data()
+{
+    QTest::addColumn<ViewGeometry>("geometry");
+    QTest::addColumn<double>("distance");
+    QTest::addColumn<int>("bits");
+    QTest::addColumn<glm::dvec3>("expected"); // half a depth step, pixel's width and height
+    QTest::addColumn<double>("radius");
+
+    // 25 x 9 / 10 / (2^24 - 1) / 2; 2 x 5 / 800, 1.5 x 5 / 600
+    QTest::newRow("frustum, 24 bits") << plainFrustum() << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125) << 0.00625;
+    // 25 x 9 / 10 / 65535 / 2
+    QTest::newRow("frustum, 16 bits") << plainFrustum() << 5.0 << 16 << glm::dvec3(1.7166399633783476e-4, 0.0125, 0.0125) << 0.00625;
+    // 81 x 9 / 10 / 255 / 2: the depth step is the largest of the three
+    QTest::newRow("frustum, 8 bits, far away") << plainFrustum() << 9.0 << 8 << glm::dvec3(0.14294117647058824, 0.0225, 0.0225) << 0.14294117647058824;
+    // 8 / (2^24 - 1) / 2; 6 / 600, 4 / 400, wherever it lies
+    QTest::newRow("ortho, 24 bits") << offsetBox() << 3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01) << 0.005;
+    QTest::newRow("ortho, 24 bits, behind the eye") << offsetBox() << -3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01) << 0.005;
+    ViewGeometry half = offsetBox();
+    half.depthRange = {0.75, 0.25};
+    QTest::newRow("ortho, half the depth range") << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01) << 0.005;
+    // gluPerspective(90 degrees, 2, 0.5, 8): window 2 x 1 at n = 0.5; 16 x 7.5 / 4 / (2^24 - 1) / 2; 2 x 4 / 0.5 / 800, 4 / 0.5 / 600
+    ViewGeometry perspective = plainFrustum();
+    perspective.projection = Perspective{1.5707963267948966, 2.0, 0.5, 8.0};
+    QTest::newRow("perspective, wide pixels") << perspective << 4.0 << 24 << glm::dvec3(8.940697249215677e-7, 0.02, 4.0 / 300.0) << 0.01;
+    // A mirrored window: sizes stay positive.
+    ViewGeometry mirrored = plainFrustum();
+    mirrored.projection = Frustum{1.0, -1.0, 0.75, -0.75, 1.0, 10.0};
+    QTest::newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125) << 0.00625;
+}
+
+void TestPick::certaintyIsTheDepthStepAndThePixel()
+{
+    QFETCH(ViewGeometry, geometry);
+    QFETCH(double, distance);
+    QFETCH(int, bits);
+    QFETCH(glm::dvec3, expected);
+    QFETCH(double, radius);
+    const Certainty certainty = certaintyAt(geometry, distance, bits);
+    constexpr double kLiteral = 1e-9; // the digits written above
+    QVERIFY(isRelativelyNear(certainty.halfDepthStep, expected.x, kLiteral));
+    QVERIFY(isRelativelyNear(certainty.footprintWidth, expected.y, kLiteral));
+    QVERIFY(isRelativelyNear(certainty.footprintHeight, expected.z, kLiteral));
+    QVERIFY(isRelativelyNear(certainty.radius(), radius, kLiteral));
+}
+
+void TestPick::thePickKeepsTheCertaintyOfItsDistance()
+{
+    // z = 10 / 5.5 as above: z^2 x 9 / 10 / (2^24 - 1) / 2; 2 z / 800, 1.5 z / 600
+    const Result<Pick> pick = pickAt(plainFrustum(), WidgetPoint(400.0, 300.0), {0.5, true, 24});
+    QVERIFY(pick.hasValue());
+    QVERIFY(isRelativelyNear(pick->certainty.halfDepthStep, 3.305785123966942 * 0.9 / 2.0 / 16777215.0, 1e-12));
+    QVERIFY(isRelativelyNear(pick->certainty.footprintWidth, 1.8181818181818181 / 400.0, 1e-12));
+    QVERIFY(isRelativelyNear(pick->certainty.footprintHeight, 1.8181818181818181 / 400.0, 1e-12));
+}
+
+QTEST_APPLESS_MAIN(TestPick)
+#include "test_pick.moc"

@@ -1,0 +1,161 @@
+// What a projection keeps when its window or its clip distances change.
+
+#include "core/projection.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <numbers>
+
+using namespace unprojector;
+
+namespace {
+
+/// A few roundings of numbers of order 1 to 10.
+constexpr double kRounding = 1e-14;
+
+const double kRightAngle = std::numbers::pi / 2.0;
+
+bool isNear(double a, double b)
+{
+    if (std::abs(a - b) <= kRounding * std::max({1.0, std::abs(a), std::abs(b)}))
+        return true;
+    qWarning("%.17g is not %.17g", a, b);
+    return false;
+}
+
+glm::dvec3 ndcFromEye(const Projection &projection, const glm::dvec3 &eye)
+{
+    const glm::dvec4 clip = clipFromEye(projection).value() * glm::dvec4(eye, 1.0);
+    return glm::dvec3(clip) / clip.w;
+}
+
+void addProjections()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::newRow("frustum") << Projection(Frustum{-1, 1, -1, 1, 1, 10});
+    QTest::newRow("off-centre frustum") << Projection(Frustum{-1, 3, -2, 1, 1, 10});
+    QTest::newRow("mirrored frustum") << Projection(Frustum{3, -1, 1, -2, 1, 10});
+    QTest::newRow("ortho") << Projection(Ortho{-4, 4, -3, 3, 1, 10});
+    QTest::newRow("off-centre ortho") << Projection(Ortho{-1, 5, 2, 4, 1, 10});
+    QTest::newRow("mirrored ortho") << Projection(Ortho{5, -1, 4, 2, 1, 10});
+    QTest::newRow("perspective") << Projection(Perspective{1, 1.5, 1, 10});
+    QTest::newRow("oblique") << Projection(Oblique{{-4, 4, -3, 3, 1, 10}, 1, 2});
+}
+
+} // namespace
+
+class TestProjection : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cornersOfTheViewVolumeAreTheCornersOfNdc_data();
+    void cornersOfTheViewVolumeAreTheCornersOfNdc();
+    void aPerspectiveIsItsFrustum();
+    void otherClipDistancesGiveTheSamePicture_data() { addProjections(); }
+    void otherClipDistancesGiveTheSamePicture();
+    void anotherAspectKeepsCirclesRoundAndTheHeight_data() { addProjections(); }
+    void anotherAspectKeepsCirclesRoundAndTheHeight();
+    void itsOwnAspectChangesNothing();
+    void anObliqueBoxWithoutShearIsAnOrtho();
+};
+
+void TestProjection::cornersOfTheViewVolumeAreTheCornersOfNdc_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::addColumn<glm::dvec3>("nearBottomLeft");
+    QTest::addColumn<glm::dvec3>("farTopRight");
+
+    const auto row = [](const char *name, const Projection &projection, const glm::dvec3 &nearBottomLeft,
+                        const glm::dvec3 &farTopRight) {
+        QTest::newRow(name) << projection << nearBottomLeft << farTopRight;
+    };
+    row("frustum", Frustum{-1, 3, -2, 1, 2, 10}, {-1, -2, -2}, {15, 5, -10});
+    row("mirrored frustum", Frustum{3, -1, 1, -2, 2, 10}, {3, 1, -2}, {-5, -10, -10});
+    row("ortho", Ortho{-1, 3, -2, 1, 2, 10}, {-1, -2, -2}, {3, 1, -10});
+    row("ortho around the eye", Ortho{-1, 3, -2, 1, -5, 5}, {-1, -2, 5}, {3, 1, -5});
+    row("perspective of 90 degrees", Perspective{kRightAngle, 2, 2, 10}, {-4, -2, -2}, {20, 10, -10});
+    // cot(pi/4) = 1: x_box = x + z_eye.
+    row("oblique", Oblique{{-1, 3, -2, 1, 2, 10}, kRightAngle / 2.0, kRightAngle}, {1, -2, -2}, {13, 1, -10});
+}
+
+void TestProjection::cornersOfTheViewVolumeAreTheCornersOfNdc()
+{
+    QFETCH(Projection, projection);
+    QFETCH(glm::dvec3, nearBottomLeft);
+    QFETCH(glm::dvec3, farTopRight);
+    for (int k = 0; k < 3; ++k) {
+        QVERIFY(isNear(ndcFromEye(projection, nearBottomLeft)[k], -1.0));
+        QVERIFY(isNear(ndcFromEye(projection, farTopRight)[k], 1.0));
+    }
+}
+
+void TestProjection::aPerspectiveIsItsFrustum()
+{
+    const Frustum frustum = frustumFromPerspective({kRightAngle, 2, 3, 30});
+    QVERIFY(isNear(frustum.left, -6) && isNear(frustum.right, 6));
+    QVERIFY(isNear(frustum.bottom, -3) && isNear(frustum.top, 3));
+    QCOMPARE(frustum.nearDistance, 3.0);
+    QCOMPARE(frustum.farDistance, 30.0);
+    QVERIFY(isPerspective(Perspective{}) && isPerspective(Frustum{}));
+    QVERIFY(!isPerspective(Ortho{}) && !isPerspective(Oblique{}));
+    const ProjectionWindow window = projectionWindow(Perspective{kRightAngle, 2, 3, 30});
+    QVERIFY(isNear(window.right, 6) && isNear(window.top, 3));
+}
+
+void TestProjection::otherClipDistancesGiveTheSamePicture()
+{
+    QFETCH(Projection, projection);
+    for (const auto &[n, f] : {std::pair(0.5, 20.0), std::pair(2.0, 7.0), std::pair(0.01, 1e4)}) {
+        const Projection other = withClipDistances(projection, n, f);
+        QCOMPARE(other.index(), projection.index());
+        QVERIFY(check(other));
+        QCOMPARE(projectionWindow(other).nearDistance, n);
+        QCOMPARE(projectionWindow(other).farDistance, f);
+        for (const glm::dvec3 &eye : {glm::dvec3(0.5, -0.25, -3), glm::dvec3(-2, 1, -5), glm::dvec3(3, 3, -1)}) {
+            QVERIFY(isNear(ndcFromEye(other, eye).x, ndcFromEye(projection, eye).x));
+            QVERIFY(isNear(ndcFromEye(other, eye).y, ndcFromEye(projection, eye).y));
+        }
+        QVERIFY(isNear(ndcFromEye(other, {0, 0, -n}).z, -1.0));
+        QVERIFY(isNear(ndcFromEye(other, {0, 0, -f}).z, 1.0));
+    }
+}
+
+void TestProjection::anotherAspectKeepsCirclesRoundAndTheHeight()
+{
+    QFETCH(Projection, projection);
+    for (const double aspect : {0.5, 1.0, 1.7777777777777777, 3.0}) {
+        const Projection other = withAspect(projection, aspect);
+        QCOMPARE(other.index(), projection.index());
+        const ProjectionWindow before = projectionWindow(projection), after = projectionWindow(other);
+        QCOMPARE(after.bottom, before.bottom);
+        QCOMPARE(after.top, before.top);
+        QCOMPARE(after.nearDistance, before.nearDistance);
+        QCOMPARE(after.farDistance, before.farDistance);
+        // In a viewport of that aspect a unit of the window is as many pixels across as it is down.
+        QVERIFY(isNear(std::abs(after.right - after.left), aspect * std::abs(after.top - after.bottom)));
+        QCOMPARE(after.left < after.right, before.left < before.right);
+        if (isPerspective(projection)) {
+            // The view axis keeps its share of the width.
+            QVERIFY(isNear(after.left / (after.right - after.left), before.left / (before.right - before.left)));
+        } else {
+            QVERIFY(isNear(after.left + after.right, before.left + before.right));
+        }
+    }
+}
+
+void TestProjection::itsOwnAspectChangesNothing()
+{
+    QVERIFY(std::get<Frustum>(withAspect(Frustum{-1, 3, -2, 2, 1, 10}, 1.0)) == (Frustum{-1, 3, -2, 2, 1, 10}));
+    QVERIFY(std::get<Ortho>(withAspect(Ortho{3, -1, -2, 2, 1, 10}, 1.0)) == (Ortho{3, -1, -2, 2, 1, 10}));
+    QVERIFY(std::get<Perspective>(withAspect(Perspective{1, 2, 1, 10}, 2.0)) == (Perspective{1, 2, 1, 10}));
+}
+
+void TestProjection::anObliqueBoxWithoutShearIsAnOrtho()
+{
+    const Ortho box{-1, 3, -2, 1, 2, 10};
+    QVERIFY(clipFromEye(Oblique{box, kRightAngle, kRightAngle}).value() == clipFromEye(box).value());
+}
+
+QTEST_GUILESS_MAIN(TestProjection)
+#include "test_projection.moc"
