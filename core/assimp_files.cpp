@@ -93,7 +93,8 @@ void AssimpFiles::Close(Assimp::IOStream *stream)
 
 bool AssimpProgress::Update(float share)
 {
-    m_progress.report(share > 0.0f ? kParsingShare + (kProcessingShare - kParsingShare) * static_cast<double>(share) : 0.0);
+    m_progress.report(share > 0.0f ? kParsingShare + (kProcessingShare - kParsingShare) * static_cast<double>(share)
+                                   : 0.0);
     return true;
 }
 

@@ -111,10 +111,8 @@ public:
             checkView(view);
         for (const Json &accessor : array("accessors"))
             checkAccessor(accessor);
-        for (const Json &image : array("images")) {
-            if (find(image, "bufferView"))
-                reference(image, "bufferView", "bufferViews");
-        }
+        for (const Json &image : array("images"))
+            checkImage(image);
         for (const Json &texture : array("textures")) {
             if (find(texture, "source"))
                 reference(texture, "source", "images");
@@ -190,16 +188,12 @@ private:
     {
         switch (number(object, "componentType", 0)) {
         case 5120:
-        case 5121:
-            return 1;
+        case 5121: return 1;
         case 5122:
-        case 5123:
-            return 2;
+        case 5123: return 2;
         case 5125:
-        case 5126:
-            return 4;
-        default:
-            failMalformed("an accessor has an unknown component type");
+        case 5126: return 4;
+        default: failMalformed("an accessor has an unknown component type");
         }
     }
 
@@ -233,13 +227,41 @@ private:
         else if (count > kMostElementsOutOfNothing)
             failMalformed("an accessor declares " + std::to_string(count) + " elements without any bytes");
         if (const Json *sparse = find(accessor, "sparse")) {
+            // Left out, assimp takes whatever its memory held.
+            if (!find(*sparse, "count"))
+                failMalformed("a sparse accessor has no count");
             const std::uint64_t patches = number(*sparse, "count", 0);
             const Json *indices = find(*sparse, "indices");
             const Json *values = find(*sparse, "values");
             if (!indices || !values)
                 failMalformed("a sparse accessor lacks its indices or values");
+            // assimp steps through its patched, tightly packed copy with the stride of the original.
+            if (find(accessor, "bufferView")
+                && number(reference(accessor, "bufferView", "bufferViews"), "byteStride", bytesEach) != bytesEach)
+                failMalformed("a sparse accessor over interleaved data is not supported");
             checkInView(*indices, patches, componentBytes(*indices));
             checkInView(*values, patches, bytesEach);
+        }
+    }
+
+    void checkImage(const Json &image) const
+    {
+        if (find(image, "bufferView"))
+            reference(image, "bufferView", "bufferViews");
+        const Json *mediaType = find(image, "mimeType");
+        const Json *uri = find(image, "uri");
+        for (const Json *text : {mediaType, uri}) {
+            if (text && !text->is_string())
+                failMalformed("an image's media type or address is no text");
+        }
+        // assimp looks for what follows the slash of a media type, and does not ask whether there is one.
+        if (mediaType && mediaType->get_ref<const std::string &>().find('/') == std::string::npos)
+            failMalformed("an image has a media type without a slash");
+        if (uri) {
+            const std::string_view address = uri->get_ref<const std::string &>();
+            if (address.starts_with("data:")
+                && address.substr(0, address.find_first_of(";,")).find('/') == address.npos)
+                failMalformed("an image has a media type without a slash");
         }
     }
 
@@ -272,8 +294,9 @@ private:
             for (const auto &[name, value] : attributes->items()) {
                 const Json &attribute = reference(*attributes, name.c_str(), "accessors");
                 if (number(attribute, "count", 0) != number(positions, "count", 0))
-                    failMalformed("the attribute " + name + " of a mesh has " + std::to_string(number(attribute, "count", 0))
-                                  + " values for " + std::to_string(number(positions, "count", 0)) + " vertices");
+                    failMalformed("the attribute " + name + " of a mesh has "
+                                  + std::to_string(number(attribute, "count", 0)) + " values for "
+                                  + std::to_string(number(positions, "count", 0)) + " vertices");
             }
             if (!find(primitive, "indices"))
                 corners = number(positions, "count", 0);

@@ -47,9 +47,8 @@ void finishModel(Model &model, ProgressReporter &progress)
             if (!isFinite(mesh.positions[v]))
                 throw Failure(ImportErrorCode::NotFinite, {}, firstVertex + v);
         }
-        const auto outside = std::find_if(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t index) {
-            return index >= mesh.positions.size();
-        });
+        const auto outside = std::find_if(mesh.indices.begin(), mesh.indices.end(),
+                                          [&](std::uint32_t index) { return index >= mesh.positions.size(); });
         if (outside != mesh.indices.end())
             failMalformed("a face refers to vertex " + std::to_string(*outside) + ", the mesh has "
                           + std::to_string(mesh.positions.size()));

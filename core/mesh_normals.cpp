@@ -65,7 +65,7 @@ std::vector<FaceNormal> faceNormalsOf(const Mesh &mesh, const std::function<void
 
 /// The corners around each creased position, sorted by position, in compressed rows.
 struct CornerRows {
-    std::vector<std::uint32_t> begin;   ///< by creased position's number, one more than there are
+    std::vector<std::uint32_t> begin; ///< by creased position's number, one more than there are
     std::vector<std::uint32_t> corners;
 };
 

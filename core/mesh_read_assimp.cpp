@@ -38,7 +38,8 @@ std::uint8_t byteFromShare(float share)
 /// An uncompressed embedded picture as a binary PPM, which any decoder reads; PPM has no alpha.
 std::vector<std::uint8_t> ppmFromTexels(const aiTexture &texture)
 {
-    const std::string header = "P6\n" + std::to_string(texture.mWidth) + ' ' + std::to_string(texture.mHeight) + "\n255\n";
+    const std::string header =
+        "P6\n" + std::to_string(texture.mWidth) + ' ' + std::to_string(texture.mHeight) + "\n255\n";
     std::vector<std::uint8_t> ppm(header.begin(), header.end());
     const std::size_t count = std::size_t{texture.mWidth} * texture.mHeight;
     ppm.reserve(ppm.size() + 3 * count);
@@ -50,7 +51,7 @@ std::vector<std::uint8_t> ppmFromTexels(const aiTexture &texture)
 /// How a mesh of one material looks.
 struct Look {
     glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
-    bool hasBaseColor = false;   ///< whether the file says so
+    bool hasBaseColor = false; ///< whether the file says so
     int texture = -1;
     unsigned texcoordSet = 0;
 };
@@ -121,7 +122,8 @@ private:
 
     int textureNumber(const std::string &path, bool wrapRepeat)
     {
-        const auto [known, isNew] = m_textureNumbers.try_emplace({path, wrapRepeat}, static_cast<int>(m_model.textures.size()));
+        const auto [known, isNew] =
+            m_textureNumbers.try_emplace({path, wrapRepeat}, static_cast<int>(m_model.textures.size()));
         if (!isNew)
             return known->second;
         Texture texture;
@@ -170,13 +172,14 @@ private:
         const bool isMirrored = glm::determinant(linear) < 0.0;
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
             if (v % kVerticesBetweenReports == 0)
-                m_source.progress.report(0.7 + 0.3 * static_cast<double>(m_doneVertices + v)
-                                                   / static_cast<double>(std::max<std::size_t>(m_totalVertices, 1)));
+                m_source.progress.report(0.7
+                                         + 0.3 * static_cast<double>(m_doneVertices + v)
+                                               / static_cast<double>(std::max<std::size_t>(m_totalVertices, 1)));
             const glm::vec3 position(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z);
             if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
                 throw Failure(ImportErrorCode::NotFinite, {}, m_doneVertices + v);
-            target.positions.push_back(
-                isIdentity ? position : glm::vec3(worldFromMesh * glm::dvec4(glm::dvec3(position), 1.0)));
+            target.positions.push_back(isIdentity ? position
+                                                  : glm::vec3(worldFromMesh * glm::dvec4(glm::dvec3(position), 1.0)));
             if (mesh.HasNormals()) {
                 glm::vec3 normal(mesh.mNormals[v].x, mesh.mNormals[v].y, mesh.mNormals[v].z);
                 if (!isIdentity) {

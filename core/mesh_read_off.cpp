@@ -145,7 +145,8 @@ private:
     }
     [[noreturn]] void failWord(std::string_view word, const char *what) const
     {
-        failMalformed("line " + std::to_string(m_scanner.line()) + ": " + quoted(word) + " stands where a " + what + " is expected");
+        failMalformed("line " + std::to_string(m_scanner.line()) + ": " + quoted(word) + " stands where a " + what
+                      + " is expected");
     }
 
     std::span<const std::uint8_t> m_bytes;
@@ -161,8 +162,8 @@ glm::u8vec4 colorFromNumbers(const std::vector<float> &values, bool areIntegers)
     for (std::size_t c = 0; c < values.size(); ++c) {
         const float value = areIntegers ? values[c] : values[c] * 255.0f;
         // Written so that NaN becomes 0.
-        color[static_cast<int>(c)] = value > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(value, 255.0f)))
-                                                  : std::uint8_t{0};
+        color[static_cast<int>(c)] =
+            value > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(value, 255.0f))) : std::uint8_t{0};
     }
     return color;
 }

@@ -41,20 +41,14 @@ public:
             return asciiValue(type);
         const std::uint64_t bits = binaryBits(byteCount(type));
         switch (type) {
-        case PlyType::Int8:
-            return static_cast<std::int8_t>(bits);
-        case PlyType::Int16:
-            return static_cast<std::int16_t>(bits);
-        case PlyType::Int32:
-            return static_cast<std::int32_t>(bits);
+        case PlyType::Int8: return static_cast<std::int8_t>(bits);
+        case PlyType::Int16: return static_cast<std::int16_t>(bits);
+        case PlyType::Int32: return static_cast<std::int32_t>(bits);
         case PlyType::Uint8:
         case PlyType::Uint16:
-        case PlyType::Uint32:
-            return static_cast<double>(bits);
-        case PlyType::Float32:
-            return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-        case PlyType::Float64:
-            return std::bit_cast<double>(bits);
+        case PlyType::Uint32: return static_cast<double>(bits);
+        case PlyType::Float32: return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+        case PlyType::Float64: return std::bit_cast<double>(bits);
         }
         return 0.0;
     }
@@ -127,7 +121,8 @@ private:
 int findAny(const PlyElement &element, std::initializer_list<std::string_view> names)
 {
     for (const std::string_view name : names) {
-        if (const int found = element.find(name); found >= 0 && !element.properties[static_cast<std::size_t>(found)].isList)
+        if (const int found = element.find(name);
+            found >= 0 && !element.properties[static_cast<std::size_t>(found)].isList)
             return found;
     }
     return -1;
@@ -202,8 +197,8 @@ void readVertices(const PlyElement &element, PlyBody &body, Mesh &mesh)
 
 void readFaces(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
 {
-    const int vertices = element.find("vertex_indices") >= 0 ? element.find("vertex_indices")
-                                                             : element.find("vertex_index");
+    const int vertices =
+        element.find("vertex_indices") >= 0 ? element.find("vertex_indices") : element.find("vertex_index");
     const int texcoords = element.find("texcoord");
     const ColorProperties colors(element);
     const bool usesColors = colors.isComplete() && polygons.mesh.colors.empty();

@@ -57,7 +57,7 @@ private:
 /// A model file in memory, and what a reader needs besides.
 struct Source {
     std::filesystem::path file;
-    std::string suffix;                 ///< lower case, without the dot
+    std::string suffix; ///< lower case, without the dot
     std::span<const std::uint8_t> bytes;
     ProgressReporter &progress;
 

@@ -34,15 +34,19 @@ public:
     {
         // Faces refer to vertices further up in nearly every file: then one walk is enough.
         bool mayReferForward = false;
-        const ObjCounts total = walk([&](const ObjCounts &soFar, const char *element) {
-            mayReferForward = mayReferForward || !problemOf(element, soFar, soFar).empty();
-        }, true);
+        const ObjCounts total = walk(
+            [&](const ObjCounts &soFar, const char *element) {
+                mayReferForward = mayReferForward || !problemOf(element, soFar, soFar).empty();
+            },
+            true);
         if (mayReferForward) {
             m_scanner = TextScanner(m_source.text());
-            walk([&](const ObjCounts &soFar, const char *element) {
-                if (const std::string problem = problemOf(element, soFar, total); !problem.empty())
-                    failAtLine(m_scanner.line(), problem);
-            }, false);
+            walk(
+                [&](const ObjCounts &soFar, const char *element) {
+                    if (const std::string problem = problemOf(element, soFar, total); !problem.empty())
+                        failAtLine(m_scanner.line(), problem);
+                },
+                false);
         }
         if (total.faces > 0)
             return;

@@ -16,11 +16,11 @@ struct TypeName {
 };
 
 constexpr TypeName kTypeNames[] = {
-    {"char", PlyType::Int8},     {"int8", PlyType::Int8},       {"uchar", PlyType::Uint8},
-    {"uint8", PlyType::Uint8},   {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-    {"ushort", PlyType::Uint16}, {"uint16", PlyType::Uint16},   {"int", PlyType::Int32},
-    {"int32", PlyType::Int32},   {"uint", PlyType::Uint32},     {"uint32", PlyType::Uint32},
-    {"float", PlyType::Float32}, {"float32", PlyType::Float32}, {"double", PlyType::Float64},
+    {"char", PlyType::Int8},       {"int8", PlyType::Int8},       {"uchar", PlyType::Uint8},
+    {"uint8", PlyType::Uint8},     {"short", PlyType::Int16},     {"int16", PlyType::Int16},
+    {"ushort", PlyType::Uint16},   {"uint16", PlyType::Uint16},   {"int", PlyType::Int32},
+    {"int32", PlyType::Int32},     {"uint", PlyType::Uint32},     {"uint32", PlyType::Uint32},
+    {"float", PlyType::Float32},   {"float32", PlyType::Float32}, {"double", PlyType::Float64},
     {"float64", PlyType::Float64},
 };
 
@@ -83,17 +83,13 @@ std::size_t byteCount(PlyType type)
 {
     switch (type) {
     case PlyType::Int8:
-    case PlyType::Uint8:
-        return 1;
+    case PlyType::Uint8: return 1;
     case PlyType::Int16:
-    case PlyType::Uint16:
-        return 2;
+    case PlyType::Uint16: return 2;
     case PlyType::Int32:
     case PlyType::Uint32:
-    case PlyType::Float32:
-        return 4;
-    case PlyType::Float64:
-        return 8;
+    case PlyType::Float32: return 4;
+    case PlyType::Float64: return 8;
     }
     return 0;
 }

@@ -11,13 +11,16 @@ enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 
 std::size_t byteCount(PlyType type);
-inline bool isFloating(PlyType type) { return type == PlyType::Float32 || type == PlyType::Float64; }
+inline bool isFloating(PlyType type)
+{
+    return type == PlyType::Float32 || type == PlyType::Float64;
+}
 
 struct PlyProperty {
     std::string name;
     PlyType type = PlyType::Float32;
     bool isList = false;
-    PlyType countType = PlyType::Uint8;   ///< of a list
+    PlyType countType = PlyType::Uint8; ///< of a list
 };
 
 struct PlyElement {
@@ -35,7 +38,7 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::string textureFile;      ///< from "comment TextureFile …", or empty
+    std::string textureFile; ///< from "comment TextureFile …", or empty
     std::size_t bodyOffset = 0;
     std::size_t bodyLine = 1;
 

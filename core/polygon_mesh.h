@@ -35,10 +35,10 @@ private:
     std::uint32_t checked(std::int64_t vertex, const char *what, std::size_t number) const;
 
     std::size_t m_vertexCount;
-    std::size_t m_polygonBegin = 0;                 ///< where the last polygon starts in mesh.indices
-    std::vector<std::uint32_t> m_localTriangles;    ///< the last polygon's triangles, as corners of the polygon
+    std::size_t m_polygonBegin = 0;              ///< where the last polygon starts in mesh.indices
+    std::vector<std::uint32_t> m_localTriangles; ///< the last polygon's triangles, as corners of the polygon
     std::vector<glm::vec3> m_corners;
-    std::vector<glm::u8vec4> m_cornerColors;        ///< one an index, or shorter
+    std::vector<glm::u8vec4> m_cornerColors; ///< one an index, or shorter
     std::vector<glm::vec2> m_cornerTexcoords;
 };
 

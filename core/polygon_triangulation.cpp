@@ -73,8 +73,8 @@ void triangulatePolygon(std::span<const glm::vec3> corners, std::vector<std::uin
         while (left.size() > 3 && misses < left.size()) {
             at %= left.size();
             if (isEar(flat, left, at)) {
-                triangles.insert(triangles.end(), {left[(at + left.size() - 1) % left.size()], left[at],
-                                                   left[(at + 1) % left.size()]});
+                triangles.insert(triangles.end(),
+                                 {left[(at + left.size() - 1) % left.size()], left[at], left[(at + 1) % left.size()]});
                 left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
                 misses = 0;
             } else {

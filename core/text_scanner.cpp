@@ -83,7 +83,8 @@ std::optional<float> floatFromWord(std::string_view word)
         // from_chars does not say which end of the range: the double has room for nearly all such words.
         double wide = 0.0;
         const bool isWide = std::from_chars(word.data(), end, wide).ec == std::errc();
-        const bool isTiny = isWide ? std::abs(wide) < 1.0 : word.find("e-") != word.npos || word.find("E-") != word.npos;
+        const bool isTiny =
+            isWide ? std::abs(wide) < 1.0 : word.find("e-") != word.npos || word.find("E-") != word.npos;
         value = isTiny ? 0.0f : std::numeric_limits<float>::infinity();
     } else if (result.ec != std::errc()) {
         return std::nullopt;

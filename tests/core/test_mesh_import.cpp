@@ -1,14 +1,12 @@
 #include "core/mesh_import.h"
+#include "model_files.h"
 
-#include <QtEndian>
 #include <QtTest>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -16,197 +14,10 @@
 #include <utility>
 #include <vector>
 
-using namespace unprojector;
-
 Q_DECLARE_METATYPE(unprojector::ImportErrorCode)
 
-namespace {
-
-// A box of 3 x 1 x 2 beside the origin: no two axes can be mixed up unseen.
-constexpr float kCorners[8][3] = {{-1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {-1, 1, 0}, {-1, 0, 2}, {2, 0, 2}, {2, 1, 2}, {-1, 1, 2}};
-constexpr int kQuads[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {1, 2, 6, 5}, {3, 0, 4, 7}};
-
-// The importer passes a picture's bytes on unread, so any will do.
-const QByteArray kPicture("\x89PNG\r\n\x1a\n not really a picture");
-
-QByteArray bytesOf(const void *data, int size) { return QByteArray(static_cast<const char *>(data), size); }
-
-template <class T>
-QByteArray little(T value)
-{
-    value = qToLittleEndian(value);
-    return bytesOf(&value, sizeof value);
-}
-QByteArray little(float value) { return little(std::bit_cast<quint32>(value)); }
-
-QByteArray big(quint32 value)
-{
-    value = qToBigEndian(value);
-    return bytesOf(&value, sizeof value);
-}
-QByteArray big(float value) { return big(std::bit_cast<quint32>(value)); }
-
-QByteArray corner(int i, char separator = ' ')
-{
-    return QByteArray::number(kCorners[i][0]) + separator + QByteArray::number(kCorners[i][1]) + separator
-           + QByteArray::number(kCorners[i][2]);
-}
-
-/// @param tail  what follows each vertex number of a face
-QByteArray objBox(const QByteArray &beforeFaces = {}, const QByteArray &tail = {})
-{
-    QByteArray text("# a box\n");
-    for (int i = 0; i < 8; ++i)
-        text += "v " + corner(i) + '\n';
-    text += beforeFaces;
-    for (const auto &quad : kQuads) {
-        text += 'f';
-        for (const int i : quad)
-            text += ' ' + QByteArray::number(i + 1) + tail;
-        text += '\n';
-    }
-    return text;
-}
-
-QByteArray stlText()
-{
-    QByteArray text("solid box\n");
-    for (const auto &q : kQuads) {
-        for (const auto &t : {std::array{q[0], q[1], q[2]}, std::array{q[0], q[2], q[3]}})
-            text += "facet normal 0 0 0\nouter loop\nvertex " + corner(t[0]) + "\nvertex " + corner(t[1]) + "\nvertex "
-                    + corner(t[2]) + "\nendloop\nendfacet\n";
-    }
-    return text + "endsolid box\n";
-}
-
-/// @param declared  -1: as many as there are
-QByteArray stlBinary(qint64 declared = -1, quint16 colorBits = 0, float firstX = kCorners[0][0])
-{
-    QByteArray bytes("solid, but binary all the same");
-    bytes.append(80 - bytes.size(), ' ');
-    bytes += little(static_cast<quint32>(declared < 0 ? 12 : declared));
-    for (const auto &q : kQuads) {
-        for (const auto &t : {std::array{q[0], q[1], q[2]}, std::array{q[0], q[2], q[3]}}) {
-            bytes += QByteArray(12, '\0');
-            for (const int i : t)
-                bytes += little(i == 0 ? firstX : kCorners[i][0]) + little(kCorners[i][1]) + little(kCorners[i][2]);
-            bytes += little(colorBits);
-        }
-    }
-    return bytes;
-}
-
-QByteArray plyHeader(const QByteArray &format, const QByteArray &comment = {}, const QByteArray &extra = {}, int faces = 6)
-{
-    return "ply\nformat " + format + " 1.0\n" + comment
-           + "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n" + extra + "element face "
-           + QByteArray::number(faces) + "\nproperty list uchar int vertex_indices\nend_header\n";
-}
-
-QByteArray plyText(const QByteArray &comment = {}, const QByteArray &extra = {}, const QByteArray &values = {})
-{
-    QByteArray text = plyHeader("ascii", comment, extra);
-    for (int i = 0; i < 8; ++i)
-        text += corner(i) + values + '\n';
-    for (const auto &q : kQuads)
-        text += QString("4 %1 %2 %3 %4\n").arg(q[0]).arg(q[1]).arg(q[2]).arg(q[3]).toUtf8();
-    return text;
-}
-
-template <class Encode>
-QByteArray plyBinary(const QByteArray &format, Encode encode)
-{
-    QByteArray bytes = plyHeader(format);
-    for (const auto &c : kCorners)
-        bytes += encode(c[0]) + encode(c[1]) + encode(c[2]);
-    for (const auto &q : kQuads)
-        bytes += '\4' + encode(quint32(q[0])) + encode(quint32(q[1])) + encode(quint32(q[2])) + encode(quint32(q[3]));
-    return bytes;
-}
-QByteArray plyLittle() { return plyBinary("binary_little_endian", [](auto value) { return little(value); }); }
-QByteArray plyBig() { return plyBinary("binary_big_endian", [](auto value) { return big(value); }); }
-
-QByteArray offBox(const QByteArray &word = "OFF", const QByteArray &color = {})
-{
-    QByteArray text = word + "\n# a comment\n8 6 12\n";
-    for (int i = 0; i < 8; ++i)
-        text += corner(i) + color + '\n';
-    for (const auto &q : kQuads)
-        text += QString("4 %1 %2 %3 %4\n").arg(q[0]).arg(q[1]).arg(q[2]).arg(q[3]).toUtf8();
-    return text;
-}
-
-QByteArray offBinary()
-{
-    QByteArray bytes = "OFF BINARY\n" + big(8u) + big(6u) + big(12u);
-    for (const auto &c : kCorners)
-        bytes += big(c[0]) + big(c[1]) + big(c[2]);
-    for (const auto &q : kQuads)
-        bytes += big(4u) + big(quint32(q[0])) + big(quint32(q[1])) + big(quint32(q[2])) + big(quint32(q[3])) + big(0u);
-    return bytes;
-}
-
-constexpr int kGltfPositionBytes = 96;
-constexpr int kGltfIndexBytes = 72;
-constexpr int kGltfTexcoordBytes = 64;
-
-QByteArray gltfBuffer()
-{
-    QByteArray bytes;
-    for (const auto &c : kCorners)
-        bytes += little(c[0]) + little(c[1]) + little(c[2]);
-    for (const auto &q : kQuads) {
-        for (const int i : {q[0], q[1], q[2], q[0], q[2], q[3]})
-            bytes += little(quint16(i));
-    }
-    for (int i = 0; i < 8; ++i)
-        bytes += little(0.25f) + little(0.1f);
-    return bytes + kPicture;
-}
-
-/// @param bufferUri  empty: the buffer is GLB's binary chunk
-/// @param image  the members of the image, empty: no texture
-QByteArray gltfJson(const QByteArray &bufferUri, const QByteArray &node = {}, const QByteArray &image = {})
-{
-    QByteArray json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0NODE}],
-        "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":0}]}],
-        "materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.25,0.5,0.75,1.0]TEXTURE}}],IMAGES
-        "buffers":[{"byteLength":BYTESURI}],
-        "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72},
-            {"buffer":0,"byteOffset":168,"byteLength":64},{"buffer":0,"byteOffset":232,"byteLength":PICTURE}],
-        "accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[-1,0,0],"max":[2,1,2]},
-            {"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"},
-            {"bufferView":2,"componentType":5126,"count":8,"type":"VEC2"}]})";
-    json.replace("NODE", node);
-    json.replace("TEXTURE", image.isEmpty() ? "" : R"(,"baseColorTexture":{"index":0})");
-    json.replace("IMAGES", image.isEmpty() ? "" : R"("textures":[{"source":0}],"images":[{)" + image + "}],");
-    json.replace("BYTES", QByteArray::number(gltfBuffer().size()));
-    json.replace("PICTURE", QByteArray::number(kPicture.size()));
-    json.replace("URI", bufferUri.isEmpty() ? "" : R"(,"uri":")" + bufferUri + '"');
-    return json;
-}
-
-QByteArray gltfBox(const QByteArray &node = {}, const QByteArray &image = {})
-{
-    return gltfJson("data:application/octet-stream;base64," + gltfBuffer().toBase64(), node, image);
-}
-
-QByteArray glbBox(const QByteArray &image = {})
-{
-    QByteArray json = gltfJson({}, {}, image);
-    json.append((4 - json.size() % 4) % 4, ' ');
-    QByteArray binary = gltfBuffer();
-    binary.append((4 - binary.size() % 4) % 4, '\0');
-    return "glTF" + little(quint32(2)) + little(quint32(28 + json.size() + binary.size())) + little(quint32(json.size()))
-           + "JSON" + json + little(quint32(binary.size())) + QByteArray("BIN\0", 4) + binary;
-}
-
-std::filesystem::path pathOf(const QString &name)
-{
-    return std::filesystem::path(name.toStdU16String());
-}
-
-} // namespace
+using namespace unprojector;
+using namespace model_files;
 
 class TestMeshImport : public QObject {
     Q_OBJECT
@@ -247,8 +58,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-#define REQUIRE_MODEL(result) \
-    QVERIFY2((result).hasValue(), (result).hasValue() ? "" : (result).error().detail.c_str())
+#define REQUIRE_MODEL(result) QVERIFY2((result).hasValue(), (result).hasValue() ? "" : (result).error().detail.c_str())
 
 static void addFormatRows()
 {
@@ -276,8 +86,8 @@ void TestMeshImport::readsTheBoxOfEveryFormat_data()
     QTest::newRow("non-ascii-name") << QString::fromUtf8("模型 é.obj") << objBox();
     QTest::newRow("non-ascii-gltf") << QString::fromUtf8("模型 é.gltf") << gltfBox();
     QTest::newRow("no-line-end-at-end") << "chopped.ply" << plyText().chopped(1);
-    QTest::newRow("obj-negative-indices") << "negative.obj"
-                                          << objBox("f -8 -5 -6 -7\nf -4 -3 -2 -1\n").replace("f 1 4 3 2\nf 5 6 7 8\n", "");
+    QTest::newRow("obj-negative-indices")
+        << "negative.obj" << objBox("f -8 -5 -6 -7\nf -4 -3 -2 -1\n").replace("f 1 4 3 2\nf 5 6 7 8\n", "");
 }
 
 void TestMeshImport::readsTheBoxOfEveryFormat()
@@ -315,13 +125,19 @@ void TestMeshImport::readsColors_data()
     QTest::newRow("gltf-factor") << "painted.gltf" << gltfBox() << false;
     QTest::newRow("glb-factor") << "painted.glb" << glbBox() << false;
     QTest::newRow("ply-vertices") << "painted.ply"
-                                  << plyText({}, "property uchar red\nproperty uchar green\nproperty uchar blue\n", " 64 128 191")
+                                  << plyText({}, "property uchar red\nproperty uchar green\nproperty uchar blue\n",
+                                             " 64 128 191")
                                   << true;
-    QTest::newRow("ply-float-vertices")
-        << "painted.ply" << plyText({}, "property float red\nproperty float green\nproperty float blue\n", " 0.25 0.5 0.75") << true;
+    QTest::newRow("ply-float-vertices") << "painted.ply"
+                                        << plyText({},
+                                                   "property float red\nproperty float green\nproperty float blue\n",
+                                                   " 0.25 0.5 0.75")
+                                        << true;
     QTest::newRow("off-integers") << "painted.off" << offBox("COFF", " 64 128 191 255") << true;
     QTest::newRow("off-shares") << "painted.off" << offBox("COFF", " 0.25 0.5 0.75 1.0") << true;
-    QTest::newRow("off-faces") << "painted.off" << offBox().replace("\n4 ", "\n 4 ").replace("4 1 2 6 5\n", "4 1 2 6 5 64 128 191\n") << false;
+    QTest::newRow("off-faces") << "painted.off"
+                               << offBox().replace("\n4 ", "\n 4 ").replace("4 1 2 6 5\n", "4 1 2 6 5 64 128 191\n")
+                               << false;
     QTest::newRow("stl-bits") << "painted.stl" << stlBinary(-1, 0x8000 | 8 << 10 | 16 << 5 | 23) << true;
 }
 
@@ -357,14 +173,18 @@ void TestMeshImport::readsTextures_data()
     write("skin.mtl", QByteArray("newmtl skin\nKd 1 1 1\nmap_Kd my 图.png\n"));
     write("windows.mtl", QByteArray("newmtl skin\nKd 1 1 1\nmap_Kd C:\\work\\my 图.png\n"));
     const QByteArray obj = objBox("vt 0.25 0.9\nusemtl skin\n", "/1");
-    QTest::newRow("obj") << "skin.obj" << "mtllib skin.mtl\n" + obj;
+    QTest::newRow("obj") << "skin.obj"
+                         << "mtllib skin.mtl\n" + obj;
     QTest::newRow("obj-crlf") << "skin crlf.obj" << QByteArray("mtllib skin.mtl\n" + obj).replace("\n", "\r\n");
-    QTest::newRow("obj-path-of-another-disk") << "skin2.obj" << "mtllib windows.mtl\n" + obj;
+    QTest::newRow("obj-path-of-another-disk") << "skin2.obj"
+                                              << "mtllib windows.mtl\n" + obj;
     QTest::newRow("ply") << "skin.ply"
-                         << plyText(QByteArray("comment TextureFile my 图.png\n"), "property float s\nproperty float t\n", " 0.25 0.9");
+                         << plyText(QByteArray("comment TextureFile my 图.png\n"),
+                                    "property float s\nproperty float t\n", " 0.25 0.9");
     QTest::newRow("gltf") << "skin.gltf" << gltfBox({}, QByteArray(R"("uri":"my 图.png")"));
     QTest::newRow("gltf-percent") << "skin.gltf" << gltfBox({}, R"("uri":"my%20%E5%9B%BE.png")");
-    QTest::newRow("gltf-data-uri") << "skin.gltf" << gltfBox({}, R"("uri":"data:image/png;base64,)" + kPicture.toBase64() + '"');
+    QTest::newRow("gltf-data-uri") << "skin.gltf"
+                                   << gltfBox({}, R"("uri":"data:image/png;base64,)" + kPicture.toBase64() + '"');
     QTest::newRow("glb-embedded") << "skin.glb" << glbBox(R"("bufferView":3,"mimeType":"image/png")");
     QTest::newRow("glb-external") << "skin.glb" << glbBox(QByteArray(R"("uri":"my 图.png")"));
 }
@@ -420,7 +240,8 @@ void TestMeshImport::appliesNodeTransforms()
     const glm::vec3 middle(result.value()->bounds.center());
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const glm::vec3 a = mesh.positions[mesh.indices[i]];
-        const glm::vec3 out = glm::cross(mesh.positions[mesh.indices[i + 1]] - a, mesh.positions[mesh.indices[i + 2]] - a);
+        const glm::vec3 out =
+            glm::cross(mesh.positions[mesh.indices[i + 1]] - a, mesh.positions[mesh.indices[i + 2]] - a);
         QVERIFY2(glm::dot(out, a - middle) > 0.0f, "the winding does not follow the mirror");
         QVERIFY(glm::dot(mesh.normals[mesh.indices[i]], out) > 0.0f);
     }
@@ -430,9 +251,11 @@ void TestMeshImport::triangulatesConcavePolygonsAndDropsLines()
 {
     // An arrow head whose fan around the first corner would leave the polygon; area 1.
     const QByteArray corners("0 1 0\n-1 -1 0\n0 0 0\n1 -1 0\n");
-    const QByteArray ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                           "element face 1\nproperty list uchar int vertex_index\nelement edge 1\nproperty int vertex1\n"
-                           "property int vertex2\nend_header\n" + corners + "4 1 2 3 0\n0 1\n";
+    const QByteArray ply =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_index\nelement edge 1\nproperty int vertex1\n"
+        "property int vertex2\nend_header\n"
+        + corners + "4 1 2 3 0\n0 1\n";
     QByteArray obj = "v " + corners.trimmed();
     obj.replace("\n", "\nv ");
     obj += "\nl 1 2 3\np 4\nf 2 3 4 1\n";
@@ -445,7 +268,9 @@ void TestMeshImport::triangulatesConcavePolygonsAndDropsLines()
         double area = 0.0;
         for (std::size_t i = 0; i < 6; i += 3) {
             const glm::vec3 a = mesh.positions[mesh.indices[i]];
-            area += glm::length(glm::cross(mesh.positions[mesh.indices[i + 1]] - a, mesh.positions[mesh.indices[i + 2]] - a)) / 2.0f;
+            area += glm::length(
+                        glm::cross(mesh.positions[mesh.indices[i + 1]] - a, mesh.positions[mesh.indices[i + 2]] - a))
+                    / 2.0f;
         }
         QCOMPARE(area, 1.0);
     }
@@ -454,9 +279,10 @@ void TestMeshImport::triangulatesConcavePolygonsAndDropsLines()
 void TestMeshImport::readsTriangleStrips()
 {
     // Two strips: a row of two triangles, then one triangle.
-    const auto result = imported("strips.ply", "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
-                                               "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
-                                               "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 0 0\n8 0 1 2 3 -1 1 4 3\n");
+    const auto result =
+        imported("strips.ply", "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                               "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                               "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 0 0\n8 0 1 2 3 -1 1 4 3\n");
     REQUIRE_MODEL(result);
     QCOMPARE(result.value()->meshes.front().indices, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 1, 4, 3}));
     for (const glm::vec3 &normal : result.value()->meshes.front().normals)
@@ -481,50 +307,73 @@ void TestMeshImport::saysWhyAFileCannotBeOpened_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<ImportErrorCode>("code");
-    QTest::addColumn<QString>("detail");   // a part of it
+    QTest::addColumn<QString>("detail"); // a part of it
     using enum ImportErrorCode;
     QTest::newRow("empty") << "bad.obj" << QByteArray() << EmptyFile << "";
     QTest::newRow("unknown-suffix") << "bad.txt" << objBox() << UnknownFormat << "txt";
     QTest::newRow("no-suffix") << "bad" << objBox() << UnknownFormat << "";
     QTest::newRow("obj-index-too-large") << "bad.obj" << objBox("f 1 2 99\n") << Malformed
                                          << "line 10: a face refers to vertex 99, the file has 8";
-    QTest::newRow("obj-index-zero") << "bad.obj" << objBox("f 0 1 2\n") << Malformed << "line 10: a face refers to vertex 0";
+    QTest::newRow("obj-index-zero") << "bad.obj" << objBox("f 0 1 2\n") << Malformed
+                                    << "line 10: a face refers to vertex 0";
     QTest::newRow("obj-index-negative") << "bad.obj" << objBox("f -9 1 2\n") << Malformed << "line 10";
-    QTest::newRow("obj-texcoord-missing") << "bad.obj" << objBox("f 1/1 2/1 3/1\n") << Malformed << "texture coordinate 1";
+    QTest::newRow("obj-texcoord-missing")
+        << "bad.obj" << objBox("f 1/1 2/1 3/1\n") << Malformed << "texture coordinate 1";
     QTest::newRow("obj-without-faces") << "bad.obj" << QByteArray("v 0 0 0\nv 1 0 0\n") << NoTriangles << "";
     QTest::newRow("obj-only-lines") << "bad.obj" << QByteArray("v 0 0 0\nv 1 0 0\nl 1 2\n") << NoTriangles << "";
-    QTest::newRow("obj-short-vertex") << "bad.obj" << objBox("v 1 2\n") << Malformed << "line 10: a vertex needs three numbers";
+    QTest::newRow("obj-short-vertex") << "bad.obj" << objBox("v 1 2\n") << Malformed
+                                      << "line 10: a vertex needs three numbers";
     QTest::newRow("obj-nan") << "bad.obj" << objBox("v 1 nan 2\n") << NotFinite << "8";
     QTest::newRow("obj-overflow") << "bad.obj" << objBox("v 1 1e99 2\n") << NotFinite << "8";
     QTest::newRow("obj-garbage") << "bad.obj" << QByteArray("\x01\x02 garbage \xff\xfe") << Malformed << "";
-    QTest::newRow("stl-binary-truncated") << "bad.stl" << stlBinary().chopped(51) << Malformed << "declares 12 triangles, the file ends after 10";
+    QTest::newRow("stl-binary-truncated")
+        << "bad.stl" << stlBinary().chopped(51) << Malformed << "declares 12 triangles, the file ends after 10";
     QTest::newRow("stl-four-billion") << "bad.stl" << stlBinary(0xffffffff) << Malformed << "declares 4294967295";
     QTest::newRow("stl-no-triangles") << "bad.stl" << QByteArray(84, '\0') << NoTriangles << "";
     QTest::newRow("stl-ascii-truncated") << "bad.stl" << stlText().left(900) << Malformed << "line";
     QTest::newRow("stl-ascii-no-end") << "bad.stl" << stlText().chopped(13) << Malformed << "endsolid";
-    QTest::newRow("stl-ascii-nan") << "bad.stl" << stlText().replace("vertex 2 1 2", "vertex nan 1 2") << NotFinite << "";
+    QTest::newRow("stl-ascii-nan") << "bad.stl" << stlText().replace("vertex 2 1 2", "vertex nan 1 2") << NotFinite
+                                   << "";
     QTest::newRow("stl-infinity") << "bad.stl" << stlBinary(-1, 0, INFINITY) << NotFinite << "0";
     QTest::newRow("stl-garbage") << "bad.stl" << QByteArray("garbage") << Malformed << "";
     QTest::newRow("ply-ascii-truncated") << "bad.ply" << plyText().chopped(5) << Malformed << "ends within face 5 of 6";
-    QTest::newRow("ply-binary-truncated") << "bad.ply" << plyLittle().chopped(1) << Malformed << "ends within face 5 of 6";
-    QTest::newRow("ply-four-billion") << "bad.ply" << plyText().replace("vertex 8", "vertex 4294967295") << Malformed << "4294967295";
-    QTest::newRow("ply-no-faces") << "bad.ply" << plyHeader("ascii", {}, {}, 0) + QByteArray("1 2 3\n").repeated(8) << NoTriangles << "";
-    QTest::newRow("ply-index-too-large") << "bad.ply" << plyText().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed << "face 5 refers to vertex 8";
+    QTest::newRow("ply-binary-truncated")
+        << "bad.ply" << plyLittle().chopped(1) << Malformed << "ends within face 5 of 6";
+    QTest::newRow("ply-four-billion") << "bad.ply" << plyText().replace("vertex 8", "vertex 4294967295") << Malformed
+                                      << "4294967295";
+    QTest::newRow("ply-no-faces") << "bad.ply" << plyHeader("ascii", {}, {}, 0) + QByteArray("1 2 3\n").repeated(8)
+                                  << NoTriangles << "";
+    QTest::newRow("ply-index-too-large") << "bad.ply" << plyText().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed
+                                         << "face 5 refers to vertex 8";
     QTest::newRow("ply-nan") << "bad.ply" << plyText().replace("\n2 1 2\n", "\n2 nan 2\n") << NotFinite << "6";
-    QTest::newRow("ply-word") << "bad.ply" << plyText().replace("\n2 1 2\n", "\n2 oops 2\n") << Malformed << "line 16: \"oops\"";
-    QTest::newRow("ply-no-end-of-header") << "bad.ply" << QByteArray("ply\nformat ascii 1.0\n") << Malformed << "end_header";
-    QTest::newRow("off-index-too-large") << "bad.off" << offBox().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed << "face 5 refers to vertex 8";
+    QTest::newRow("ply-word") << "bad.ply" << plyText().replace("\n2 1 2\n", "\n2 oops 2\n") << Malformed
+                              << "line 16: \"oops\"";
+    QTest::newRow("ply-no-end-of-header")
+        << "bad.ply" << QByteArray("ply\nformat ascii 1.0\n") << Malformed << "end_header";
+    QTest::newRow("off-index-too-large") << "bad.off" << offBox().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed
+                                         << "face 5 refers to vertex 8";
     QTest::newRow("off-truncated") << "bad.off" << offBox().chopped(4) << Malformed << "too short";
     QTest::newRow("off-no-faces") << "bad.off" << QByteArray("OFF 1 0 0\n0 0 0\n") << NoTriangles << "";
     QTest::newRow("off-nan") << "bad.off" << offBox().replace("\n2 1 2\n", "\n2 inf 2\n") << NotFinite << "6";
     QTest::newRow("off-garbage") << "bad.off" << QByteArray("garbage") << Malformed << "OFF";
     QTest::newRow("gltf-truncated") << "bad.gltf" << gltfBox().chopped(9) << Malformed << "JSON";
     QTest::newRow("gltf-buffer-missing") << "bad.gltf" << gltfJson("nowhere.bin") << Malformed << "nowhere.bin";
-    QTest::newRow("gltf-accessor-too-long") << "bad.gltf" << gltfBox().replace("\"count\":36", "\"count\":37") << Malformed << "37 elements";
+    QTest::newRow("gltf-accessor-too-long")
+        << "bad.gltf" << gltfBox().replace("\"count\":36", "\"count\":37") << Malformed << "37 elements";
+    QTest::newRow("gltf-sparse-without-count")
+        << "bad.gltf" << gltfBox().replace(R"("count":36,)", R"("count":36,"sparse":{},)") << Malformed << "sparse";
+    QTest::newRow("gltf-strip-without-corners")
+        << "bad.gltf"
+        << gltfBox().replace(R"("indices":1)", R"("mode":5,"indices":1)").replace("\"count\":36", "\"count\":0")
+        << Malformed << "";
+    QTest::newRow("gltf-odd-media-type") << "bad.gltf" << gltfBox({}, R"("bufferView":3,"mimeType":"png")") << Malformed
+                                         << "slash";
     QTest::newRow("gltf-circle") << "bad.gltf" << gltfBox(",\"children\":[0]") << Malformed << "circle";
     QTest::newRow("gltf-nested-deeply") << "bad.gltf" << QByteArray(100000, '[') << Malformed << "nested";
-    QTest::newRow("gltf-version-1") << "bad.gltf" << QByteArray("{\"asset\":{\"version\":\"1.0\"}}") << Malformed << "version 2";
-    QTest::newRow("gltf-no-meshes") << "bad.gltf" << QByteArray("{\"asset\":{\"version\":\"2.0\"}}") << NoTriangles << "";
+    QTest::newRow("gltf-version-1") << "bad.gltf" << QByteArray("{\"asset\":{\"version\":\"1.0\"}}") << Malformed
+                                    << "version 2";
+    QTest::newRow("gltf-no-meshes") << "bad.gltf" << QByteArray("{\"asset\":{\"version\":\"2.0\"}}") << NoTriangles
+                                    << "";
     QTest::newRow("glb-truncated") << "bad.glb" << glbBox().chopped(7) << Malformed << "declares";
     QTest::newRow("glb-garbage") << "bad.glb" << QByteArray("garbage garbage garbage garbage") << Malformed << "GLB";
 }
@@ -558,7 +407,7 @@ void TestMeshImport::reportsNotAFile()
 
     const std::filesystem::path locked = write("locked.obj", objBox());
     std::filesystem::permissions(locked, std::filesystem::perms::none);
-    if (!std::ifstream(locked))   // administrators, and Windows, read it all the same
+    if (!std::ifstream(locked)) // administrators, and Windows, read it all the same
         QCOMPARE(int(importModel(locked, {}).error().code), int(ImportErrorCode::NotReadable));
     std::filesystem::permissions(locked, std::filesystem::perms::owner_all);
 }
@@ -616,7 +465,8 @@ void TestMeshImport::progressNeverFallsAndCancelStops()
 
 void TestMeshImport::severalImportsRunAtOnce()
 {
-    const std::filesystem::path files[] = {write("t.obj", objBox()), write("t.glb", glbBox()), write("t.ply", plyLittle())};
+    const std::filesystem::path files[] = {write("t.obj", objBox()), write("t.glb", glbBox()),
+                                           write("t.ply", plyLittle())};
     std::atomic<int> good = 0;
     std::vector<std::thread> threads;
     for (int i = 0; i < 6; ++i)

@@ -31,12 +31,15 @@ constexpr double kClosedForm = 2e-15;
 /// direction. A row that begins to pass fails here and loses its mark.
 constexpr const char *kKnownLoss = "1 - d, the window's two terms and the side axis still cancel";
 
-/// The matrix path: this many epsilons times the amplification of `matrixAmplification`. Measured: 9.
+/// The matrix path: this many epsilons times the amplification of `matrixAmplification`. Measured: 13.
 constexpr double kMatrixEpsilons = 32.0;
 
 /// Units in the last place of the largest world component, of the closed form.
 constexpr double kMostUlps = 8.0; ///< 99.99 clicks of 100
-constexpr double kAllUlps = 20.0;
+constexpr double kAllUlps = 20.0; ///< every click no closer to the world's origin than `kCloseToOrigin` of the scale
+/// The closer to the origin, the more of the eye's digits cancel: a result in double of eye coordinates in double
+/// cannot have what they lack.
+constexpr double kCloseToOrigin = 1.0 / 16.0;
 
 double relativeError(const glm::dvec3 &actual, const oracle::Vector3 &exact, const Extended &scale)
 {
@@ -438,6 +441,7 @@ void TestUnprojectOracle::unitsInTheLastPlace()
     constexpr quint64 kSeed = 7;
     oracle::Random random(kSeed);
     std::vector<double> closedForm, glmUnProject;
+    double worstOffOrigin = 0.0;
     for (const auto kind :
          {RandomKind::Frustum, RandomKind::Perspective, RandomKind::Ortho, RandomKind::Oblique}) {
         for (int count = 0; count < kScenesPerKind; ++count) {
@@ -450,6 +454,8 @@ void TestUnprojectOracle::unitsInTheLastPlace()
                 const Extended ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
                 const EyePoint eye = unprojectClosedForm(s.projection, s.viewport, s.range, c.window).value();
                 closedForm.push_back(relativeError(worldFromEye(s.frame, eye), c.exactWorld, ulp));
+                if (largest >= kCloseToOrigin * c.scale)
+                    worstOffOrigin = std::max(worstOffOrigin, closedForm.back());
                 glmUnProject.push_back(relativeError(
                     glm::unProject(c.window.coordinates(), view, s.clipFromEyeMatrix, viewport), c.exactWorld, ulp));
             }
@@ -461,8 +467,9 @@ void TestUnprojectOracle::unitsInTheLastPlace()
               errors == &closedForm ? "closed form" : "glm::unProject in double", percentile(*errors, 0.5),
               percentile(*errors, 0.99), percentile(*errors, 0.9999), errors->back());
     }
+    qInfo("closed form, off the origin: worst %.3g", worstOffOrigin);
     QEXPECT_FAIL("", kKnownLoss, Continue);
-    QVERIFY(percentile(closedForm, 0.9999) <= kMostUlps && closedForm.back() <= kAllUlps);
+    QVERIFY(percentile(closedForm, 0.9999) <= kMostUlps && worstOffOrigin <= kAllUlps);
 }
 
 QTEST_GUILESS_MAIN(TestUnprojectOracle)
