@@ -66,7 +66,10 @@ Check check(const Scene &scene)
                 return valid;
         }
     }
-    for (const glm::dvec4 &plane : scene.clipPlanes) {
+    std::vector<glm::dvec4> planes = scene.clipPlanes;
+    for (const ClipPlaneOff &off : scene.clipPlanesOff)
+        planes.push_back(off.plane);
+    for (const glm::dvec4 &plane : planes) {
         for (int i = 0; i < 4; ++i) {
             if (!std::isfinite(plane[i]))
                 return Error{ErrorCode::NotFinite, plane[i]};

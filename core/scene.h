@@ -43,6 +43,12 @@ Viewport viewportIn(const ViewportRule &rule, const Surface &surface);
 /// At most so many user clip planes, as OpenGL guarantees.
 constexpr std::size_t kMostClipPlanes = 6;
 
+/// A user clip plane that is kept but does not cut.
+struct ClipPlaneOff {
+    std::size_t place = 0; ///< in the list of all planes, those that cut and those that do not
+    glm::dvec4 plane{0.0};
+};
+
 /// What is shown and how: everything but the window's size.
 struct Scene {
     LookAt camera;
@@ -55,6 +61,8 @@ struct Scene {
     std::vector<SceneObject> objects;
     /// (A, B, C, D): of the objects only what has A x + B y + C z + D >= 0 in world space is drawn (glClipPlane).
     std::vector<glm::dvec4> clipPlanes;
+    /// Planes that are switched off, by place. With `clipPlanes` no more than kMostClipPlanes.
+    std::vector<ClipPlaneOff> clipPlanesOff;
 };
 
 /// The axis-aligned box around all objects, world space; empty without any.
