@@ -1,0 +1,176 @@
+#include "gui/panels/number_grid.h"
+
+#include "gui/panels/number_grid_model.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFontDatabase>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector {
+namespace {
+
+/// Left and right of a number, logical pixels.
+constexpr int kCellMargin = 4;
+constexpr int kBracketWidth = 5;
+/// Characters of "m[12]" and a blank.
+constexpr int kLabelLength = 6;
+
+/// Only text: what a style draws around an item would cost more than the rest of the panel.
+class NumberDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+        if (isSelected)
+            painter->fillRect(option.rect, option.palette.highlight());
+        const QRect area = option.rect.adjusted(kCellMargin, 0, -kCellMargin, 0);
+        const QColor ink = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+        painter->setFont(option.font);
+        if (const QString label = index.data(NumberGridModel::LabelRole).toString(); !label.isEmpty()) {
+            QColor grey = ink;
+            grey.setAlphaF(0.6f);
+            painter->setPen(grey);
+            painter->drawText(area.adjusted(kBracketWidth, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, label);
+        }
+        painter->setPen(ink);
+        painter->drawText(area, Qt::AlignRight | Qt::AlignVCenter, index.data().toString());
+    }
+};
+
+} // namespace
+
+NumberGrid::NumberGrid(NumberGridModel *model, Frame frame, QWidget *parent)
+    : QTableView(parent), m_model(model), m_frame(frame)
+{
+    setItemDelegate(new NumberDelegate(this));
+    setModel(model);
+    setShowGrid(false);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setTabKeyNavigation(false);
+    setEditTriggers(NoEditTriggers);
+    horizontalHeader()->hide();
+    verticalHeader()->hide();
+    horizontalHeader()->setMinimumSectionSize(1);
+    verticalHeader()->setMinimumSectionSize(1);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    if (frame == Frame::Brackets)
+        viewport()->setAutoFillBackground(false);
+    useFont();
+    connect(model, &QAbstractItemModel::modelReset, this, [this] {
+        fitHeight();
+        fitColumns();
+    });
+}
+
+void NumberGrid::useFont()
+{
+    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    digits.setPointSizeF(QApplication::font().pointSizeF() * 0.92);
+    setFont(digits);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 3);
+    fitHeight();
+}
+
+void NumberGrid::fitHeight()
+{
+    setFixedHeight(std::max(1, m_model->rowCount()) * verticalHeader()->defaultSectionSize());
+}
+
+void NumberGrid::fitColumns()
+{
+    const int columns = m_model->columnCount();
+    if (columns == 0)
+        return;
+    const int width = viewport()->width();
+    for (int column = 0; column < columns; ++column)
+        setColumnWidth(column, width * (column + 1) / columns - width * column / columns);
+    const bool hasLabels = m_model->index(0, 0).data(NumberGridModel::LabelRole).toString().size() > 0;
+    const int room = width / columns - 2 * kCellMargin;
+    m_model->setCapacity(room / fontMetrics().horizontalAdvance(u'0') - (hasLabels ? kLabelLength + 1 : 0));
+}
+
+QSize NumberGrid::minimumSizeHint() const
+{
+    constexpr int kShortest = 8; // "-0.12345"
+    return {4 * (kShortest * fontMetrics().horizontalAdvance(u'0') + 2 * kCellMargin), height()};
+}
+
+void NumberGrid::paintEvent(QPaintEvent *event)
+{
+    QTableView::paintEvent(event);
+    if (m_frame == Frame::None)
+        return;
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::Text));
+    const int right = viewport()->width() - 1, bottom = viewport()->height() - 1;
+    for (const auto &[edge, inner] : {std::pair(0, kBracketWidth - 1), std::pair(right, right - kBracketWidth + 1)}) {
+        painter.drawLine(edge, 0, edge, bottom);
+        painter.drawLine(edge, 0, inner, 0);
+        painter.drawLine(edge, bottom, inner, bottom);
+    }
+}
+
+void NumberGrid::resizeEvent(QResizeEvent *event)
+{
+    QTableView::resizeEvent(event);
+    fitColumns();
+}
+
+void NumberGrid::changeEvent(QEvent *event)
+{
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::ApplicationFontChange) {
+        useFont();
+        fitColumns();
+    }
+}
+
+void NumberGrid::keyPressEvent(QKeyEvent *event)
+{
+    if (event->matches(QKeySequence::Copy)) {
+        if (const QString text = selectedText(); !text.isEmpty())
+            QApplication::clipboard()->setText(text);
+        return;
+    }
+    QTableView::keyPressEvent(event);
+}
+
+void NumberGrid::focusOutEvent(QFocusEvent *event)
+{
+    QTableView::focusOutEvent(event);
+    // One selection among all the grids of a panel is enough; a menu takes the focus only for a while.
+    if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
+        clearSelection();
+}
+
+QString NumberGrid::selectedText() const
+{
+    QModelIndexList selected = selectionModel()->selectedIndexes();
+    std::sort(selected.begin(), selected.end());
+    QString text;
+    int row = -1;
+    for (const QModelIndex &index : selected) {
+        if (!index.data().isValid())
+            continue;
+        if (!text.isEmpty())
+            text += index.row() == row ? u'\t' : u'\n';
+        row = index.row();
+        text += m_model->fullText(index.row(), index.column());
+    }
+    return text;
+}
+
+} // namespace unprojector
