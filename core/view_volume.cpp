@@ -47,17 +47,17 @@ Result<ViewVolumeMorph> viewVolumeMorph(const Projection &projection)
         morph.unitFromEye[axis][axis] = morph.scale;
         morph.unitFromEye[3][axis] = -center[axis] * morph.scale;
     }
-    morph.drawnFromNdc[0][0] = w.right > w.left ? 1.0 : -1.0;
-    morph.drawnFromNdc[1][1] = w.top > w.bottom ? 1.0 : -1.0;
-    morph.drawnFromNdc[2][2] = -1.0;
+    morph.morphedFromNdc[0][0] = w.right > w.left ? 1.0 : -1.0;
+    morph.morphedFromNdc[1][1] = w.top > w.bottom ? 1.0 : -1.0;
+    morph.morphedFromNdc[2][2] = -1.0;
     if (isPerspective(projection))
         morph.weight = std::sqrt(w.nearDistance) * std::sqrt(w.farDistance);
     return morph;
 }
 
-glm::dmat4 drawnFromEye(const ViewVolumeMorph &morph, double t)
+glm::dmat4 morphedFromEye(const ViewVolumeMorph &morph, double t)
 {
-    return morph.unitFromEye * ((1.0 - t) * morph.weight) + morph.drawnFromNdc * morph.clipFromEye * t;
+    return morph.unitFromEye * ((1.0 - t) * morph.weight) + morph.morphedFromNdc * morph.clipFromEye * t;
 }
 
 std::array<glm::dvec4, 6> closingPlanes(const ViewVolumeMorph &morph, double t)

@@ -32,7 +32,7 @@ std::array<EyePoint, 8> viewVolumeCorners(const Projection &projection);
 /// perspective recedes to infinity as t goes to 1: the rays through the window become parallel.
 struct ViewVolumeMorph {
     glm::dmat4 unitFromEye;  ///< S
-    glm::dmat4 drawnFromNdc; ///< D
+    glm::dmat4 morphedFromNdc; ///< D
     glm::dmat4 clipFromEye;
     double weight; ///< k
     EyePoint center; ///< what S takes to the origin
@@ -44,7 +44,7 @@ Result<ViewVolumeMorph> viewVolumeMorph(const Projection &projection);
 
 /// M(t); divide by w.
 /// @param t  in [0, 1]
-glm::dmat4 drawnFromEye(const ViewVolumeMorph &morph, double t);
+glm::dmat4 morphedFromEye(const ViewVolumeMorph &morph, double t);
 
 /// Planes (A, B, C, D) in eye space that the drawn scene has to be cut at, A x + B y + C z + D >= 0 inside: near, left,
 /// right, bottom, top, far. At t = 0 they hold everything (A = B = C = 0), at t = 1 they are the volume's own, and they

@@ -34,7 +34,7 @@ glm::dvec3 divided(const glm::dvec4 &p)
 
 glm::dvec3 placeOf(const ViewVolumeMorph &morph, double t, const glm::dvec3 &eye)
 {
-    return divided(drawnFromEye(morph, t) * glm::dvec4(eye, 1.0));
+    return divided(morphedFromEye(morph, t) * glm::dvec4(eye, 1.0));
 }
 
 ViewVolumeMorph morphOf(const Projection &projection)
@@ -155,7 +155,7 @@ void TestViewVolume::cornersLandOnTheCube()
         const ProjectionWindow w = projectionWindow(projection);
         const glm::dvec3 drawn(ndc.x * (w.right > w.left ? 1.0 : -1.0), ndc.y * (w.top > w.bottom ? 1.0 : -1.0), -ndc.z);
         QVERIFY(isNear(placeOf(morph, 1.0, corners[i]), drawn, kRounding));
-        QVERIFY(isNear(divided(morph.drawnFromNdc * glm::dvec4(ndc, 1.0)), drawn, 0.0));
+        QVERIFY(isNear(divided(morph.morphedFromNdc * glm::dvec4(ndc, 1.0)), drawn, 0.0));
     }
 }
 
@@ -186,7 +186,7 @@ void TestViewVolume::wStaysAboveZero()
         for (const double x : kShares) {
             for (const double y : kShares) {
                 for (const double z : kShares)
-                    QVERIFY((drawnFromEye(morph, t) * glm::dvec4(inside(corners, x, y, z), 1.0)).w > 0.0);
+                    QVERIFY((morphedFromEye(morph, t) * glm::dvec4(inside(corners, x, y, z), 1.0)).w > 0.0);
             }
         }
     }
@@ -197,7 +197,7 @@ void TestViewVolume::nothingTurnsInsideOut()
     QFETCH(Projection, projection);
     const ViewVolumeMorph morph = morphOf(projection);
     for (int i = 0; i <= 1000; ++i)
-        QVERIFY(glm::determinant(drawnFromEye(morph, i / 1000.0)) > 0.0);
+        QVERIFY(glm::determinant(morphedFromEye(morph, i / 1000.0)) > 0.0);
 }
 
 void TestViewVolume::straightLinesStayStraight()
@@ -265,7 +265,7 @@ void TestViewVolume::thePlanesHoldAllThenTheVolume()
         for (int i = 0; i < 2000; ++i) {
             const glm::dvec3 p = size * glm::dvec3(std::sin(i * 1.1), std::sin(i * 1.7 + 1.0), std::sin(i * 2.3 + 2.0));
             if (holds(t, p, 0.0))
-                QVERIFY((drawnFromEye(morph, t) * glm::dvec4(p, 1.0)).w > 0.0);
+                QVERIFY((morphedFromEye(morph, t) * glm::dvec4(p, 1.0)).w > 0.0);
             if (t == 0.0)
                 QVERIFY(holds(t, p, 0.0));
         }
@@ -306,7 +306,7 @@ void TestViewVolume::theUnitBallStandsWhereTheVolumeIs()
     const Projection projection = Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0};
     const ViewVolumeMorph morph = morphOf(projection);
     const EyeFrame frame = *eyeFrame({WorldPoint(5.0, 6.0, 9.0), WorldPoint(1.0, 2.0, 3.0), {0.0, 1.0, 0.0}});
-    const glm::dmat4 drawn = matrixOf(placementOf(frame, morph)) * drawnFromEye(morph, 0.0) * eyeFromWorld(frame);
+    const glm::dmat4 drawn = matrixOf(placementOf(frame, morph)) * morphedFromEye(morph, 0.0) * eyeFromWorld(frame);
     const glm::dvec3 point(-3.0, 7.0, 11.0);
     QVERIFY(isNear(divided(drawn * glm::dvec4(point, 1.0)), point, 1e-10));
 
