@@ -239,7 +239,10 @@ void ObserverView::drawLines(const std::vector<LineSegment> &lines, const glm::d
     const float widthPixels = static_cast<float>(widthLogical * surface.devicePixelRatio);
     m_lines.draw(lines, clipFromSource, size, widthPixels);
     glDisable(GL_DEPTH_TEST);
-    m_lines.draw(faded(lines), clipFromSource, size, widthPixels);
+    std::vector<LineSegment> hidden = lines;
+    for (LineSegment &line : hidden)
+        line.color.a *= 0.4f;
+    m_lines.draw(hidden, clipFromSource, size, widthPixels);
     glEnable(GL_DEPTH_TEST);
 }
 

@@ -22,10 +22,12 @@ void FacePainter::initialize()
     m_buffer.create();
     m_vertexArray.bind();
     m_buffer.bind();
-    for (const auto &[index, offset] : {std::pair<GLuint, std::size_t>(0, offsetof(Vertex, position)), {1, offsetof(Vertex, color)}}) {
+    const auto attribute = [this](GLuint index, std::size_t offset) {
         glEnableVertexAttribArray(index);
         glVertexAttribPointer(index, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void *>(offset));
-    }
+    };
+    attribute(0, offsetof(Vertex, position));
+    attribute(1, offsetof(Vertex, color));
     m_vertexArray.release();
     m_buffer.release();
 }
@@ -41,10 +43,11 @@ void FacePainter::draw(const std::vector<Face> &faces, const glm::dmat4 &clipFro
 {
     if (faces.empty())
         return;
+    static constexpr std::array<std::size_t, 6> kTriangles{0, 1, 2, 0, 2, 3};
     std::vector<Vertex> vertices;
     vertices.reserve(faces.size() * 6);
     for (const Face &face : faces) {
-        for (const std::size_t corner : {0, 1, 2, 0, 2, 3})
+        for (const std::size_t corner : kTriangles)
             vertices.push_back({glm::vec4(clipFromSource * glm::dvec4(face.corners[corner], 1.0)), face.color});
     }
     glEnable(GL_BLEND);

@@ -72,7 +72,7 @@ std::vector<LineSegment> cameraLines(float opacity)
     const glm::vec4 color(0.16f, 0.18f, 0.21f, opacity);
     std::vector<LineSegment> lines;
     for (std::size_t i = 0; i < 8; ++i) {
-        for (const std::size_t bit : {1, 2, 4}) {
+        for (std::size_t bit = 1; bit < 8; bit *= 2) {
             if (!(i & bit))
                 lines.push_back({boxCorner(i, kBodyLowest, kBodyHighest), boxCorner(i | bit, kBodyLowest, kBodyHighest), color});
         }
