@@ -6,29 +6,29 @@
 #include "gui/panels/parameters/view_tab.h"
 #include "gui/panels/parameters/viewport_tab.h"
 
+#include <QProxyStyle>
 #include <QTabBar>
 
 namespace unprojector {
 namespace {
 
 /// Tabs as narrow as their words, so that all five fit beside each other in a narrow dock.
-class NarrowTabBar : public QTabBar {
-protected:
-    QSize tabSizeHint(int index) const override
+class NarrowTabStyle : public QProxyStyle {
+public:
+    int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override
     {
-        return {fontMetrics().horizontalAdvance(tabText(index)) + kPadding, QTabBar::tabSizeHint(index).height()};
+        constexpr int kPadding = 8;
+        return metric == PM_TabBarTabHSpace ? kPadding : QProxyStyle::pixelMetric(metric, option, widget);
     }
-    QSize minimumTabSizeHint(int index) const override { return tabSizeHint(index); }
-
-private:
-    static constexpr int kPadding = 9;
 };
 
 } // namespace
 
 ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QTabWidget(parent)
 {
-    setTabBar(new NarrowTabBar);
+    auto *narrow = new NarrowTabStyle;
+    narrow->setParent(tabBar());
+    tabBar()->setStyle(narrow);
     tabBar()->setElideMode(Qt::ElideNone);
     tabBar()->setAccessibleName(tr("Parameters"));
     setDocumentMode(true);

@@ -1,6 +1,7 @@
 #include "gui/panels/parameters/clip_tab.h"
 
 #include "gui/number_text.h"
+#include "gui/panels/parameters/elided_label.h"
 #include "gui/scene_document.h"
 
 #include <QCheckBox>
@@ -17,7 +18,7 @@
 namespace unprojector {
 namespace {
 
-constexpr int kEquationDigits = 4;
+constexpr int kEquationDigits = 3;
 constexpr const char *kLetters = "ABCD";
 
 } // namespace
@@ -86,7 +87,7 @@ ClipTab::ClipTab(SceneDocument &document, QWidget *parent) : ParameterTab(docume
     content()->addWidget(m_letters);
 
     m_list = new QVBoxLayout;
-    m_list->setSpacing(6);
+    m_list->setSpacing(8);
     content()->addLayout(m_list);
 
     m_add = new QPushButton(tr("Add plane"));
@@ -108,10 +109,8 @@ void ClipTab::addPlane()
     const double middle = bounds.isEmpty() ? 0.0 : significantText(bounds.center().x, 3).toDouble();
     lines.push_back({{1.0, 0.0, 0.0, middle == 0.0 ? 0.0 : -middle}, true});
     setClipPlaneLines(next, lines);
-    if (change(std::move(next), tr("Add clip plane")) && !m_rows.empty()) {
-        m_rows.back().first->setFocus(Qt::TabFocusReason);
-        m_rows.back().first->selectAll();
-    }
+    if (change(std::move(next), tr("Add clip plane")) && !m_rows.empty())
+        bringUp(m_rows.back().first);
 }
 
 void ClipTab::removePlane(std::size_t line)
@@ -144,11 +143,7 @@ void ClipTab::showScene()
     }
     for (std::size_t i = 0; i < lines.size(); ++i) {
         m_rows[i].isOn->setChecked(lines[i].isOn);
-        const QString text = keptSideText(lines[i].plane);
-        if (text != m_rows[i].equation->text()) {
-            m_rows[i].equation->setText(text);
-            m_rows[i].equation->setToolTip(text);
-        }
+        m_rows[i].equation->setFullText(keptSideText(lines[i].plane));
     }
     m_letters->setVisible(!lines.empty());
     m_add->setEnabled(lines.size() < kMostClipPlanes);
@@ -164,10 +159,8 @@ ClipTab::Row ClipTab::makeRow(std::size_t line)
     row.isOn->setObjectName(QStringLiteral("isOn"));
     row.isOn->setAccessibleName(tr("Plane %1 cuts").arg(number));
     row.isOn->setToolTip(tr("Whether this plane cuts the objects (glEnable, glDisable)"));
-    row.equation = new QLabel;
+    row.equation = new ElidedLabel;
     row.equation->setAccessibleName(tr("Side of plane %1 that is kept").arg(number));
-    row.equation->setMinimumWidth(20); // a long equation is cut; its tooltip is not
-    row.equation->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row.remove = new QToolButton;
     row.remove->setObjectName(QStringLiteral("remove"));
     row.remove->setText(QStringLiteral("✕"));

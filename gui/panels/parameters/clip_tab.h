@@ -3,11 +3,12 @@
 #include "gui/panels/parameters/parameter_tab.h"
 
 class QCheckBox;
-class QLabel;
 class QPushButton;
 class QToolButton;
 
 namespace unprojector {
+
+class ElidedLabel;
 
 /// One line of the tab: a plane of the scene that cuts or is switched off.
 struct ClipPlaneLine {
@@ -19,7 +20,7 @@ struct ClipPlaneLine {
 std::vector<ClipPlaneLine> clipPlaneLines(const Scene &scene);
 void setClipPlaneLines(Scene &scene, const std::vector<ClipPlaneLine> &lines);
 
-/// "x + 0.5 y − 2 ≥ 0": the side of a plane that is kept, its numbers with at most four digits.
+/// "x + 0.5 y − 2 ≥ 0": the side of a plane that is kept, its numbers with at most three digits.
 QString keptSideText(const glm::dvec4 &plane);
 
 /// The user clip planes A x + B y + C z + D = 0 (glClipPlane), world space, six at most.
@@ -35,7 +36,7 @@ private:
     struct Row {
         QWidget *widget;
         QCheckBox *isOn;
-        QLabel *equation;
+        ElidedLabel *equation;
         QToolButton *remove;
         NumberField *first;
     };

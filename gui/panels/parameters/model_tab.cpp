@@ -1,6 +1,7 @@
 #include "gui/panels/parameters/model_tab.h"
 
 #include "gui/number_text.h"
+#include "gui/panels/parameters/elided_label.h"
 #include "gui/scene_document.h"
 
 #include <QComboBox>
@@ -91,7 +92,7 @@ ModelTab::ModelTab(SceneDocument &document, QWidget *parent) : ParameterTab(docu
     content()->addWidget(m_hint);
 
     m_list = new QVBoxLayout;
-    m_list->setSpacing(6);
+    m_list->setSpacing(8);
     content()->addLayout(m_list);
     content()->addStretch();
 
@@ -115,10 +116,8 @@ void ModelTab::addStep(const TransformStep &step, const QString &text)
     if (m_shown >= next.objects.size())
         return;
     next.objects[m_shown].transform.push_back(step);
-    if (change(std::move(next), text) && !m_rows.empty()) {
-        m_rows.back().first->setFocus(Qt::TabFocusReason);
-        m_rows.back().first->selectAll();
-    }
+    if (change(std::move(next), text) && !m_rows.empty())
+        bringUp(m_rows.back().first);
 }
 
 void ModelTab::moveStep(std::size_t from, std::size_t to)
@@ -180,13 +179,8 @@ void ModelTab::showScene()
         m_rowsOf = m_shown;
         rebuildRows();
     }
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        const QString text = callText(steps()[i]);
-        if (text != m_rows[i].call->text()) {
-            m_rows[i].call->setText(text);
-            m_rows[i].call->setToolTip(text);
-        }
-    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        m_rows[i].call->setFullText(callText(steps()[i]));
 }
 
 void ModelTab::rebuildRows()
@@ -213,10 +207,8 @@ ModelTab::Row ModelTab::makeRow(std::size_t step)
     Row row{};
     row.widget = new QWidget;
     row.widget->setObjectName(QStringLiteral("step%1").arg(number));
-    row.call = new QLabel;
+    row.call = new ElidedLabel;
     row.call->setAccessibleName(tr("Call of step %1").arg(number));
-    row.call->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    row.call->setMinimumWidth(20); // a long call is cut; its tooltip is not
     row.up = smallButton(QStringLiteral("↑"), tr("Move step %1 up").arg(number), tr("Call this step earlier"));
     row.down = smallButton(QStringLiteral("↓"), tr("Move step %1 down").arg(number), tr("Call this step later"));
     row.remove = smallButton(QStringLiteral("✕"), tr("Remove step %1").arg(number), tr("Remove this step"));

@@ -11,6 +11,8 @@ class QToolButton;
 
 namespace unprojector {
 
+class ElidedLabel;
+
 /// The OpenGL call of a step: "glRotated(30, 0, 1, 0)", its numbers with at most five digits.
 QString callText(const TransformStep &step);
 
@@ -26,7 +28,7 @@ protected:
 private:
     struct Row {
         QWidget *widget;
-        QLabel *call;
+        ElidedLabel *call;
         QToolButton *up;
         QToolButton *down;
         QToolButton *remove;

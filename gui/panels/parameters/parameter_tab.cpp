@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPalette>
 #include <QScrollArea>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -113,6 +114,14 @@ void ParameterTab::restoreFields()
             field->widget->restore();
     }
     showReason();
+}
+
+void ParameterTab::bringUp(NumberField *field)
+{
+    field->setFocus(Qt::TabFocusReason);
+    field->selectAll();
+    // Its place is known only after the layout.
+    QTimer::singleShot(0, field, [this, field] { m_scroll->ensureWidgetVisible(field); });
 }
 
 void ParameterTab::ignoreWheelWithoutFocus(QWidget *widget)

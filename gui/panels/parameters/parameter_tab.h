@@ -59,6 +59,8 @@ protected:
 
     SceneDocument &document() const { return m_document; }
     QVBoxLayout *content() const { return m_content; }
+    /// Puts the cursor into a field that was just made, and scrolls there.
+    void bringUp(NumberField *field);
     /// Keeps the wheel from changing a combo box that it only scrolls past.
     void ignoreWheelWithoutFocus(QWidget *widget);
     static QLabel *heading(const QString &text);
