@@ -1,6 +1,11 @@
 #include "core/camera.h"
 
+#include "core/exact_rounding.h"
+
 #include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <utility>
 
 namespace unprojector {
 namespace {
@@ -21,6 +26,36 @@ double length(const glm::dvec3 &v)
     return std::hypot(v.x, v.y, v.z);
 }
 
+/// v times the power of two that brings its largest component into [1, 2): exact.
+glm::dvec3 scaledToOne(const glm::dvec3 &v)
+{
+    const int exponent = std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+    return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+}
+
+/// a x b, each component within 1.5 units in the last place.
+glm::dvec3 accurateCross(const glm::dvec3 &a, const glm::dvec3 &b)
+{
+    return {sumOfProducts(a.y, b.z, -a.z, b.y), sumOfProducts(a.z, b.x, -a.x, b.z), sumOfProducts(a.x, b.y, -a.y, b.x)};
+}
+
+/// v / |v|, of length 1 to within the rounding of its components: one Newton step on 1 - v.v, whose cancellation
+/// is carried out exactly. A component that is 0 stays 0.
+glm::dvec3 accurateUnit(glm::dvec3 v)
+{
+    v /= length(v);
+    glm::dvec3 squares = v * v;
+    double excess = 0.0;
+    for (int k = 0; k < 3; ++k)
+        excess += lostByProduct(v[k], v[k]);
+    if (squares.x < squares.y)
+        std::swap(squares.x, squares.y);
+    if (squares.x < squares.z)
+        std::swap(squares.x, squares.z);
+    excess += ((squares.x - 1.0) + squares.y) + squares.z; // the largest first: its difference to 1 stays exact
+    return v - v * (excess / 2.0);
+}
+
 } // namespace
 
 Result<EyeFrame> eyeFrame(const LookAt &view)
@@ -33,27 +68,26 @@ Result<EyeFrame> eyeFrame(const LookAt &view)
     const double distance = length(direction);
     if (distance == 0.0)
         return Error{ErrorCode::EyeEqualsCenter};
-    const double upLength = length(view.up);
-    if (upLength == 0.0)
+    if (length(view.up) == 0.0)
         return Error{ErrorCode::UpIsZero};
 
-    const glm::dvec3 forward = direction / distance;
-    const glm::dvec3 side = glm::cross(forward, view.up / upLength);
+    // An up close to the view direction leaves only the last digits of the cross product, and they point the side
+    // axis: so nothing is rounded before it, and what center - eye has dropped is put back.
+    const glm::dvec3 up = scaledToOne(view.up);
+    const glm::dvec3 scaledDirection = scaledToOne(direction);
+    glm::dvec3 dropped;
+    for (int k = 0; k < 3; ++k)
+        dropped[k] = lostBySum(view.center[k], -view.eye[k]) / distance;
+    const glm::dvec3 side =
+        (accurateCross(scaledDirection, up) / length(scaledDirection) + glm::cross(dropped, up)) / length(up);
     const double sine = length(side);
     constexpr double kParallelSine = 1e-10;
     if (!(sine > kParallelSine))
         return Error{ErrorCode::UpParallelToView};
 
-    glm::dvec3 s = side / sine;
-    // A nearly parallel up leaves few digits in the cross product; the axes must be orthogonal to the last place for
-    // worldFromEye to be the inverse. Otherwise they are, and an exact 0 in a level side axis stays one.
-    constexpr double kFewDigitsSine = 0.1;
-    if (sine < kFewDigitsSine) {
-        s -= forward * glm::dot(s, forward);
-        s /= length(s);
-    }
-    glm::dvec3 u = glm::cross(s, forward);
-    u /= length(u);
+    const glm::dvec3 forward = accurateUnit(direction);
+    const glm::dvec3 s = accurateUnit(side);
+    const glm::dvec3 u = accurateUnit(accurateCross(s, forward));
     return EyeFrame{view.eye, s, u, forward};
 }
 
@@ -71,8 +105,21 @@ glm::dmat4 eyeFromWorld(const EyeFrame &frame)
 
 WorldPoint worldFromEye(const EyeFrame &frame, const EyePoint &point)
 {
-    const glm::dvec3 fromEye = point.x * frame.side + point.y * frame.upward - point.z * frame.forward;
-    return WorldPoint(frame.eye.coordinates() + fromEye);
+    // Near the world's origin the eye and the way from it cancel, so what rounding drops is added at the end.
+    WorldPoint world;
+    for (int k = 0; k < 3; ++k) {
+        double sum = frame.eye[k], dropped = 0.0;
+        const auto add = [&](double coordinate, double axis) {
+            const double product = coordinate * axis;
+            dropped += lostByProduct(coordinate, axis) + lostBySum(sum, product);
+            sum += product;
+        };
+        add(point.x, frame.side[k]);
+        add(point.y, frame.upward[k]);
+        add(-point.z, frame.forward[k]);
+        world[k] = sum + dropped;
+    }
+    return world;
 }
 
 EyePoint eyeFromWorld(const EyeFrame &frame, const WorldPoint &point)

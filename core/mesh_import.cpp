@@ -1,7 +1,7 @@
 #include "core/mesh_import.h"
 
-#include "core/mesh_normals.h"
-#include "core/mesh_reader.h"
+#include "core/mesh_import/mesh_normals.h"
+#include "core/mesh_import/mesh_reader.h"
 
 #include <algorithm>
 #include <cmath>

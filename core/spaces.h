@@ -4,6 +4,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstddef>
+#include <type_traits>
+
 /// The coordinate spaces, stated once. Everything else in the project uses these names.
 ///
 ///   object  a mesh's own coordinates
@@ -52,9 +55,15 @@ struct WidgetSpace {
 template <class Space>
 struct Point : Space::Coordinates {
     using Coordinates = typename Space::Coordinates;
-    using Coordinates::Coordinates;
 
     Point() : Coordinates(0.0) {}
+    /// One number a coordinate. GLM's own constructors are not taken over: they would let any vector become a point.
+    template <class... Scalars>
+        requires(sizeof...(Scalars) == static_cast<std::size_t>(Coordinates::length())
+                 && (std::is_arithmetic_v<Scalars> && ...))
+    Point(Scalars... scalars) : Coordinates(static_cast<double>(scalars)...)
+    {
+    }
     explicit Point(const Coordinates &coordinates) : Coordinates(coordinates) {}
     template <class Other>
     Point(const Point<Other> &) = delete;

@@ -15,19 +15,26 @@ namespace unprojector {
 /// @param unitDepth in [0, 1]; 0 is the near plane
 double distanceFromDepthPerspective(double nearDistance, double farDistance, double unitDepth);
 
+/// The same from the shares of the way from either plane, which keeps the digits of 1 - d whatever the depth range.
+double distanceFromDepthPerspective(double nearDistance, double farDistance, const DepthShares &depth);
+
 /// z = n (1 - d) + f d: the inverse of glOrtho's third row, exact at both ends.
 double distanceFromDepthOrtho(double nearDistance, double farDistance, double unitDepth);
+double distanceFromDepthOrtho(double nearDistance, double farDistance, const DepthShares &depth);
 
-/// Eye-space point under a window position for a frustum, term by term: no matrix is inverted.
+/// Eye-space point under a window position for a frustum: no matrix is inverted.
 ///
 ///   x = (x_v - vx) (r - l) z / (width n) + l z / n        (9) with (7) x_v = px
 ///   y = (y_v - vy) (t - b) z / (height n) + b z / n       (10) with (8) y_v = rect.bottom - py
 ///   z = n f / (f (1 - d) + n d),  z_eye = -z
 ///
+/// Evaluated regrouped: the two terms of (9) and of (10) cancel near the view axis, (l (w - u) + r u) z / (w n) with
+/// u = x_v - vx does not. So the result is right to a few units in the last place wherever the click is.
 /// @param window  device pixels, origin bottom-left, inside the viewport or not; depth in the depth range
 /// @return the errors of check(frustum), check(viewport), unitDepth; NotFinite for a NaN or infinite position
 /// Source: Weng et al. 2008, section 3. The paper leaves the sign of z open: it holds for the distance in front of
 ///         the eye. It calls the result view-volume coordinates: they are eye coordinates.
+///         The errors of all of these include PointAtInfinity, when the numbers leave the range of doubles.
 Result<EyePoint> unprojectFrustum(const Frustum &frustum, const Viewport &viewport, const DepthRange &range,
                                   const WindowPoint &window);
 

@@ -136,4 +136,12 @@ Result<double> unitDepth(const DepthRange &range, double depth)
     return unit;
 }
 
+Result<DepthShares> depthShares(const DepthRange &range, double depth)
+{
+    const Result<double> fromNear = unitDepth(range, depth);
+    if (!fromNear)
+        return fromNear.error();
+    return DepthShares{*fromNear, (range.atFar - depth) / (range.atFar - range.atNear)};
+}
+
 } // namespace unprojector

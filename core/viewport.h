@@ -50,8 +50,8 @@ DevicePoint deviceFromWidget(const Surface &surface, const WidgetPoint &position
 WidgetPoint widgetFromDevice(const Surface &surface, const DevicePoint &position);
 
 /// The pixel that a widget position lies in: floor(widget * ratio). A product within 1e-6 of a whole number counts
-/// as that number: with ratio 1.5 the widget position of device column 413 comes as 413 / 1.5, whose product with
-/// 1.5 may round to just below 413.
+/// as that number: with ratio 1.75 the widget position of device column 61 comes as 61 / 1.75, whose product with
+/// 1.75 rounds to just below 61.
 /// @return OutsideFramebuffer; the errors of check(surface); NotFinite
 Result<DevicePixel> devicePixelFromWidget(const Surface &surface, const WidgetPoint &position);
 
@@ -80,5 +80,16 @@ glm::dmat4 windowFromNdc(const Viewport &viewport, const DepthRange &range);
 /// The depth mapped back to [0, 1], 0 on the near plane: (d - dn) / (df - dn).
 /// @return DepthOutsideRange (NaN included; both ends are inside), EmptyDepthRange
 Result<double> unitDepth(const DepthRange &range, double depth);
+
+/// Where a depth lies between the near and the far plane: its shares of the way from either, both in [0, 1]. They
+/// add up to 1, but 1 - fromNear has lost the digits of a point close to the far plane when the range is reversed
+/// or partial, and those digits are what a perspective's distance hangs on.
+struct DepthShares {
+    double fromNear; ///< (d - dn) / (df - dn), the unit depth
+    double fromFar;  ///< (df - d) / (df - dn)
+};
+
+/// @return the errors of unitDepth
+Result<DepthShares> depthShares(const DepthRange &range, double depth);
 
 } // namespace unprojector

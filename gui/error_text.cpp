@@ -91,9 +91,7 @@ QString errorText(const ImportError &error)
         return tr("%1 holds no triangles, so there is no surface to click on.").arg(file);
     case ImportErrorCode::NotFinite:
         return tr("%1: vertex %2 is not a finite number (NaN or infinity)%3.")
-            .arg(file)
-            .arg(error.index)
-            .arg(detail.isEmpty() ? QString() : QStringLiteral(": ") + detail);
+            .arg(file, QString::number(error.index), detail.isEmpty() ? QString() : QStringLiteral(": ") + detail);
     case ImportErrorCode::Cancelled: return tr("Opening %1 was cancelled.").arg(file);
     case ImportErrorCode::OutOfMemory: return tr("%1 is too large for the memory of this computer.").arg(file);
     }

@@ -143,7 +143,8 @@ QString differenceCauseText(const Pick &pick)
 QString certaintyText(const Pick &pick)
 {
     const Certainty &c = pick.certainty;
-    return tr("Certain to ± %1 along the view (depth buffer) and ± %2 × %3 across it (half a pixel).")
+    return tr("The buffers leave ± %1 along the view (half a depth step) and ± %2 × %3 across it "
+              "(half a pixel).")
         .arg(significantText(c.halfDepthStep, 2), significantText(c.footprintWidth / 2.0, 2),
              significantText(c.footprintHeight / 2.0, 2));
 }

@@ -9,6 +9,7 @@
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace unprojector {
@@ -249,10 +250,14 @@ WidgetPoint SceneView::widgetPosition(const QPointF &local) const
 {
     const double ratio = devicePixelRatio();
     const QPointF corner = mapTo(window(), QPointF(0.0, 0.0));
-    const auto corrected = [ratio](double position, double origin) {
-        return ((position + origin) * ratio - std::floor(origin * ratio + 0.5)) / ratio;
+    const Surface surface = currentSurface();
+    // Rounding can carry a position at the rim over it: what lies in the view counts as a pixel of the framebuffer.
+    const auto corrected = [ratio](double position, double origin, int pixels) {
+        const double device = (position + origin) * ratio - std::floor(origin * ratio + 0.5);
+        return std::clamp(device, 0.0, pixels - 0.5) / ratio;
     };
-    return WidgetPoint(corrected(local.x(), corner.x()), corrected(local.y(), corner.y()));
+    return WidgetPoint(corrected(local.x(), corner.x(), surface.widthPixels),
+                       corrected(local.y(), corner.y(), surface.heightPixels));
 }
 
 void SceneView::mousePressEvent(QMouseEvent *event)

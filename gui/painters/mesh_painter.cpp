@@ -4,6 +4,7 @@
 
 #include <QImage>
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -20,6 +21,7 @@ struct MeshPainter::GpuMesh {
 };
 
 struct MeshPainter::GpuModel {
+    glm::dvec3 center; ///< object space; the uploaded positions are relative to it
     std::shared_ptr<const Model> source; ///< keeps the key of the map alive
     std::vector<std::unique_ptr<GpuMesh>> meshes;
     std::vector<std::unique_ptr<QOpenGLTexture>> textures; ///< null where the image could not be decoded
@@ -43,6 +45,22 @@ std::unique_ptr<QOpenGLBuffer> filledBuffer(QOpenGLExtraFunctions &gl, QOpenGLBu
     buffer->bind();
     gl.glBufferData(type, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
     return buffer;
+}
+
+/// The GPU multiplies in float: a model far from its origin would lose its digits there, and the depths with them. About
+/// its own centre it keeps them; the way back is part of the matrix, which is made in double.
+glm::dvec3 centerOf(const Model &model)
+{
+    return model.bounds.isEmpty() ? glm::dvec3(0.0) : glm::dvec3(glm::vec3(model.bounds.center()));
+}
+
+std::vector<glm::vec3> relativeTo(const glm::dvec3 &center, const std::vector<glm::vec3> &positions)
+{
+    std::vector<glm::vec3> relative;
+    relative.reserve(positions.size());
+    for (const glm::vec3 &position : positions)
+        relative.emplace_back(position - glm::vec3(center));
+    return relative;
 }
 
 std::unique_ptr<QOpenGLTexture> decoded(const Texture &texture)
@@ -93,6 +111,7 @@ std::unique_ptr<MeshPainter::GpuModel> MeshPainter::uploaded(const std::shared_p
 {
     auto gpu = std::make_unique<GpuModel>();
     gpu->source = model;
+    gpu->center = centerOf(*model);
     for (const Texture &texture : model->textures)
         gpu->textures.push_back(decoded(texture));
     for (const Mesh &mesh : model->meshes) {
@@ -106,7 +125,7 @@ std::unique_ptr<MeshPainter::GpuModel> MeshPainter::uploaded(const std::shared_p
             glEnableVertexAttribArray(index);
             glVertexAttribPointer(index, size, type, normalized, 0, nullptr);
         };
-        attribute(kPosition, mesh.positions, 3, GL_FLOAT, GL_FALSE);
+        attribute(kPosition, relativeTo(gpu->center, mesh.positions), 3, GL_FLOAT, GL_FALSE);
         attribute(kNormal, mesh.normals, 3, GL_FLOAT, GL_FALSE);
         attribute(kColor, mesh.colors, 4, GL_UNSIGNED_BYTE, GL_TRUE);
         attribute(kTexcoord, mesh.texcoords, 2, GL_FLOAT, GL_FALSE);
@@ -137,11 +156,12 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
         const GpuModel &model = *m_models.at(object.model.get());
         // Products in double: only the final matrix is rounded to what the GPU takes.
         const glm::dmat4 placement = worldFromObject(object.transform);
-        const glm::mat4 clipFromObject(clipFromWorld * placement);
+        const glm::dmat4 worldFromUploaded = placement * glm::translate(glm::dmat4(1.0), model.center);
+        const glm::mat4 clipFromObject(clipFromWorld * worldFromUploaded);
         const glm::dmat3 eyeFromObject(eyeFromWorld * placement);
         const glm::mat3 normalMatrix(glm::transpose(glm::inverse(eyeFromObject)));
         glUniformMatrix4fv(location("clipFromObject"), 1, GL_FALSE, glm::value_ptr(clipFromObject));
-        glUniformMatrix4fv(location("worldFromObject"), 1, GL_FALSE, glm::value_ptr(glm::mat4(placement)));
+        glUniformMatrix4fv(location("worldFromObject"), 1, GL_FALSE, glm::value_ptr(glm::mat4(worldFromUploaded)));
         glUniformMatrix3fv(location("eyeNormalFromObject"), 1, GL_FALSE, glm::value_ptr(normalMatrix));
         for (const auto &mesh : model.meshes) {
             m_program->setUniformValue("baseColor", mesh->baseColor.r, mesh->baseColor.g, mesh->baseColor.b, mesh->baseColor.a);

@@ -172,6 +172,11 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
     return QAbstractTableModel::headerData(section, orientation, role);
 }
 
+QStringList ComparisonModel::pointNames()
+{
+    return {tr("World"), tr("Eye"), tr("Ray near"), tr("Ray far")};
+}
+
 QString ComparisonModel::text() const
 {
     QString text;

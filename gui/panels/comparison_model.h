@@ -29,6 +29,9 @@ public:
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
+    /// The points that rows are named by, also those that are not there now, for whoever reserves room for their names.
+    static QStringList pointNames();
+
     /// The whole table with all digits, tab-separated, for the clipboard.
     QString text() const;
 

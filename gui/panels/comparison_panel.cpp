@@ -162,13 +162,20 @@ void ComparisonPanel::fitTable()
         switch (column) {
         case ComparisonModel::Formula:
         case ComparisonModel::Matrix: return QStringLiteral("-0.00000000000000000");
-        case ComparisonModel::Ulps: return QStringLiteral("-12345");
+        case ComparisonModel::Ulps: return QStringLiteral("-888888");
         case ComparisonModel::MatrixInFloat: return QStringLiteral("-0.0000000");
-        default: return QStringLiteral("-1.2e-15");
+        default: return QStringLiteral("-8.8e-88");
         }
     };
     constexpr int kPadding = 8;
-    const int frame = m_table->verticalHeader()->sizeHint().width() + 2 * m_table->frameWidth();
+    // The names of a background's rows are longer than those of a surface's; room is for all of them.
+    QHeaderView *names = m_table->verticalHeader();
+    const QFontMetrics nameMetrics(names->font());
+    int longestName = 0;
+    for (const QString &name : ComparisonModel::pointNames())
+        longestName = std::max(longestName, nameMetrics.horizontalAdvance(name + QStringLiteral(" x")));
+    names->setFixedWidth(longestName + 2 * kPadding);
+    const int frame = names->minimumWidth() + 2 * m_table->frameWidth();
     int expected = frame, actual = frame;
     for (int column = 0; column < ComparisonModel::ColumnCount; ++column) {
         const int reserved = std::max(metrics.horizontalAdvance(widest(column)),

@@ -115,10 +115,6 @@ std::vector<WorldPoint> cornersOf(const Box &box)
 
 } // namespace
 
-Q_DECLARE_METATYPE(unprojector::ViewGeometry)
-Q_DECLARE_METATYPE(unprojector::LookAt)
-Q_DECLARE_METATYPE(glm::dvec3)
-
 class TestCameraMotion : public QObject
 {
     Q_OBJECT

@@ -63,8 +63,7 @@ WindowPoint windowFromEye(const Projection &projection, const Viewport &viewport
 
 } // namespace
 
-class TestFormulaNumbers : public QObject
-{
+class TestFormulaNumbers : public QObject {
     Q_OBJECT
 
 private slots:

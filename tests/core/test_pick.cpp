@@ -56,8 +56,6 @@ ViewGeometry offsetBox()
 
 } // namespace
 
-Q_DECLARE_METATYPE(unprojector::ViewGeometry)
-Q_DECLARE_METATYPE(glm::dvec3)
 
 class TestPick : public QObject
 {

@@ -23,10 +23,8 @@ inline unprojector::Projection coreProjection(const Projection &p)
         return unprojector::Frustum{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
     case RandomKind::Perspective:
         return unprojector::Perspective{p.verticalFovRadians, p.aspect, p.nearDistance, p.farDistance};
-    case RandomKind::Oblique:
-        return unprojector::Oblique{box, p.thetaRadians, p.phiRadians};
-    case RandomKind::Ortho:
-        break;
+    case RandomKind::Oblique: return unprojector::Oblique{box, p.thetaRadians, p.phiRadians};
+    case RandomKind::Ortho: break;
     }
     return box;
 }

@@ -130,10 +130,8 @@ Matrix4 lookAtMatrix(const View &view)
 Matrix4 projectionMatrix(const Projection &p)
 {
     switch (p.kind) {
-    case RandomKind::Frustum:
-        return frustumMatrix(p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance);
-    case RandomKind::Ortho:
-        return orthoMatrix(p);
+    case RandomKind::Frustum: return frustumMatrix(p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance);
+    case RandomKind::Ortho: return orthoMatrix(p);
     case RandomKind::Perspective: {
         // The page of gluPerspective gives its matrix with cot(fovy / 2), not through a frustum.
         const Extended zero = 0, zNear = p.nearDistance, zFar = p.farDistance;

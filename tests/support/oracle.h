@@ -52,8 +52,7 @@ Matrix4 projectionMatrix(const Projection &projection);
 Matrix4 targetMatrix(const Target &target);
 Matrix4 product(const Matrix4 &a, const Matrix4 &b);
 
-class Oracle
-{
+class Oracle {
 public:
     Oracle(const View &view, const Projection &projection, const Target &target);
 

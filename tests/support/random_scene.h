@@ -9,8 +9,7 @@
 /// are not, so these are ours and use no function of libm.
 namespace oracle {
 
-class Random
-{
+class Random {
 public:
     explicit Random(std::uint64_t seed) : m_engine(seed) {}
 

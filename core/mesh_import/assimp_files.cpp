@@ -1,4 +1,4 @@
-#include "core/assimp_files.h"
+#include "core/mesh_import/assimp_files.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "core/polygon_triangulation.h"
+#include "core/mesh_import/polygon_triangulation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

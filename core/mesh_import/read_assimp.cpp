@@ -1,6 +1,6 @@
-#include "core/assimp_files.h"
-#include "core/mesh_normals.h"
-#include "core/mesh_reader.h"
+#include "core/mesh_import/assimp_files.h"
+#include "core/mesh_import/mesh_normals.h"
+#include "core/mesh_import/mesh_reader.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/material.h>

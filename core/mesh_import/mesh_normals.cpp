@@ -1,4 +1,4 @@
-#include "core/mesh_normals.h"
+#include "core/mesh_import/mesh_normals.h"
 
 #include <glm/geometric.hpp>
 

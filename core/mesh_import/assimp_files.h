@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh_reader.h"
+#include "core/mesh_import/mesh_reader.h"
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>

@@ -1,6 +1,6 @@
-#include "core/mesh_normals.h"
-#include "core/mesh_reader.h"
-#include "core/text_scanner.h"
+#include "core/mesh_import/mesh_normals.h"
+#include "core/mesh_import/mesh_reader.h"
+#include "core/mesh_import/text_scanner.h"
 
 #include <algorithm>
 #include <bit>

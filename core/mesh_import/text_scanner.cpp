@@ -1,4 +1,4 @@
-#include "core/text_scanner.h"
+#include "core/mesh_import/text_scanner.h"
 
 #include <charconv>
 #include <cmath>

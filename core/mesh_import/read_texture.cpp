@@ -1,4 +1,4 @@
-#include "core/mesh_reader.h"
+#include "core/mesh_import/mesh_reader.h"
 
 #include <algorithm>
 #include <system_error>

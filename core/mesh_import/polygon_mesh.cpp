@@ -1,8 +1,8 @@
-#include "core/polygon_mesh.h"
+#include "core/mesh_import/polygon_mesh.h"
 
-#include "core/mesh_normals.h"
-#include "core/mesh_reader.h"
-#include "core/polygon_triangulation.h"
+#include "core/mesh_import/mesh_normals.h"
+#include "core/mesh_import/mesh_reader.h"
+#include "core/mesh_import/polygon_triangulation.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
-#include "core/ply_header.h"
+#include "core/mesh_import/ply_header.h"
 
-#include "core/mesh_reader.h"
-#include "core/text_scanner.h"
+#include "core/mesh_import/mesh_reader.h"
+#include "core/mesh_import/text_scanner.h"
 
 #include <algorithm>
 #include <optional>

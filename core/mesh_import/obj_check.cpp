@@ -1,5 +1,5 @@
-#include "core/mesh_reader.h"
-#include "core/text_scanner.h"
+#include "core/mesh_import/mesh_reader.h"
+#include "core/mesh_import/text_scanner.h"
 
 #include <cmath>
 #include <optional>

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "gui/main_window.h"
+#include "gui/scene_document.h"
+#include "gui/scene_view.h"
+
+#include <QColor>
+#include <QImage>
+#include <QMouseEvent>
+#include <QTest>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+/// What the tests of the window share: a cube to click, a window that is on the screen, mouse events, and a way from a
+/// pixel to a plane that shares no line with core.
+namespace guitest {
+
+using namespace unprojector;
+
+/// Settings go to a folder of the test's own, never to the user's.
+void redirectSettings();
+
+// ---- scenes ------------------------------------------------------------------------------------------------------
+
+struct Face {
+    const char *name;
+    glm::dvec3 normal; ///< outwards
+    glm::dvec3 across; ///< along one edge
+    glm::u8vec3 color;
+};
+/// The faces of the cube, +x, -x, +y, -y, +z, -z: red, cyan, green, magenta, blue, yellow.
+const std::array<Face, 6> &cubeFaces();
+/// Away from the origin, so that the axes, which start there, cross none of its faces.
+inline const glm::dvec3 kCubeCenter{3.25, 1.5, -2.75};
+/// A cube of edge 2 about that centre, a colour a face.
+std::vector<SceneObject> cubeScene();
+/// The face whose colour a picture's pixel has under whatever light, or -1: two channels of a face are equal, or one is
+/// all there is, and light scales them alike.
+int faceOfColor(const QColor &color);
+
+/// A plane of 2 x 2 half-edges about a point, both sides visible.
+std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &halfEdge, const glm::dvec3 &otherHalfEdge);
+
+// ---- windows -----------------------------------------------------------------------------------------------------
+
+/// On the screen, its view ready, without the dock unless asked for. Remembers nothing.
+std::unique_ptr<MainWindow> shownWindow(int samples, const QSize &size, bool withDock = false);
+/// Resizes and waits until the view has its new size.
+bool resized(MainWindow &window, const QSize &size);
+
+// ---- positions ---------------------------------------------------------------------------------------------------
+
+/// The pixel of the view under a position in it, worked out by hand: the pointer's device pixel in the window less the
+/// device pixel that the view's corner is composed at.
+DevicePixel pixelUnder(const SceneView &view, const QPointF &local);
+/// The window position of a pixel's centre, by hand.
+glm::dvec2 windowOf(const SceneView &view, const DevicePixel &pixel);
+/// The position in the view of a world point, in logical pixels, not rounded.
+QPointF localOf(const MainWindow &window, const glm::dvec3 &world);
+/// Where a world point stands in the picture, device pixels from the bottom-left corner.
+glm::dvec2 placeOf(const MainWindow &window, const glm::dvec3 &world);
+
+// ---- mouse -------------------------------------------------------------------------------------------------------
+
+/// A mouse event at a position between the logical pixels, which QTest cannot give.
+void sendMouse(SceneView &view, QEvent::Type type, const QPointF &local, Qt::MouseButton button, Qt::MouseButtons buttons,
+               Qt::KeyboardModifiers modifiers = {});
+void click(SceneView &view, const QPointF &local);
+/// Press, move in steps, release.
+void drag(SceneView &view, const QPointF &from, const QPointF &to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = {});
+void turnWheel(SceneView &view, const QPointF &local, int notches);
+
+// ---- rays by hand ------------------------------------------------------------------------------------------------
+
+struct Ray {
+    glm::dvec3 origin;
+    glm::dvec3 direction; ///< its component along the view is 1
+};
+/// The ray of a window position: from the arguments of glFrustum, glOrtho and gluLookAt, without a matrix or a depth.
+Ray rayThrough(const ViewGeometry &geometry, const glm::dvec2 &window);
+glm::dvec3 onPlane(const Ray &ray, const glm::dvec3 &point, const glm::dvec3 &normal);
+glm::dvec3 forwardOf(const LookAt &camera);
+/// Distance from the eye along the view.
+double distanceOf(const LookAt &camera, const glm::dvec3 &world);
+
+} // namespace guitest

@@ -1,0 +1,468 @@
+// Mouse and keys on the view: when a pick happens, what stays under the pointer, and what can never be picked.
+
+#include "tests/gui/gui_scene.h"
+
+#include "gui/panels/comparison_panel.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QSignalSpy>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+using namespace guitest;
+
+namespace {
+
+/// A pivot is read from the depth buffer and turned about in doubles: its place moves by roundings only.
+constexpr double kStillPixels = 1e-3;
+
+QString heading(MainWindow &window)
+{
+    for (const QLabel *label : window.comparison().findChildren<QLabel *>()) {
+        if (label->accessibleName() == QStringLiteral("What was clicked"))
+            return label->text();
+    }
+    return {};
+}
+
+bool isSameCamera(const LookAt &a, const LookAt &b)
+{
+    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates() && a.up == b.up;
+}
+
+/// The picked point by formula.
+glm::dvec3 picked(MainWindow &window)
+{
+    return window.document().pick()->point.world.formula->coordinates();
+}
+
+bool isAt(const MainWindow &window, const glm::dvec3 &world, const glm::dvec2 &place, double tolerance)
+{
+    const glm::dvec2 is = placeOf(window, world);
+    if (glm::length(is - place) <= tolerance)
+        return true;
+    qWarning("at (%g, %g), not (%g, %g)", is.x, is.y, place.x, place.y);
+    return false;
+}
+
+/// Where a position's pixel has its centre, in window coordinates.
+glm::dvec2 centerUnder(const SceneView &view, const QPointF &local)
+{
+    return windowOf(view, pixelUnder(view, local));
+}
+
+/// The cube, seen from the right, above and in front, in a window of 500 x 400.
+std::unique_ptr<MainWindow> cubeWindow(bool isOrtho)
+{
+    auto window = shownWindow(0, {500, 400});
+    window->document().setObjects(cubeScene());
+    window->document().setCamera({WorldPoint(kCubeCenter + glm::dvec3(4.0, 3.0, 5.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    if (isOrtho)
+        window->document().switchProjection();
+    return window;
+}
+
+void addProjections()
+{
+    QTest::addColumn<bool>("isOrtho");
+    QTest::newRow("perspective") << false;
+    QTest::newRow("orthographic") << true;
+}
+
+} // namespace
+
+class TestNavigation : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void theLeftButtonPicksBeforeItIsReleased();
+    void aTrembleIsNoDrag();
+    void aDragTurnsAboutThePickedPoint_data() { addProjections(); }
+    void aDragTurnsAboutThePickedPoint();
+    void panningKeepsThePointUnderThePointer_data();
+    void panningKeepsThePointUnderThePointer();
+    void theWheelKeepsThePointUnderThePointer_data() { addProjections(); }
+    void theWheelKeepsThePointUnderThePointer();
+    void aDoubleClickBringsThePointToTheMiddle_data() { addProjections(); }
+    void aDoubleClickBringsThePointToTheMiddle();
+    void theBackgroundHasNoSurface_data() { addProjections(); }
+    void theBackgroundHasNoSurface();
+    void draggingOnTheBackgroundMovesTheCameraAllTheSame();
+    void whatIsOnlyDrawnIsNeverPicked_data();
+    void whatIsOnlyDrawnIsNeverPicked();
+    void clickingTheMarkerGivesTheSamePoint();
+    void keysLookFromTheSides_data();
+    void keysLookFromTheSides();
+    void keysFitGoHomeAndSwitchTheProjection();
+    void smoothEdgesCanBeSwitchedWhileAPickIsShown();
+    void thePointerIsReadOutWithoutPicking();
+};
+
+void TestNavigation::theLeftButtonPicksBeforeItIsReleased()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const QPoint position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2)).toPoint();
+    QSignalSpy picks(&window->document(), &SceneDocument::pickChanged);
+    QTest::mousePress(&view, Qt::LeftButton, {}, position);
+    QCOMPARE(picks.count(), 1);
+    QVERIFY(window->document().pick() && window->document().pick()->hit);
+    QCOMPARE(heading(*window), QStringLiteral("A point on the surface"));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, position);
+    QCOMPARE(picks.count(), 1);
+    // Other buttons pick nothing.
+    for (const Qt::MouseButton button : {Qt::RightButton, Qt::MiddleButton})
+        QTest::mouseClick(&view, button, {}, position);
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::ShiftModifier, position);
+    QCOMPARE(picks.count(), 1);
+}
+
+void TestNavigation::aTrembleIsNoDrag()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2));
+    const LookAt before = window->document().geometry().camera;
+    for (const auto &[button, modifiers] : {std::pair(Qt::LeftButton, Qt::NoModifier), std::pair(Qt::LeftButton, Qt::ShiftModifier), std::pair(Qt::MiddleButton, Qt::NoModifier)}) {
+        sendMouse(view, QEvent::MouseButtonPress, position, button, button, modifiers);
+        for (const QPointF &step : {QPointF(1.0, 0.0), QPointF(1.0, -1.0), QPointF(-1.0, 0.0), QPointF(0.0, 0.0)})
+            sendMouse(view, QEvent::MouseMove, position + step, Qt::NoButton, button, modifiers);
+        sendMouse(view, QEvent::MouseButtonRelease, position, button, Qt::NoButton, modifiers);
+        QVERIFY(isSameCamera(window->document().geometry().camera, before));
+    }
+    // A drag it is from a few pixels on.
+    drag(view, position, position + QPointF(12.0, 0.0), Qt::LeftButton);
+    QVERIFY(!isSameCamera(window->document().geometry().camera, before));
+}
+
+void TestNavigation::aDragTurnsAboutThePickedPoint()
+{
+    QFETCH(bool, isOrtho);
+    const auto window = cubeWindow(isOrtho);
+    SceneView &view = window->view();
+    const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
+    const LookAt before = window->document().geometry().camera;
+    drag(view, from, from + QPointF(70.0, -25.0), Qt::LeftButton);
+    QVERIFY(isAt(*window, picked(*window), centerUnder(view, from), kStillPixels));
+    const LookAt &after = window->document().geometry().camera;
+    // 70 of the height's logical pixels of half a turn about world up: the scene turns right, the camera left.
+    const glm::dvec3 f = forwardOf(before), g = forwardOf(after);
+    const double yaw = std::atan2(f.z * g.x - f.x * g.z, f.x * g.x + f.z * g.z);
+    QVERIFY(std::abs(yaw + 3.14159265358979 * 70.0 / view.height()) < 1e-9);
+    QVERIFY(std::asin(g.y) > std::asin(f.y)); // upwards: the camera sinks and looks less down
+    QCOMPARE(glm::length(after.center.coordinates() - after.eye.coordinates()), glm::length(before.center.coordinates() - before.eye.coordinates()));
+    // The pick stays what was clicked.
+    QVERIFY(isSameCamera(window->document().pick()->geometry.camera, before));
+}
+
+void TestNavigation::panningKeepsThePointUnderThePointer_data()
+{
+    QTest::addColumn<bool>("isOrtho");
+    QTest::addColumn<int>("button");
+    QTest::addColumn<int>("modifiers");
+    for (const bool isOrtho : {false, true}) {
+        const char *projection = isOrtho ? "orthographic" : "perspective";
+        QTest::addRow("middle button, %s", projection) << isOrtho << int(Qt::MiddleButton) << int(Qt::NoModifier);
+        QTest::addRow("shift and left button, %s", projection) << isOrtho << int(Qt::LeftButton) << int(Qt::ShiftModifier);
+    }
+}
+
+void TestNavigation::panningKeepsThePointUnderThePointer()
+{
+    QFETCH(bool, isOrtho);
+    QFETCH(int, button);
+    QFETCH(int, modifiers);
+    const auto window = cubeWindow(isOrtho);
+    SceneView &view = window->view();
+    const double ratio = view.devicePixelRatio();
+    const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
+    click(view, from);
+    const glm::dvec3 point = picked(*window);
+    const glm::dvec3 forward = forwardOf(window->document().geometry().camera);
+    const QPointF way(-90.0, 40.0);
+    drag(view, from, from + way, static_cast<Qt::MouseButton>(button), static_cast<Qt::KeyboardModifiers>(modifiers));
+    // Window y points up.
+    QVERIFY(isAt(*window, point, centerUnder(view, from) + glm::dvec2(way.x(), -way.y()) * ratio, kStillPixels));
+    QVERIFY(glm::length(forwardOf(window->document().geometry().camera) - forward) < 1e-12);
+    QCOMPARE(picked(*window), point);
+}
+
+void TestNavigation::theWheelKeepsThePointUnderThePointer()
+{
+    QFETCH(bool, isOrtho);
+    const auto window = cubeWindow(isOrtho);
+    SceneView &view = window->view();
+    const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
+    click(view, position);
+    const glm::dvec3 point = picked(*window);
+    const auto size = [&] { return glm::length(placeOf(*window, point + glm::dvec3(0.0, 0.01, 0.0)) - placeOf(*window, point)); };
+    const double before = size();
+    for (const int notches : {1, 3, -2}) {
+        turnWheel(view, position, notches);
+        QVERIFY(isAt(*window, point, centerUnder(view, position), kStillPixels));
+    }
+    // Two notches closer in all, 1.2 each; the offset of 0.01 lies a little behind or before the point.
+    QVERIFY(std::abs(size() / before - 1.44) < 0.01);
+    turnWheel(view, position, -6);
+    QVERIFY(isAt(*window, point, centerUnder(view, position), kStillPixels));
+    QVERIFY(size() < before);
+    // Over the background there is a place to zoom to as well.
+    const LookAt camera = window->document().geometry().camera;
+    const Projection projection = window->document().geometry().projection;
+    turnWheel(view, QPointF(4.0, 4.0), 1);
+    QVERIFY(!isSameCamera(window->document().geometry().camera, camera) || window->document().geometry().projection != projection);
+}
+
+void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
+{
+    QFETCH(bool, isOrtho);
+    const auto window = cubeWindow(isOrtho);
+    SceneView &view = window->view();
+    const QPoint position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5)).toPoint();
+    QTest::mouseDClick(&view, Qt::LeftButton, {}, position);
+    QVERIFY(window->document().pick() && window->document().pick()->hit);
+    const Viewport &viewport = window->document().geometry().viewport;
+    QVERIFY(isAt(*window, picked(*window), {viewport.width / 2.0, viewport.height / 2.0}, kStillPixels));
+    // On the background it leaves the camera alone.
+    const LookAt camera = window->document().geometry().camera;
+    QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(view.width() - 5, 5));
+    QVERIFY(isSameCamera(window->document().geometry().camera, camera));
+}
+
+void TestNavigation::theBackgroundHasNoSurface()
+{
+    QFETCH(bool, isOrtho);
+    const auto window = cubeWindow(isOrtho);
+    SceneView &view = window->view();
+    const QImage empty = view.grabFramebuffer();
+    const QPoint position(view.width() - 6, 7);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, position);
+    QVERIFY(window->document().pick());
+    const Pick &pick = *window->document().pick();
+    QVERIFY(!pick.hit);
+    QCOMPARE(pick.window.z, 1.0);
+    QCOMPARE(heading(*window), QStringLiteral("Background: no surface here"));
+    QVERIFY(window->message().isEmpty());
+    // No marker: the picture is what it was.
+    QCOMPARE(view.grabFramebuffer(), empty);
+    // The ray is that of the pixel, by hand.
+    const Ray ray = rayThrough(pick.geometry, centerUnder(view, position));
+    for (const Result<WorldPoint> &end : {pick.rayNear.world.formula, pick.rayFar.world.formula})
+        QVERIFY(glm::length(glm::cross(end->coordinates() - ray.origin, ray.direction)) < 1e-9);
+    const ProjectionWindow w = projectionWindow(pick.geometry.projection);
+    QVERIFY(std::abs(distanceOf(pick.geometry.camera, pick.rayNear.world.formula->coordinates()) - w.nearDistance) < 1e-9);
+    QVERIFY(std::abs(distanceOf(pick.geometry.camera, pick.rayFar.world.formula->coordinates()) - w.farDistance) < 1e-9);
+    // A surface pick does leave a marker.
+    click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.0, 0.0)));
+    QVERIFY(view.grabFramebuffer() != empty);
+}
+
+void TestNavigation::draggingOnTheBackgroundMovesTheCameraAllTheSame()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const glm::dvec3 center = window->document().geometry().camera.center.coordinates();
+    const QPointF from(view.width() - 30.0, 30.0);
+    drag(view, from, from + QPointF(-40.0, 10.0), Qt::LeftButton);
+    QVERIFY(!window->document().pick()->hit);
+    const LookAt turned = window->document().geometry().camera;
+    QVERIFY(turned.center.coordinates() != center);
+    drag(view, from, from + QPointF(-40.0, 10.0), Qt::MiddleButton);
+    QVERIFY(turned.eye.coordinates() != window->document().geometry().camera.eye.coordinates());
+}
+
+void TestNavigation::whatIsOnlyDrawnIsNeverPicked_data()
+{
+    QTest::addColumn<bool>("isOrtho");
+    QTest::addColumn<int>("samples");
+    QTest::newRow("perspective") << false << 0;
+    QTest::newRow("orthographic") << true << 0;
+    QTest::newRow("perspective, multisampled") << false << 4;
+}
+
+void TestNavigation::whatIsOnlyDrawnIsNeverPicked()
+{
+    QFETCH(bool, isOrtho);
+    QFETCH(int, samples);
+    const auto window = shownWindow(samples, {560, 460});
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    // Cubes before and behind the origin: the clip distances are fitted to the objects and cut off what is only drawn.
+    std::vector<SceneObject> cubes = cubeScene();
+    cubes.push_back(cubes.front());
+    cubes.back().worldFromObject = glm::translate(glm::dmat4(1.0), {-3.0, 1.0, 2.5});
+    document.setObjects(std::move(cubes));
+    document.setCamera({WorldPoint(0.5, 5.0, 9.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    if (isOrtho)
+        document.switchProjection();
+    const QImage picture = view.grabFramebuffer();
+    const auto colorAt = [&](const QPointF &local) {
+        const DevicePixel pixel = pixelUnder(view, local);
+        return picture.pixelColor(pixel.i, pixel.j);
+    };
+    const auto isBackground = [&](const QPointF &local) {
+        click(view, local);
+        return document.pick() && !document.pick()->hit && document.pick()->window.z == 1.0;
+    };
+
+    // On the axes: x red, y green, z blue. The line is there, and nothing is picked.
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 point(0.0);
+        point[axis] = 0.8;
+        const QPointF local = localOf(*window, point);
+        QVERIFY(view.rect().contains(local.toPoint()));
+        const QColor color = colorAt(local);
+        const std::array<int, 3> channels{color.red(), color.green(), color.blue()};
+        QCOMPARE(int(std::max_element(channels.begin(), channels.end()) - channels.begin()), axis);
+        QVERIFY(color.saturation() > 60);
+        QVERIFY(isBackground(local));
+    }
+    // On a crossing of ground lines, away from axes and cube: darker than beside it.
+    const double spacing = document.groundSpacing();
+    const glm::dvec3 crossing(std::round(1.5 / spacing) * spacing, document.ground().lowest.y, std::round(1.5 / spacing) * spacing);
+    const QPointF onLine = localOf(*window, crossing), beside = localOf(*window, crossing + glm::dvec3(0.5, 0.0, 0.5) * spacing);
+    QVERIFY(view.rect().contains(onLine.toPoint()) && view.rect().contains(beside.toPoint()));
+    QVERIFY(colorAt(onLine).lightness() < colorAt(beside).lightness() - 4);
+    QVERIFY(isBackground(onLine));
+    // On the corner's triad.
+    QVERIFY(isBackground(QPointF(42.0, view.height() - 42.0)));
+}
+
+void TestNavigation::clickingTheMarkerGivesTheSamePoint()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, -0.3));
+    click(view, position);
+    const glm::dvec3 first = picked(*window);
+    const double depth = window->document().pick()->window.z;
+    QTest::qWait(30); // the marker is on the screen
+    click(view, position);
+    QCOMPARE(window->document().pick()->window.z, depth);
+    QCOMPARE(picked(*window), first);
+}
+
+void TestNavigation::keysLookFromTheSides_data()
+{
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("modifiers");
+    QTest::addColumn<glm::dvec3>("forward");
+    QTest::addColumn<QString>("face");
+    const auto row = [](const char *name, Qt::Key key, Qt::KeyboardModifiers modifiers, const glm::dvec3 &forward, const char *face) {
+        QTest::newRow(name) << int(key) << int(modifiers) << forward << QString::fromLatin1(face);
+    };
+    row("1: front", Qt::Key_1, Qt::NoModifier, {0.0, 0.0, -1.0}, "+z, blue");
+    row("ctrl 1: back", Qt::Key_1, Qt::ControlModifier, {0.0, 0.0, 1.0}, "-z, yellow");
+    row("3: right", Qt::Key_3, Qt::NoModifier, {-1.0, 0.0, 0.0}, "+x, red");
+    row("ctrl 3: left", Qt::Key_3, Qt::ControlModifier, {1.0, 0.0, 0.0}, "-x, cyan");
+    row("7: top", Qt::Key_7, Qt::NoModifier, {0.0, -1.0, 0.0}, "+y, green");
+    row("ctrl 7: bottom", Qt::Key_7, Qt::ControlModifier, {0.0, 1.0, 0.0}, "-y, magenta");
+}
+
+void TestNavigation::keysLookFromTheSides()
+{
+    QFETCH(int, key);
+    QFETCH(int, modifiers);
+    QFETCH(glm::dvec3, forward);
+    QFETCH(QString, face);
+    const auto window = cubeWindow(false);
+    window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    const LookAt before = window->document().geometry().camera;
+    QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
+    const LookAt &after = window->document().geometry().camera;
+    QVERIFY(glm::length(forwardOf(after) - forward) < 1e-12);
+    QCOMPARE(after.center.coordinates(), before.center.coordinates());
+    const QImage picture = window->view().grabFramebuffer();
+    // A little beside the middle, where the bottom is crossed by the ground's lines.
+    const int shown = faceOfColor(picture.pixelColor(picture.width() / 2 + 9, picture.height() / 2 + 7));
+    QVERIFY(shown >= 0);
+    QCOMPARE(QString::fromLatin1(cubeFaces()[static_cast<std::size_t>(shown)].name), face);
+}
+
+void TestNavigation::keysFitGoHomeAndSwitchTheProjection()
+{
+    const auto window = shownWindow(0, {500, 400});
+    SceneDocument &document = window->document();
+    document.setObjects(cubeScene());
+    const ViewGeometry home = document.geometry();
+    window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    SceneView &view = window->view();
+
+    QTest::keyClick(&view, Qt::Key_5);
+    QVERIFY(!isPerspective(document.geometry().projection));
+    QTest::keyClick(&view, Qt::Key_5);
+    QVERIFY(isPerspective(document.geometry().projection));
+
+    QTest::keyClick(&view, Qt::Key_1);
+    turnWheel(view, QPointF(100.0, 80.0), 8);
+    QTest::keyClick(&view, Qt::Key_F);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 world = kCubeCenter + glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        QVERIFY(QRectF(view.rect()).contains(localOf(*window, world)));
+    }
+    QVERIFY(glm::length(forwardOf(document.geometry().camera) - glm::dvec3(0.0, 0.0, -1.0)) < 1e-12);
+
+    QTest::keyClick(&view, Qt::Key_Home);
+    QVERIFY(isSameCamera(document.geometry().camera, home.camera));
+    QVERIFY(document.geometry().projection == home.projection);
+}
+
+void TestNavigation::smoothEdgesCanBeSwitchedWhileAPickIsShown()
+{
+    const auto window = cubeWindow(false);
+    QAction *smooth = nullptr;
+    for (QAction *action : window->findChildren<QAction *>()) {
+        if (action->text() == QStringLiteral("&Smooth Edges"))
+            smooth = action;
+    }
+    QVERIFY(smooth && !smooth->isChecked());
+    const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, -0.3));
+    click(window->view(), position);
+    const glm::dvec3 before = picked(*window);
+    for (const bool on : {true, false}) {
+        const glm::dvec3 shown = picked(*window);
+        smooth->trigger();
+        QCOMPARE(smooth->isChecked(), on);
+        QVERIFY(QTest::qWaitFor([&] { return window->view().isReady(); }));
+        QTest::qWait(30);
+        QCOMPARE(picked(*window), shown); // nothing that was picked is lost
+        click(window->view(), localOf(*window, before));
+        QVERIFY(window->document().pick()->hit);
+        QVERIFY(glm::length(picked(*window) - before) < 0.01); // the same pixel; a sample beside its centre
+    }
+}
+
+void TestNavigation::thePointerIsReadOutWithoutPicking()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const auto readOut = [&] {
+        for (const QLabel *label : window->findChildren<QLabel *>()) {
+            if (label->accessibleName() == QStringLiteral("World coordinate under the pointer"))
+                return label->text();
+        }
+        return QString();
+    };
+    const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, -0.3));
+    const DevicePixel pixel = pixelUnder(view, position);
+    sendMouse(view, QEvent::MouseMove, position, Qt::NoButton, Qt::NoButton);
+    QVERIFY2(readOut().startsWith(QStringLiteral("world (4.25, ")) || readOut().startsWith(QStringLiteral("world (4.2, ")), qPrintable(readOut()));
+    QVERIFY2(readOut().endsWith(QStringLiteral("pixel (%1, %2)").arg(pixel.i).arg(pixel.j)), qPrintable(readOut()));
+    sendMouse(view, QEvent::MouseMove, QPointF(view.width() - 5.0, 5.0), Qt::NoButton, Qt::NoButton);
+    QVERIFY2(readOut().startsWith(QStringLiteral("background, pixel")), qPrintable(readOut()));
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&view, &leave);
+    QVERIFY(readOut().isEmpty());
+    QVERIFY(!window->document().pick());
+}
+
+QTEST_MAIN(TestNavigation)
+#include "test_navigation.moc"

@@ -1,0 +1,417 @@
+// Opening files: by name, by drop, several at once, broken ones, cancelled ones. Whatever goes wrong, what was shown and
+// picked stays.
+
+#include "tests/gui/gui_scene.h"
+
+#include "gui/overlay_bars.h"
+#include "gui/panels/comparison_panel.h"
+#include "gui/recent_files.h"
+
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <glm/geometric.hpp>
+
+using namespace guitest;
+
+namespace {
+
+constexpr int kLoadMilliseconds = 20000;
+/// What a person takes for at once, on a slow machine.
+constexpr int kAtOnceMilliseconds = 500;
+
+const QByteArray kTriangleObj = "v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n";
+
+QByteArray triangleStl(int triangles)
+{
+    QByteArray text = "solid many\n";
+    for (int i = 0; i < triangles; ++i) {
+        const QByteArray x = QByteArray::number(i % 1000), y = QByteArray::number(i / 1000);
+        text += "facet normal 0 0 1\nouter loop\nvertex " + x + ' ' + y + " 0\nvertex " + x + ".5 " + y + " 0\nvertex " + x + ' ' + y
+            + ".5 0\nendloop\nendfacet\n";
+    }
+    return text + "endsolid many\n";
+}
+
+std::filesystem::path pathOf(const QString &name)
+{
+    return std::filesystem::path(name.toStdU16String());
+}
+
+QStringList namesOf(const SceneDocument &document)
+{
+    QStringList names;
+    for (const SceneObject &object : document.objects())
+        names << object.name;
+    return names;
+}
+
+bool openAndWait(MainWindow &window, const QStringList &files)
+{
+    QSignalSpy ended(&window, &MainWindow::loadingEnded);
+    std::vector<std::filesystem::path> paths;
+    for (const QString &file : files)
+        paths.push_back(pathOf(file));
+    window.openFiles(std::move(paths));
+    return !ended.isEmpty() || ended.wait(kLoadMilliseconds);
+}
+
+/// What must stay when an opening fails.
+struct State {
+    explicit State(MainWindow &window) : objects(window.document().objects()), geometry(window.document().geometry()), pick(window.document().pick()),
+        title(window.windowTitle()) {}
+    std::vector<SceneObject> objects;
+    ViewGeometry geometry;
+    std::optional<Pick> pick;
+    QString title;
+
+    bool isThatOf(MainWindow &window) const
+    {
+        const State now(window);
+        const auto same = [](const LookAt &a, const LookAt &b) {
+            return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates() && a.up == b.up;
+        };
+        if (objects.size() != now.objects.size() || title != now.title || !(geometry.projection == now.geometry.projection)
+            || !same(geometry.camera, now.geometry.camera) || pick.has_value() != now.pick.has_value())
+            return false;
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            if (objects[i].model != now.objects[i].model)
+                return false;
+        }
+        return !pick || (pick->hit == now.pick->hit && pick->point.world.formula->coordinates() == now.pick->point.world.formula->coordinates());
+    }
+};
+
+} // namespace
+
+class TestOpenFiles : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void aNamedFileIsShown();
+    void aDroppedFileIsShown();
+    void severalFilesAreOneScene();
+    void theGoodOfSeveralFilesAreShownAndTheBrokenNamed();
+    void aBrokenFileChangesNothing_data();
+    void aBrokenFileChangesNothing();
+    void aMessageGoesWithTheNextFile();
+    void cancelEndsAtOnceAndChangesNothing();
+    void aSecondLoadingTakesTheFirstOnesPlace();
+    void theWindowClosesWhileLoading();
+    void recentFilesAreRemembered();
+    void aWindowThatRemembersNothingLeavesTheSettingsAlone();
+    void namesInOtherScriptsOpen();
+
+private:
+    QString write(const QString &name, const QByteArray &content);
+    /// Takes long enough to be cancelled: the same big file many times over.
+    QStringList bigFiles();
+
+    QTemporaryDir m_folder;
+    QString m_big;
+};
+
+void TestOpenFiles::initTestCase()
+{
+    redirectSettings();
+    QVERIFY(m_folder.isValid());
+}
+
+void TestOpenFiles::init()
+{
+    QSettings().clear();
+}
+
+QString TestOpenFiles::write(const QString &name, const QByteArray &content)
+{
+    const QString path = m_folder.filePath(name);
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+        qFatal("%s cannot be written", qPrintable(path));
+    return path;
+}
+
+QStringList TestOpenFiles::bigFiles()
+{
+    if (m_big.isEmpty())
+        m_big = write(QStringLiteral("big.stl"), triangleStl(300000));
+    return QStringList(50, m_big);
+}
+
+void TestOpenFiles::aNamedFileIsShown()
+{
+    const auto window = shownWindow(0, {500, 400});
+    QVERIFY(openAndWait(*window, {write(QStringLiteral("triangle.obj"), kTriangleObj)}));
+    QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("triangle.obj")});
+    QVERIFY(window->windowTitle().startsWith(QStringLiteral("triangle.obj")));
+    QVERIFY(window->message().isEmpty());
+    QVERIFY(!window->isLoading());
+    // It can be clicked: the triangle lies in z = 0.
+    click(window->view(), localOf(*window, {0.5, 0.5, 0.0}));
+    QVERIFY(window->document().pick() && window->document().pick()->hit);
+    QVERIFY(glm::length(window->document().pick()->point.world.formula->coordinates() - glm::dvec3(0.5, 0.5, 0.0)) < 0.02);
+}
+
+void TestOpenFiles::aDroppedFileIsShown()
+{
+    const auto window = shownWindow(0, {500, 400});
+    SceneView &view = window->view();
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(write(QStringLiteral("dropped file.obj"), kTriangleObj))});
+    QSignalSpy ended(window.get(), &MainWindow::loadingEnded);
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &drop);
+    QVERIFY(drop.isAccepted());
+    QVERIFY(ended.wait(kLoadMilliseconds));
+    QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("dropped file.obj")});
+
+    // Text is no file.
+    QMimeData text;
+    text.setText(QStringLiteral("words"));
+    QDragEnterEvent refused(QPoint(50, 50), Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+    refused.ignore();
+    QCoreApplication::sendEvent(&view, &refused);
+    QVERIFY(!refused.isAccepted());
+}
+
+void TestOpenFiles::severalFilesAreOneScene()
+{
+    const auto window = shownWindow(0, {500, 400});
+    QVERIFY(openAndWait(*window, {write(QStringLiteral("b.obj"), kTriangleObj), write(QStringLiteral("a.stl"), triangleStl(2))}));
+    QCOMPARE(namesOf(window->document()), (QStringList{QStringLiteral("b.obj"), QStringLiteral("a.stl")}));
+    QVERIFY(window->message().isEmpty());
+}
+
+void TestOpenFiles::theGoodOfSeveralFilesAreShownAndTheBrokenNamed()
+{
+    const auto window = shownWindow(0, {500, 400});
+    const QString good = write(QStringLiteral("good.obj"), kTriangleObj), other = write(QStringLiteral("other.stl"), triangleStl(2));
+    const QString broken = write(QStringLiteral("broken.obj"), "v 0 0 0\nf 1 2 9\n");
+    QVERIFY(openAndWait(*window, {good, broken, other}));
+    QCOMPARE(namesOf(window->document()), (QStringList{QStringLiteral("good.obj"), QStringLiteral("other.stl")}));
+    QVERIFY(window->message().contains(QStringLiteral("broken.obj")));
+    QVERIFY(!window->message().contains(QStringLiteral("good.obj")));
+    QVERIFY(!window->message().contains(QStringLiteral("other.stl")));
+}
+
+void TestOpenFiles::aBrokenFileChangesNothing_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("reason");
+
+    QByteArray truncated(80, ' ');
+    truncated += QByteArray::fromHex("0a000000") + QByteArray(120, '\0'); // ten triangles announced, two and a bit there
+    QTest::newRow("truncated binary STL") << "cut.stl" << truncated << "damaged";
+    QTest::newRow("truncated ASCII STL") << "cut_text.stl" << triangleStl(3).left(150) << "damaged";
+    QTest::newRow("OBJ face without such a vertex") << "index.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n") << "7";
+    QTest::newRow("empty file") << "empty.ply" << QByteArray() << "empty";
+    QTest::newRow("PLY without triangles") << "none.ply"
+        << QByteArray("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 0\n"
+                      "property list uchar int vertex_indices\nend_header\n0 0 0\n")
+        << "no triangles";
+    QTest::newRow("NaN vertex") << "nan.ply"
+        << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                      "property list uchar int vertex_indices\nend_header\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n")
+        << "vertex 1 is not a finite number";
+    QTest::newRow("unknown suffix") << "notes.txt" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
+    QTest::newRow("no suffix") << "model" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
+    QTest::newRow("words in an OFF") << "words.off" << QByteArray("not a model at all\n") << "damaged";
+    QTest::newRow("words in a GLB") << "words.glb" << QByteArray("not a model at all\n") << "damaged";
+    QTest::newRow("missing file") << "missing.obj" << QByteArray("(none)") << "does not exist";
+    QTest::newRow("folder") << "folder.obj" << QByteArray("(folder)") << "folder";
+}
+
+void TestOpenFiles::aBrokenFileChangesNothing()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    QFETCH(QString, reason);
+    QString path = m_folder.filePath(name);
+    if (content == "(folder)")
+        QVERIFY(QDir().mkpath(path));
+    else if (content != "(none)")
+        path = write(name, content);
+
+    const auto window = shownWindow(0, {500, 400});
+    window->document().setObjects(cubeScene());
+    click(window->view(), localOf(*window, kCubeCenter));
+    QVERIFY(window->document().pick() && window->document().pick()->hit);
+    turnWheel(window->view(), QPointF(100.0, 100.0), 1);
+    const State before(*window);
+    QSignalSpy failures(window.get(), &MainWindow::openFailed);
+    QVERIFY(openAndWait(*window, {path}));
+    QCOMPARE(failures.count(), 1);
+    QVERIFY2(window->message().contains(name), qPrintable(window->message()));
+    QVERIFY2(window->message().contains(reason), qPrintable(window->message()));
+    QVERIFY2(!window->message().contains(QStringLiteral("%1")) && !window->message().contains(QStringLiteral("%2")), qPrintable(window->message()));
+    QVERIFY(before.isThatOf(*window));
+    QVERIFY(!window->isLoading());
+}
+
+void TestOpenFiles::aMessageGoesWithTheNextFile()
+{
+    const auto window = shownWindow(0, {500, 400});
+    QVERIFY(openAndWait(*window, {m_folder.filePath(QStringLiteral("nowhere.obj"))}));
+    QVERIFY(!window->message().isEmpty());
+    QVERIFY(openAndWait(*window, {write(QStringLiteral("triangle.obj"), kTriangleObj)}));
+    QVERIFY(window->message().isEmpty());
+}
+
+void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
+{
+    const auto window = shownWindow(0, {500, 400});
+    window->document().setObjects(cubeScene());
+    click(window->view(), localOf(*window, kCubeCenter));
+    const State before(*window);
+    QSignalSpy ended(window.get(), &MainWindow::loadingEnded);
+    std::vector<std::filesystem::path> files;
+    for (const QString &file : bigFiles())
+        files.push_back(pathOf(file));
+    window->openFiles(files);
+    auto *bar = window->findChild<LoadingBar *>();
+    QVERIFY(bar);
+    QVERIFY(QTest::qWaitFor([&] { return bar->isVisible(); }));
+    QVERIFY(window->isLoading());
+    auto *cancel = bar->findChild<QPushButton *>();
+    QElapsedTimer timer;
+    timer.start();
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(timer.elapsed() < kAtOnceMilliseconds);
+    QVERIFY(!window->isLoading());
+    QVERIFY(bar->isHidden());
+    QVERIFY(before.isThatOf(*window));
+    QTest::qWait(300); // nothing comes after it
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(bar->isHidden());
+    QVERIFY(window->message().isEmpty());
+    QVERIFY(before.isThatOf(*window));
+}
+
+void TestOpenFiles::aSecondLoadingTakesTheFirstOnesPlace()
+{
+    const auto window = shownWindow(0, {500, 400});
+    const QString small = write(QStringLiteral("small.obj"), kTriangleObj);
+    std::vector<std::filesystem::path> files;
+    for (const QString &file : bigFiles())
+        files.push_back(pathOf(file));
+    window->openFiles(files);
+    QTest::qWait(200);
+    QVERIFY(window->isLoading());
+    window->openFiles({pathOf(small)});
+    QVERIFY(QTest::qWaitFor([&] { return !window->isLoading(); }, kLoadMilliseconds));
+    QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("small.obj")});
+    QTest::qWait(300);
+    QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("small.obj")});
+    QVERIFY(window->message().isEmpty());
+    QVERIFY(window->findChild<LoadingBar *>()->isHidden());
+}
+
+void TestOpenFiles::theWindowClosesWhileLoading()
+{
+    QElapsedTimer timer;
+    for (const int milliseconds : {0, 60, 250}) {
+        auto window = shownWindow(0, {500, 400});
+        std::vector<std::filesystem::path> files;
+        for (const QString &file : bigFiles())
+            files.push_back(pathOf(file));
+        window->openFiles(files);
+        QTest::qWait(milliseconds);
+        QVERIFY(window->isLoading());
+        timer.start();
+        QVERIFY(window->close());
+        window.reset();
+        // The thread is waited for, which ends at its next report.
+        QVERIFY2(timer.elapsed() < 2000, qPrintable(QString::number(timer.elapsed())));
+        QCoreApplication::processEvents();
+    }
+}
+
+void TestOpenFiles::recentFilesAreRemembered()
+{
+    MainWindow::Options options;
+    options.samples = 0;
+    const QString first = write(QStringLiteral("first.obj"), kTriangleObj), second = write(QStringLiteral("second & third.obj"), kTriangleObj);
+    const QString broken = write(QStringLiteral("broken.obj"), "f 1 2 3\n");
+    const auto recentMenu = [](MainWindow &window) {
+        for (QMenu *menu : window.findChildren<QMenu *>()) {
+            if (menu->title() == QStringLiteral("Open &Recent"))
+                return menu;
+        }
+        return static_cast<QMenu *>(nullptr);
+    };
+    const auto native = [](const QStringList &files) {
+        QStringList clean;
+        for (const QString &file : files)
+            clean << QDir::fromNativeSeparators(file);
+        return clean;
+    };
+    {
+        MainWindow window(options);
+        QVERIFY(recentMenu(window));
+        QVERIFY(!recentMenu(window)->isEnabled());
+        QVERIFY(openAndWait(window, {first}));
+        QVERIFY(openAndWait(window, {second, broken}));
+        QCOMPARE(native(recentFiles()), (QStringList{second, first}));
+        QVERIFY(openAndWait(window, {first})); // again: to the front, not twice
+        QCOMPARE(native(recentFiles()), (QStringList{first, second}));
+        QVERIFY(window.close());
+    }
+    {
+        MainWindow window(options); // the next day
+        QMenu *menu = recentMenu(window);
+        QVERIFY(menu->isEnabled());
+        QVERIFY(menu->actions().at(1)->text().startsWith(QStringLiteral("second && third.obj – ")));
+        QSignalSpy ended(&window, &MainWindow::loadingEnded);
+        menu->actions().at(1)->trigger();
+        QVERIFY(ended.wait(kLoadMilliseconds));
+        QCOMPARE(namesOf(window.document()), QStringList{QStringLiteral("second & third.obj")});
+        menu->actions().last()->trigger(); // clear
+        QVERIFY(recentFiles().isEmpty());
+        QVERIFY(!menu->isEnabled());
+    }
+    for (int i = 0; i < 15; ++i)
+        addRecentFile(QStringLiteral("/models/%1.obj").arg(i));
+    QCOMPARE(recentFiles().size(), 10);
+    QCOMPARE(recentFiles().first(), QStringLiteral("/models/14.obj"));
+}
+
+void TestOpenFiles::aWindowThatRemembersNothingLeavesTheSettingsAlone()
+{
+    const auto window = shownWindow(0, {500, 400});
+    QVERIFY(openAndWait(*window, {write(QStringLiteral("triangle.obj"), kTriangleObj)}));
+    window->comparison().setShowsFloat(true);
+    QVERIFY(window->close());
+    QVERIFY(QSettings().allKeys().isEmpty());
+}
+
+void TestOpenFiles::namesInOtherScriptsOpen()
+{
+    const auto window = shownWindow(0, {500, 400});
+    const QString name = QString::fromUtf8("模型 – ёлка.obj");
+    const QString path = write(name, kTriangleObj);
+    if (!QFile::exists(path) || QFile::decodeName(QFile::encodeName(name)) != name)
+        QSKIP("this locale has no such file names");
+    QVERIFY(openAndWait(*window, {path}));
+    QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    QCOMPARE(namesOf(window->document()), QStringList{name});
+}
+
+QTEST_MAIN(TestOpenFiles)
+#include "test_open_files.moc"

@@ -1,0 +1,326 @@
+// Clicks on a drawn scene, followed from the mouse event to the world. Run at several pixel ratios (QT_SCALE_FACTOR),
+// each with and without multisampling.
+
+#include "tests/gui/gui_scene.h"
+
+#include <QDockWidget>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QScreen>
+#include <QToolBar>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <set>
+
+using namespace guitest;
+
+namespace {
+
+/// The rasterizer computes in single precision: the matrix and the corners are rounded, depth is interpolated, all to
+/// 24 bits, so that the depth that is stored can be this many steps of a 24-bit buffer off.
+constexpr double kRasterizerSteps = 6.0;
+/// Corners are snapped to 1/256 of a pixel before depth is interpolated between them.
+constexpr double kSubpixel = 1.0 / 256.0;
+/// A multisampled depth is the driver's first sample's, which lies up to half a pixel beside the centre in each
+/// direction: on a surface of slope alpha that is half a footprint times tan alpha.
+constexpr double kSampleReach = 0.5;
+
+double sampleReach(int samples)
+{
+    return samples > 0 ? kSampleReach : kSubpixel;
+}
+
+/// The farthest that a quantity of the plane point is from its value at the centre when the sample lies beside it.
+template <class Quantity>
+double slopeTerm(const ViewGeometry &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point, const glm::dvec3 &normal,
+                 Quantity quantity)
+{
+    const double middle = quantity(onPlane(rayThrough(g, window), point, normal));
+    double farthest = 0.0;
+    for (const double x : {-reach, reach}) {
+        for (const double y : {-reach, reach})
+            farthest = std::max(farthest, std::abs(quantity(onPlane(rayThrough(g, window + glm::dvec2(x, y)), point, normal)) - middle));
+    }
+    return farthest;
+}
+
+glm::dvec2 obliqueWindowHalf(const SceneView &view)
+{
+    return {2.2 * view.width() / view.height(), 2.2};
+}
+
+/// The projections of the rows, for the view's aspect; the clip distances are fitted by the document.
+Projection projectionNamed(const QString &name, const SceneView &view)
+{
+    const glm::dvec2 half = obliqueWindowHalf(view);
+    const Ortho box{-half.x, half.x, -half.y, half.y, 1.0, 10.0};
+    if (name == QStringLiteral("frustum"))
+        return Frustum{-half.x / 6.0, half.x / 6.0, -half.y / 6.0, half.y / 6.0, 1.0, 10.0};
+    if (name == QStringLiteral("frustum, off-centre"))
+        return Frustum{-half.x / 12.0, half.x / 4.0, -half.y / 4.0, half.y / 12.0, 1.0, 10.0};
+    if (name == QStringLiteral("ortho"))
+        return box;
+    return Oblique{box, 1.35, 1.85};
+}
+
+/// From in front of a face, to the side and above, so that it is seen at a slant; what is looked at is put where the
+/// middle of an off-centre or sheared picture is.
+LookAt cameraBefore(const Face &face, const ViewGeometry &g)
+{
+    const glm::dvec3 middle = kCubeCenter + face.normal;
+    const glm::dvec3 other = glm::cross(face.normal, face.across);
+    const LookAt camera{WorldPoint(middle + 5.0 * face.normal + 1.7 * face.across + 2.3 * other), WorldPoint(middle),
+                        std::abs(face.normal.y) > 0.5 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0)};
+    ViewGeometry seen = g;
+    seen.camera = camera;
+    return recentered(seen, WorldPoint(middle));
+}
+
+/// Of the framebuffer that is drawn into; the context's own format says nothing of it.
+int drawnSamples(SceneView &view)
+{
+    view.makeCurrent();
+    GLint samples = 0;
+    view.context()->functions()->glGetIntegerv(GL_SAMPLES, &samples);
+    view.doneCurrent();
+    return samples;
+}
+
+} // namespace
+
+class TestSceneView : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void theFramebufferHasTheSizeThatDeviceCoordinatesAssume();
+    void aClickOnAFaceGivesItsPlane_data();
+    void aClickOnAFaceGivesItsPlane();
+    void depthIsReadInTheRowAndColumnClicked_data();
+    void depthIsReadInTheRowAndColumnClicked();
+    void everyDevicePixelCanBeClicked();
+    void theViewIsComposedOntoWholeDevicePixels();
+
+private:
+    void clickFace(MainWindow &window, const Face &face, const glm::dvec2 &place, int samples);
+};
+
+void TestSceneView::theFramebufferHasTheSizeThatDeviceCoordinatesAssume()
+{
+    const QByteArray wanted = qgetenv("QT_SCALE_FACTOR");
+    for (const QSize &size : {QSize(500, 400), QSize(501, 403), QSize(507, 411)}) {
+        const auto window = shownWindow(0, size);
+        if (!wanted.isEmpty())
+            QCOMPARE(window->view().devicePixelRatio(), wanted.toDouble());
+        const Surface &surface = window->document().geometry().surface;
+        const QImage picture = window->view().grabFramebuffer();
+        QCOMPARE(QSize(surface.widthPixels, surface.heightPixels), picture.size());
+        QCOMPARE(surface.devicePixelRatio, window->view().devicePixelRatio());
+    }
+}
+
+void TestSceneView::aClickOnAFaceGivesItsPlane_data()
+{
+    QTest::addColumn<int>("samples");
+    QTest::addColumn<QString>("projection");
+    for (const int samples : {0, 4}) {
+        for (const char *projection : {"frustum", "frustum, off-centre", "ortho", "oblique"})
+            QTest::addRow("%s, %d samples", projection, samples) << samples << QString::fromLatin1(projection);
+    }
+}
+
+/// @param place  on the face, in half-edges from its middle
+void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::dvec2 &place, int samples)
+{
+    SceneView &view = window.view();
+    SceneDocument &document = window.document();
+    const glm::dvec3 other = glm::cross(face.normal, face.across);
+    const glm::dvec3 aimed = kCubeCenter + face.normal + place.x * face.across + place.y * other;
+    // QTest clicks at whole logical pixels.
+    const QPoint position = localOf(window, aimed).toPoint();
+    QVERIFY2(view.rect().contains(position), face.name);
+    const DevicePixel pixel = pixelUnder(view, position);
+
+    document.clearPick();
+    const QImage picture = view.grabFramebuffer();
+    const int shown = faceOfColor(picture.pixelColor(pixel.i, pixel.j));
+    QCOMPARE(shown < 0 ? "no face" : cubeFaces()[static_cast<std::size_t>(shown)].name, face.name);
+
+    QTest::mouseClick(&view, Qt::LeftButton, {}, position);
+    QVERIFY(document.pick());
+    const Pick &pick = *document.pick();
+    QVERIFY(pick.hit);
+    QCOMPARE(QPoint(pick.devicePixel.i, pick.devicePixel.j), QPoint(pixel.i, pixel.j));
+    const glm::dvec2 center = windowOf(view, pixel);
+    QCOMPARE(pick.window.x, center.x);
+    QCOMPARE(pick.window.y, center.y);
+
+    const ViewGeometry &g = document.geometry();
+    const Ray ray = rayThrough(g, center);
+    const glm::dvec3 expected = onPlane(ray, aimed, face.normal);
+    const double step = 2.0 * pick.certainty.halfDepthStep;
+    const double tolerance = step * kRasterizerSteps
+        + slopeTerm(g, center, sampleReach(samples), aimed, face.normal, [&](const glm::dvec3 &p) { return distanceOf(g.camera, p); });
+    for (const Result<WorldPoint> &point : {pick.point.world.formula, pick.point.world.matrix}) {
+        QVERIFY(point.hasValue());
+        const glm::dvec3 off = point->coordinates() - expected;
+        QVERIFY2(std::abs(glm::dot(off, forwardOf(g.camera))) <= tolerance,
+                 qPrintable(QStringLiteral("%1: off by %2 along the view, tolerance %3").arg(face.name).arg(glm::dot(off, forwardOf(g.camera))).arg(tolerance)));
+        // Across the ray there is nothing to read, so nothing to be off by but rounding.
+        QVERIFY(glm::length(glm::cross(off, ray.direction)) <= 1e-10);
+        // Along the ray that is so far from the face's plane.
+        QVERIFY(std::abs(glm::dot(point->coordinates() - aimed, face.normal)) <= tolerance * std::abs(glm::dot(ray.direction, face.normal)) + 1e-10);
+    }
+    // The way forward, from the plane's point that was found without core: back in the middle of the pixel.
+    const glm::dvec2 back = placeOf(window, expected);
+    QVERIFY(std::abs(back.x - center.x) <= 1e-8 && std::abs(back.y - center.y) <= 1e-8);
+}
+
+void TestSceneView::aClickOnAFaceGivesItsPlane()
+{
+    QFETCH(int, samples);
+    QFETCH(QString, projection);
+    const auto window = shownWindow(samples, {500, 400});
+    QCOMPARE(drawnSamples(window->view()) > 0, samples > 0);
+    window->document().setObjects(cubeScene());
+    for (const QSize &size : {QSize(500, 400), QSize(417, 431)}) {
+        QVERIFY(resized(*window, size));
+        for (const Face &face : cubeFaces()) {
+            window->document().setProjection(projectionNamed(projection, window->view()));
+            window->document().setCamera(cameraBefore(face, window->document().geometry()));
+            QCOMPARE(window->document().geometry().projection.index(), projectionNamed(projection, window->view()).index());
+            for (const glm::dvec2 &place : {glm::dvec2(0.0, 0.0), glm::dvec2(0.8, -0.7), glm::dvec2(-0.75, 0.6)}) {
+                clickFace(*window, face, place, samples);
+                if (QTest::currentTestFailed())
+                    return;
+            }
+        }
+    }
+}
+
+void TestSceneView::depthIsReadInTheRowAndColumnClicked_data()
+{
+    QTest::addColumn<int>("samples");
+    QTest::addColumn<glm::dvec3>("steep");
+    QTest::addColumn<glm::dvec3>("level");
+    for (const int samples : {0, 4}) {
+        QTest::addRow("from row to row, %d samples", samples) << samples << glm::dvec3(0.0, 8.0, 9.0) << glm::dvec3(12.0, 0.0, 0.0);
+        QTest::addRow("from column to column, %d samples", samples) << samples << glm::dvec3(10.0, 0.0, 9.0) << glm::dvec3(0.0, 12.0, 0.0);
+    }
+}
+
+void TestSceneView::depthIsReadInTheRowAndColumnClicked()
+{
+    QFETCH(int, samples);
+    QFETCH(glm::dvec3, steep);
+    QFETCH(glm::dvec3, level);
+    const bool byRow = steep.y != 0.0;
+    const auto window = shownWindow(samples, {400, 360});
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    const glm::dvec3 middle(0.0, 0.0, -30.0);
+    document.setObjects(planeScene(middle, steep, level));
+    const double aspect = double(view.width()) / view.height();
+    document.setView({WorldPoint(0.0, 0.0, 0.0), WorldPoint(0.0, 0.0, -30.0), {0.0, 1.0, 0.0}},
+                     Frustum{-0.15 * aspect, 0.15 * aspect, -0.15, 0.15, 1.0, 100.0});
+    const ViewGeometry &g = document.geometry();
+    const glm::dvec3 normal = glm::normalize(glm::cross(steep, level));
+    const auto depthAt = [&](const glm::dvec3 &p) { return windowFromWorld(g, WorldPoint(p))->z; };
+
+    const int w = view.width(), h = view.height();
+    std::vector<QPoint> positions{{0, 0}, {w - 1, 0}, {0, h - 1}, {w - 1, h - 1}, {w / 2, h / 2}};
+    for (int k = 1; k < 6; ++k)
+        positions.push_back({w / 3 + k, h / 3 + k});
+    for (const QPoint &position : positions) {
+        click(view, position); // QTest takes (0, 0) for the middle
+        QVERIFY(document.pick() && document.pick()->hit);
+        const Pick &pick = *document.pick();
+        const DevicePixel pixel = pixelUnder(view, position);
+        QCOMPARE(QPoint(pick.devicePixel.i, pick.devicePixel.j), QPoint(pixel.i, pixel.j));
+        const glm::dvec2 center = windowOf(view, pixel);
+        const double expected = depthAt(onPlane(rayThrough(g, center), middle, normal));
+        const double tolerance = kRasterizerSteps / 16777215.0 + slopeTerm(g, center, sampleReach(samples), middle, normal, depthAt);
+        QVERIFY2(std::abs(pick.window.z - expected) <= tolerance,
+                 qPrintable(QStringLiteral("pixel (%1, %2): depth %3, not %4 ± %5")
+                                .arg(pixel.i).arg(pixel.j).arg(pick.window.z, 0, 'g', 12).arg(expected, 0, 'g', 12).arg(tolerance)));
+        // The test can fail: a row or column beside, and without multisampling half a pixel, are outside that.
+        const double least = samples > 0 ? 1.0 : 0.5;
+        for (const double aside : {-least, least}) {
+            const glm::dvec2 wrong = center + (byRow ? glm::dvec2(0.0, aside) : glm::dvec2(aside, 0.0));
+            QVERIFY(std::abs(depthAt(onPlane(rayThrough(g, wrong), middle, normal)) - expected) > 1.5 * tolerance);
+        }
+    }
+}
+
+void TestSceneView::everyDevicePixelCanBeClicked()
+{
+    const auto window = shownWindow(0, {430, 420});
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    document.setObjects(cubeScene());
+    const double ratio = view.devicePixelRatio();
+    auto *dock = new QDockWidget;
+    window->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    QToolBar *bar = window->addToolBar(QStringLiteral("above"));
+    window->insertToolBarBreak(bar);
+    std::set<double> fractions;
+    for (const int size : {61, 62, 63, 64}) {
+        dock->setFixedWidth(size);
+        bar->setFixedHeight(size);
+        QVERIFY(QTest::qWaitFor([&] { return dock->width() == size && bar->height() == size; }));
+        QTest::qWait(20);
+        const QPoint corner = view.mapTo(window.get(), QPoint(0, 0));
+        for (const int origin : {corner.x(), corner.y()})
+            fractions.insert(origin * ratio - std::floor(origin * ratio));
+        // The pointer stands on whole device pixels of the window; Qt divides by the ratio.
+        const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)), static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
+        for (int k = 0; k < 12; ++k) {
+            const QPoint pointer = first + QPoint(150 + k, 120 + k);
+            click(view, QPointF(pointer) / ratio - QPointF(corner));
+            QVERIFY(document.pick());
+            QCOMPARE(QPoint(document.pick()->devicePixel.i, document.pick()->devicePixel.j), QPoint(150 + k, 120 + k));
+        }
+    }
+    // The corner stood on every fraction of a pixel that the ratio knows.
+    QCOMPARE(fractions.size(), ratio == 1.25 ? 4u : ratio == 1.5 ? 2u : 1u);
+}
+
+void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
+{
+    // Docked at the left, and with a tool bar above: the view's corner falls between device pixels at 1.25 and 1.5.
+    const auto window = shownWindow(0, {400, 361});
+    auto *bar = new QDockWidget;
+    bar->setFixedWidth(61);
+    window->addDockWidget(Qt::LeftDockWidgetArea, bar);
+    QVERIFY(resized(*window, {433, 361}));
+    SceneView &view = window->view();
+    QVERIFY(view.mapTo(window.get(), QPoint(0, 0)).x() > 61);
+    window->document().setObjects(cubeScene());
+    window->document().setCamera(cameraBefore(cubeFaces()[0], window->document().geometry()));
+    const double ratio = view.devicePixelRatio();
+    QScreen *screen = window->screen();
+    if (!screen->availableGeometry().contains(window->frameGeometry()))
+        QSKIP("the screen is too small to see the whole window");
+    const QPoint corner = view.mapTo(window.get(), QPoint(0, 0));
+    const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)), static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
+    QImage drawn, seen;
+    const auto isSame = [&] {
+        drawn = view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+        seen = screen->grabWindow(window->winId()).toImage().convertToFormat(QImage::Format_RGB32);
+        for (int j = 40; j < drawn.height() - 40; j += 3) {
+            for (int i = 4; i < drawn.width() - 4; ++i) {
+                if (!seen.rect().contains(first + QPoint(i, j)) || seen.pixel(first + QPoint(i, j)) != drawn.pixel(i, j))
+                    return false;
+            }
+        }
+        return true;
+    };
+    // The picture reaches the screen some time after it is drawn.
+    QVERIFY2(QTest::qWaitFor(isSame, 5000), qPrintable(QStringLiteral("corner at (%1, %2), ratio %3").arg(corner.x()).arg(corner.y()).arg(ratio)));
+}
+
+QTEST_MAIN(TestSceneView)
+#include "test_scene_view.moc"

@@ -1,0 +1,342 @@
+// The program as a script runs it: --screenshot with clicks, its JSON, its picture, its exit codes and its words.
+
+#include "core/unproject_comparison.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+using namespace unprojector;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kRunMilliseconds = 60000;
+
+struct Run {
+    int exitCode = -1;
+    bool hasExited = false;
+    QByteArray output, errors;
+};
+
+/// @param environment  "NAME=value"; "NAME" alone takes it away
+Run run(const QStringList &arguments, const QStringList &environment = {})
+{
+    QProcess process;
+    QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
+    variables.remove(QStringLiteral("QT_SCALE_FACTOR"));
+    for (const QString &variable : environment) {
+        if (variable.contains(u'='))
+            variables.insert(variable.section(u'=', 0, 0), variable.section(u'=', 1));
+        else
+            variables.remove(variable);
+    }
+    process.setProcessEnvironment(variables);
+    process.start(QStringLiteral(UNPROJECTOR_EXECUTABLE), arguments);
+    Run result;
+    const bool ended = process.waitForFinished(kRunMilliseconds);
+    if (!ended)
+        process.kill();
+    result.hasExited = ended && process.exitStatus() == QProcess::NormalExit;
+    result.exitCode = process.exitCode();
+    result.output = process.readAllStandardOutput();
+    result.errors = process.readAllStandardError();
+    return result;
+}
+
+QStringList keysOf(const Json &json)
+{
+    QStringList keys;
+    for (const auto &item : json.items())
+        keys << QString::fromStdString(item.key());
+    return keys;
+}
+
+glm::dvec3 vectorOf(const Json &json)
+{
+    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+/// What is needed to compute the click again, from the JSON alone.
+ViewGeometry geometryOf(const Json &scene)
+{
+    ViewGeometry g;
+    const double ratio = scene["window"]["devicePixelRatio"].get<double>();
+    const Json &v = scene["viewport"];
+    g.viewport = {v["x"].get<double>(), v["y"].get<double>(), v["width"].get<double>(), v["height"].get<double>()};
+    g.surface = surfaceFromWidget(scene["window"]["width"].get<int>(), scene["window"]["height"].get<int>(), ratio);
+    const Json &p = scene["projection"];
+    const auto number = [&p](const char *key) { return p[key].get<double>(); };
+    if (p["type"] == "frustum")
+        g.projection = Frustum{number("left"), number("right"), number("bottom"), number("top"), number("near"), number("far")};
+    else
+        g.projection = Ortho{number("left"), number("right"), number("bottom"), number("top"), number("near"), number("far")};
+    g.camera = {WorldPoint(vectorOf(scene["view"]["eye"])), WorldPoint(vectorOf(scene["view"]["center"])), vectorOf(scene["view"]["up"])};
+    return g;
+}
+
+bool isExactly(const Json &json, const glm::dvec3 &expected)
+{
+    if (vectorOf(json) == expected)
+        return true;
+    qWarning("%s is not (%.17g, %.17g, %.17g)", json.dump().c_str(), expected.x, expected.y, expected.z);
+    return false;
+}
+
+} // namespace
+
+class TestScreenshot : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void theJsonHasItsContractedShape();
+    void theNumbersReadBackAndComputedAgainAreTheSame_data();
+    void theNumbersReadBackAndComputedAgainAreTheSame();
+    void thePictureHasTheSizeAskedFor_data();
+    void thePictureHasTheSizeAskedFor();
+    void withoutClicksTheListIsEmpty();
+    void aModelFileIsShown();
+    void aMistakeIsToldOnStderr_data();
+    void aMistakeIsToldOnStderr();
+    void helpAndVersionNeedNoDisplay_data();
+    void helpAndVersionNeedNoDisplay();
+
+private:
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+
+    QTemporaryDir m_folder;
+};
+
+void TestScreenshot::initTestCase()
+{
+    QVERIFY(m_folder.isValid());
+    QVERIFY(QFile::exists(QStringLiteral(UNPROJECTOR_EXECUTABLE)));
+}
+
+void TestScreenshot::theJsonHasItsContractedShape()
+{
+    const Run result = run({"--screenshot", path("shape.png"), "--size", "1000x700", "--click", "250,330", "--click", "3,4.5"});
+    QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
+    const Json clicks = Json::parse(result.output.toStdString(), nullptr, false);
+    QVERIFY(clicks.is_array());
+    QCOMPARE(clicks.size(), std::size_t(2));
+    const QStringList points{"formula", "matrix"};
+    for (const Json &click : clicks) {
+        QCOMPARE(keysOf(click), (QStringList{"widget", "devicePixel", "window", "hit", "eye", "world", "scene"}));
+        QCOMPARE(keysOf(click["scene"]), (QStringList{"window", "viewport", "projection", "view"}));
+        QCOMPARE(keysOf(click["scene"]["window"]), (QStringList{"width", "height", "devicePixelRatio"}));
+        QCOMPARE(keysOf(click["scene"]["viewport"]), (QStringList{"x", "y", "width", "height"}));
+        QCOMPARE(keysOf(click["scene"]["projection"]), (QStringList{"type", "left", "right", "bottom", "top", "near", "far"}));
+        QCOMPARE(keysOf(click["scene"]["view"]), (QStringList{"eye", "center", "up"}));
+        QCOMPARE(click["widget"].size(), std::size_t(2));
+        QCOMPARE(click["devicePixel"].size(), std::size_t(2));
+        QVERIFY(click["devicePixel"][0].is_number_integer() && click["devicePixel"][1].is_number_integer());
+        QCOMPARE(click["window"].size(), std::size_t(3));
+        QVERIFY(click["hit"].is_boolean());
+    }
+    // The first on a surface, the second on the background.
+    QVERIFY(clicks[0]["hit"].get<bool>());
+    QVERIFY(!clicks[1]["hit"].get<bool>());
+    for (const char *space : {"eye", "world"}) {
+        QCOMPARE(keysOf(clicks[0][space]), points);
+        QCOMPARE(clicks[0][space]["formula"].size(), std::size_t(3));
+        QCOMPARE(clicks[0][space]["matrix"].size(), std::size_t(3));
+        QCOMPARE(keysOf(clicks[1][space]), (QStringList{"near", "far"}));
+        QCOMPARE(keysOf(clicks[1][space]["near"]), points);
+        QCOMPARE(keysOf(clicks[1][space]["far"]), points);
+    }
+    QCOMPARE(clicks[1]["widget"].dump(), std::string("[3.0,4.5]"));
+    QCOMPARE(clicks[1]["devicePixel"].dump(), std::string("[3,4]"));
+    // Only JSON on stdout, and it ends with its line.
+    QVERIFY(result.output.startsWith('['));
+    QVERIFY(result.output.endsWith("]\n") || result.output.endsWith("]\r\n"));
+}
+
+void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame_data()
+{
+    QTest::addColumn<QString>("factor");
+    QTest::addColumn<QString>("samples");
+    QTest::addColumn<QString>("size");
+    // Windows keeps a window on its screen, which may be 1280 x 1024.
+    QTest::newRow("1x") << "1" << "0" << "900x640";
+    QTest::newRow("1x, multisampled") << "1" << "4" << "900x640";
+    QTest::newRow("1.25x") << "1.25" << "0" << "900x640";
+    QTest::newRow("1.5x") << "1.5" << "0" << "840x600";
+    QTest::newRow("2x") << "2" << "0" << "640x480";
+}
+
+void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame()
+{
+    QFETCH(QString, factor);
+    QFETCH(QString, samples);
+    QFETCH(QString, size);
+    const double ratio = factor.toDouble();
+    const Run result = run({"--screenshot", path("again.png"), "--size", size, "--samples", samples, "--click", "86,200", "--click", "91.4,187.7", "--click", "0,0"},
+                           {"QT_SCALE_FACTOR=" + factor});
+    QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
+    const Json clicks = Json::parse(result.output.toStdString(), nullptr, false);
+    QCOMPARE(clicks.size(), std::size_t(3));
+    for (const Json &click : clicks) {
+        QCOMPARE(click["scene"]["window"]["devicePixelRatio"].get<double>(), ratio);
+        const ViewGeometry g = geometryOf(click["scene"]);
+        QCOMPARE(double(g.surface.widthPixels), g.viewport.width);
+        QCOMPARE(double(g.surface.heightPixels), g.viewport.height);
+        // The pixel and its centre, by hand.
+        const double x = click["widget"][0].get<double>() * ratio, y = click["widget"][1].get<double>() * ratio;
+        QCOMPARE(click["devicePixel"][0].get<int>(), int(std::floor(x + 1e-6)));
+        QCOMPARE(click["devicePixel"][1].get<int>(), int(std::floor(y + 1e-6)));
+        const WindowPoint window(vectorOf(click["window"]));
+        QVERIFY(window.x == std::floor(x + 1e-6) + 0.5);
+        QVERIFY(window.y == g.viewport.height - std::floor(y + 1e-6) - 0.5);
+        QVERIFY(window.z >= 0.0 && window.z <= 1.0);
+        const auto isSame = [&](const Json &eye, const Json &world, double depth) {
+            const Comparison again = compareUnprojections(g, WindowPoint(window.x, window.y, depth));
+            return isExactly(eye["formula"], again.eye.formula->coordinates()) && isExactly(eye["matrix"], again.eye.matrix->coordinates())
+                && isExactly(world["formula"], again.world.formula->coordinates()) && isExactly(world["matrix"], again.world.matrix->coordinates());
+        };
+        if (click["hit"].get<bool>()) {
+            QVERIFY(isSame(click["eye"], click["world"], window.z));
+        } else {
+            QVERIFY(isSame(click["eye"]["near"], click["world"]["near"], 0.0));
+            QVERIFY(isSame(click["eye"]["far"], click["world"]["far"], 1.0));
+        }
+    }
+    QVERIFY(!clicks[2]["hit"].get<bool>());
+}
+
+void TestScreenshot::thePictureHasTheSizeAskedFor_data()
+{
+    QTest::addColumn<QString>("factor");
+    QTest::addColumn<QString>("size");
+    QTest::addColumn<QSize>("pixels");
+    QTest::newRow("1x") << "1" << "1001x703" << QSize(1001, 703);
+    QTest::newRow("1.5x") << "1.5" << "801x603" << QSize(1202, 905); // 1201.5 x 904.5
+    QTest::newRow("2x") << "2" << "640x480" << QSize(1280, 960);
+}
+
+void TestScreenshot::thePictureHasTheSizeAskedFor()
+{
+    QFETCH(QString, factor);
+    QFETCH(QString, size);
+    QFETCH(QSize, pixels);
+    const QString picture = path("size-" + factor + ".png");
+    const Run result = run({"--screenshot", picture, "--size", size, "--click", "86,200"}, {"QT_SCALE_FACTOR=" + factor});
+    QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
+    const QImage image(picture);
+    QVERIFY(!image.isNull());
+    // Qt rounds halves of a picture's size as it likes.
+    QVERIFY2(std::abs(image.width() - pixels.width()) <= 1 && std::abs(image.height() - pixels.height()) <= 1,
+             qPrintable(QStringLiteral("%1 x %2").arg(image.width()).arg(image.height())));
+    // It is a picture of something.
+    QSet<QRgb> colors;
+    for (int y = 0; y < image.height(); y += 7) {
+        for (int x = 0; x < image.width(); x += 7)
+            colors.insert(image.pixel(x, y));
+    }
+    QVERIFY(colors.size() > 100);
+}
+
+void TestScreenshot::withoutClicksTheListIsEmpty()
+{
+    const Run result = run({"--screenshot", path("none.png")});
+    QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
+    QCOMPARE(result.output.trimmed(), QByteArray("[]"));
+    QCOMPARE(QImage(path("none.png")).size(), QSize(1280, 800));
+}
+
+void TestScreenshot::aModelFileIsShown()
+{
+    QFile file(path("triangle.obj"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("v -50 -50 1.25\nv 50 -50 1.25\nv 0 50 1.25\nf 1 2 3\n");
+    file.close();
+    const Run result = run({"--screenshot", path("triangle.png"), "--size", "900x640", "--click", "200,280", file.fileName()});
+    QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
+    const Json click = Json::parse(result.output.toStdString(), nullptr, false).at(0);
+    QVERIFY(click["hit"].get<bool>());
+    QVERIFY(std::abs(click["world"]["formula"][2].get<double>() - 1.25) < 1e-3);
+    QVERIFY(std::abs(click["world"]["matrix"][2].get<double>() - 1.25) < 1e-3);
+}
+
+void TestScreenshot::aMistakeIsToldOnStderr_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("words");
+    QFile broken(path("broken.obj"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("v 0 0 0\nf 1 2 9\n");
+    broken.close();
+    const QString picture = path("never.png");
+    const auto row = [](const char *name, const QStringList &arguments, const QString &words) { QTest::newRow(name) << arguments << words; };
+    row("missing file", {"--screenshot", picture, path("missing.obj")}, "missing.obj");
+    row("broken file", {"--screenshot", picture, broken.fileName()}, "broken.obj");
+    row("unknown format", {"--screenshot", picture, QStringLiteral(UNPROJECTOR_EXECUTABLE)}, "OBJ, STL, PLY, OFF, glTF or GLB");
+    row("size without a height", {"--screenshot", picture, "--size", "1280"}, "--size is 1280");
+    row("size with words", {"--screenshot", picture, "--size", "wide x high"}, "--size is wide x high");
+    row("size of nothing", {"--screenshot", picture, "--size", "0x0"}, "--size is 0x0");
+    row("negative size", {"--screenshot", picture, "--size", "-800x600"}, "--size is -800x600");
+    row("gigantic size", {"--screenshot", picture, "--size", "99999x99999"}, "--size is 99999x99999");
+    row("click with one number", {"--screenshot", picture, "--click", "12"}, "--click is 12");
+    row("click with words", {"--screenshot", picture, "--click", "left,top"}, "--click is left,top");
+    row("click that is not a number", {"--screenshot", picture, "--click", "nan,3"}, "nan,3");
+    row("click right of the view", {"--screenshot", picture, "--click", "5000,10"}, "5000,10 lies outside the view");
+    row("click above the view", {"--screenshot", picture, "--click", "10,-1"}, "10,-1 lies outside the view");
+    row("one click inside, one outside", {"--screenshot", picture, "--click", "10,10", "--click", "10,5000"}, "10,5000 lies outside the view");
+    row("click without a picture", {"--click", "10,10"}, "--screenshot");
+    row("samples", {"--screenshot", picture, "--samples", "3"}, "--samples is 3");
+    row("unknown option", {"--screnshot", picture}, "screnshot");
+    row("no such folder", {"--screenshot", path("no/such/folder/out.png")}, "could not be written");
+    row("unknown picture format", {"--screenshot", path("out.xyz")}, "could not be written");
+}
+
+void TestScreenshot::aMistakeIsToldOnStderr()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, words);
+    const Run result = run(arguments);
+    QVERIFY(result.hasExited);
+    QCOMPARE(result.exitCode, 2);
+    const QString errors = QString::fromLocal8Bit(result.errors);
+    QVERIFY2(errors.startsWith(QStringLiteral("unprojector: ")) || errors.contains(QStringLiteral("\nunprojector: ")), qPrintable(errors));
+    QVERIFY2(errors.contains(words), qPrintable(errors));
+    QVERIFY2(result.output.isEmpty(), result.output.constData());
+    QVERIFY(!QFile::exists(path("never.png")));
+}
+
+void TestScreenshot::helpAndVersionNeedNoDisplay_data()
+{
+    QTest::addColumn<QString>("option");
+    QTest::addColumn<QByteArray>("words");
+    QTest::newRow("help") << "--help" << QByteArray("--screenshot");
+    QTest::newRow("short help") << "-h" << QByteArray("--click");
+    QTest::newRow("version") << "--version" << QByteArray("Unprojector ");
+}
+
+void TestScreenshot::helpAndVersionNeedNoDisplay()
+{
+    QFETCH(QString, option);
+    QFETCH(QByteArray, words);
+    const Run result = run({option}, {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"});
+    QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
+    QVERIFY2(result.output.contains(words), result.output.constData());
+#ifdef Q_OS_LINUX
+    // Without one, a picture is refused in words, not by the platform plugin's abort.
+    const Run picture = run({"--screenshot", path("never.png")}, {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"});
+    QVERIFY(picture.hasExited);
+    QCOMPARE(picture.exitCode, 2);
+    QVERIFY2(picture.errors.contains("display"), picture.errors.constData());
+#endif
+}
+
+QTEST_GUILESS_MAIN(TestScreenshot)
+#include "test_screenshot.moc"
