@@ -144,7 +144,7 @@ std::string numberText(double value, Digits digits, int significant)
     return text == "-0" ? "0" : text;
 }
 
-void alignAtDecimalPoint(std::vector<std::string> &texts)
+std::size_t alignAtDecimalPoint(std::vector<std::string> &texts)
 {
     const auto wholeLength = [](const std::string &text) { return std::min(text.find_first_of(". e"), text.size()); };
     std::size_t whole = 0, rest = 0;
@@ -157,6 +157,7 @@ void alignAtDecimalPoint(std::vector<std::string> &texts)
         text.insert(0, before, ' ');
         text.resize(whole + rest, ' ');
     }
+    return whole;
 }
 
 std::string formatted(const glm::dmat4 &matrix, const MatrixFormat &format, std::string_view name)

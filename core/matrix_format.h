@@ -37,7 +37,8 @@ std::string numberText(double value, Digits digits, int significant = 0);
 
 /// Blanks before and after, so that the texts are equally long and their decimal points (or the last digits of whole
 /// numbers) lie under each other.
-void alignAtDecimalPoint(std::vector<std::string> &texts);
+/// @return characters before the decimal points
+std::size_t alignAtDecimalPoint(std::vector<std::string> &texts);
 
 /// A matrix for the clipboard or the command line, ending in a newline. `name` is the variable's; it is not used by
 /// Text.

@@ -57,19 +57,25 @@ QString MatrixModel::variableName() const
 {
     const bool forward = m_direction == PipelineDirection::Forward;
     switch (m_stage) {
-    case PipelineStage::ModelMatrix: return forward ? QStringLiteral("worldFromObject") : QStringLiteral("objectFromWorld");
+    case PipelineStage::ModelMatrix:
+        return forward ? QStringLiteral("worldFromObject") : QStringLiteral("objectFromWorld");
     case PipelineStage::ViewMatrix: return forward ? QStringLiteral("eyeFromWorld") : QStringLiteral("worldFromEye");
-    case PipelineStage::ProjectionMatrix: return forward ? QStringLiteral("clipFromEye") : QStringLiteral("eyeFromClip");
-    case PipelineStage::ViewportMatrix: return forward ? QStringLiteral("windowFromNdc") : QStringLiteral("ndcFromWindow");
-    case PipelineStage::ModelviewMatrix: return forward ? QStringLiteral("eyeFromObject") : QStringLiteral("objectFromEye");
-    case PipelineStage::WholeMatrix: return forward ? QStringLiteral("windowFromObject") : QStringLiteral("objectFromWindow");
+    case PipelineStage::ProjectionMatrix:
+        return forward ? QStringLiteral("clipFromEye") : QStringLiteral("eyeFromClip");
+    case PipelineStage::ViewportMatrix:
+        return forward ? QStringLiteral("windowFromNdc") : QStringLiteral("ndcFromWindow");
+    case PipelineStage::ModelviewMatrix:
+        return forward ? QStringLiteral("eyeFromObject") : QStringLiteral("objectFromEye");
+    case PipelineStage::WholeMatrix:
+        return forward ? QStringLiteral("windowFromObject") : QStringLiteral("objectFromWindow");
     }
     Q_UNREACHABLE();
 }
 
 QString MatrixModel::copyText(MatrixSyntax syntax) const
 {
-    return QString::fromStdString(formatted(m_matrix, {syntax, m_view.layout, m_view.digits}, variableName().toStdString()));
+    return QString::fromStdString(
+        formatted(m_matrix, {syntax, m_view.layout, m_view.digits}, variableName().toStdString()));
 }
 
 QString MatrixModel::label(int row, int column) const

@@ -16,7 +16,6 @@ namespace unprojector {
 MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(parent), m_model(model)
 {
     m_heading = new QToolButton;
-    m_heading->setCheckable(true);
     m_heading->setAutoRaise(true);
     m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_heading->setFocusPolicy(Qt::StrongFocus);
@@ -24,7 +23,8 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
 
     auto *menu = new QMenu(this);
     const auto add = [&](const QString &text, const QString &toolTip, MatrixSyntax syntax) {
-        QAction *action = menu->addAction(text, this, [this, syntax] { QApplication::clipboard()->setText(m_model->copyText(syntax)); });
+        QAction *action = menu->addAction(
+            text, this, [this, syntax] { QApplication::clipboard()->setText(m_model->copyText(syntax)); });
         action->setToolTip(toolTip);
     };
     menu->setToolTipsVisible(true);
@@ -59,7 +59,8 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     body->setSpacing(2);
     body->addWidget(m_product);
     body->addWidget(grid);
-    grid->setAccessibleDescription(tr("Rows and columns of the matrix; Copy takes the selected numbers with all digits"));
+    grid->setAccessibleDescription(
+        tr("Rows and columns of the matrix; Copy takes the selected numbers with all digits"));
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -67,12 +68,8 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     layout->addLayout(line);
     layout->addWidget(m_body);
 
-    connect(m_heading, &QToolButton::toggled, this, [this](bool isOn) {
-        m_heading->setArrowType(isOn ? Qt::DownArrow : Qt::RightArrow);
-        m_body->setVisible(isOn);
-    });
-    m_heading->setArrowType(Qt::DownArrow);
-    m_heading->setChecked(true);
+    connect(m_heading, &QToolButton::clicked, this, [this] { setOpen(!m_isOpen); });
+    setOpen(true);
 }
 
 void MatrixSection::setTitle(const QString &name, const QString &variable, const QString &product)
@@ -85,14 +82,12 @@ void MatrixSection::setTitle(const QString &name, const QString &variable, const
     m_product->setVisible(!product.isEmpty());
 }
 
-bool MatrixSection::isOpen() const
-{
-    return m_heading->isChecked();
-}
-
 void MatrixSection::setOpen(bool isOpen)
 {
-    m_heading->setChecked(isOpen);
+    m_isOpen = isOpen;
+    m_heading->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+    m_heading->setAccessibleDescription(isOpen ? tr("Open") : tr("Closed"));
+    m_body->setVisible(isOpen);
 }
 
 } // namespace unprojector

@@ -17,7 +17,7 @@ public:
 
     /// "View", "eyeFromWorld", and for a product its factors.
     void setTitle(const QString &name, const QString &variable, const QString &product);
-    bool isOpen() const;
+    bool isOpen() const { return m_isOpen; }
     void setOpen(bool isOpen);
 
 private:
@@ -26,6 +26,7 @@ private:
     QToolButton *m_copy;
     QLabel *m_product;
     QWidget *m_body;
+    bool m_isOpen = false;
 };
 
 } // namespace unprojector

@@ -8,7 +8,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QStyledItemDelegate>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <utility>
@@ -22,36 +22,11 @@ constexpr int kBracketWidth = 5;
 /// Characters of "m[12]" and a blank.
 constexpr int kLabelLength = 6;
 
-/// Only text: what a style draws around an item would cost more than the rest of the panel.
-class NumberDelegate : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
-    {
-        const bool isSelected = option.state.testFlag(QStyle::State_Selected);
-        if (isSelected)
-            painter->fillRect(option.rect, option.palette.highlight());
-        const QRect area = option.rect.adjusted(kCellMargin, 0, -kCellMargin, 0);
-        const QColor ink = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
-        painter->setFont(option.font);
-        if (const QString label = index.data(NumberGridModel::LabelRole).toString(); !label.isEmpty()) {
-            QColor grey = ink;
-            grey.setAlphaF(0.6f);
-            painter->setPen(grey);
-            painter->drawText(area.adjusted(kBracketWidth, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, label);
-        }
-        painter->setPen(ink);
-        painter->drawText(area, Qt::AlignRight | Qt::AlignVCenter, index.data().toString());
-    }
-};
-
 } // namespace
 
 NumberGrid::NumberGrid(NumberGridModel *model, Frame frame, QWidget *parent)
     : QTableView(parent), m_model(model), m_frame(frame)
 {
-    setItemDelegate(new NumberDelegate(this));
     setModel(model);
     setShowGrid(false);
     setFrameShape(QFrame::NoFrame);
@@ -99,7 +74,8 @@ void NumberGrid::fitColumns()
         setColumnWidth(column, width * (column + 1) / columns - width * column / columns);
     const bool hasLabels = m_model->index(0, 0).data(NumberGridModel::LabelRole).toString().size() > 0;
     const int room = width / columns - 2 * kCellMargin;
-    m_model->setCapacity(room / fontMetrics().horizontalAdvance(u'0') - (hasLabels ? kLabelLength + 1 : 0));
+    const int characters = static_cast<int>(room / QFontMetricsF(font()).horizontalAdvance(u'0'));
+    m_model->setCapacity(characters - (hasLabels ? kLabelLength + 1 : 0));
 }
 
 QSize NumberGrid::minimumSizeHint() const
@@ -108,13 +84,44 @@ QSize NumberGrid::minimumSizeHint() const
     return {4 * (kShortest * fontMetrics().horizontalAdvance(u'0') + 2 * kCellMargin), height()};
 }
 
-void NumberGrid::paintEvent(QPaintEvent *event)
+/// Only text: what a table and its style do for each cell would cost ten times the rest of the panel, with every step of
+/// the mouse that turns the view.
+void NumberGrid::paintEvent(QPaintEvent *)
 {
-    QTableView::paintEvent(event);
+    QPainter painter(viewport());
+    const QFontMetricsF metrics(font());
+    // All digits are equally wide, so that no text has to be laid out to know where it begins.
+    const double digitWidth = metrics.horizontalAdvance(u'0');
+    const int rowHeight = verticalHeader()->defaultSectionSize();
+    const double ascent = (rowHeight - metrics.height()) / 2.0 + metrics.ascent();
+    const QColor text = palette().color(QPalette::Text), selectedText = palette().color(QPalette::HighlightedText);
+    QColor labelText = text;
+    labelText.setAlphaF(0.6f);
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        for (int column = 0; column < m_model->columnCount(); ++column) {
+            const QModelIndex index = m_model->index(row, column);
+            const QRect cell(columnViewportPosition(column), rowViewportPosition(row), columnWidth(column), rowHeight);
+            const bool isSelected = selectionModel()->isSelected(index);
+            if (isSelected)
+                painter.fillRect(cell, palette().brush(QPalette::Highlight));
+            if (const QString label = index.data(NumberGridModel::LabelRole).toString(); !label.isEmpty()) {
+                painter.setPen(isSelected ? selectedText : labelText);
+                painter.drawText(QPointF(cell.x() + kCellMargin + kBracketWidth, cell.y() + ascent), label);
+            }
+            const QString number = index.data().toString();
+            const double right = cell.right() + 1.0 - kCellMargin;
+            painter.setPen(isSelected ? selectedText : text);
+            painter.drawText(QPointF(right - static_cast<double>(number.size()) * digitWidth, cell.y() + ascent),
+                             number);
+            if (hasFocus() && index == currentIndex()) {
+                painter.setPen(text);
+                painter.drawRect(cell.adjusted(0, 0, -1, -1));
+            }
+        }
+    }
     if (m_frame == Frame::None)
         return;
-    QPainter painter(viewport());
-    painter.setPen(palette().color(QPalette::Text));
+    painter.setPen(text);
     const int right = viewport()->width() - 1, bottom = viewport()->height() - 1;
     for (const auto &[edge, inner] : {std::pair(0, kBracketWidth - 1), std::pair(right, right - kBracketWidth + 1)}) {
         painter.drawLine(edge, 0, edge, bottom);
@@ -127,6 +134,11 @@ void NumberGrid::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
     fitColumns();
+}
+
+void NumberGrid::wheelEvent(QWheelEvent *event)
+{
+    event->ignore(); // it is the panel that scrolls
 }
 
 void NumberGrid::changeEvent(QEvent *event)

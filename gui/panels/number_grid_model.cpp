@@ -7,13 +7,16 @@ namespace {
 
 /// Of a double; a float is shown whole, as the debugger's watch window shows it.
 constexpr int kSignificantDigits = 6;
-/// Room kept for ".1234567", so that the decimal points stand still while the numbers change.
-constexpr std::size_t kDecimalPlaces = 8;
+/// Room kept after the decimal points, so that they stand still while the numbers change: ".1234567", and ".12345"
+/// where a number has a line for itself.
+constexpr std::size_t kRoomInColumn = 8;
+constexpr std::size_t kRoomInLine = 6;
 
 std::string fittedText(double value, Digits digits, std::size_t capacity)
 {
     std::string text = numberText(value, digits, digits == Digits::Float ? 0 : kSignificantDigits);
-    for (int significant = digits == Digits::Float ? 8 : kSignificantDigits - 1; text.size() > capacity && significant > 0; --significant)
+    for (int significant = digits == Digits::Float ? 8 : kSignificantDigits - 1;
+         text.size() > capacity && significant > 0; --significant)
         text = numberText(value, digits, significant);
     return text;
 }
@@ -64,25 +67,24 @@ void NumberGridModel::makeTexts() const
 {
     m_texts.assign(m_numbers.size(), QStringLiteral("–"));
     const auto capacity = static_cast<std::size_t>(std::max(m_capacity, 1));
-    for (int column = 0; column < m_columns; ++column) {
+    for (int column = 0; column < m_columns && m_rows > 0; ++column) {
         std::vector<std::string> texts;
         for (int row = 0; row < m_rows; ++row)
             texts.push_back(number(row, column) ? fittedText(*number(row, column), m_digits, capacity) : std::string());
-        if (m_rows > 1) {
-            std::vector<std::string> aligned = texts;
-            alignAtDecimalPoint(aligned);
-            const std::size_t length = aligned.front().size();
-            if (length <= capacity) {
-                const std::size_t point = std::min(aligned.front().find('.'), length);
-                const std::size_t wanted = std::min(capacity, std::max(length, point + kDecimalPlaces));
-                for (std::string &text : aligned)
-                    text.resize(wanted, ' ');
-                texts = std::move(aligned);
-            }
+        std::vector<std::string> aligned = texts;
+        const std::size_t point = alignAtDecimalPoint(aligned);
+        const std::size_t length = aligned.front().size();
+        // Where there is no room to align them, they end under each other.
+        if (length <= capacity) {
+            const std::size_t room = m_rows > 1 ? kRoomInColumn : kRoomInLine;
+            for (std::string &text : aligned)
+                text.resize(std::min(capacity, std::max(length, point + room)), ' ');
+            texts = std::move(aligned);
         }
         for (int row = 0; row < m_rows; ++row) {
             if (number(row, column))
-                m_texts[static_cast<std::size_t>(row * m_columns + column)] = shown(texts[static_cast<std::size_t>(row)]);
+                m_texts[static_cast<std::size_t>(row * m_columns + column)] =
+                    shown(texts[static_cast<std::size_t>(row)]);
         }
     }
     m_textsAreStale = false;

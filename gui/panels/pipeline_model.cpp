@@ -12,8 +12,8 @@ using Space = PointModel::Space;
 bool isSamePicture(const ViewGeometry &a, const ViewGeometry &b)
 {
     return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange
-        && a.projection == b.projection && a.camera.eye.coordinates() == b.camera.eye.coordinates()
-        && a.camera.center.coordinates() == b.camera.center.coordinates() && a.camera.up == b.camera.up;
+           && a.projection == b.projection && a.camera.eye.coordinates() == b.camera.eye.coordinates()
+           && a.camera.center.coordinates() == b.camera.center.coordinates() && a.camera.up == b.camera.up;
 }
 
 } // namespace

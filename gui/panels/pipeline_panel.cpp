@@ -79,7 +79,13 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     m_status->setTextInteractionFlags(Qt::TextSelectableByMouse);
     // Room for its longest text, so that nothing below it moves.
     m_status->setFixedHeight(2 * m_status->fontMetrics().lineSpacing() + 2);
-    layout->addWidget(m_status);
+    auto *copy = new QPushButton(tr("&Copy all"));
+    copy->setToolTip(tr("Copy all points and matrices with all digits"));
+    connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model->text()); });
+    auto *statusLine = new QHBoxLayout;
+    statusLine->addWidget(m_status, 1);
+    statusLine->addWidget(copy);
+    layout->addLayout(statusLine);
 
     createStages();
     layout->addWidget(m_scrollArea, 1);
@@ -92,24 +98,30 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
 
 QWidget *PipelinePanel::createSwitches()
 {
-    m_directionSwitch = new SegmentedSwitch(tr("Direction"), {{tr("Forward"), tr("From the object to the widget")},
-                                                              {tr("Backward"), tr("From the window to the object, by the inverse of each matrix")}});
-    m_layoutSwitch = new SegmentedSwitch(tr("Vectors"), {{tr("Columns"), tr("Column vectors, M · v, as OpenGL writes them")},
-                                                         {tr("Rows"), tr("Row vectors, v · M: every matrix transposed, products in reversed order")}});
-    m_memorySwitch = new SegmentedSwitch(tr("Arrangement"), {{tr("4 × 4"), tr("Rows and columns, as matrices are printed")},
-                                                             {QStringLiteral("m[0..15]"), tr("The memory order that glGetFloatv gives and a debugger shows, the same for column and row vectors")}});
-    m_digitsSwitch = new SegmentedSwitch(tr("Digits"), {{QStringLiteral("double"), tr("Six digits of the double; all of them in the tooltip and when copied")},
-                                                        {QStringLiteral("float"), tr("Rounded to single precision, with all the digits that it has")}});
+    m_directionSwitch = new SegmentedSwitch(
+        tr("Direction"), {{tr("Forward"), tr("From the object to the widget")},
+                          {tr("Backward"), tr("From the window to the object, by the inverse of each matrix")}});
+    m_layoutSwitch = new SegmentedSwitch(
+        tr("Vectors"), {{tr("Columns"), tr("Column vectors, M · v, as OpenGL writes them")},
+                        {tr("Rows"), tr("Row vectors, v · M: every matrix transposed, products in reversed order")}});
+    m_memorySwitch = new SegmentedSwitch(
+        tr("Arrangement"),
+        {{tr("4 × 4"), tr("Rows and columns, as matrices are printed")},
+         {QStringLiteral("m[0..15]"),
+          tr("The memory order that glGetFloatv gives and a debugger shows, the same for column and row vectors")}});
+    m_digitsSwitch = new SegmentedSwitch(
+        tr("Digits"),
+        {{QStringLiteral("double"), tr("Six digits of the double; all of them in the tooltip and when copied")},
+         {QStringLiteral("float"), tr("Rounded to single precision, with all the digits that it has")}});
 
     m_object = new QComboBox;
     m_object->setAccessibleName(tr("Object"));
-    m_object->setToolTip(tr("Whose object space: by itself that of the object whose box holds the picked point most tightly"));
+    m_object->setToolTip(
+        tr("Whose object space: by itself that of the object whose box holds the picked point most tightly"));
     m_object->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_object->setMinimumContentsLength(8);
     auto *objectLabel = new QLabel(tr("&Object:"));
     objectLabel->setBuddy(m_object);
-    auto *copy = new QPushButton(tr("&Copy all"));
-    copy->setToolTip(tr("Copy all points and matrices with all digits"));
 
     auto *switches = new QWidget;
     auto *lines = new QVBoxLayout(switches);
@@ -124,7 +136,6 @@ QWidget *PipelinePanel::createSwitches()
     second->addWidget(m_memorySwitch);
     second->addWidget(m_digitsSwitch);
     second->addStretch();
-    second->addWidget(copy);
     lines->addLayout(first);
     lines->addLayout(second);
 
@@ -134,7 +145,8 @@ QWidget *PipelinePanel::createSwitches()
         showStatus();
     });
     const auto showView = [this] {
-        m_model->setView({m_layoutSwitch->choice() == 0 ? MatrixLayout::Column : MatrixLayout::Row, m_memorySwitch->choice() == 1,
+        m_model->setView({m_layoutSwitch->choice() == 0 ? MatrixLayout::Column : MatrixLayout::Row,
+                          m_memorySwitch->choice() == 1,
                           m_digitsSwitch->choice() == 0 ? Digits::Double : Digits::Float});
         showTitles();
     };
@@ -142,12 +154,11 @@ QWidget *PipelinePanel::createSwitches()
         connect(one, &SegmentedSwitch::chosen, this, showView);
     connect(m_object, &QComboBox::activated, this, [this](int item) {
         m_model->setObject(item == kAutomaticItem ? PipelineModel::kAutomaticObject
-                               : item == kNoneItem ? PipelineModel::kNoObject
-                                                   : item - kFirstObjectItem);
+                           : item == kNoneItem    ? PipelineModel::kNoObject
+                                                  : item - kFirstObjectItem);
         showStatus();
         showObjects();
     });
-    connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model->text()); });
     return switches;
 }
 
@@ -162,7 +173,8 @@ void PipelinePanel::createStages()
     bold.setBold(true);
     int nameWidth = 0;
     for (int i = 0; i < PointModel::kSpaces; ++i)
-        nameWidth = std::max(nameWidth, QFontMetrics(bold).horizontalAdvance(m_model->point(static_cast<Space>(i))->name()));
+        nameWidth =
+            std::max(nameWidth, QFontMetrics(bold).horizontalAdvance(m_model->point(static_cast<Space>(i))->name()));
     for (int i = 0; i < PointModel::kSpaces; ++i) {
         PointModel *point = m_model->point(static_cast<Space>(i));
         auto *row = new QWidget;
@@ -200,7 +212,9 @@ void PipelinePanel::createStages()
 void PipelinePanel::arrange()
 {
     const auto point = [this](Space space) { return m_pointRows[static_cast<std::size_t>(space)]; };
-    const auto section = [this](PipelineStage stage) -> QWidget * { return m_sections[static_cast<std::size_t>(stage)]; };
+    const auto section = [this](PipelineStage stage) -> QWidget * {
+        return m_sections[static_cast<std::size_t>(stage)];
+    };
     std::vector<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix),
                                 point(Space::World),  section(PipelineStage::ViewMatrix),
                                 point(Space::Eye),    section(PipelineStage::ProjectionMatrix),
@@ -229,16 +243,19 @@ void PipelinePanel::arrange()
             last = child;
         }
     }
-    m_division->setText(m_model->direction() == PipelineDirection::Forward ? tr("↓  divide by w") : tr("↓  times the w that the division took"));
+    m_division->setText(m_model->direction() == PipelineDirection::Forward
+                            ? tr("↓  divide by w")
+                            : tr("↓  times the w that the division took"));
+    showFlip();
     showTitles();
 }
 
 void PipelinePanel::showTitles()
 {
     for (const PipelineStage stage : kPipelineStages)
-        m_sections[static_cast<std::size_t>(stage)]->setTitle(stageName(stage, m_model->direction()),
-                                                              m_model->matrix(stage)->variableName(),
-                                                              productText(stage, m_model->direction(), m_model->view().layout));
+        m_sections[static_cast<std::size_t>(stage)]->setTitle(
+            stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
+            productText(stage, m_model->direction(), m_model->view().layout));
 }
 
 void PipelinePanel::refresh()
@@ -255,19 +272,32 @@ void PipelinePanel::showStatus()
     if (m_status->text() != m_model->status())
         m_status->setText(m_model->status());
     const Surface &surface = m_document.geometry().surface;
-    const QString ratio = significantText(surface.devicePixelRatio, 6);
-    const QString flip = m_model->direction() == PipelineDirection::Forward
-        ? tr("↓  x / %1, (%2 − y) / %1").arg(ratio).arg(surface.heightPixels)
-        : tr("↓  pixel's centre: x · %1, %2 − y · %1; depth as read").arg(ratio).arg(surface.heightPixels);
-    if (m_flip->text() != flip)
-        m_flip->setText(flip);
+    if (surface == m_surface)
+        return;
+    m_surface = surface;
+    showFlip();
+}
+
+void PipelinePanel::showFlip()
+{
+    const int height = m_surface.heightPixels;
+    const double ratio = m_surface.devicePixelRatio;
+    const QString ratioText = significantText(ratio, 6);
+    if (m_model->direction() == PipelineDirection::Forward)
+        m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y)").arg(height)
+                                     : tr("↓  (x, %1 − y) / %2").arg(height).arg(ratioText));
+    else
+        m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y), depth as read").arg(height)
+                                     : tr("↓  (x · %2, %1 − y · %2), depth as read").arg(height).arg(ratioText));
 }
 
 void PipelinePanel::showObjects()
 {
     const std::vector<SceneObject> &objects = m_document.objects();
     const auto hasName = [](const SceneObject &object, const std::string &name) { return object.name == name; };
-    const bool isSame = m_object->count() > 0 && std::equal(objects.begin(), objects.end(), m_objectNames.begin(), m_objectNames.end(), hasName);
+    const bool isSame =
+        m_object->count() > 0
+        && std::equal(objects.begin(), objects.end(), m_objectNames.begin(), m_objectNames.end(), hasName);
     if (!isSame) {
         m_objectNames.clear();
         const QSignalBlocker blocker(m_object);
@@ -281,12 +311,14 @@ void PipelinePanel::showObjects()
     }
     const std::optional<std::size_t> shown = m_model->shownObject();
     const bool isAutomatic = m_model->object() == PipelineModel::kAutomaticObject;
-    const QString automatic = isAutomatic && shown ? tr("Automatic: %1").arg(QString::fromStdString(objects[*shown].name))
-        : isAutomatic                              ? tr("None (identity)")
-                                                   : tr("Automatic");
+    const QString automatic = isAutomatic && shown
+                                  ? tr("Automatic: %1").arg(QString::fromStdString(objects[*shown].name))
+                              : isAutomatic ? tr("None (identity)")
+                                            : tr("Automatic");
     if (m_object->itemText(kAutomaticItem) != automatic)
         m_object->setItemText(kAutomaticItem, automatic);
-    const int item = isAutomatic || !shown ? (isAutomatic ? kAutomaticItem : kNoneItem) : kFirstObjectItem + static_cast<int>(*shown);
+    const int item = isAutomatic || !shown ? (isAutomatic ? kAutomaticItem : kNoneItem)
+                                           : kFirstObjectItem + static_cast<int>(*shown);
     if (m_object->currentIndex() != item)
         m_object->setCurrentIndex(item);
 }

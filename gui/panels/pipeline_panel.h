@@ -43,6 +43,7 @@ private:
     void showTitles();
     void refresh();
     void showStatus();
+    void showFlip();
     void showObjects();
 
     const SceneDocument &m_document;
@@ -59,6 +60,7 @@ private:
     std::array<MatrixSection *, kPipelineStages.size()> m_sections{};
     QLabel *m_division;
     QLabel *m_flip;
+    Surface m_surface;                      ///< as m_flip tells of it
     std::vector<std::string> m_objectNames; ///< as the combo box lists them
 };
 

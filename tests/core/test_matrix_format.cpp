@@ -71,10 +71,10 @@ void TestMatrixFormat::numbersHaveTheFewestDigitsThatComeBack()
 void TestMatrixFormat::decimalPointsLieUnderEachOther()
 {
     std::vector<std::string> texts{"0.1", "-12.5", "1e-17", "2", "-0.333"};
-    alignAtDecimalPoint(texts);
+    QCOMPARE(alignAtDecimalPoint(texts), std::size_t(3));
     QCOMPARE(texts, (std::vector<std::string>{"  0.1  ", "-12.5  ", "  1e-17", "  2    ", " -0.333"}));
     std::vector<std::string> none;
-    alignAtDecimalPoint(none);
+    QCOMPARE(alignAtDecimalPoint(none), std::size_t(0));
     QVERIFY(none.empty());
 }
 
