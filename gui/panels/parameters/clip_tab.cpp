@@ -140,6 +140,7 @@ void ClipTab::showScene()
         m_rows.push_back(makeRow(m_rows.size()));
         m_list->addWidget(m_rows.back().widget);
         m_rows.back().widget->show();
+        setTabOrder(m_rows.back().last, m_add); // as it is on the screen
     }
     for (std::size_t i = 0; i < lines.size(); ++i) {
         m_rows[i].isOn->setChecked(lines[i].isOn);
@@ -202,8 +203,7 @@ ClipTab::Row ClipTab::makeRow(std::size_t line)
         field->setAccessibleName(tr("Plane %1: %2").arg(number).arg(letter));
         field->setFixedStep(0.1);
         numbers->addWidget(field, 1);
-        if (i == 0)
-            row.first = field;
+        (i == 0 ? row.first : row.last) = field;
     }
 
     auto *layout = new QVBoxLayout(row.widget);

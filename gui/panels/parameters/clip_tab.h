@@ -39,6 +39,7 @@ private:
         ElidedLabel *equation;
         QToolButton *remove;
         NumberField *first;
+        NumberField *last;
     };
 
     void addPlane();
