@@ -61,7 +61,7 @@ std::vector<SceneObject> cubeScene()
     mesh.baseColor = glm::vec4(1.0f);
     for (const Face &face : cubeFaces())
         mesh.colors.insert(mesh.colors.end(), kVerticesPerCubeFace, glm::u8vec4(face.color, 255));
-    return {{QStringLiteral("cube"), {}, modelOf(std::move(mesh)), glm::translate(glm::dmat4(1.0), kCubeCenter)}};
+    return {{"cube", {}, modelOf(std::move(mesh)), {Translate{kCubeCenter}}}};
 }
 
 int faceOfColor(const QColor &color)
@@ -89,7 +89,7 @@ std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &
         mesh.normals.push_back(glm::vec3(glm::normalize(glm::cross(halfEdge, otherHalfEdge))));
     }
     mesh.indices = {0, 1, 2, 0, 2, 3};
-    return {{QStringLiteral("plane"), {}, modelOf(std::move(mesh)), glm::translate(glm::dmat4(1.0), center)}};
+    return {{"plane", {}, modelOf(std::move(mesh)), {Translate{center}}}};
 }
 
 // ---- windows -----------------------------------------------------------------------------------------------------
