@@ -159,7 +159,9 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
         const glm::dmat4 worldFromUploaded = placement * glm::translate(glm::dmat4(1.0), model.center);
         const glm::mat4 clipFromObject(clipFromWorld * worldFromUploaded);
         const glm::dmat3 eyeFromObject(eyeFromWorld * placement);
-        const glm::mat3 normalMatrix(glm::transpose(glm::inverse(eyeFromObject)));
+        // A mirror swaps a triangle's sides, and the shader turns the normals of back sides: they must swap along.
+        const double handedness = glm::determinant(eyeFromObject) < 0.0 ? -1.0 : 1.0;
+        const glm::mat3 normalMatrix(handedness * glm::transpose(glm::inverse(eyeFromObject)));
         glUniformMatrix4fv(location("clipFromObject"), 1, GL_FALSE, glm::value_ptr(clipFromObject));
         glUniformMatrix4fv(location("worldFromObject"), 1, GL_FALSE, glm::value_ptr(glm::mat4(worldFromUploaded)));
         glUniformMatrix3fv(location("eyeNormalFromObject"), 1, GL_FALSE, glm::value_ptr(normalMatrix));
