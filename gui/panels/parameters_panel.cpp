@@ -17,7 +17,7 @@ class NarrowTabStyle : public QProxyStyle {
 public:
     int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override
     {
-        constexpr int kPadding = 8;
+        constexpr int kPadding = 5;
         return metric == PM_TabBarTabHSpace ? kPadding : QProxyStyle::pixelMetric(metric, option, widget);
     }
 };

@@ -153,8 +153,8 @@ void TestComparisonPanel::theTableOfABackgroundHoldsTheRay()
     const Pick pick = picked(frustumGeometry(), 0.0, 0.0, 1.0, false);
     model.setPick(pick);
     QCOMPARE(model.rowCount(), 6);
-    QCOMPARE(model.headerData(0, Qt::Vertical).toString(), QStringLiteral("Ray near x"));
-    QCOMPARE(model.headerData(5, Qt::Vertical).toString(), QStringLiteral("Ray far z"));
+    QCOMPARE(model.headerData(0, Qt::Vertical).toString(), QStringLiteral("Near x"));
+    QCOMPARE(model.headerData(5, Qt::Vertical).toString(), QStringLiteral("Far z"));
     for (int axis = 0; axis < 3; ++axis) {
         QVERIFY(cell(model, axis, ComparisonModel::Formula, ComparisonModel::ValueRole).toDouble() == pick.rayNear.world.formula->coordinates()[axis]);
         QVERIFY(cell(model, 3 + axis, ComparisonModel::Matrix, ComparisonModel::ValueRole).toDouble() == pick.rayFar.world.matrix->coordinates()[axis]);
