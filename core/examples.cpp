@@ -184,7 +184,7 @@ Scene twoDimensional()
     constexpr float kLength = 2.0f, kWidth = 0.12f;
     const LookAt camera{WorldPoint(5, 2, 0), WorldPoint(5, 2, 1), {0, -1, 0}};
     return scene(camera, Ortho{-7, 7, -7, 7, -10, 10}, keepingAspect(1.0),
-                 {object("MC, with the point (1, 1)", joined(axes(kLength, kWidth), mark({1.0f, 1.0f}, 0.2f)),
+                 {object("MC, with the point (1, 1)", joined(axes(kLength, kWidth), mark({1.0f, 1.0f}, 0.25f)),
                          {movedBy(4, 3, 0), Scale{glm::dvec3(-1, 1, 1)}}),
                   object("WC", axes(kLength, kWidth)),
                   object("VC", axes(kLength, kWidth), {movedBy(5, 2, 0), Scale{glm::dvec3(1, -1, 1)}})});
