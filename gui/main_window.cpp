@@ -18,6 +18,7 @@
 #include <QDockWidget>
 #include <QGridLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -122,13 +123,19 @@ void MainWindow::createDocks()
         auto *widget = new QDockWidget(title, this);
         widget->setObjectName(QLatin1String(name));
         widget->setWidget(content);
+        widget->hide(); // until it has a place
         m_docks.push_back(widget);
         return widget;
     };
     m_comparison = new ComparisonPanel;
     m_inspector = new ViewportInspector(*m_document);
     m_parametersDock = dock("parameters", tr("Parameters"), new ParametersPanel(*m_document));
-    m_comparisonDock = dock("comparison", tr("Comparison"), m_comparison);
+    // On a small window it scrolls, instead of holding the window open.
+    auto *scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(m_comparison);
+    m_comparisonDock = dock("comparison", tr("Comparison"), scroll);
     m_pipelineDock = dock("pipeline", tr("Pipeline"), new PipelinePanel(*m_document));
     m_inspectorDock = dock("inspector", tr("Viewport"), m_inspector);
     m_lifecycleDock = dock("lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle));
@@ -137,7 +144,6 @@ void MainWindow::createDocks()
     // The sides keep their full height: numbers stand in columns there.
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    arrangeDocks();
 }
 
 void MainWindow::arrangeDocks()
@@ -159,6 +165,7 @@ void MainWindow::arrangeDocks()
     tabifyDockWidget(m_inspectorDock, m_lifecycleDock);
     for (QDockWidget *dock : m_docks)
         dock->setVisible(isHigh || (dock != m_inspectorDock && dock != m_lifecycleDock));
+    m_hidesPanels->setChecked(false);
     m_comparisonDock->raise();
     m_inspectorDock->raise();
     if (isWide)
@@ -166,6 +173,19 @@ void MainWindow::arrangeDocks()
     else
         resizeDocks({m_comparisonDock}, {std::min(434, width() / 2)}, Qt::Horizontal);
     resizeDocks({m_inspectorDock}, {190}, Qt::Vertical);
+}
+
+void MainWindow::hidePanels(bool isHidden)
+{
+    if (isHidden) {
+        m_layoutWithPanels = m_isArranged ? saveState(kLayoutVersion) : QByteArray();
+        for (QDockWidget *dock : m_docks)
+            dock->hide();
+    } else if (m_layoutWithPanels.isEmpty() || !restoreState(m_layoutWithPanels, kLayoutVersion)) {
+        arrangeDocks();
+    }
+    m_isArranged = true;
+    m_hidesPanels->setChecked(isHidden);
 }
 
 void MainWindow::showObserver(bool isShown)
@@ -228,7 +248,11 @@ void MainWindow::restoreLayout()
     const QSettings settings;
     m_comparison->setShowsFloat(settings.value(QStringLiteral("comparison/showsFloat"), false).toBool());
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    m_isArranged = restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+    const QByteArray state = settings.value(QStringLiteral("window/state")).toByteArray();
+    if (state.isEmpty())
+        return;
+    arrangeDocks(); // every dock needs a place before a kept one can be given to it
+    m_isArranged = restoreState(state, kLayoutVersion);
 }
 
 void MainWindow::showEvent(QShowEvent *event)

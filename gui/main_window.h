@@ -43,6 +43,8 @@ public:
     /// Opens model files; what could be opened replaces the scene, the rest is told in a message.
     void openFiles(std::vector<std::filesystem::path> files);
     void openBundledScene();
+    /// Gives the view the whole window, or the panels back.
+    void hidePanels(bool isHidden);
     bool isLoading() const { return m_loader->isLoading(); }
     /// The message that is on show, or nothing.
     QString message() const;
@@ -111,6 +113,8 @@ private:
     QDockWidget *m_lifecycleDock = nullptr;
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;
+    QAction *m_hidesPanels = nullptr;
+    QByteArray m_layoutWithPanels;
     QLabel *m_hover = nullptr;
     QLabel *m_camera = nullptr;
 };

@@ -96,6 +96,8 @@ void MainWindow::createViewMenu(QToolBar &bar)
     menu->addSeparator();
     for (QDockWidget *dock : m_docks)
         menu->addAction(dock->toggleViewAction());
+    m_hidesPanels = addAction(menu, tr("H&ide All Panels"), Qt::Key_F9, tr("Give the view the whole window"), [this] { hidePanels(m_hidesPanels->isChecked()); });
+    m_hidesPanels->setCheckable(true);
     addAction(menu, tr("R&eset Layout"), {}, tr("Put all panels back to where they were at first"), [this] { arrangeDocks(); });
 }
 

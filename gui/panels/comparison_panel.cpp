@@ -129,6 +129,10 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
     m_formula->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_formula->setMinimumHeight(6 * m_formula->fontMetrics().lineSpacing());
 
+    // As wide as the chain of a click gets; labels that set it by themselves would move it from click to click.
+    constexpr int kLeastCharacters = 60;
+    setMinimumWidth(kLeastCharacters * fontMetrics().averageCharWidth());
+
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(m_heading);

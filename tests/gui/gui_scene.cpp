@@ -3,7 +3,6 @@
 #include "core/solids.h"
 
 #include <QApplication>
-#include <QDockWidget>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -101,7 +100,7 @@ std::unique_ptr<MainWindow> shownWindow(int samples, const QSize &size, bool wit
     options.remembers = false;
     auto window = std::make_unique<MainWindow>(options);
     if (!withDock)
-        window->findChild<QDockWidget *>(QStringLiteral("comparison"))->hide();
+        window->hidePanels(true);
     window->resize(size);
     window->move(0, 0);
     window->show();
@@ -220,6 +219,11 @@ Ray rayThrough(const ViewGeometry &g, const glm::dvec2 &window)
     if (const auto *p = std::get_if<Ortho>(&g.projection)) {
         const glm::dvec2 at = inWindow(p->left, p->right, p->bottom, p->top);
         return {eye + at.x * s + at.y * u, f};
+    }
+    if (const auto *p = std::get_if<Perspective>(&g.projection)) {
+        const double top = std::tan(p->verticalFovRadians / 2.0), right = top * p->aspect;
+        const glm::dvec2 at = inWindow(-right, right, -top, top);
+        return {eye, f + at.x * s + at.y * u};
     }
     const auto &p = std::get<Oblique>(g.projection);
     const glm::dvec2 at = inWindow(p.box.left, p.box.right, p.box.bottom, p.box.top);
