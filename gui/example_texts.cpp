@@ -47,7 +47,7 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("Examples", "Zhang Ci, section 2.2.1, figures 2.9 and 2.10")},
     Entry{"zhangci-perspective", QT_TRANSLATE_NOOP("Examples", "gluPerspective, 45°"),
           QT_TRANSLATE_NOOP("Examples",
-                            "<p>gluPerspective(45, 1, 1, 100). In the Pipeline panel with float digits, Projection is the figure's: 2.4142137, "
+                            "<p>gluPerspective(45, 1, 1, 100). In the Pipeline panel with float digits, Projection is the figure’s: 2.4142137, "
                             "2.4142137, −1.0202020, −1 and −2.0202019.</p>"
                             "<p>Three equal cubes at 5, 11 and 19 units. <b>Click one after the other</b>: the depth grows only from "
                             "0.81 to 0.92 and 0.96, since most of its range lies close to the eye. A coordinate picked far away is "
@@ -69,7 +69,7 @@ constexpr std::array kEntries{
                             "<p>glViewport(width/2, 0, width/2, height/2). y counts from the bottom, so the picture is in the "
                             "<i>lower</i> right.</p>"
                             "<p><b>Click the yellow plate</b>: formulas (9) to (12) subtract v<sub>x</sub> and v<sub>y</sub> first. "
-                            "Its depth is 0.75 here as well: the viewport's rectangle has no part in it.</p>"
+                            "Its depth is 0.75 here as well: the viewport’s rectangle has no part in it.</p>"
                             "<p>Make the window wider: the outline, a square, is stretched with it, because this projection does not "
                             "follow the viewport. Switch that on in Parameters, Projection.</p>"),
           QT_TRANSLATE_NOOP("Examples", "Zhang Ci, section 2.3, figure 2.13")},
@@ -88,7 +88,7 @@ constexpr std::array kEntries{
     Entry{"derivation-perspective", QT_TRANSLATE_NOOP("Examples", "Three Projections: gluPerspective, 90°"),
           QT_TRANSLATE_NOOP("Examples",
                             "<p>gluPerspective(90, 800/600, 5, 80000), the second of the three programs. <b>The circle is round</b>: "
-                            "m[0] = 0.75 and m[5] = 1 make up for the window's 4 : 3.</p>"
+                            "m[0] = 0.75 and m[5] = 1 make up for the window’s 4 : 3.</p>"
                             "<p>The other two have m[0] = 1.3333 and draw it 16 : 9. <b>Switch between the three</b> in the menu.</p>"
                             "<p>Near : far is 1 : 16000. Click the triangle and look at the difference of the two methods, and at "
                             "the condition number given as its <a href='formulas:matrix'>cause</a>.</p>"),
@@ -102,13 +102,13 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("Examples", "projection-derivation, third program")},
     Entry{"opencascade-round-trip", QT_TRANSLATE_NOOP("Examples", "Round Trip of Pixel (150, 150)"),
           QT_TRANSLATE_NOOP("Examples",
-                            "<p>The start of the line is the world's origin. In a view of 300 × 300 it is the window point (150, 150), "
+                            "<p>The start of the line is the world’s origin. In a view of 300 × 300 it is the window point (150, 150), "
                             "and (150, 150) in the widget. In a larger view the picture stays in the lower left corner, and only "
-                            "the widget's y is another.</p>"
+                            "the widget’s y is another.</p>"
                             "<p><b>Click the middle of the yellow plate.</b> One unit is one pixel here, so that half a pixel shows: "
                             "the pixel below and to the right of the origin has its centre at (0.5, −0.5).</p>"
-                            "<p>The article unprojects without the depth buffer and gets the origin “only with another z”. Here "
-                            "the depth is read, and z comes out as well.</p>"
+                            "<p>The article’s way back gives the origin with another depth z. Here the depth is read from the "
+                            "picture, and z comes out as well.</p>"
                             "<p>In the Pipeline panel choose Rows to see the matrices as the article writes them, "
                             "<a href='formulas:rows'>v · M</a>.</p>"),
           QT_TRANSLATE_NOOP("Examples", "opencascade-transforms, section 4, figure 4.1 (its camera is not printed)")},

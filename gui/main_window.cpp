@@ -1,6 +1,7 @@
 #include "gui/main_window.h"
 
 #include "gui/error_text.h"
+#include "gui/example_note.h"
 #include "gui/lifecycle_log.h"
 #include "gui/number_text.h"
 #include "gui/overlay_bars.h"
@@ -139,6 +140,13 @@ void MainWindow::createDocks()
     m_pipelineDock = dock("pipeline", tr("Pipeline"), new PipelinePanel(*m_document));
     m_inspectorDock = dock("inspector", tr("Viewport"), m_inspector);
     m_lifecycleDock = dock("lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle));
+    m_exampleNote = new ExampleNote;
+    m_exampleDock = new QDockWidget(tr("Example"), this);
+    m_exampleDock->setObjectName(QStringLiteral("example"));
+    m_exampleDock->setWidget(m_exampleNote);
+    m_exampleDock->hide();
+    connect(m_exampleNote, &ExampleNote::closeRequested, m_exampleDock, &QWidget::hide);
+    connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     // The sides keep their full height: numbers stand in columns there.
@@ -157,6 +165,11 @@ void MainWindow::arrangeDocks()
     }
     if (isWide)
         addDockWidget(Qt::LeftDockWidgetArea, m_parametersDock);
+    const bool showsExample = !m_exampleNote->isEmpty();
+    addDockWidget(isWide ? Qt::LeftDockWidgetArea : Qt::BottomDockWidgetArea, m_exampleDock);
+    if (isWide)
+        tabifyDockWidget(m_parametersDock, m_exampleDock);
+    m_exampleDock->setVisible(showsExample);
     addDockWidget(Qt::RightDockWidgetArea, m_comparisonDock);
     tabifyDockWidget(m_comparisonDock, m_pipelineDock);
     if (!isWide)
@@ -169,9 +182,9 @@ void MainWindow::arrangeDocks()
     m_comparisonDock->raise();
     m_inspectorDock->raise();
     if (isWide)
-        resizeDocks({m_parametersDock, m_comparisonDock}, {240, 434}, Qt::Horizontal);
+        resizeDocks({m_parametersDock, m_comparisonDock}, {238, 446}, Qt::Horizontal);
     else
-        resizeDocks({m_comparisonDock}, {std::min(434, width() / 2)}, Qt::Horizontal);
+        resizeDocks({m_comparisonDock}, {std::min(446, width() / 2)}, Qt::Horizontal);
     resizeDocks({m_inspectorDock}, {190}, Qt::Vertical);
 }
 

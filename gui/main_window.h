@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 class QGridLayout;
@@ -16,6 +17,8 @@ class QSplitter;
 namespace unprojector {
 
 class ComparisonPanel;
+class ExampleNote;
+class FormulasWindow;
 class LifecycleLog;
 class LoadingBar;
 class MessageBar;
@@ -43,6 +46,8 @@ public:
     /// Opens model files; what could be opened replaces the scene, the rest is told in a message.
     void openFiles(std::vector<std::filesystem::path> files);
     void openBundledScene();
+    /// Opens one of core's examples and says what to look at.
+    void openExample(const std::string &id);
     /// Gives the view the whole window, or the panels back.
     void hidePanels(bool isHidden);
     bool isLoading() const { return m_loader->isLoading(); }
@@ -88,7 +93,8 @@ private:
     void showCamera();
     void restoreLayout();
     void showAbout();
-    void showFormulas();
+    void leaveExample();
+    void showFormulas(const QString &anchor);
     void showControls();
 
     Options m_options;
@@ -105,7 +111,10 @@ private:
     LoadingBar *m_loading = nullptr;
     ComparisonPanel *m_comparison = nullptr;
     ViewportInspector *m_inspector = nullptr;
-    std::vector<QDockWidget *> m_docks;
+    ExampleNote *m_exampleNote = nullptr;
+    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
+    std::vector<QDockWidget *> m_docks;   ///< all but the example's, which is there only while an example is shown
+    QDockWidget *m_exampleDock = nullptr;
     QDockWidget *m_parametersDock = nullptr;
     QDockWidget *m_comparisonDock = nullptr;
     QDockWidget *m_pipelineDock = nullptr;

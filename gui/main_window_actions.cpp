@@ -2,7 +2,7 @@
 
 #include "gui/main_window.h"
 
-#include "gui/panels/observer_panel.h"
+#include "gui/formulas_window.h"
 #include "gui/scene_document.h"
 #include "gui/scene_view.h"
 
@@ -104,9 +104,20 @@ void MainWindow::createViewMenu(QToolBar &bar)
 void MainWindow::createHelpMenu()
 {
     QMenu *menu = menuBar()->addMenu(tr("&Help"));
-    addAction(menu, tr("&Formulas"), QKeySequence::HelpContents, tr("All formulas with their sources, and the errors in the originals"), [this] { showFormulas(); });
+    addAction(menu, tr("&Formulas"), QKeySequence::HelpContents, tr("All formulas with their sources, and the errors in the originals"), [this] { showFormulas({}); });
     addAction(menu, tr("&Mouse and Keys"), {}, tr("How to move the camera and pick points"), [this] { showControls(); });
     addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
+}
+
+void MainWindow::showFormulas(const QString &anchor)
+{
+    if (!m_formulas)
+        m_formulas = new FormulasWindow(this);
+    m_formulas->show();
+    m_formulas->raise();
+    m_formulas->activateWindow();
+    if (!anchor.isEmpty())
+        m_formulas->showFormula(anchor);
 }
 
 void MainWindow::showControls()

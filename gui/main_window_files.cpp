@@ -3,18 +3,26 @@
 #include "gui/main_window.h"
 
 #include "core/bundled_scene.h"
+#include "core/examples.h"
 #include "gui/error_text.h"
+#include "gui/example_note.h"
+#include "gui/example_texts.h"
 #include "gui/overlay_bars.h"
 #include "gui/recent_files.h"
 #include "gui/scene_document.h"
 
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QMenu>
+
+#include <algorithm>
 
 namespace unprojector {
 
 void MainWindow::openBundledScene()
 {
+    m_loader->cancel();
+    leaveExample();
     setWindowTitle(tr("Bundled scene – Unprojector"));
     m_document->setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
 }
@@ -47,6 +55,7 @@ void MainWindow::takeLoaded(const std::vector<LoadedModel> &models, const std::v
         const QString first = QString::fromStdString(objects.front().name);
         const int others = static_cast<int>(models.size()) - 1;
         setWindowTitle(others == 0 ? tr("%1 – Unprojector").arg(first) : tr("%1 and %n more – Unprojector", nullptr, others).arg(first));
+        leaveExample();
         m_document->setObjects(std::move(objects));
     }
     if (!errors.empty()) {
@@ -90,12 +99,41 @@ void MainWindow::updateRecentMenu()
     });
 }
 
-void MainWindow::createExamplesMenu(QMenu &)
+void MainWindow::createExamplesMenu(QMenu &menu)
 {
+    std::string tutorial;
+    for (const Example &example : examples()) {
+        const std::optional<ExampleText> text = exampleText(example.id);
+        Q_ASSERT(text);
+        if (example.tutorial != tutorial) {
+            tutorial = example.tutorial;
+            menu.addSection(tutorialName(tutorial));
+        }
+        addAction(&menu, text->name, {}, text->source, [this, id = example.id] { openExample(id); });
+    }
 }
 
-void MainWindow::showFormulas()
+void MainWindow::openExample(const std::string &id)
 {
+    const std::vector<Example> all = examples();
+    const auto found = std::find_if(all.begin(), all.end(), [&id](const Example &example) { return example.id == id; });
+    if (found == all.end())
+        return;
+    m_loader->cancel();
+    if (const Check opened = m_document->open(found->scene); !opened) {
+        m_message->showMessage(errorText(opened.error()));
+        return;
+    }
+    setWindowTitle(tr("%1 – Unprojector").arg(exampleText(id)->name));
+    m_exampleNote->showExample(id);
+    m_exampleDock->show();
+    m_exampleDock->raise();
+}
+
+void MainWindow::leaveExample()
+{
+    m_exampleNote->clear();
+    m_exampleDock->hide();
 }
 
 } // namespace unprojector
