@@ -108,7 +108,7 @@ QVariant LifecycleLog::data(const QModelIndex &index, int role) const
     if (role == Qt::ToolTipRole && index.column() == Time && row.count > 1)
         return tr("From %1 s to %2 s").arg(secondsText(row.firstSeconds), secondsText(row.lastSeconds));
     if (role == Qt::ToolTipRole && index.column() == Step)
-        return headerData(index.column(), Qt::Horizontal, Qt::ToolTipRole);
+        return index.data().toString() + u'\n' + headerData(index.column(), Qt::Horizontal, Qt::ToolTipRole).toString();
     if (role == Qt::ToolTipRole && index.column() == StandsFor)
         return row.event.calls;
     if (role != Qt::DisplayRole)

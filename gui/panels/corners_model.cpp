@@ -118,7 +118,7 @@ QVariant CornersModel::data(const QModelIndex &index, int role) const
         break;
     case Qt::ForegroundRole:
         if (index.column() == Ndc && !isInside(p->ndc))
-            return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
+            return QGuiApplication::palette().color(QPalette::PlaceholderText);
         break;
     case Qt::ToolTipRole:
         if (index.column() == Ndc && !isInside(p->ndc))

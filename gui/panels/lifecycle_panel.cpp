@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QEvent>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -46,9 +47,11 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
         m_table->setColumnWidth(column, metrics.horizontalAdvance(widest) + kPadding);
     };
     reserve(LifecycleLog::Time, QStringLiteral("88888.888 s"));
-    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.88, 8888.88)"));
+    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8, 888.8)"));
     reserve(LifecycleLog::Took, QStringLiteral("888.88 ms, mean 888.88 ms"));
-    header->setSectionResizeMode(LifecycleLog::StandsFor, QHeaderView::Stretch);
+    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("glViewport(8888, 8888, 8888, 8888)")) + kPadding;
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->viewport()->installEventFilter(this);
 
     m_copy = new QPushButton(tr("&Copy"));
     m_copy->setToolTip(tr("Copy the selected steps, or all of them, as lines of text"));
@@ -82,6 +85,18 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     });
     connect(&m_log, &QAbstractItemModel::modelReset, this, &LifecyclePanel::enableButtons);
     enableButtons();
+}
+
+/// The calls have the room that the other columns leave, and in a narrow panel enough to be read: then it scrolls.
+bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize) {
+        int others = 0;
+        for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
+            others += m_table->columnWidth(column);
+        m_table->setColumnWidth(LifecycleLog::StandsFor, std::max(m_leastCallsWidth, m_table->viewport()->width() - others));
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 QSize LifecyclePanel::sizeHint() const

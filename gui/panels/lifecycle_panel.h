@@ -19,6 +19,7 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void follow();
@@ -29,6 +30,7 @@ private:
     QTableView *m_table;
     QPushButton *m_copy;
     QPushButton *m_clear;
+    int m_leastCallsWidth = 0;
     bool m_follows = true;
     bool m_willFollow = false; ///< the scroll to the end is under way
 };

@@ -12,6 +12,7 @@ namespace unprojector {
 namespace {
 
 constexpr double kGap = 6.0; ///< between the drawings and around texts, logical pixels
+constexpr double kDotRadius = 3.0;
 const QColor kPointerColor(214, 64, 32);
 
 QString limitText(double value)
@@ -81,8 +82,9 @@ void ViewportDrawing::setPicture(const ViewGeometry &geometry)
 
 void ViewportDrawing::setPointer(const std::optional<WindowPoint> &pointer)
 {
+    update(pointerRegion());
     m_pointer = pointer;
-    update();
+    update(pointerRegion());
 }
 
 QSize ViewportDrawing::sizeHint() const
@@ -134,10 +136,34 @@ void ViewportDrawing::paintEvent(QPaintEvent *)
     if (!m_pointer)
         return;
     painter.setRenderHint(QPainter::Antialiasing);
-    const Surface &s = m_geometry.surface;
+    paintPointer(painter, m_windowRect, pointerInWindow());
+    paintPointer(painter, m_projectionRect, pointerInProjectionWindow());
+}
+
+QPointF ViewportDrawing::pointerInWindow() const
+{
+    return atShare(m_windowRect, m_pointer->x / m_geometry.surface.widthPixels, m_pointer->y / m_geometry.surface.heightPixels);
+}
+
+QPointF ViewportDrawing::pointerInProjectionWindow() const
+{
     const glm::dvec2 share = proportions(m_geometry, *m_pointer).share;
-    paintPointer(painter, m_windowRect, atShare(m_windowRect, m_pointer->x / s.widthPixels, m_pointer->y / s.heightPixels));
-    paintPointer(painter, m_projectionRect, atShare(m_projectionRect, share.x, share.y));
+    return atShare(m_projectionRect, share.x, share.y);
+}
+
+QRegion ViewportDrawing::pointerRegion() const
+{
+    if (!m_pointer)
+        return {};
+    const auto cross = [](const QRectF &rect, const QPointF &position) {
+        if (!rect.contains(position))
+            return QRegion();
+        constexpr double kReach = kDotRadius + 1.0;
+        const QRectF across(rect.left() - kReach, position.y() - kReach, rect.width() + 2.0 * kReach, 2.0 * kReach);
+        const QRectF along(position.x() - kReach, rect.top() - kReach, 2.0 * kReach, rect.height() + 2.0 * kReach);
+        return QRegion(across.toAlignedRect()) + QRegion(along.toAlignedRect());
+    };
+    return cross(m_windowRect, pointerInWindow()) + cross(m_projectionRect, pointerInProjectionWindow());
 }
 
 QRectF ViewportDrawing::paintWindow(QPainter &painter, const QRectF &area) const
@@ -221,7 +247,7 @@ void ViewportDrawing::paintPointer(QPainter &painter, const QRectF &within, cons
     painter.drawLine(QPointF(position.x(), within.top()), QPointF(position.x(), within.bottom()));
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPointerColor);
-    painter.drawEllipse(position, 3.0, 3.0);
+    painter.drawEllipse(position, kDotRadius, kDotRadius);
 }
 
 } // namespace unprojector

@@ -37,6 +37,10 @@ private:
     QRectF paintWindow(QPainter &painter, const QRectF &area) const;
     QRectF paintProjectionWindow(QPainter &painter, const QRectF &area) const;
     void paintPointer(QPainter &painter, const QRectF &within, const QPointF &position) const;
+    /// What the pointer covers: little, so that following it is cheap.
+    QRegion pointerRegion() const;
+    QPointF pointerInWindow() const;
+    QPointF pointerInProjectionWindow() const;
     double captionHeight() const;
 
     ViewGeometry m_geometry;
