@@ -71,6 +71,7 @@ void TestProportions::aWindowPositionHasItsPlaceInTheProjectionWindow_data()
     row("quarter of the way", whole, 200, 450, 0.25, 0.75, 0, 0);
     row("quarter viewport's corner", quarter, 400, 0, 0, 0, -4, -3);
     row("quarter viewport's middle", quarter, 600, 150, 0.5, 0.5, 4, -1);
+    row("viewport away from both edges", {100, 150, 400, 200}, 200, 300, 0.25, 0.75, 0, 0);
     row("left of and above the quarter viewport", quarter, 0, 600, -1, 2, -20, 5);
 }
 
