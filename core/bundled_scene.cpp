@@ -4,8 +4,6 @@
 #include "core/utah_teapot.h"
 
 #include <glm/common.hpp>
-#include <glm/ext/matrix_transform.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <array>
 #include <cmath>
@@ -94,36 +92,36 @@ Mesh coloredBall()
     return coloredByVertex(ball, [&](std::size_t v) { return mixed(kPurple, kPink, ball.normals[v].y / 2.0 + 0.5); });
 }
 
-BundledObject object(std::string name, Mesh mesh, const glm::dmat4 &worldFromObject)
+SceneObject object(std::string name, Mesh mesh, std::vector<TransformStep> transform)
 {
     auto model = std::make_shared<Model>();
     model->name = name;
     model->meshes.push_back(std::move(mesh));
     model->bounds = boundsOf(model->meshes);
-    return {std::move(name), std::move(model), worldFromObject};
+    return {std::move(name), {}, std::move(model), std::move(transform)};
 }
 
-glm::dmat4 movedBy(double x, double y, double z)
+Translate movedBy(double x, double y, double z)
 {
-    return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z));
+    return {glm::dvec3(x, y, z)};
 }
 
-glm::dmat4 turnedBy(double degrees)
+Rotate turnedBy(double degrees)
 {
-    return glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::dvec3(0.0, 1.0, 0.0));
+    return {degrees, glm::dvec3(0.0, 1.0, 0.0)};
 }
 
 } // namespace
 
-std::vector<BundledObject> bundledScene()
+std::vector<SceneObject> bundledScene()
 {
-    const glm::dmat4 teapotScale = glm::scale(glm::dmat4(1.0), glm::dvec3(kTeapotScale));
+    constexpr double kTorusHeight = kTorusRingRadius + kTorusTubeRadius;
     return {
-        object("Teapot", colored(utahTeapotMesh(), kClay), movedBy(-0.3, 0.0, 0.7) * teapotScale),
-        object("Cube", coloredCube(), movedBy(3.2, kCubeEdge / 2.0, -2.4) * turnedBy(-20.0)),
-        object("Torus", coloredTorus(), movedBy(-4.2, kTorusRingRadius + kTorusTubeRadius, -0.7) * turnedBy(30.0)),
-        object("Ball", coloredBall(), movedBy(2.8, kBallRadius, 2.7)),
-        object("Cone", colored(coneMesh(1.2, kConeHeight, 96), kGreen), movedBy(-1.9, kConeHeight / 2.0, -5.6)),
+        object("Teapot", colored(utahTeapotMesh(), kClay), {movedBy(-0.3, 0.0, 0.7), Scale{glm::dvec3(kTeapotScale)}}),
+        object("Cube", coloredCube(), {movedBy(3.2, kCubeEdge / 2.0, -2.4), turnedBy(-20.0)}),
+        object("Torus", coloredTorus(), {movedBy(-4.2, kTorusHeight, -0.7), turnedBy(30.0)}),
+        object("Ball", coloredBall(), {movedBy(2.8, kBallRadius, 2.7)}),
+        object("Cone", colored(coneMesh(1.2, kConeHeight, 96), kGreen), {movedBy(-1.9, kConeHeight / 2.0, -5.6)}),
     };
 }
 

@@ -1,21 +1,10 @@
 #pragma once
 
-#include "core/mesh.h"
+#include "core/scene.h"
 
-#include <glm/mat4x4.hpp>
-
-#include <memory>
-#include <string>
 #include <vector>
 
 namespace unprojector {
-
-/// A model and where it stands.
-struct BundledObject {
-    std::string name; ///< English, for the object list and for scene files
-    std::shared_ptr<const Model> model;
-    glm::dmat4 worldFromObject{1.0}; ///< rotation, uniform scale and translation only
-};
 
 /// What the program shows before a file is opened: a teapot, a cube whose faces differ in colour, a torus, a ball and a
 /// cone, side by side on the plane y = 0, y up, a few world units apart and at clearly different depths. Seen from
@@ -23,6 +12,6 @@ struct BundledObject {
 /// another. Colours are sRGB bytes or fractions; where a mesh has vertex colours its base colour is white.
 ///
 /// The meshes are built anew on every call, in milliseconds.
-std::vector<BundledObject> bundledScene();
+std::vector<SceneObject> bundledScene();
 
 } // namespace unprojector

@@ -117,19 +117,28 @@ ViewGeometry zoomed(const ViewGeometry &geometry, const WorldPoint &anchor, doub
     ViewGeometry result = geometry;
     const EyeFrame frame = frameOf(geometry.camera);
     const EyePoint inEye = eyeFromWorld(frame, anchor);
+    const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(geometry.camera);
     if (isPerspective(geometry.projection)) {
         const glm::dvec3 toAnchor = anchor.coordinates() - frame.eye.coordinates();
         result.camera.eye = WorldPoint(frame.eye.coordinates() + toAnchor * (1.0 - 1.0 / factor));
-        result.camera.center = WorldPoint(result.camera.eye.coordinates() + frame.forward * (-inEye.z / factor));
-        return result;
+    } else {
+        // The eye of a box comes along: that changes nothing in the picture of a glOrtho, and a perspective that is
+        // switched to later has the field of view it had.
+        const double step = distance * (1.0 - 1.0 / factor);
+        result.camera.eye = WorldPoint(frame.eye.coordinates() + frame.forward * step);
+        if (auto *ortho = std::get_if<Ortho>(&result.projection))
+            *ortho = scaledAbout(*ortho, inEye.x, inEye.y, 1.0 / factor);
+        else if (auto *oblique = std::get_if<Oblique>(&result.projection)) {
+            // A sheared picture shifts as the eye steps forward.
+            const glm::dvec2 slope(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians));
+            const glm::dvec2 onWindow = glm::dvec2(inEye.x, inEye.y) + slope * inEye.z;
+            const glm::dvec2 shift = slope * step;
+            Ortho box = scaledAbout(oblique->box, onWindow.x, onWindow.y, 1.0 / factor);
+            oblique->box = {box.left + shift.x,   box.right + shift.x, box.bottom + shift.y,
+                            box.top + shift.y,    box.nearDistance,    box.farDistance};
+        }
     }
-    if (auto *ortho = std::get_if<Ortho>(&result.projection))
-        *ortho = scaledAbout(*ortho, inEye.x, inEye.y, 1.0 / factor);
-    else if (auto *oblique = std::get_if<Oblique>(&result.projection)) {
-        const double x = inEye.x + cotangent(oblique->thetaRadians) * inEye.z;
-        const double y = inEye.y + cotangent(oblique->phiRadians) * inEye.z;
-        oblique->box = scaledAbout(oblique->box, x, y, 1.0 / factor);
-    }
+    result.camera.center = WorldPoint(result.camera.eye.coordinates() + frame.forward * (distance / factor));
     return result;
 }
 
@@ -159,7 +168,7 @@ ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds)
     const double halfWidth = std::abs(w.right - w.left) / 2.0;
     const double halfHeight = std::abs(w.top - w.bottom) / 2.0;
     constexpr double kMargin = 1.05;
-    double distance = 2.0 * radius * kMargin;
+    double distance = centerDistance(geometry.camera);
     if (isPerspective(geometry.projection)) {
         // Where the ball about the box, in the middle of the window, touches the steeper of two opposite edges.
         const auto needed = [&](double low, double high, double half) {
@@ -172,6 +181,7 @@ ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds)
         const double stretchX = sheared ? std::hypot(1.0, cotangent(sheared->thetaRadians)) : 1.0;
         const double stretchY = sheared ? std::hypot(1.0, cotangent(sheared->phiRadians)) : 1.0;
         const double scale = radius * kMargin * std::max(stretchX / halfWidth, stretchY / halfHeight);
+        distance *= scale; // see zoomed: the eye comes along
         const double x = (w.left + w.right) / 2.0, y = (w.bottom + w.top) / 2.0;
         if (auto *ortho = std::get_if<Ortho>(&result.projection))
             *ortho = scaledAbout(*ortho, x, y, scale);
@@ -212,34 +222,6 @@ Projection withFittedClipDistances(const ViewGeometry &geometry, const Box &boun
         f = std::max(f, n * 2.0);
     }
     return withClipDistances(geometry.projection, n, f);
-}
-
-ViewGeometry withProjectionSwitched(const ViewGeometry &geometry)
-{
-    ViewGeometry result = geometry;
-    const double distance = centerDistance(geometry.camera);
-    ProjectionWindow w = projectionWindow(geometry.projection);
-    if (isPerspective(geometry.projection)) {
-        const double k = distance / w.nearDistance;
-        result.projection = Ortho{w.left * k, w.right * k, w.bottom * k, w.top * k, w.nearDistance, w.farDistance};
-        return result;
-    }
-    if (const auto *oblique = std::get_if<Oblique>(&geometry.projection)) {
-        // At the centre's distance the shear has moved the box sideways.
-        const double x = cotangent(oblique->thetaRadians) * distance, y = cotangent(oblique->phiRadians) * distance;
-        w = {w.left + x, w.right + x, w.bottom + y, w.top + y, w.nearDistance, w.farDistance};
-    }
-    // The eye of a box may stand anywhere on its axis; for a frustum it steps back until the window at the centre
-    // has the height it had.
-    constexpr double kFovyRadians = kPi / 4.0;
-    const double wanted = std::abs(w.top - w.bottom) / 2.0 / std::tan(kFovyRadians / 2.0);
-    const EyeFrame frame = frameOf(geometry.camera);
-    result.camera.eye = WorldPoint(geometry.camera.center.coordinates() - frame.forward * wanted);
-    const double n = wanted * 0.01;
-    const double f = std::max(w.farDistance + wanted - distance, wanted * 2.0);
-    const double k = n / wanted;
-    result.projection = Frustum{w.left * k, w.right * k, w.bottom * k, w.top * k, n, f};
-    return result;
 }
 
 } // namespace unprojector

@@ -28,7 +28,7 @@ LookAt seenFrom(const LookAt &camera, StandardView side);
 double worldPerPixel(const ViewGeometry &geometry, const WorldPoint &anchor);
 
 /// Zooms by `factor` (> 1: closer) so that `anchor` stays where it is in the picture: a perspective's eye moves
-/// along the ray to it, a box shrinks about it. The centre moves to the anchor's depth.
+/// along the ray to it, a box shrinks about it while its eye steps forward. The centre moves to the anchor's depth.
 ViewGeometry zoomed(const ViewGeometry &geometry, const WorldPoint &anchor, double factor);
 
 /// Shifts the camera sideways so that `point` comes to the middle of the picture, and makes its depth the centre's.
@@ -42,9 +42,5 @@ ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds);
 /// @param bounds  of what is picked; empty: the distances stay
 /// @param reach   of what is only drawn (ground, axes): it stretches the far plane, not the near one
 Projection withFittedClipDistances(const ViewGeometry &geometry, const Box &bounds, const Box &reach);
-
-/// The other projection with the same picture at the centre's distance: a frustum becomes a box, a box a frustum
-/// of 45 degrees' height. Off-centre windows stay off-centre.
-ViewGeometry withProjectionSwitched(const ViewGeometry &geometry);
 
 } // namespace unprojector

@@ -1,5 +1,6 @@
 #include "core/projection.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace unprojector {
@@ -183,6 +184,52 @@ Projection withAspect(const Projection &projection, double aspect)
         Ortho widened(const Ortho &p) const { return widenedTo(p, std::abs(p.top - p.bottom) * aspect); }
     };
     return std::visit(Visitor{aspect}, projection);
+}
+
+ProjectionKind kindOf(const Projection &projection)
+{
+    struct Visitor {
+        ProjectionKind operator()(const Frustum &) const { return ProjectionKind::Frustum; }
+        ProjectionKind operator()(const Perspective &) const { return ProjectionKind::Perspective; }
+        ProjectionKind operator()(const Ortho &) const { return ProjectionKind::Ortho; }
+        ProjectionKind operator()(const Oblique &) const { return ProjectionKind::Oblique; }
+    };
+    return std::visit(Visitor{}, projection);
+}
+
+Projection converted(const Projection &projection, ProjectionKind kind, double distance)
+{
+    if (kindOf(projection) == kind)
+        return projection;
+
+    // Everything goes by the window at `distance`, where both pictures are to agree.
+    const ProjectionWindow w = projectionWindow(projection);
+    const bool wasPerspective = isPerspective(projection);
+    const double magnified = wasPerspective ? distance / w.nearDistance : 1.0;
+    Ortho box{w.left * magnified, w.right * magnified, w.bottom * magnified,
+              w.top * magnified,  w.nearDistance,      w.farDistance};
+    if (const auto *oblique = std::get_if<Oblique>(&projection)) {
+        const double dx = cotangent(oblique->thetaRadians) * distance;
+        const double dy = cotangent(oblique->phiRadians) * distance;
+        box = {box.left + dx, box.right + dx, box.bottom + dy, box.top + dy, box.nearDistance, box.farDistance};
+    }
+    if (kind == ProjectionKind::Ortho)
+        return box;
+    if (kind == ProjectionKind::Oblique)
+        return Oblique{box};
+
+    Frustum frustum{w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance};
+    if (!wasPerspective) {
+        constexpr double kNearShare = 0.01; // of the distance, where a box begins behind the eye
+        const double n = box.nearDistance > 0.0 ? box.nearDistance : distance * kNearShare;
+        const double k = n / distance;
+        frustum = {box.left * k, box.right * k, box.bottom * k, box.top * k, n, std::max(box.farDistance, 2.0 * n)};
+    }
+    if (kind == ProjectionKind::Frustum)
+        return frustum;
+    const double height = std::abs(frustum.top - frustum.bottom);
+    return Perspective{2.0 * std::atan(height / 2.0 / frustum.nearDistance),
+                       std::abs(frustum.right - frustum.left) / height, frustum.nearDistance, frustum.farDistance};
 }
 
 Projection withClipDistances(const Projection &projection, double nearDistance, double farDistance)

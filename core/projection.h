@@ -64,6 +64,16 @@ bool isPerspective(const Projection &projection);
 ///         matrix with a garbled third row.)
 Result<glm::dmat4> clipFromEye(const Projection &projection);
 
+enum class ProjectionKind { Frustum, Perspective, Ortho, Oblique };
+ProjectionKind kindOf(const Projection &projection);
+
+/// The projection of another kind whose picture is as close as it can be: a frustum and a perspective exchange exactly
+/// (an off-centre frustum is centred, with its height); between frustum and box, and where a shear is dropped, what lies
+/// at `distance` in front of the eye keeps its place. The angles of a new oblique are 90 degrees: no shear.
+/// @param distance  > 0, eye units
+/// @pre the projection is valid
+Projection converted(const Projection &projection, ProjectionKind kind, double distance);
+
 /// cot, exactly 0 at pi/2: an unsheared axis of an oblique projection stays unsheared.
 double cotangent(double radians);
 

@@ -32,6 +32,7 @@ enum class ErrorCode {
     PointAtInfinity,        ///< the homogeneous result has w = 0
     ScaleIsZero,            ///< value: 0
     RotationAxisIsZero,     ///< the axis has no length
+    ClipPlaneHasNoNormal,   ///< A = B = C = 0
 };
 
 struct Error {

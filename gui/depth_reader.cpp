@@ -70,7 +70,8 @@ std::optional<DepthSample> DepthReader::read(unsigned framebuffer, const Surface
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     if (!ok)
         return std::nullopt;
-    sample.hit = sample.depth != clearDepth;
+    // The clear depth went through the same rounding; half a step tells it apart from a surface.
+    sample.hit = std::abs(sample.depth - clearDepth) > 0.5 / (std::ldexp(1.0, sample.depthBits) - 1.0);
     return sample;
 }
 

@@ -37,7 +37,10 @@ QString modelFileFilter()
 QString errorText(const Error &error)
 {
     const QString value = shortestText(error.value);
-    const QString other = shortestText(error.other);
+    // The number compared with comes from a computation as a rule: its last digits would only be noise, unless they are
+    // what makes the difference.
+    const QString rounded = significantText(error.other, 7);
+    const QString other = rounded.toDouble() == error.value ? shortestText(error.other) : rounded;
     switch (error.code) {
     case ErrorCode::NotFinite: return tr("%1 is not a finite number; give a number.").arg(value);
     case ErrorCode::NearNotPositive:
@@ -66,6 +69,7 @@ QString errorText(const Error &error)
     case ErrorCode::PointAtInfinity: return tr("The point lies at infinity.");
     case ErrorCode::ScaleIsZero: return tr("The scale is 0; it must differ from 0.");
     case ErrorCode::RotationAxisIsZero: return tr("The rotation axis is (0, 0, 0); give it a length.");
+    case ErrorCode::ClipPlaneHasNoNormal: return tr("A, B and C of the clip plane are all 0; one of them must differ.");
     }
     Q_UNREACHABLE();
 }

@@ -1,7 +1,6 @@
 #include "gui/formula_text.h"
 
 #include "core/unproject_closed_form.h"
-#include "core/unproject_matrix_inverse.h"
 #include "gui/number_text.h"
 
 #include <QCoreApplication>
@@ -127,17 +126,21 @@ QString rayText(const Pick &pick)
 QString differenceCauseText(const Pick &pick)
 {
     const TwoWays<WorldSpace> &world = pick.hit ? pick.point.world : pick.rayFar.world;
-    const Result<glm::dmat4> matrix = clipFromWorld(pick.geometry);
-    if (!world.formula || !world.matrix || !matrix)
+    if (!world.formula || !world.matrix)
         return {};
     const glm::dvec3 d = world.difference();
     const double ulps = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(world.formula->coordinates());
     if (ulps <= 4.0)
         return tr("The two agree to the last places: each rounds a few times, and that is all.");
+    const Result<EyePoint> &eye = pick.hit ? pick.point.eye.formula : pick.rayFar.eye.formula;
+    if (!isPerspective(pick.geometry.projection) || !eye)
+        return tr("Cause: rounding in the inverted matrix. The formula inverts nothing.");
+    // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
     const ProjectionWindow w = projectionWindow(pick.geometry.projection);
-    return tr("Cause: rounding in the inverted matrix. Its condition number is %1 (near : far = %2 : %3), and "
-              "inverting loses about that many units. The formula inverts nothing.")
-        .arg(significantText(conditionNumber(*matrix), 2), significantText(w.nearDistance, 4), significantText(w.farDistance, 4));
+    const double n = w.nearDistance, f = w.farDistance, z = -eye->z;
+    return tr("Cause: rounding in the inverted matrix. At z = %1 with near : far = %2 : %3 the perspective magnifies "
+              "it up to z (f − n) / (f n) = %4 times. The formula inverts nothing.")
+        .arg(significantText(z, 4), significantText(n, 4), significantText(f, 4), significantText(z * (f - n) / (f * n), 2));
 }
 
 QString certaintyText(const Pick &pick)

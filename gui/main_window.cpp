@@ -1,67 +1,55 @@
 #include "gui/main_window.h"
 
-#include "core/bundled_scene.h"
 #include "gui/error_text.h"
+#include "gui/example_note.h"
+#include "gui/lifecycle_log.h"
 #include "gui/number_text.h"
 #include "gui/overlay_bars.h"
 #include "gui/panels/comparison_panel.h"
-#include "gui/recent_files.h"
+#include "gui/panels/lifecycle_panel.h"
+#include "gui/observer_view.h"
+#include "gui/panels/observer_panel.h"
+#include "gui/panels/parameters_panel.h"
+#include "gui/panels/pipeline_panel.h"
+#include "gui/panels/viewport_inspector.h"
 #include "gui/scene_document.h"
 #include "gui/scene_view.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QLabel>
-#include <QMenuBar>
-#include <QMessageBox>
+#include <QScrollArea>
 #include <QSettings>
+#include <QSplitter>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QUrl>
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 namespace unprojector {
 namespace {
 
-constexpr int kSmoothSamples = 4;
 /// Raised when docks or tool bars change, so that an old layout is not put onto a new window.
-constexpr int kLayoutVersion = 1;
-
-std::filesystem::path pathFromQString(const QString &text)
-{
-    return std::filesystem::path(text.toStdU16String());
-}
+constexpr int kLayoutVersion = 2;
 
 } // namespace
 
 MainWindow::MainWindow(const Options &options, QWidget *parent)
-    : QMainWindow(parent), m_options(options), m_document(new SceneDocument(this)), m_loader(new ModelLoader(this))
+    : QMainWindow(parent), m_options(options), m_document(new SceneDocument(this)), m_loader(new ModelLoader(this)),
+      m_lifecycle(new LifecycleLog(this))
 {
     setWindowTitle(tr("Unprojector"));
     resize(1280, 800);
+    const bool smooth = options.remembers && QSettings().value(QStringLiteral("view/smoothEdges"), false).toBool();
+    m_samples = options.samples >= 0 ? options.samples : smooth ? kSmoothSamples : 0;
 
-    auto *central = new QWidget;
-    m_center = new QGridLayout(central);
-    m_center->setContentsMargins(0, 0, 0, 0);
-    m_message = new MessageBar;
-    m_loading = new LoadingBar;
-    setCentralWidget(central);
-
-    auto *dock = new QDockWidget(tr("Comparison"), this);
-    dock->setObjectName(QStringLiteral("comparison"));
-    m_comparison = new ComparisonPanel;
-    dock->setWidget(m_comparison);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    resizeDocks({dock}, {440}, Qt::Horizontal);
-
-    const QSettings settings;
-    const bool smooth = options.remembers && settings.value(QStringLiteral("view/smoothEdges"), false).toBool();
-    createView(options.samples >= 0 ? options.samples : smooth ? kSmoothSamples : 0);
-    createActions();
+    createCenter();
+    createDocks();
     createStatusBar();
+    createActions();
+    createView(m_samples);
 
     connect(m_document, &SceneDocument::pickChanged, this, [this] { m_comparison->setPick(m_document->pick()); });
     connect(m_document, &SceneDocument::pickFailed, this, [this](const Error &error) { m_message->showMessage(errorText(error)); });
@@ -79,10 +67,28 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     showCamera();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // The view tells the log of its end, so it goes while the log is there.
+    delete m_view;
+}
+
+void MainWindow::createCenter()
+{
+    auto *frame = new QWidget;
+    m_center = new QGridLayout(frame);
+    m_center->setContentsMargins(0, 0, 0, 0);
+    m_message = new MessageBar;
+    m_loading = new LoadingBar;
+    m_splitter = new QSplitter(Qt::Horizontal);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->addWidget(frame);
+    setCentralWidget(m_splitter);
+}
 
 void MainWindow::createView(int samples)
 {
+    m_samples = samples;
     delete m_view;
     m_view = new SceneView(*m_document, samples);
     m_center->addWidget(m_view, 0, 0);
@@ -90,84 +96,123 @@ void MainWindow::createView(int samples)
     m_center->addWidget(m_loading, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
     m_message->raise();
     m_loading->raise();
+    connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
     connect(m_view, &SceneView::clicked, m_document, &SceneDocument::pickAt);
     connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
-    connect(m_view, &SceneView::pointerLeft, this, [this] { m_hover->clear(); });
-    connect(m_view, &SceneView::failed, this, [this](const QString &reason) {
-        m_message->showMessage(reason);
-        emit openFailed(reason);
+    connect(m_view, &SceneView::pointerLeft, this, [this] {
+        m_hover->clear();
+        m_inspector->clearPointer();
     });
+    connect(m_view, &SceneView::failed, this, &MainWindow::showFailure);
     connect(m_view, &SceneView::filesDropped, this, [this](const QList<QUrl> &urls) {
         std::vector<std::filesystem::path> files;
         for (const QUrl &url : urls)
-            files.push_back(pathFromQString(url.isLocalFile() ? url.toLocalFile() : url.toString()));
+            files.emplace_back((url.isLocalFile() ? url.toLocalFile() : url.toString()).toStdU16String());
         openFiles(std::move(files));
     });
 }
 
-void MainWindow::createActions()
+void MainWindow::showFailure(const QString &reason)
 {
-    const auto action = [this](QMenu *menu, const QString &text, const QList<QKeySequence> &keys, const QString &tip, auto slot) {
-        QAction *a = menu->addAction(text);
-        a->setShortcuts(keys);
-        a->setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
-        a->setStatusTip(tip);
-        connect(a, &QAction::triggered, this, slot);
-        return a;
+    m_message->showMessage(reason);
+    emit openFailed(reason);
+}
+
+void MainWindow::createDocks()
+{
+    const auto dock = [this](const char *name, const QString &title, QWidget *content) {
+        auto *widget = new QDockWidget(title, this);
+        widget->setObjectName(QLatin1String(name));
+        widget->setWidget(content);
+        widget->hide(); // until it has a place
+        m_docks.push_back(widget);
+        return widget;
     };
-    const auto look = [this](StandardView side) {
-        return [this, side] { m_document->setCamera(seenFrom(m_document->geometry().camera, side)); };
-    };
+    m_comparison = new ComparisonPanel;
+    m_inspector = new ViewportInspector(*m_document);
+    m_parametersDock = dock("parameters", tr("Parameters"), new ParametersPanel(*m_document));
+    // On a small window it scrolls, instead of holding the window open.
+    auto *scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(m_comparison);
+    m_comparisonDock = dock("comparison", tr("Comparison"), scroll);
+    m_pipelineDock = dock("pipeline", tr("Pipeline"), new PipelinePanel(*m_document));
+    m_inspectorDock = dock("inspector", tr("Viewport"), m_inspector);
+    m_lifecycleDock = dock("lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle));
+    m_exampleNote = new ExampleNote;
+    m_exampleDock = new QDockWidget(tr("Example"), this);
+    m_exampleDock->setObjectName(QStringLiteral("example"));
+    m_exampleDock->setWidget(m_exampleNote);
+    m_exampleDock->hide();
+    connect(m_exampleNote, &ExampleNote::closeRequested, m_exampleDock, &QWidget::hide);
+    connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    // The sides keep their full height: numbers stand in columns there.
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
 
-    QMenu *file = menuBar()->addMenu(tr("&File"));
-    QAction *open = action(file, tr("&Open…"), {QKeySequence::Open}, tr("Open model files"), [this] { askForFiles(); });
-    m_recentMenu = file->addMenu(tr("Open &Recent"));
-    action(file, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"), [this] { openBundledScene(); });
-    file->addSeparator();
-    action(file, tr("&Quit"), {QKeySequence::Quit}, tr("Close the window"), [this] { close(); });
-    updateRecentMenu();
+void MainWindow::arrangeDocks()
+{
+    // Where the window is too small for all panels, the view keeps its half of it.
+    const bool isWide = width() >= 1180;
+    const bool isHigh = height() >= 700;
+    for (QDockWidget *dock : m_docks) {
+        dock->setFloating(false);
+        removeDockWidget(dock);
+    }
+    if (isWide)
+        addDockWidget(Qt::LeftDockWidgetArea, m_parametersDock);
+    const bool showsExample = !m_exampleNote->isEmpty();
+    addDockWidget(isWide ? Qt::LeftDockWidgetArea : Qt::BottomDockWidgetArea, m_exampleDock);
+    if (isWide)
+        tabifyDockWidget(m_parametersDock, m_exampleDock);
+    m_exampleDock->setVisible(showsExample);
+    addDockWidget(Qt::RightDockWidgetArea, m_comparisonDock);
+    tabifyDockWidget(m_comparisonDock, m_pipelineDock);
+    if (!isWide)
+        tabifyDockWidget(m_pipelineDock, m_parametersDock);
+    addDockWidget(Qt::BottomDockWidgetArea, m_inspectorDock);
+    tabifyDockWidget(m_inspectorDock, m_lifecycleDock);
+    for (QDockWidget *dock : m_docks)
+        dock->setVisible(isHigh || (dock != m_inspectorDock && dock != m_lifecycleDock));
+    m_hidesPanels->setChecked(false);
+    m_comparisonDock->raise();
+    m_inspectorDock->raise();
+    if (isWide)
+        resizeDocks({m_parametersDock, m_comparisonDock}, {238, 446}, Qt::Horizontal);
+    else
+        resizeDocks({m_comparisonDock}, {std::min(446, width() / 2)}, Qt::Horizontal);
+    resizeDocks({m_inspectorDock}, {190}, Qt::Vertical);
+}
 
-    QMenu *view = menuBar()->addMenu(tr("&View"));
-    QAction *fit = action(view, tr("&Fit"), {Qt::Key_F}, tr("Move the camera until all objects fill the view"), [this] { m_document->fit(); });
-    QAction *home = action(view, tr("&Home"), {Qt::Key_Home}, tr("Back to the camera that the scene opened with"), [this] { m_document->goHome(); });
-    view->addSeparator();
-    QAction *front = action(view, tr("Fr&ont"), {Qt::Key_1}, tr("Look from the front, along −z"), look(StandardView::Front));
-    QAction *right = action(view, tr("&Right"), {Qt::Key_3}, tr("Look from the right, along −x"), look(StandardView::Right));
-    QAction *top = action(view, tr("&Top"), {Qt::Key_7}, tr("Look from the top, along −y"), look(StandardView::Top));
-    action(view, tr("B&ack"), {Qt::CTRL | Qt::Key_1}, tr("Look from the back, along z"), look(StandardView::Back));
-    action(view, tr("&Left"), {Qt::CTRL | Qt::Key_3}, tr("Look from the left, along x"), look(StandardView::Left));
-    action(view, tr("Botto&m"), {Qt::CTRL | Qt::Key_7}, tr("Look from below, along y"), look(StandardView::Bottom));
-    view->addSeparator();
-    m_projectionAction = action(view, tr("&Perspective"), {Qt::Key_5}, tr("Switch between perspective (glFrustum) and orthographic (glOrtho)"),
-                                [this] { m_document->switchProjection(); });
-    m_projectionAction->setCheckable(true);
-    view->addSeparator();
-    QAction *smooth = action(view, tr("&Smooth Edges"), {}, tr("Multisampling: smoother edges, but a depth is then read at a sample beside the pixel's centre"), [] {});
-    smooth->setCheckable(true);
-    smooth->setChecked(m_view->format().samples() > 0);
-    connect(smooth, &QAction::toggled, this, [this](bool on) {
-        createView(on ? kSmoothSamples : 0);
-        if (m_options.remembers)
-            QSettings().setValue(QStringLiteral("view/smoothEdges"), on);
-    });
-    view->addSeparator();
-    for (QDockWidget *dock : findChildren<QDockWidget *>())
-        view->addAction(dock->toggleViewAction());
+void MainWindow::hidePanels(bool isHidden)
+{
+    if (isHidden) {
+        m_layoutWithPanels = m_isArranged ? saveState(kLayoutVersion) : QByteArray();
+        for (QDockWidget *dock : m_docks)
+            dock->hide();
+    } else if (m_layoutWithPanels.isEmpty() || !restoreState(m_layoutWithPanels, kLayoutVersion)) {
+        arrangeDocks();
+    }
+    m_isArranged = true;
+    m_hidesPanels->setChecked(isHidden);
+}
 
-    QMenu *help = menuBar()->addMenu(tr("&Help"));
-    action(help, tr("&Mouse and Keys"), {QKeySequence::HelpContents}, tr("How to move the camera and pick points"), [this] { showControls(); });
-    action(help, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
-
-    QToolBar *bar = addToolBar(tr("Tools"));
-    bar->setObjectName(QStringLiteral("tools"));
-    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    bar->addAction(open);
-    bar->addSeparator();
-    bar->addActions({fit, home});
-    bar->addSeparator();
-    bar->addActions({front, right, top});
-    bar->addSeparator();
-    bar->addAction(m_projectionAction);
+void MainWindow::showObserver(bool isShown)
+{
+    if (!m_observer) {
+        if (!isShown)
+            return;
+        m_observer = new ObserverPanel(*m_document, m_samples);
+        connect(&m_observer->view(), &ObserverView::failed, this, &MainWindow::showFailure);
+        m_splitter->addWidget(m_observer);
+        const int half = m_splitter->width() / 2;
+        m_splitter->setSizes({half, half});
+    }
+    m_observer->setVisible(isShown);
 }
 
 void MainWindow::createStatusBar()
@@ -182,87 +227,9 @@ void MainWindow::createStatusBar()
     statusBar()->addPermanentWidget(m_camera);
 }
 
-void MainWindow::openBundledScene()
-{
-    std::vector<SceneObject> objects;
-    for (const BundledObject &object : bundledScene())
-        objects.push_back({QString::fromStdString(object.name), {}, object.model, object.worldFromObject});
-    setWindowTitle(tr("Bundled scene – Unprojector"));
-    m_document->setObjects(std::move(objects), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
-}
-
-void MainWindow::askForFiles()
-{
-    const QStringList names = QFileDialog::getOpenFileNames(this, tr("Open Models"), {}, modelFileFilter() + QStringLiteral(";;") + tr("All files (*)"));
-    std::vector<std::filesystem::path> files;
-    for (const QString &name : names)
-        files.push_back(pathFromQString(name));
-    if (!files.empty())
-        openFiles(std::move(files));
-}
-
-void MainWindow::openFiles(std::vector<std::filesystem::path> files)
-{
-    m_message->hide();
-    m_loader->load(std::move(files));
-}
-
-void MainWindow::takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors)
-{
-    m_loading->finish();
-    if (!models.empty()) {
-        std::vector<SceneObject> objects;
-        for (const LoadedModel &loaded : models) {
-            objects.push_back({pathText(loaded.file.filename()), loaded.file, loaded.model});
-            rememberRecent(loaded.file);
-        }
-        setWindowTitle(models.size() == 1 ? tr("%1 – Unprojector").arg(objects.front().name)
-                                          : tr("%1 and %n more – Unprojector", nullptr, static_cast<int>(models.size()) - 1).arg(objects.front().name));
-        m_document->setObjects(std::move(objects));
-    }
-    if (!errors.empty()) {
-        QStringList reasons;
-        for (const ImportError &error : errors)
-            reasons << errorText(error);
-        m_message->showMessage(reasons.join(u'\n'));
-        emit openFailed(reasons.join(u'\n'));
-    }
-    emit loadingEnded();
-}
-
-QString MainWindow::message() const
-{
-    return m_message->isHidden() ? QString() : m_message->text();
-}
-
-void MainWindow::rememberRecent(const std::filesystem::path &file)
-{
-    if (!m_options.remembers)
-        return;
-    std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::absolute(file, error);
-    addRecentFile(QString::fromStdU16String((error ? file : absolute).u16string()));
-    updateRecentMenu();
-}
-
-void MainWindow::updateRecentMenu()
-{
-    m_recentMenu->clear();
-    const QStringList files = m_options.remembers ? recentFiles() : QStringList();
-    m_recentMenu->setEnabled(!files.isEmpty());
-    for (const QString &file : files)
-        connect(m_recentMenu->addAction(recentFileText(file)), &QAction::triggered, this, [this, file] { openFiles({pathFromQString(file)}); });
-    if (files.isEmpty())
-        return;
-    m_recentMenu->addSeparator();
-    connect(m_recentMenu->addAction(tr("&Clear This List")), &QAction::triggered, this, [this] {
-        clearRecentFiles();
-        updateRecentMenu();
-    });
-}
-
 void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sample)
 {
+    m_inspector->setPointer(position);
     const Result<Pick> pick = m_document->unprojected(position, sample);
     if (!pick || (pick->hit && !pick->point.world.formula)) {
         m_hover->clear();
@@ -292,9 +259,21 @@ void MainWindow::restoreLayout()
     if (!m_options.remembers)
         return;
     const QSettings settings;
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
     m_comparison->setShowsFloat(settings.value(QStringLiteral("comparison/showsFloat"), false).toBool());
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    const QByteArray state = settings.value(QStringLiteral("window/state")).toByteArray();
+    if (state.isEmpty())
+        return;
+    arrangeDocks(); // every dock needs a place before a kept one can be given to it
+    m_isArranged = restoreState(state, kLayoutVersion);
+}
+
+void MainWindow::showEvent(QShowEvent *event)
+{
+    // Only now the window has the size that the arrangement goes by.
+    if (!std::exchange(m_isArranged, true))
+        arrangeDocks();
+    QMainWindow::showEvent(event);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
@@ -306,32 +285,6 @@ void MainWindow::closeEvent(QCloseEvent *event)
         settings.setValue(QStringLiteral("comparison/showsFloat"), m_comparison->showsFloat());
     }
     QMainWindow::closeEvent(event);
-}
-
-void MainWindow::showControls()
-{
-    QMessageBox box(QMessageBox::NoIcon, tr("Mouse and Keys"),
-                    tr("<table cellspacing='6'>"
-                       "<tr><td>Left button</td><td>read the world coordinate of the pixel</td></tr>"
-                       "<tr><td>… and drag</td><td>turn the camera about that point</td></tr>"
-                       "<tr><td>Middle button, or Shift + left</td><td>move the camera sideways</td></tr>"
-                       "<tr><td>Wheel</td><td>zoom towards the pointer</td></tr>"
-                       "<tr><td>Double-click</td><td>bring the point to the middle</td></tr>"
-                       "<tr><td>1, 3, 7 (with Ctrl: the opposite)</td><td>look from the front, right, top</td></tr>"
-                       "<tr><td>5</td><td>switch perspective and orthographic</td></tr>"
-                       "<tr><td>F, Home</td><td>fit all objects; back to the first camera</td></tr>"
-                       "</table>"),
-                    QMessageBox::Close, this);
-    box.exec();
-}
-
-void MainWindow::showAbout()
-{
-    QMessageBox::about(this, tr("About Unprojector"),
-                       tr("<p><b>Unprojector %1</b></p><p>Click a pixel of a 3-D view and get its world coordinate, computed twice: by the "
-                          "closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, with the difference, its "
-                          "cause and how certain the coordinate is.</p><p>MIT licence.</p>")
-                           .arg(QStringLiteral(UNPROJECTOR_VERSION)));
 }
 
 } // namespace unprojector

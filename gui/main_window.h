@@ -6,19 +6,26 @@
 #include <QMainWindow>
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
-class QActionGroup;
 class QGridLayout;
 class QLabel;
+class QSplitter;
 
 namespace unprojector {
 
 class ComparisonPanel;
+class ExampleNote;
+class FormulasWindow;
+class LifecycleLog;
 class LoadingBar;
 class MessageBar;
+class ObserverPanel;
 class SceneDocument;
 class SceneView;
+class ViewportInspector;
 
 /// The window: menus, tool bar, docks and status bar around one document and its view.
 class MainWindow : public QMainWindow {
@@ -34,10 +41,15 @@ public:
     SceneDocument &document() { return *m_document; }
     SceneView &view() { return *m_view; }
     ComparisonPanel &comparison() { return *m_comparison; }
+    LifecycleLog &lifecycle() { return *m_lifecycle; }
 
     /// Opens model files; what could be opened replaces the scene, the rest is told in a message.
     void openFiles(std::vector<std::filesystem::path> files);
     void openBundledScene();
+    /// Opens one of core's examples and says what to look at.
+    void openExample(const std::string &id);
+    /// Gives the view the whole window, or the panels back.
+    void hidePanels(bool isHidden);
     bool isLoading() const { return m_loader->isLoading(); }
     /// The message that is on show, or nothing.
     QString message() const;
@@ -49,12 +61,30 @@ signals:
     void openFailed(const QString &reason);
 
 protected:
+    void showEvent(QShowEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
 
 private:
+    /// How many samples "smooth edges" means.
+    static constexpr int kSmoothSamples = 4;
+
+    void createCenter();
     void createView(int samples);
-    void createActions();
+    void createDocks();
     void createStatusBar();
+    /// The panels where they are at first, as many as fit beside the view.
+    void arrangeDocks();
+    void showObserver(bool isShown);
+    void showFailure(const QString &reason);
+
+    void createActions();
+    void createFileMenu(QToolBar &bar);
+    void createExamplesMenu(QMenu &menu);
+    void createEditMenu();
+    void createViewMenu(QToolBar &bar);
+    void createHelpMenu();
+    QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &key, const QString &tip, std::function<void()> slot);
+
     void askForFiles();
     void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
     void rememberRecent(const std::filesystem::path &file);
@@ -63,20 +93,39 @@ private:
     void showCamera();
     void restoreLayout();
     void showAbout();
+    void leaveExample();
+    void showFormulas(const QString &anchor);
     void showControls();
 
     Options m_options;
+    int m_samples = 0;
+    bool m_isArranged = false; ///< by the user's last session, or for the size it is first shown with
     SceneDocument *m_document;
     ModelLoader *m_loader;
+    LifecycleLog *m_lifecycle;
     SceneView *m_view = nullptr;
-    QGridLayout *m_center;
-    MessageBar *m_message;
-    LoadingBar *m_loading;
-    ComparisonPanel *m_comparison;
+    ObserverPanel *m_observer = nullptr; ///< made when it is first asked for
+    QSplitter *m_splitter = nullptr;
+    QGridLayout *m_center = nullptr;
+    MessageBar *m_message = nullptr;
+    LoadingBar *m_loading = nullptr;
+    ComparisonPanel *m_comparison = nullptr;
+    ViewportInspector *m_inspector = nullptr;
+    ExampleNote *m_exampleNote = nullptr;
+    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
+    std::vector<QDockWidget *> m_docks;   ///< all but the example's, which is there only while an example is shown
+    QDockWidget *m_exampleDock = nullptr;
+    QDockWidget *m_parametersDock = nullptr;
+    QDockWidget *m_comparisonDock = nullptr;
+    QDockWidget *m_pipelineDock = nullptr;
+    QDockWidget *m_inspectorDock = nullptr;
+    QDockWidget *m_lifecycleDock = nullptr;
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;
-    QLabel *m_hover;
-    QLabel *m_camera;
+    QAction *m_hidesPanels = nullptr;
+    QByteArray m_layoutWithPanels;
+    QLabel *m_hover = nullptr;
+    QLabel *m_camera = nullptr;
 };
 
 } // namespace unprojector

@@ -31,7 +31,9 @@ int decimalsFor(const glm::dvec3 &point, int digits)
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     if (!(largest > 0.0) || !std::isfinite(largest))
         return digits - 1;
-    return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(largest))), 0, 20);
+    // The 0 before the point of a number between 0.1 and 1 counts as a digit: its column is no wider than others.
+    const int exponent = std::max(static_cast<int>(std::floor(std::log10(largest))), largest < 0.1 ? -20 : 0);
+    return std::clamp(digits - 1 - exponent, 0, 20);
 }
 
 int certainDecimals(double radius)

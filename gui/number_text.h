@@ -17,7 +17,7 @@ QString significantText(double value, int digits);
 /// So many decimals, at most 20; never "-0.000".
 QString fixedText(double value, int decimals);
 
-/// Decimals with which the largest component of a point shows `digits` significant digits.
+/// Decimals with which the largest component of a point shows `digits` significant digits; from 0.1 to 1 one less.
 int decimalsFor(const glm::dvec3 &point, int digits);
 
 /// Decimals that stay certain when a value may be off by `radius`; at least 0, at most 15.

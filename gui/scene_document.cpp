@@ -1,8 +1,11 @@
 #include "gui/scene_document.h"
 
+#include "gui/scene_change.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace unprojector {
 namespace {
@@ -20,51 +23,90 @@ double roundedUp(double value)
     return 10.0 * power;
 }
 
-/// The frustum of gluPerspective with the aspect of a square; the surface's aspect follows with its size.
+/// The aspect follows the window.
 Projection initialProjection()
 {
-    return frustumFromPerspective({kFovyRadians, 1.0, 0.1, 100.0});
+    return Perspective{kFovyRadians, 1.0, 0.1, 100.0};
 }
 
 } // namespace
 
 SceneDocument::SceneDocument(QObject *parent) : QObject(parent)
 {
-    m_geometry.surface = {1, 1, 1.0};
-    m_geometry.viewport = wholeSurface(m_geometry.surface);
-    m_geometry.projection = initialProjection();
+    m_undoStack.setUndoLimit(200);
+    m_scene.projection = initialProjection();
+    const Check opened = open(m_scene);
+    Q_ASSERT(opened.hasValue());
+}
+
+Check SceneDocument::apply(Scene scene)
+{
+    const Box bounds = m_bounds, ground = m_ground;
+    const double spacing = m_groundSpacing;
+    m_bounds = boundsOf(scene);
+    updateGround();
+    Result<ViewGeometry> geometry = viewGeometry(scene, m_surface, m_ground);
+    if (!geometry) {
+        m_bounds = bounds;
+        m_ground = ground;
+        m_groundSpacing = spacing;
+        return geometry.error();
+    }
+    m_geometry = std::move(geometry).value();
+    m_scene = std::move(scene);
+    // What follows the window is kept as it came out, so that fields show the numbers in use.
+    m_scene.projection = m_geometry.projection;
+    emit geometryChanged();
+    return std::monostate{};
+}
+
+Check SceneDocument::open(Scene scene)
+{
+    if (const Result<ViewGeometry> geometry = viewGeometry(scene, m_surface, {}); !geometry)
+        return geometry.error();
+    m_undoStack.clear();
+    const bool hadPick = m_pick.has_value();
+    m_pick.reset();
+    const Check applied = apply(std::move(scene));
+    emit objectsChanged();
+    if (hadPick)
+        emit pickChanged();
+    return applied;
 }
 
 void SceneDocument::setObjects(std::vector<SceneObject> objects, const LookAt &home)
 {
-    m_objects = std::move(objects);
-    m_home = home;
-    updateBounds();
-    const bool hadPick = m_pick.has_value();
-    m_pick.reset();
-    emit objectsChanged();
-    goHome();
-    if (hadPick)
-        emit pickChanged();
+    Scene scene;
+    scene.camera = scene.home = home;
+    scene.projection = initialProjection();
+    scene.objects = std::move(objects);
+    const Check opened = open(std::move(scene));
+    Q_ASSERT(opened.hasValue());
 }
 
 void SceneDocument::setObjects(std::vector<SceneObject> objects)
 {
-    m_objects = std::move(objects);
-    updateBounds();
+    Scene scene;
+    scene.objects = std::move(objects);
     // Scans face +z as a rule; a little from above and the side shows that they have depth.
-    ViewGeometry home = m_geometry;
-    home.projection = withAspect(initialProjection(), m_geometry.viewport.width / m_geometry.viewport.height);
-    home.camera = {WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
-    const LookAt camera = framed(home, m_bounds).camera;
-    setObjects(std::move(m_objects), camera);
+    ViewGeometry home{m_surface, wholeSurface(m_surface), {}, initialProjection(),
+                      {WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+    home.projection = withAspect(home.projection, home.viewport.width / home.viewport.height);
+    const LookAt camera = framed(home, boundsOf(scene)).camera;
+    setObjects(std::move(scene.objects), camera);
 }
 
-void SceneDocument::updateBounds()
+Check SceneDocument::change(Scene scene, const QString &text, const QString &mergeKey)
 {
-    m_bounds = {};
-    for (const SceneObject &object : m_objects)
-        m_bounds.add(object.model->bounds.transformed(object.worldFromObject));
+    Scene before = m_scene;
+    if (const Check applied = apply(scene); !applied)
+        return applied;
+    m_undoStack.push(new SceneChange(*this, std::move(before), std::move(scene), text, mergeKey));
+    return std::monostate{};
+}
+
+void SceneDocument::updateGround()
+{
     m_ground = {};
     if (m_bounds.isEmpty())
         return;
@@ -80,60 +122,67 @@ void SceneDocument::updateBounds()
     m_ground.add({snapped(m_bounds.highest.x + margin, 1.0), y, snapped(m_bounds.highest.z + margin, 1.0)});
 }
 
-void SceneDocument::applyView(ViewGeometry geometry)
-{
-    geometry.projection = withFittedClipDistances(geometry, m_bounds, m_ground);
-    // A step that would leave no valid geometry (a zoom past the smallest number, say) is not taken.
-    if (!check(geometry))
-        return;
-    m_geometry = std::move(geometry);
-    emit geometryChanged();
-}
-
 void SceneDocument::setSurface(const Surface &surface)
 {
-    if (surface == m_geometry.surface || !check(surface))
+    if (surface == m_surface)
         return;
-    m_geometry.surface = surface;
-    m_geometry.viewport = wholeSurface(surface);
-    m_geometry.projection = withAspect(m_geometry.projection, m_geometry.viewport.width / m_geometry.viewport.height);
-    emit geometryChanged();
+    const Surface before = std::exchange(m_surface, surface);
+    if (!apply(m_scene))
+        m_surface = before;
 }
 
-void SceneDocument::setCamera(const LookAt &camera)
+void SceneDocument::setCamera(const LookAt &camera, const QString &mergeKey)
 {
-    setView(camera, m_geometry.projection);
+    setView(camera, m_scene.projection, mergeKey);
 }
 
-void SceneDocument::setProjection(const Projection &projection)
+void SceneDocument::setProjection(const Projection &projection, const QString &mergeKey)
 {
-    setView(m_geometry.camera, projection);
+    setView(m_scene.camera, projection, mergeKey);
 }
 
-void SceneDocument::setView(const LookAt &camera, const Projection &projection)
+void SceneDocument::setView(const LookAt &camera, const Projection &projection, const QString &mergeKey)
 {
-    ViewGeometry geometry = m_geometry;
-    geometry.camera = camera;
-    geometry.projection = projection;
-    applyView(std::move(geometry));
+    Scene scene = m_scene;
+    scene.camera = camera;
+    scene.projection = projection;
+    // A step that would leave no valid picture (a zoom past the smallest number, say) is not taken.
+    static_cast<void>(change(std::move(scene), tr("Camera"), mergeKey));
 }
 
 void SceneDocument::fit()
 {
-    applyView(framed(m_geometry, m_bounds));
+    const ViewGeometry geometry = framed(m_geometry, m_bounds);
+    setView(geometry.camera, geometry.projection);
 }
 
 void SceneDocument::goHome()
 {
-    ViewGeometry geometry = m_geometry;
-    geometry.camera = m_home;
-    geometry.projection = withAspect(initialProjection(), geometry.viewport.width / geometry.viewport.height);
-    applyView(std::move(geometry));
+    Scene scene = m_scene;
+    scene.camera = scene.home;
+    if (scene.projectionFollowsViewport)
+        scene.projection = initialProjection();
+    static_cast<void>(change(std::move(scene), tr("Home")));
+}
+
+double SceneDocument::pivotDistance() const
+{
+    const Result<EyeFrame> frame = eyeFrame(m_scene.camera);
+    if (frame && m_pick && m_pick->hit && m_pick->point.world.formula) {
+        const double distance = -eyeFromWorld(*frame, *m_pick->point.world.formula).z;
+        if (distance > 0.0)
+            return distance;
+    }
+    const glm::dvec3 toCenter = m_scene.camera.center - m_scene.camera.eye;
+    return glm::length(toCenter);
 }
 
 void SceneDocument::switchProjection()
 {
-    applyView(withProjectionSwitched(m_geometry));
+    const bool perspective = isPerspective(m_scene.projection);
+    Scene scene = m_scene;
+    scene.projection = converted(scene.projection, perspective ? ProjectionKind::Ortho : ProjectionKind::Perspective, pivotDistance());
+    static_cast<void>(change(std::move(scene), perspective ? tr("Orthographic") : tr("Perspective")));
 }
 
 Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const DepthSample &sample) const

@@ -1,37 +1,31 @@
 #pragma once
 
 #include "core/camera_motion.h"
-#include "core/mesh.h"
 #include "core/pick.h"
+#include "core/scene.h"
 
 #include <QObject>
 #include <QString>
+#include <QUndoStack>
 
-#include <filesystem>
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace unprojector {
 
-/// One model placed in the world.
-struct SceneObject {
-    QString name;
-    std::filesystem::path file; ///< empty for a bundled object
-    std::shared_ptr<const Model> model;
-    glm::dmat4 worldFromObject{1.0};
-};
-
-/// The one owner of the scene, the camera and the picked point. Widgets show it and ask it to change; it unprojects.
+/// The one owner of the scene, the undo stack and the picked point. Widgets show it and ask it to change; it unprojects.
 class SceneDocument : public QObject {
     Q_OBJECT
 public:
     explicit SceneDocument(QObject *parent = nullptr);
 
-    const std::vector<SceneObject> &objects() const { return m_objects; }
+    const Scene &scene() const { return m_scene; }
+    const std::vector<SceneObject> &objects() const { return m_scene.objects; }
+    /// The picture of the scene in the view's window, always valid.
     const ViewGeometry &geometry() const { return m_geometry; }
     /// The picked surface or background; nothing before the first click and after a change of the scene.
     const std::optional<Pick> &pick() const { return m_pick; }
+    QUndoStack &undoStack() { return m_undoStack; }
 
     /// Around all objects, world space.
     const Box &bounds() const { return m_bounds; }
@@ -40,23 +34,33 @@ public:
     /// Distance of two ground lines: 1, 2 or 5 times a power of ten, world units.
     double groundSpacing() const { return m_groundSpacing; }
 
-    /// Shows other objects and looks at them from their home view. The pick goes.
-    void setObjects(std::vector<SceneObject> objects, const LookAt &home);
-    /// The same, with a home view from the front and a little above that fits the objects.
+    /// Shows another scene. The pick and the undo stack go.
+    /// @return the errors of viewGeometry; then nothing changed
+    Check open(Scene scene);
+    /// The same objects from a home view in front and a little above that fits them.
     void setObjects(std::vector<SceneObject> objects);
+    void setObjects(std::vector<SceneObject> objects, const LookAt &home);
 
-    /// The view's size changed: the viewport fills the surface and the projection takes its aspect.
+    /// Makes the scene another one, undoably.
+    /// @param text      what the user did, for the undo menu: "Near"
+    /// @param mergeKey  changes with the same key, one right after the other, are undone as one; empty: never merged
+    /// @return the errors of viewGeometry; then nothing changed: the last good view stays
+    Check change(Scene scene, const QString &text, const QString &mergeKey = {});
+
+    /// The view's size changed. Not undoable.
     void setSurface(const Surface &surface);
 
-    void setCamera(const LookAt &camera);
-    /// The window and kind of the projection; near and far are fitted to the objects.
-    void setProjection(const Projection &projection);
-    /// Camera and projection in one step.
-    void setView(const LookAt &camera, const Projection &projection);
-
+    // What a hand does; each is undoable, and ignored where it would leave no valid picture.
+    void setCamera(const LookAt &camera, const QString &mergeKey = {});
+    void setProjection(const Projection &projection, const QString &mergeKey = {});
+    void setView(const LookAt &camera, const Projection &projection, const QString &mergeKey = {});
     void fit();
     void goHome();
+    /// From a perspective to glOrtho and back, the picture equal at `pivotDistance`.
     void switchProjection();
+
+    /// Distance in front of the eye where two projections are to agree: the picked point's, else the centre's.
+    double pivotDistance() const;
 
     /// Unprojects a click and keeps it as the pick.
     void pickAt(const WidgetPoint &position, const DepthSample &sample);
@@ -68,23 +72,29 @@ public:
     WorldPoint pivotAt(const WidgetPoint &position, const DepthSample &sample) const;
 
 signals:
+    /// Other models are shown; geometryChanged follows.
     void objectsChanged();
+    /// The scene or the picture of it changed in any way.
     void geometryChanged();
     void pickChanged();
     /// A click that could not be unprojected, with the reason; the last pick stays.
     void pickFailed(const unprojector::Error &error);
 
 private:
-    void updateBounds();
-    void applyView(ViewGeometry geometry);
+    friend class SceneChange;
 
-    std::vector<SceneObject> m_objects;
+    /// Takes a scene as it is, if its picture is valid.
+    Check apply(Scene scene);
+    void updateGround();
+
+    Scene m_scene;
+    Surface m_surface{1, 1, 1.0};
     ViewGeometry m_geometry;
-    LookAt m_home;
     std::optional<Pick> m_pick;
     Box m_bounds;
     Box m_ground;
     double m_groundSpacing = 1.0;
+    QUndoStack m_undoStack;
 };
 
 } // namespace unprojector

@@ -2,6 +2,7 @@
 
 #include "gui/painters/scene_lines.h"
 
+#include <QElapsedTimer>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -12,6 +13,14 @@
 #include <cmath>
 
 namespace unprojector {
+namespace {
+
+double milliseconds(const QElapsedTimer &timer)
+{
+    return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
+} // namespace
 
 QSurfaceFormat SceneView::preCreateWindow(int samples)
 {
@@ -58,9 +67,11 @@ void SceneView::redraw()
 
 void SceneView::onCreate()
 {
+    QElapsedTimer timer;
+    timer.start();
     initializeOpenGLFunctions();
     const QSurfaceFormat actual = context()->format();
-    if (actual.version() < qMakePair(3, 3) && !context()->isOpenGLES()) {
+    if (actual.version() < qMakePair(3, 3)) {
         emit failed(tr("OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.")
                         .arg(actual.majorVersion())
                         .arg(actual.minorVersion()));
@@ -73,6 +84,13 @@ void SceneView::onCreate()
     m_pickPainter.initialize();
     m_needsUpload = true;
     m_isCreated = true;
+    const QSurfaceFormat asked = format();
+    emit happened({LifecycleEvent::Kind::PreCreateWindow, QString(),
+                   QStringLiteral("OpenGL %1.%2 core, depth %3 bits, stencil %4 bits, %5 samples")
+                       .arg(asked.majorVersion()).arg(asked.minorVersion()).arg(asked.depthBufferSize())
+                       .arg(asked.stencilBufferSize()).arg(std::max(0, asked.samples())), 0.0});
+    emit happened({LifecycleEvent::Kind::OnCreate, QString(),
+                   QStringLiteral("glCreateProgram, glCreateShader, glCompileShader, glLinkProgram"), milliseconds(timer)});
     // The context is a new one when the widget moves to another window: everything in the old one is released first.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneView::onDestroy, Qt::UniqueConnection);
 }
@@ -84,14 +102,30 @@ Surface SceneView::currentSurface() const
 
 void SceneView::onSize()
 {
+    QElapsedTimer timer;
+    timer.start();
     m_needsDraw = true;
-    m_document.setSurface(currentSurface());
+    const Surface surface = currentSurface();
+    m_document.setSurface(surface);
+    const Viewport &v = m_document.geometry().viewport;
+    emit happened({LifecycleEvent::Kind::OnSize, QStringLiteral("%1, %2").arg(surface.widthPixels).arg(surface.heightPixels),
+                   QStringLiteral("glViewport(%1, %2, %3, %4)")
+                       .arg(std::lround(v.x)).arg(std::lround(v.y)).arg(std::lround(v.width)).arg(std::lround(v.height)),
+                   milliseconds(timer)});
 }
 
 void SceneView::onDraw()
 {
     if (!m_isCreated)
         return;
+    QElapsedTimer timer;
+    timer.start();
+    draw();
+    emit happened({LifecycleEvent::Kind::OnDraw, QString(), QStringLiteral("glClear, glDrawElements, glDrawArrays"), milliseconds(timer)});
+}
+
+void SceneView::draw()
+{
     // A pixel ratio can change without a change of size.
     if (m_document.geometry().surface != currentSurface())
         m_document.setSurface(currentSurface());
@@ -119,7 +153,7 @@ void SceneView::onDraw()
     m_background.draw();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(g.depthRange.atNear < g.depthRange.atFar ? GL_LESS : GL_GREATER);
-    m_meshes.draw(m_document.objects(), *matrix, eyeFromWorld(*frame));
+    m_meshes.draw(m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes);
 
     // What is only drawn must not be picked: it leaves the depth buffer alone.
     glDepthMask(GL_FALSE);
@@ -158,6 +192,8 @@ void SceneView::onDestroy()
 {
     if (!m_isCreated)
         return;
+    QElapsedTimer timer;
+    timer.start();
     makeCurrent();
     m_depthReader.release();
     m_background.release();
@@ -168,6 +204,8 @@ void SceneView::onDestroy()
     m_needsUpload = true;
     disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneView::onDestroy);
     doneCurrent();
+    emit happened({LifecycleEvent::Kind::OnDestroy, QString(),
+                   QStringLiteral("glDeleteProgram, glDeleteBuffers, glDeleteVertexArrays, glDeleteTextures"), milliseconds(timer)});
 }
 
 std::optional<DepthSample> SceneView::depthAt(const WidgetPoint &position)
@@ -192,9 +230,18 @@ std::optional<DepthSample> SceneView::depthAt(const WidgetPoint &position)
 
 void SceneView::onLButtonDown(const WidgetPoint &position)
 {
+    QElapsedTimer timer;
+    timer.start();
     const std::optional<DepthSample> sample = depthAt(position);
     if (!sample)
         return;
+    const Surface &surface = m_document.geometry().surface;
+    if (const Result<DevicePixel> pixel = devicePixelFromWidget(surface, position)) {
+        emit happened({LifecycleEvent::Kind::OnLButtonDown, QStringLiteral("%1, %2").arg(position.x).arg(position.y),
+                       QStringLiteral("glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, …) = %3")
+                           .arg(pixel->i).arg(framebufferRow(surface, *pixel)).arg(sample->depth, 0, 'g', 9),
+                       milliseconds(timer)});
+    }
     m_pivot = m_document.pivotAt(position, *sample);
     emit clicked(position, *sample);
 }
@@ -221,6 +268,7 @@ void SceneView::mousePressEvent(QMouseEvent *event)
         return;
     m_lastPosition = event->position();
     m_hasMoved = false;
+    m_gesture = QStringLiteral("drag %1").arg(++m_gestureCount);
     const WidgetPoint position = widgetPosition(event->position());
     if (pans) {
         if (const std::optional<DepthSample> sample = depthAt(position))
@@ -250,7 +298,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     case Drag::Orbit: {
         // Half a turn for the height of the view.
         const double radiansPerPixel = 3.14159265358979323846 / std::max(1, height());
-        m_document.setCamera(orbited(g.camera, m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel));
+        m_document.setCamera(orbited(g.camera, m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel), m_gesture);
         return;
     }
     case Drag::Pan: {
@@ -258,7 +306,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
         if (!frame)
             return;
         const double scale = worldPerPixel(g, m_pivot) * g.surface.devicePixelRatio;
-        m_document.setCamera(moved(g.camera, (frame->upward * delta.y() - frame->side * delta.x()) * scale));
+        m_document.setCamera(moved(g.camera, (frame->upward * delta.y() - frame->side * delta.x()) * scale), m_gesture);
         return;
     }
     }
@@ -299,7 +347,7 @@ void SceneView::wheelEvent(QWheelEvent *event)
     const double notches = event->angleDelta().y() / 120.0;
     const double factor = std::pow(1.2, notches);
     const ViewGeometry next = zoomed(m_document.geometry(), m_document.pivotAt(position, *sample), factor);
-    m_document.setView(next.camera, next.projection);
+    m_document.setView(next.camera, next.projection, QStringLiteral("wheel"));
     reportHover(event->position());
     event->accept();
 }

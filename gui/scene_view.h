@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gui/depth_reader.h"
+#include "gui/lifecycle_event.h"
 #include "gui/painters/background_painter.h"
 #include "gui/painters/line_painter.h"
 #include "gui/painters/mesh_painter.h"
@@ -44,6 +45,8 @@ signals:
     void pointerLeft();
     /// OpenGL cannot draw here, or not read depths; for a message.
     void failed(const QString &reason);
+    /// A step of the view's life has been taken; for a log.
+    void happened(const unprojector::LifecycleEvent &event);
     void filesDropped(const QList<QUrl> &urls);
 
 protected:
@@ -67,6 +70,8 @@ private:
     void onSize();
     void onDraw();
     void onDestroy();
+    /// The picture itself, into the framebuffer that is bound.
+    void draw();
 
     Surface currentSurface() const;
     /// The depth at a position, of a picture that is up to date.
@@ -89,6 +94,8 @@ private:
     bool m_hasMoved = false; ///< far enough from the press to be a drag
     QPointF m_lastPosition;
     WorldPoint m_pivot;
+    QString m_gesture; ///< the drag that is under way, undone as one
+    int m_gestureCount = 0;
 };
 
 } // namespace unprojector

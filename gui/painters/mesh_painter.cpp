@@ -29,6 +29,11 @@ struct MeshPainter::GpuModel {
 
 namespace {
 
+// OpenGL's name; QOpenGL's headers stop at those of OpenGL ES.
+#ifndef GL_CLIP_DISTANCE0
+#define GL_CLIP_DISTANCE0 0x3000
+#endif
+
 enum Attribute : GLuint { kPosition, kNormal, kColor, kTexcoord };
 
 /// QOpenGLBuffer counts bytes in int, which ends at 2 GB; glBufferData does not.
@@ -136,18 +141,29 @@ std::unique_ptr<MeshPainter::GpuModel> MeshPainter::uploaded(const std::shared_p
 }
 
 void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4 &clipFromWorld,
-                       const glm::dmat4 &eyeFromWorld)
+                       const glm::dmat4 &eyeFromWorld, const std::vector<glm::dvec4> &clipPlanes)
 {
     m_program->bind();
     m_program->setUniformValue("baseTexture", 0);
     const auto location = [this](const char *name) { return m_program->uniformLocation(name); };
+    for (std::size_t i = 0; i < clipPlanes.size(); ++i) {
+        const glm::vec4 plane(clipPlanes[i]);
+        const QByteArray name = "clipPlanes[" + QByteArray::number(static_cast<int>(i)) + "]";
+        glUniform4fv(location(name.constData()), 1, glm::value_ptr(plane));
+        glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
+    }
     for (const SceneObject &object : objects) {
         const GpuModel &model = *m_models.at(object.model.get());
         // Products in double: only the final matrix is rounded to what the GPU takes.
-        const glm::mat4 clipFromObject(clipFromWorld * object.worldFromObject * glm::translate(glm::dmat4(1.0), model.center));
-        const glm::dmat3 eyeFromObject(eyeFromWorld * object.worldFromObject);
-        const glm::mat3 normalMatrix(glm::transpose(glm::inverse(eyeFromObject)));
+        const glm::dmat4 placement = worldFromObject(object.transform);
+        const glm::dmat4 worldFromUploaded = placement * glm::translate(glm::dmat4(1.0), model.center);
+        const glm::mat4 clipFromObject(clipFromWorld * worldFromUploaded);
+        const glm::dmat3 eyeFromObject(eyeFromWorld * placement);
+        // A mirror swaps a triangle's sides, and the shader turns the normals of back sides: they must swap along.
+        const double handedness = glm::determinant(eyeFromObject) < 0.0 ? -1.0 : 1.0;
+        const glm::mat3 normalMatrix(handedness * glm::transpose(glm::inverse(eyeFromObject)));
         glUniformMatrix4fv(location("clipFromObject"), 1, GL_FALSE, glm::value_ptr(clipFromObject));
+        glUniformMatrix4fv(location("worldFromObject"), 1, GL_FALSE, glm::value_ptr(glm::mat4(worldFromUploaded)));
         glUniformMatrix3fv(location("eyeNormalFromObject"), 1, GL_FALSE, glm::value_ptr(normalMatrix));
         for (const auto &mesh : model.meshes) {
             m_program->setUniformValue("baseColor", mesh->baseColor.r, mesh->baseColor.g, mesh->baseColor.b, mesh->baseColor.a);
@@ -161,6 +177,8 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
             mesh->vertexArray.release();
         }
     }
+    for (std::size_t i = 0; i < clipPlanes.size(); ++i)
+        glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     m_program->release();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/scene_document.h"
+#include "core/scene.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLExtraFunctions>
@@ -24,7 +24,9 @@ public:
     /// Uploads the models that are new and drops those that no object shows any more.
     void upload(const std::vector<SceneObject> &objects);
 
-    void draw(const std::vector<SceneObject> &objects, const glm::dmat4 &clipFromWorld, const glm::dmat4 &eyeFromWorld);
+    /// @param clipPlanes  world space; what lies on the negative side of one is not drawn
+    void draw(const std::vector<SceneObject> &objects, const glm::dmat4 &clipFromWorld, const glm::dmat4 &eyeFromWorld,
+              const std::vector<glm::dvec4> &clipPlanes);
 
 private:
     struct GpuMesh;

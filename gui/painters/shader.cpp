@@ -1,7 +1,6 @@
 #include "gui/painters/shader.h"
 
 #include <QFile>
-#include <QOpenGLContext>
 
 namespace unprojector {
 namespace {
@@ -11,9 +10,7 @@ QByteArray source(const QString &path)
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         qFatal("The shader %s is missing from the program's resources.", qPrintable(path));
-    const bool es = QOpenGLContext::currentContext()->isOpenGLES();
-    return (es ? QByteArray("#version 300 es\nprecision highp float;\n") : QByteArray("#version 330 core\n"))
-        + file.readAll();
+    return "#version 330 core\n" + file.readAll();
 }
 
 } // namespace

@@ -55,8 +55,8 @@ void ComparisonModel::setPick(const std::optional<Pick> &pick)
         addRows(tr("World"), pick->point.world, pick->certainty.radius());
         addRows(tr("Eye"), pick->point.eye, pick->certainty.radius());
     } else if (pick) {
-        addRows(tr("Ray near"), pick->rayNear.world, std::nullopt);
-        addRows(tr("Ray far"), pick->rayFar.world, std::nullopt);
+        addRows(tr("Near"), pick->rayNear.world, std::nullopt);
+        addRows(tr("Far"), pick->rayFar.world, std::nullopt);
     } else {
         // The rows stand before the first click too, so that the panel keeps its shape.
         for (const QString &space : {tr("World"), tr("Eye")}) {
@@ -174,7 +174,7 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
 
 QStringList ComparisonModel::pointNames()
 {
-    return {tr("World"), tr("Eye"), tr("Ray near"), tr("Ray far")};
+    return {tr("World"), tr("Eye"), tr("Near"), tr("Far")};
 }
 
 QString ComparisonModel::text() const

@@ -95,7 +95,7 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
     m_table->setItemDelegate(new CertainDigitsDelegate(m_table));
     m_table->setAccessibleName(tr("Coordinates by both methods"));
     QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    digits.setPointSizeF(font().pointSizeF() * 0.92);
+    digits.setPointSizeF(font().pointSizeF() * 0.88);
     m_table->setFont(digits);
     m_table->horizontalHeader()->setFont(font());
     m_table->verticalHeader()->setFont(font());
@@ -129,8 +129,12 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
     m_formula->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_formula->setMinimumHeight(6 * m_formula->fontMetrics().lineSpacing());
 
+    // As wide as the chain of a click gets; labels that set it by themselves would move it from click to click.
+    constexpr int kLeastCharacters = 60;
+    setMinimumWidth(kLeastCharacters * fontMetrics().averageCharWidth());
+
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(m_heading);
     layout->addLayout(chain);
     layout->addWidget(m_table);
@@ -161,13 +165,13 @@ void ComparisonPanel::fitTable()
     const auto widest = [](int column) {
         switch (column) {
         case ComparisonModel::Formula:
-        case ComparisonModel::Matrix: return QStringLiteral("-0.00000000000000000");
-        case ComparisonModel::Ulps: return QStringLiteral("-888888");
+        case ComparisonModel::Matrix: return QStringLiteral("-0.000000000000000");
+        case ComparisonModel::Ulps: return QStringLiteral("-88888");
         case ComparisonModel::MatrixInFloat: return QStringLiteral("-0.0000000");
         default: return QStringLiteral("-8.8e-88");
         }
     };
-    constexpr int kPadding = 8;
+    constexpr int kPadding = 6;
     // The names of a background's rows are longer than those of a surface's; room is for all of them.
     QHeaderView *names = m_table->verticalHeader();
     const QFontMetrics nameMetrics(names->font());
@@ -176,24 +180,20 @@ void ComparisonPanel::fitTable()
         longestName = std::max(longestName, nameMetrics.horizontalAdvance(name + QStringLiteral(" x")));
     names->setFixedWidth(longestName + 2 * kPadding);
     const int frame = names->minimumWidth() + 2 * m_table->frameWidth();
-    int expected = frame, actual = frame;
+    int shown = frame;
     for (int column = 0; column < ComparisonModel::ColumnCount; ++column) {
-        const int reserved = std::max(metrics.horizontalAdvance(widest(column)),
-                                      header.horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
-        int width = reserved;
+        int columnWidth = std::max(metrics.horizontalAdvance(widest(column)),
+                                   header.horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
         for (int row = 0; row < m_model->rowCount(); ++row)
-            width = std::max(width, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
-        m_table->setColumnWidth(column, width + kPadding);
+            columnWidth = std::max(columnWidth, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
+        m_table->setColumnWidth(column, columnWidth + kPadding);
         if (!m_table->isColumnHidden(column)) {
-            actual += width + kPadding;
-            if (column < ComparisonModel::MatrixInFloat)
-                expected += reserved + kPadding;
+            shown += columnWidth + kPadding;
         }
     }
-    const QMargins margins = layout()->contentsMargins();
-    setMinimumWidth(expected + margins.left() + margins.right());
     const int rows = m_model->rowCount() * m_table->verticalHeader()->defaultSectionSize();
-    const int scrollBar = actual > expected ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0;
+    const QMargins margins = layout()->contentsMargins();
+    const int scrollBar = shown > width() - margins.left() - margins.right() ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0;
     m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows + 2 * m_table->frameWidth() + scrollBar);
 }
 
@@ -246,6 +246,7 @@ void ComparisonPanel::showFormula()
 void ComparisonPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    fitTable();
     layout()->activate();
     showFormula();
 }

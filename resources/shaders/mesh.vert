@@ -4,8 +4,11 @@ layout(location = 2) in vec4 color;
 layout(location = 3) in vec2 texcoord;
 
 uniform mat4 clipFromObject;
+uniform mat4 worldFromObject;
+uniform vec4 clipPlanes[8];
 uniform mat3 eyeNormalFromObject;
 
+out float gl_ClipDistance[8];
 out vec3 eyeNormal;
 out vec4 vertexColor;
 out vec2 uv;
@@ -13,6 +16,9 @@ out vec2 uv;
 void main()
 {
     gl_Position = clipFromObject * vec4(position, 1.0);
+    vec4 world = worldFromObject * vec4(position, 1.0);
+    for (int i = 0; i < 8; ++i)
+        gl_ClipDistance[i] = dot(clipPlanes[i], world);
     eyeNormal = eyeNormalFromObject * normal;
     vertexColor = color;
     uv = texcoord;

@@ -114,9 +114,9 @@ bool meetsSegment(const std::array<glm::dvec3, 3> &t, const glm::dvec3 &start, c
     return b >= 0.0 && c >= 0.0 && b + c <= 1.0 && share > 0.0 && share < 1.0 - 1e-9;
 }
 
-glm::dvec3 worldPosition(const BundledObject &object, const glm::vec3 &position)
+glm::dvec3 worldPosition(const SceneObject &object, const glm::vec3 &position)
 {
-    return glm::dvec3(object.worldFromObject * glm::dvec4(glm::dvec3(position), 1.0));
+    return glm::dvec3(worldFromObject(object.transform) * glm::dvec4(glm::dvec3(position), 1.0));
 }
 
 struct Shape {
@@ -174,7 +174,7 @@ void addMeshes()
     QTest::newRow("teapot") << utahTeapotMesh(kTeapotDivisions);
     QTest::newRow("coarse-teapot") << utahTeapotMesh(8);
     QTest::newRow("fine-teapot") << utahTeapotMesh(25);
-    for (const BundledObject &object : bundledScene())
+    for (const SceneObject &object : bundledScene())
         QTest::addRow("scene: %s", object.name.c_str()) << object.model->meshes.front();
 }
 
@@ -488,7 +488,7 @@ void TestBundledScene::teapotNormalsPointAwayFromTheAxis()
 void TestBundledScene::objectsAreNamedApart()
 {
     std::set<std::string> names;
-    for (const BundledObject &object : bundledScene()) {
+    for (const SceneObject &object : bundledScene()) {
         QVERIFY(!object.name.empty());
         QCOMPARE(object.model->name, object.name);
         names.insert(object.name);
@@ -498,18 +498,18 @@ void TestBundledScene::objectsAreNamedApart()
 
 void TestBundledScene::objectsHaveTheirBounds()
 {
-    for (const BundledObject &object : bundledScene()) {
+    for (const SceneObject &object : bundledScene()) {
         const Box bounds = boundsOf(object.model->meshes);
         QCOMPARE(object.model->bounds.lowest, bounds.lowest);
         QCOMPARE(object.model->bounds.highest, bounds.highest);
-        const double size = bounds.transformed(object.worldFromObject).diagonal();
+        const double size = bounds.transformed(worldFromObject(object.transform)).diagonal();
         QVERIFY2(size > 1.0 && size < 8.0, qPrintable(QString::number(size)));
     }
 }
 
 void TestBundledScene::objectsStandOnTheGround()
 {
-    for (const BundledObject &object : bundledScene()) {
+    for (const SceneObject &object : bundledScene()) {
         double lowest = 1.0;
         for (const glm::vec3 &position : object.model->meshes.front().positions)
             lowest = std::min(lowest, worldPosition(object, position).y);
@@ -519,8 +519,8 @@ void TestBundledScene::objectsStandOnTheGround()
 
 void TestBundledScene::objectsAreOnlyTurnedScaledAndMoved()
 {
-    for (const BundledObject &object : bundledScene()) {
-        const glm::dmat3 linear(object.worldFromObject);
+    for (const SceneObject &object : bundledScene()) {
+        const glm::dmat3 linear(worldFromObject(object.transform));
         const double scale = std::cbrt(glm::determinant(linear));
         QVERIFY(scale > 0.0);
         const glm::dmat3 squared = glm::transpose(linear) * linear;
@@ -533,7 +533,7 @@ void TestBundledScene::objectsAreOnlyTurnedScaledAndMoved()
 
 void TestBundledScene::coloursAreGivenOnce()
 {
-    for (const BundledObject &object : bundledScene()) {
+    for (const SceneObject &object : bundledScene()) {
         const Mesh &mesh = object.model->meshes.front();
         QCOMPARE(mesh.texture, -1);
         QCOMPARE(mesh.baseColor == glm::vec4(1.0f), !mesh.colors.empty());
@@ -545,7 +545,7 @@ void TestBundledScene::coloursAreGivenOnce()
 
 void TestBundledScene::cubeFacesHaveSixColours()
 {
-    const std::vector<BundledObject> scene = bundledScene();
+    const std::vector<SceneObject> scene = bundledScene();
     const Mesh &mesh = scene.at(1).model->meshes.front();
     std::set<std::tuple<int, int, int>> colors;
     for (std::size_t vertex = 0; vertex < mesh.colors.size(); ++vertex) {
@@ -570,8 +570,8 @@ glm::dmat4 eyeFromWorld()
 void TestBundledScene::depthsDiffer()
 {
     std::vector<double> distances;
-    for (const BundledObject &object : bundledScene()) {
-        const glm::dvec3 center = object.model->bounds.transformed(object.worldFromObject).center();
+    for (const SceneObject &object : bundledScene()) {
+        const glm::dvec3 center = object.model->bounds.transformed(worldFromObject(object.transform)).center();
         distances.push_back(-(eyeFromWorld() * glm::dvec4(center, 1.0)).z);
     }
     std::sort(distances.begin(), distances.end());
@@ -582,8 +582,8 @@ void TestBundledScene::depthsDiffer()
 void TestBundledScene::allIsInViewAndNothingHidesAnother()
 {
     const glm::dmat4 clipFromWorld = glm::perspective(std::numbers::pi / 4.0, 1.3, 0.1, 100.0) * eyeFromWorld();
-    const std::vector<BundledObject> scene = bundledScene();
-    for (const BundledObject &seen : scene) {
+    const std::vector<SceneObject> scene = bundledScene();
+    for (const SceneObject &seen : scene) {
         const std::vector<glm::vec3> &positions = seen.model->meshes.front().positions;
         const std::size_t step = std::max<std::size_t>(1, positions.size() / 150);
         int looked = 0;
@@ -593,10 +593,10 @@ void TestBundledScene::allIsInViewAndNothingHidesAnother()
             const glm::dvec4 clip = clipFromWorld * glm::dvec4(target, 1.0);
             QVERIFY2(std::max(std::abs(clip.x), std::abs(clip.y)) < clip.w, seen.name.c_str());
             bool isHidden = false;
-            for (const BundledObject &other : scene) {
+            for (const SceneObject &other : scene) {
                 if (other.name == seen.name)
                     continue;
-                const glm::dmat4 objectFromWorld = glm::inverse(other.worldFromObject);
+                const glm::dmat4 objectFromWorld = glm::inverse(worldFromObject(other.transform));
                 const glm::dvec3 start(objectFromWorld * glm::dvec4(kEye, 1.0));
                 const glm::dvec3 way(objectFromWorld * glm::dvec4(target - kEye, 0.0));
                 const Mesh &mesh = other.model->meshes.front();

@@ -89,7 +89,7 @@ void TestCamera::axesAreOrthonormalAndRightHanded()
     oracle::SceneLimits limits;
     limits.eyeHigh = eyeHigh;
     for (int count = 0; count < 2000; ++count) {
-        const oracle::Scene scene = oracle::randomScene(random, oracle::ProjectionKind::Ortho, limits);
+        const oracle::Scene scene = oracle::randomScene(random, oracle::RandomKind::Ortho, limits);
         const EyeFrame frame = eyeFrame(oracle::coreView(scene.view)).value();
         const auto &[eye, s, u, f] = frame;
         for (const glm::dvec3 &axis : {s, u, f})
@@ -111,7 +111,7 @@ void TestCamera::worldFromEyeUndoesEyeFromWorld()
     oracle::SceneLimits limits;
     limits.eyeHigh = eyeHigh;
     for (int count = 0; count < 2000; ++count) {
-        const oracle::Scene scene = oracle::randomScene(random, oracle::ProjectionKind::Ortho, limits);
+        const oracle::Scene scene = oracle::randomScene(random, oracle::RandomKind::Ortho, limits);
         const EyeFrame frame = eyeFrame(oracle::coreView(scene.view)).value();
         const WorldPoint world(random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-100, 100));
         const double scale = std::max({maxNorm(world), maxNorm(frame.eye), glm::length(world - frame.eye)});

@@ -15,7 +15,7 @@
 
 using namespace unprojector;
 using oracle::Extended;
-using oracle::ProjectionKind;
+using oracle::RandomKind;
 using oracle::SceneLimits;
 
 namespace {
@@ -94,7 +94,7 @@ double matrixAmplification(const CoreScene &s, const Click &c)
     const double length = std::max(std::abs(p.nearDistance), std::abs(p.farDistance));
     box = std::max(box, length);
     const double eye = std::max({std::abs(s.frame.eye.x), std::abs(s.frame.eye.y), std::abs(s.frame.eye.z)});
-    const double shear = p.kind == ProjectionKind::Oblique
+    const double shear = p.kind == RandomKind::Oblique
                              ? std::abs(cotangent(p.thetaRadians)) + std::abs(cotangent(p.phiRadians))
                              : 0.0;
     return (1.0 + shear) * (box + eye) / static_cast<double>(c.scale);
@@ -102,12 +102,12 @@ double matrixAmplification(const CoreScene &s, const Click &c)
 
 void addKinds()
 {
-    QTest::addColumn<ProjectionKind>("kind");
+    QTest::addColumn<RandomKind>("kind");
     QTest::addColumn<quint64>("seed");
-    QTest::newRow("frustum, off-centre and mirrored too") << ProjectionKind::Frustum << quint64(1);
-    QTest::newRow("perspective") << ProjectionKind::Perspective << quint64(2);
-    QTest::newRow("ortho, around the eye too") << ProjectionKind::Ortho << quint64(3);
-    QTest::newRow("oblique") << ProjectionKind::Oblique << quint64(4);
+    QTest::newRow("frustum, off-centre and mirrored too") << RandomKind::Frustum << quint64(1);
+    QTest::newRow("perspective") << RandomKind::Perspective << quint64(2);
+    QTest::newRow("ortho, around the eye too") << RandomKind::Ortho << quint64(3);
+    QTest::newRow("oblique") << RandomKind::Oblique << quint64(4);
 }
 
 constexpr int kScenesPerKind = 1500; // 6000 cameras in all
@@ -148,7 +148,7 @@ void TestUnprojectOracle::theOracleKnowsTheLiteralNumbers()
 {
     const oracle::View front{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}};
     oracle::Projection frustum;
-    frustum.kind = ProjectionKind::Frustum;
+    frustum.kind = RandomKind::Frustum;
     frustum.left = -1;
     frustum.right = 3;
     frustum.bottom = -2;
@@ -174,7 +174,7 @@ void TestUnprojectOracle::theOracleKnowsTheLiteralNumbers()
 
 void TestUnprojectOracle::closedFormHitsTheExactPoint()
 {
-    QFETCH(ProjectionKind, kind);
+    QFETCH(RandomKind, kind);
     QFETCH(quint64, seed);
     oracle::Random random(seed);
     double worstEye = 0.0, worstWorld = 0.0;
@@ -200,7 +200,7 @@ void TestUnprojectOracle::closedFormHoldsWhereDigitsAreFew_data()
 
     const oracle::View front{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}};
     oracle::Projection deep;
-    deep.kind = ProjectionKind::Perspective;
+    deep.kind = RandomKind::Perspective;
     deep.verticalFovRadians = 1.0;
     deep.aspect = 4.0 / 3.0;
     deep.nearDistance = 0.01;
@@ -220,7 +220,7 @@ void TestUnprojectOracle::closedFormHoldsWhereDigitsAreFew_data()
     QTest::newRow("eye 10^6 away, centre 10^-2 further")
         << oracle::View{{1e6, 3e5, -7e5}, {1e6 + 0.007, 3e5 - 0.004, -7e5 + 0.001}, {0, 1, 0}} << deep << plain;
     QTest::newRow("box around the eye") << front << change(deep, [](auto &p) {
-        p.kind = ProjectionKind::Ortho;
+        p.kind = RandomKind::Ortho;
         p.left = -1e4;
         p.right = 1e4 + 0.1;
         p.nearDistance = -1e6;
@@ -247,7 +247,7 @@ void TestUnprojectOracle::closedFormHoldsWhereDigitsAreFew()
 
 void TestUnprojectOracle::matrixStaysWithinItsConditioning()
 {
-    QFETCH(ProjectionKind, kind);
+    QFETCH(RandomKind, kind);
     QFETCH(quint64, seed);
     oracle::Random random(seed);
     double worst = 0.0, worstEpsilons = 0.0;
@@ -274,7 +274,7 @@ void TestUnprojectOracle::matrixStaysWithinItsConditioning()
 /// Backward by the closed form, forward by core's own matrices in double: the pixel and the depth clicked.
 void TestUnprojectOracle::forwardOfBackwardIsTheClick()
 {
-    QFETCH(ProjectionKind, kind);
+    QFETCH(RandomKind, kind);
     QFETCH(quint64, seed);
     oracle::Random random(seed);
     for (int count = 0; count < kScenesPerKind; ++count) {
@@ -290,7 +290,7 @@ void TestUnprojectOracle::forwardOfBackwardIsTheClick()
             // sheared, cot z in units of the box.
             const ProjectionWindow w = projectionWindow(s.projection);
             const double shear =
-                p.kind == ProjectionKind::Oblique
+                p.kind == RandomKind::Oblique
                     ? std::max(std::abs(cotangent(p.thetaRadians)), std::abs(cotangent(p.phiRadians))) * std::abs(eye.z)
                     : 0.0;
             const auto tolerance = [&](double low, double high, double offset, double size) {
@@ -308,7 +308,7 @@ void TestUnprojectOracle::forwardOfBackwardIsTheClick()
 
 void TestUnprojectOracle::coreMatricesAreTheOraclesMatrices()
 {
-    QFETCH(ProjectionKind, kind);
+    QFETCH(RandomKind, kind);
     QFETCH(quint64, seed);
     oracle::Random random(seed);
     SceneLimits limits;
@@ -434,7 +434,7 @@ void TestUnprojectOracle::unitsInTheLastPlace()
     std::vector<double> closedForm, glmUnProject;
     double worstOffOrigin = 0.0;
     for (const auto kind :
-         {ProjectionKind::Frustum, ProjectionKind::Perspective, ProjectionKind::Ortho, ProjectionKind::Oblique}) {
+         {RandomKind::Frustum, RandomKind::Perspective, RandomKind::Ortho, RandomKind::Oblique}) {
         for (int count = 0; count < kScenesPerKind; ++count) {
             const CoreScene s(oracle::randomScene(random, kind, limits));
             const glm::dmat4 view = eyeFromWorld(s.frame);

@@ -3,7 +3,6 @@
 #include "core/solids.h"
 
 #include <QApplication>
-#include <QDockWidget>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -61,7 +60,7 @@ std::vector<SceneObject> cubeScene()
     mesh.baseColor = glm::vec4(1.0f);
     for (const Face &face : cubeFaces())
         mesh.colors.insert(mesh.colors.end(), kVerticesPerCubeFace, glm::u8vec4(face.color, 255));
-    return {{QStringLiteral("cube"), {}, modelOf(std::move(mesh)), glm::translate(glm::dmat4(1.0), kCubeCenter)}};
+    return {{"cube", {}, modelOf(std::move(mesh)), {Translate{kCubeCenter}}}};
 }
 
 int faceOfColor(const QColor &color)
@@ -91,7 +90,7 @@ std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &
         mesh.normals.push_back(glm::vec3(glm::normalize(glm::cross(halfEdge, otherHalfEdge))));
     }
     mesh.indices = {0, 1, 2, 0, 2, 3};
-    return {{QStringLiteral("plane"), {}, modelOf(std::move(mesh)), glm::translate(glm::dmat4(1.0), center)}};
+    return {{"plane", {}, modelOf(std::move(mesh)), {Translate{center}}}};
 }
 
 // ---- windows -----------------------------------------------------------------------------------------------------
@@ -103,7 +102,7 @@ std::unique_ptr<MainWindow> shownWindow(int samples, const QSize &size, bool wit
     options.remembers = false;
     auto window = std::make_unique<MainWindow>(options);
     if (!withDock)
-        window->findChild<QDockWidget *>(QStringLiteral("comparison"))->hide();
+        window->hidePanels(true);
     window->resize(size);
     window->move(0, 0);
     window->show();
@@ -227,6 +226,11 @@ Ray rayThrough(const ViewGeometry &g, const glm::dvec2 &window)
     if (const auto *p = std::get_if<Ortho>(&g.projection)) {
         const glm::dvec2 at = inWindow(p->left, p->right, p->bottom, p->top);
         return {eye + at.x * s + at.y * u, f};
+    }
+    if (const auto *p = std::get_if<Perspective>(&g.projection)) {
+        const double top = std::tan(p->verticalFovRadians / 2.0), right = top * p->aspect;
+        const glm::dvec2 at = inWindow(-right, right, -top, top);
+        return {eye, f + at.x * s + at.y * u};
     }
     const auto &p = std::get<Oblique>(g.projection);
     const glm::dvec2 at = inWindow(p.box.left, p.box.right, p.box.bottom, p.box.top);

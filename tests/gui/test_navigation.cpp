@@ -306,7 +306,7 @@ void TestNavigation::whatIsOnlyDrawnIsNeverPicked()
     // Cubes before and behind the origin: the clip distances are fitted to the objects and cut off what is only drawn.
     std::vector<SceneObject> cubes = cubeScene();
     cubes.push_back(cubes.front());
-    cubes.back().worldFromObject = glm::translate(glm::dmat4(1.0), {-3.0, 1.0, 2.5});
+    cubes.back().transform = {Translate{{-3.0, 1.0, 2.5}}};
     document.setObjects(std::move(cubes));
     document.setCamera({WorldPoint(0.5, 5.0, 9.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
     if (isOrtho)

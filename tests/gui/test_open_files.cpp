@@ -51,7 +51,7 @@ QStringList namesOf(const SceneDocument &document)
 {
     QStringList names;
     for (const SceneObject &object : document.objects())
-        names << object.name;
+        names << QString::fromStdString(object.name);
     return names;
 }
 

@@ -128,7 +128,7 @@ void TestScreenshot::initTestCase()
 void TestScreenshot::theJsonHasItsContractedShape()
 {
     const Run result =
-        run({"--screenshot", path("shape.png"), "--size", "1000x700", "--click", "250,330", "--click", "3,4.5"});
+        run({"--screenshot", path("shape.png"), "--size", "1000x700", "--click", "200,200", "--click", "3,4.5"});
     QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
     const Json clicks = Json::parse(result.output.toStdString(), nullptr, false);
     QVERIFY(clicks.is_array());

@@ -19,12 +19,12 @@ inline unprojector::Projection coreProjection(const Projection &p)
 {
     const unprojector::Ortho box{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
     switch (p.kind) {
-    case ProjectionKind::Frustum:
+    case RandomKind::Frustum:
         return unprojector::Frustum{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
-    case ProjectionKind::Perspective:
+    case RandomKind::Perspective:
         return unprojector::Perspective{p.verticalFovRadians, p.aspect, p.nearDistance, p.farDistance};
-    case ProjectionKind::Oblique: return unprojector::Oblique{box, p.thetaRadians, p.phiRadians};
-    case ProjectionKind::Ortho: break;
+    case RandomKind::Oblique: return unprojector::Oblique{box, p.thetaRadians, p.phiRadians};
+    case RandomKind::Ortho: break;
     }
     return box;
 }

@@ -130,9 +130,9 @@ Matrix4 lookAtMatrix(const View &view)
 Matrix4 projectionMatrix(const Projection &p)
 {
     switch (p.kind) {
-    case ProjectionKind::Frustum: return frustumMatrix(p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance);
-    case ProjectionKind::Ortho: return orthoMatrix(p);
-    case ProjectionKind::Perspective: {
+    case RandomKind::Frustum: return frustumMatrix(p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance);
+    case RandomKind::Ortho: return orthoMatrix(p);
+    case RandomKind::Perspective: {
         // The page of gluPerspective gives its matrix with cot(fovy / 2), not through a frustum.
         const Extended zero = 0, zNear = p.nearDistance, zFar = p.farDistance;
         const Extended cot = 1 / tan(Extended(p.verticalFovRadians) / 2);
@@ -143,7 +143,7 @@ Matrix4 projectionMatrix(const Projection &p)
             {zero, zero, Extended(-1), zero},
         }};
     }
-    case ProjectionKind::Oblique: {
+    case RandomKind::Oblique: {
         Matrix4 shear = identity();
         shear[0][2] = 1 / tan(Extended(p.thetaRadians));
         shear[1][2] = 1 / tan(Extended(p.phiRadians));

@@ -22,12 +22,12 @@ struct View {
     std::array<double, 3> eye, center, up;
 };
 
-enum class ProjectionKind { Frustum, Ortho, Perspective, Oblique };
+enum class RandomKind { Frustum, Ortho, Perspective, Oblique };
 
 /// The arguments of glFrustum, glOrtho, gluPerspective (angle in radians) or of a sheared glOrtho; those that the
 /// kind does not have are not read.
 struct Projection {
-    ProjectionKind kind = ProjectionKind::Ortho;
+    RandomKind kind = RandomKind::Ortho;
     double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
     double nearDistance = 1.0, farDistance = 2.0;
     double verticalFovRadians = 1.0, aspect = 1.0;

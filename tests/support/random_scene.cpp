@@ -57,9 +57,9 @@ std::array<double, 2> randomEdges(Random &random, double extent)
     return edges;
 }
 
-Projection randomProjection(Random &random, ProjectionKind kind, const SceneLimits &limits)
+Projection randomProjection(Random &random, RandomKind kind, const SceneLimits &limits)
 {
-    const bool perspective = kind == ProjectionKind::Frustum || kind == ProjectionKind::Perspective;
+    const bool perspective = kind == RandomKind::Frustum || kind == RandomKind::Perspective;
     Projection p;
     p.kind = kind;
     p.nearDistance = limits.nearLow;
@@ -141,7 +141,7 @@ double Random::logUniform(double low, double high)
     }
 }
 
-Scene randomScene(Random &random, ProjectionKind kind, const SceneLimits &limits)
+Scene randomScene(Random &random, RandomKind kind, const SceneLimits &limits)
 {
     Scene scene;
     scene.view = randomView(random, limits);

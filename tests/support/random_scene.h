@@ -40,7 +40,7 @@ struct Scene {
     Target target;
 };
 
-Scene randomScene(Random &random, ProjectionKind kind, const SceneLimits &limits);
+Scene randomScene(Random &random, RandomKind kind, const SceneLimits &limits);
 
 /// A pixel's centre inside the viewport, or (one in four) any position in it; a depth in the target's range: both
 /// ends, near either end, or anywhere.

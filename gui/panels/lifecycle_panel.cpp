@@ -1,0 +1,145 @@
+#include "gui/panels/lifecycle_panel.h"
+
+#include "gui/lifecycle_log.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QEvent>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace unprojector {
+
+LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(parent), m_log(log)
+{
+    m_table = new QTableView;
+    m_table->setModel(&m_log);
+    m_table->setAccessibleName(tr("Steps of the view's life"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setTabKeyNavigation(false);
+    m_table->setWordWrap(false);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    digits.setPointSizeF(font().pointSizeF() * 0.92);
+    m_table->setFont(digits);
+    const QFontMetrics metrics(digits);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + 4);
+    QHeaderView *header = m_table->horizontalHeader();
+    QFont headerFont = font(); // in full, or the table's digits would be inherited
+    headerFont.setFamilies({fontInfo().family()});
+    headerFont.setPointSizeF(font().pointSizeF());
+    header->setFont(headerFont);
+    header->setHighlightSections(false);
+    // The widths are those of the longest texts to expect, so that the columns stand still.
+    constexpr int kPadding = 12;
+    const auto reserve = [&](int column, const QString &widest) {
+        m_table->setColumnWidth(column, metrics.horizontalAdvance(widest) + kPadding);
+    };
+    reserve(LifecycleLog::Time, QStringLiteral("88888.888 s"));
+    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8, 888.8)"));
+    reserve(LifecycleLog::Took, QStringLiteral("888.88 ms, mean 888.88 ms"));
+    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("glViewport(8888, 8888, 8888, 8888)")) + kPadding;
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->viewport()->installEventFilter(this);
+
+    m_copy = new QPushButton(tr("&Copy"));
+    m_copy->setToolTip(tr("Copy the selected steps, or all of them, as lines of text"));
+    m_clear = new QPushButton(tr("C&lear"));
+    m_clear->setToolTip(tr("Remove all steps from the log"));
+    auto *buttons = new QVBoxLayout;
+    buttons->addWidget(m_copy);
+    buttons->addWidget(m_clear);
+    buttons->addStretch();
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(buttons);
+
+    auto *copyKey = new QAction(tr("Copy"), m_table);
+    copyKey->setShortcut(QKeySequence::Copy);
+    copyKey->setShortcutContext(Qt::WidgetShortcut);
+    m_table->addAction(copyKey);
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(copyKey, &QAction::triggered, this, &LifecyclePanel::copy);
+    connect(m_copy, &QPushButton::clicked, this, &LifecyclePanel::copy);
+    connect(m_clear, &QPushButton::clicked, this, [this] {
+        m_log.clear();
+        m_follows = true;
+    });
+    connect(m_table->verticalScrollBar(), &QScrollBar::valueChanged, this,
+            [this](int value) { m_follows = value == m_table->verticalScrollBar()->maximum(); });
+    connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this] {
+        enableButtons();
+        follow();
+    });
+    connect(&m_log, &QAbstractItemModel::modelReset, this, &LifecyclePanel::enableButtons);
+    enableButtons();
+}
+
+/// The calls have the room that the other columns leave, and in a narrow panel enough to be read: then it scrolls.
+bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize) {
+        int others = 0;
+        for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
+            others += m_table->columnWidth(column);
+        m_table->setColumnWidth(LifecycleLog::StandsFor, std::max(m_leastCallsWidth, m_table->viewport()->width() - others));
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+QSize LifecyclePanel::sizeHint() const
+{
+    return {900, 190};
+}
+
+void LifecyclePanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+/// Later, when the event loop runs: steps are reported while the view paints, when nothing may be scrolled.
+void LifecyclePanel::follow()
+{
+    if (!m_follows || m_willFollow || !isVisible())
+        return;
+    m_willFollow = true;
+    QTimer::singleShot(0, this, [this] {
+        m_willFollow = false;
+        if (!m_follows)
+            return;
+        m_table->scrollToBottom();
+        m_follows = true;
+    });
+}
+
+void LifecyclePanel::enableButtons()
+{
+    const bool hasRows = m_log.rowCount() > 0;
+    m_copy->setEnabled(hasRows);
+    m_clear->setEnabled(hasRows);
+}
+
+void LifecyclePanel::copy() const
+{
+    QModelIndexList selected = m_table->selectionModel()->selectedRows();
+    std::sort(selected.begin(), selected.end());
+    QString text;
+    for (const QModelIndex &index : selected)
+        text += m_log.text(index.row(), index.row());
+    QApplication::clipboard()->setText(selected.isEmpty() ? m_log.text(0, m_log.rowCount() - 1) : text);
+}
+
+} // namespace unprojector

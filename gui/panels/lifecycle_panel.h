@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+class QPushButton;
+class QTableView;
+
+namespace unprojector {
+
+class LifecycleLog;
+
+/// The log as a table. It follows the newest row unless the user has scrolled up.
+class LifecyclePanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit LifecyclePanel(LifecycleLog &log, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override;
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void follow();
+    void copy() const;
+    void enableButtons();
+
+    LifecycleLog &m_log;
+    QTableView *m_table;
+    QPushButton *m_copy;
+    QPushButton *m_clear;
+    int m_leastCallsWidth = 0;
+    bool m_follows = true;
+    bool m_willFollow = false; ///< the scroll to the end is under way
+};
+
+} // namespace unprojector

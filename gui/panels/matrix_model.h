@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/pipeline.h"
+#include "gui/panels/number_grid_model.h"
+
+namespace unprojector {
+
+/// How all matrices of the pipeline are shown.
+struct MatrixView {
+    MatrixLayout layout = MatrixLayout::Column;
+    bool isMemoryOrder = false; ///< m[0] to m[15] as glGetFloatv gives them, in two columns of eight
+    Digits digits = Digits::Double;
+    friend bool operator==(const MatrixView &, const MatrixView &) = default;
+};
+
+/// The matrix of one stage: four by four, or its memory. A tooltip names the entry by the formula's symbols.
+class MatrixModel : public NumberGridModel {
+    Q_OBJECT
+public:
+    explicit MatrixModel(PipelineStage stage, QObject *parent = nullptr);
+
+    void setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind);
+    void setView(const MatrixView &view);
+
+    PipelineStage stage() const { return m_stage; }
+    const MatrixView &view() const { return m_view; }
+
+    /// "eyeFromWorld", as the matrix is named in code.
+    QString variableName() const;
+    /// The matrix for the clipboard, in the layout and digits shown.
+    QString copyText(MatrixSyntax syntax) const;
+
+protected:
+    QString label(int row, int column) const override;
+    QString toolTip(int row, int column) const override;
+
+private:
+    void show();
+    /// Where in memory the entry of a cell lies: m[index].
+    int memoryIndex(int row, int column) const;
+
+    PipelineStage m_stage;
+    PipelineDirection m_direction = PipelineDirection::Forward;
+    ProjectionKind m_kind = ProjectionKind::Perspective;
+    glm::dmat4 m_matrix{1.0};
+    MatrixView m_view;
+};
+
+} // namespace unprojector

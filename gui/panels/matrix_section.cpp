@@ -1,0 +1,93 @@
+#include "gui/panels/matrix_section.h"
+
+#include "gui/panels/matrix_model.h"
+#include "gui/panels/number_grid.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace unprojector {
+
+MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(parent), m_model(model)
+{
+    m_heading = new QToolButton;
+    m_heading->setAutoRaise(true);
+    m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_heading->setFocusPolicy(Qt::StrongFocus);
+    m_heading->setToolTip(tr("Show or hide the matrix"));
+
+    auto *menu = new QMenu(this);
+    const auto add = [&](const QString &text, const QString &toolTip, MatrixSyntax syntax) {
+        QAction *action = menu->addAction(
+            text, this, [this, syntax] { QApplication::clipboard()->setText(m_model->copyText(syntax)); });
+        action->setToolTip(toolTip);
+    };
+    menu->setToolTipsVisible(true);
+    add(tr("&Text"), tr("Four aligned lines, as shown"), MatrixSyntax::Text);
+    add(tr("&C array"), tr("m[16] as OpenGL stores it, column after column"), MatrixSyntax::CArray);
+    add(tr("&GLM"), tr("A constructor, column after column"), MatrixSyntax::Glm);
+    add(tr("&NumPy"), tr("np.array, row after row as shown"), MatrixSyntax::NumPy);
+    add(tr("&LaTeX"), tr("A bmatrix, row after row as shown"), MatrixSyntax::Latex);
+    m_copy = new QToolButton;
+    m_copy->setText(tr("Copy"));
+    m_copy->setAutoRaise(true);
+    m_copy->setFocusPolicy(Qt::StrongFocus);
+    m_copy->setPopupMode(QToolButton::InstantPopup);
+    m_copy->setMenu(menu);
+    m_copy->setToolTip(tr("Copy the matrix with all its digits"));
+
+    auto *line = new QHBoxLayout;
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(m_heading);
+    line->addStretch();
+    line->addWidget(m_copy);
+
+    auto *grid = new NumberGrid(model, NumberGrid::Frame::Brackets);
+    grid->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(grid, &QWidget::customContextMenuRequested, menu,
+            [grid, menu](const QPoint &position) { menu->popup(grid->viewport()->mapToGlobal(position)); });
+    m_product = new QLabel;
+    m_product->setIndent(4);
+    m_body = new QWidget;
+    auto *body = new QVBoxLayout(m_body);
+    body->setContentsMargins(0, 0, 0, 0);
+    body->setSpacing(2);
+    body->addWidget(m_product);
+    body->addWidget(grid);
+    grid->setAccessibleDescription(
+        tr("Rows and columns of the matrix; Copy takes the selected numbers with all digits"));
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(1);
+    layout->addLayout(line);
+    layout->addWidget(m_body);
+
+    connect(m_heading, &QToolButton::clicked, this, [this] { setOpen(!m_isOpen); });
+    setOpen(true);
+}
+
+void MatrixSection::setTitle(const QString &name, const QString &variable, const QString &product)
+{
+    m_heading->setText(QStringLiteral("%1   %2").arg(name, variable));
+    m_heading->setAccessibleName(tr("%1, %2").arg(name, variable));
+    m_copy->setAccessibleName(tr("Copy %1").arg(variable));
+    m_body->findChild<NumberGrid *>()->setAccessibleName(variable);
+    m_product->setText(product);
+    m_product->setVisible(!product.isEmpty());
+}
+
+void MatrixSection::setOpen(bool isOpen)
+{
+    m_isOpen = isOpen;
+    m_heading->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+    m_heading->setAccessibleDescription(isOpen ? tr("Open") : tr("Closed"));
+    m_body->setVisible(isOpen);
+}
+
+} // namespace unprojector

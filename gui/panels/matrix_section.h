@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace unprojector {
+
+class MatrixModel;
+
+/// A matrix under a heading that opens and closes it, with a menu that copies it.
+class MatrixSection : public QWidget {
+    Q_OBJECT
+public:
+    explicit MatrixSection(MatrixModel *model, QWidget *parent = nullptr);
+
+    /// "View", "eyeFromWorld", and for a product its factors.
+    void setTitle(const QString &name, const QString &variable, const QString &product);
+    bool isOpen() const { return m_isOpen; }
+    void setOpen(bool isOpen);
+
+private:
+    MatrixModel *m_model;
+    QToolButton *m_heading;
+    QToolButton *m_copy;
+    QLabel *m_product;
+    QWidget *m_body;
+    bool m_isOpen = false;
+};
+
+} // namespace unprojector

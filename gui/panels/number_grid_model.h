@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/matrix_format.h"
+
+#include <QAbstractTableModel>
+
+#include <optional>
+#include <vector>
+
+namespace unprojector {
+
+/// Numbers in rows and columns, shown with as many digits as there is room for and copied with all of them. Texts are
+/// made when they are asked for, so that a grid nobody sees costs nothing.
+class NumberGridModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    /// The double itself (in float digits: the value rounded to float); invalid where there is no number.
+    static constexpr int ValueRole = Qt::UserRole;
+    /// What stands before the number: "m[12]".
+    static constexpr int LabelRole = Qt::UserRole + 1;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// Characters that a number has room for: longer ones lose digits, not places.
+    void setCapacity(int characters);
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+
+    /// A number with all its digits, "–" where there is none.
+    QString fullText(int row, int column) const;
+
+protected:
+    using Numbers = std::vector<std::optional<double>>;
+
+    /// Row by row. The views keep their shape unless the numbers of rows and columns change.
+    void setNumbers(int rows, int columns, Numbers numbers, Digits digits);
+
+    virtual QString label(int row, int column) const;
+    virtual QString toolTip(int row, int column) const = 0;
+
+private:
+    void makeTexts() const;
+    const std::optional<double> &number(int row, int column) const;
+
+    int m_rows = 0;
+    int m_columns = 0;
+    Numbers m_numbers;
+    Digits m_digits = Digits::Double;
+    int m_capacity = 12;
+    mutable std::vector<QString> m_texts;
+    mutable bool m_textsAreStale = true;
+};
+
+} // namespace unprojector

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QSlider;
+class QVariantAnimation;
+
+namespace unprojector {
+
+class ObserverView;
+class SceneDocument;
+
+/// The view from outside with its tools: the slider that morphs it into the canonical view volume, and what its colours
+/// mean.
+class ObserverPanel : public QWidget {
+    Q_OBJECT
+public:
+    /// @param samples  for multisampling of the view; 0: none
+    ObserverPanel(SceneDocument &document, int samples, QWidget *parent = nullptr);
+
+    ObserverView &view() { return *m_view; }
+
+protected:
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    void showMorph(double t);
+    void showDistances();
+    void animate();
+    void showAnimating(bool isAnimating);
+
+    SceneDocument &m_document;
+    ObserverView *m_view;
+    QSlider *m_slider;
+    QLabel *m_percent;
+    QPushButton *m_animate;
+    QVariantAnimation *m_animation;
+    QLabel *m_nearDistance;
+    QLabel *m_farDistance;
+    QLabel *m_ray;
+};
+
+} // namespace unprojector

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "gui/panels/parameters/parameter_tab.h"
+
+class QCheckBox;
+class QPushButton;
+class QToolButton;
+
+namespace unprojector {
+
+class ElidedLabel;
+
+/// One line of the tab: a plane of the scene that cuts or is switched off.
+struct ClipPlaneLine {
+    glm::dvec4 plane{0.0};
+    bool isOn = true;
+};
+
+/// All planes of a scene in the order in which they are shown, and back.
+std::vector<ClipPlaneLine> clipPlaneLines(const Scene &scene);
+void setClipPlaneLines(Scene &scene, const std::vector<ClipPlaneLine> &lines);
+
+/// "x + 0.5 y − 2 ≥ 0": the side of a plane that is kept, its numbers with at most three digits.
+QString keptSideText(const glm::dvec4 &plane);
+
+/// The user clip planes A x + B y + C z + D = 0 (glClipPlane), world space, six at most.
+class ClipTab : public ParameterTab {
+    Q_OBJECT
+public:
+    explicit ClipTab(SceneDocument &document, QWidget *parent = nullptr);
+
+protected:
+    void showScene() override;
+
+private:
+    struct Row {
+        QWidget *widget;
+        QCheckBox *isOn;
+        ElidedLabel *equation;
+        QToolButton *remove;
+        NumberField *first;
+        NumberField *last;
+    };
+
+    void addPlane();
+    void removePlane(std::size_t line);
+    Row makeRow(std::size_t line);
+
+    QPushButton *m_add;
+    QWidget *m_letters;
+    QVBoxLayout *m_list;
+    std::vector<Row> m_rows;
+};
+
+} // namespace unprojector

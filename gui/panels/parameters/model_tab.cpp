@@ -1,0 +1,274 @@
+#include "gui/panels/parameters/model_tab.h"
+
+#include "gui/number_text.h"
+#include "gui/panels/parameters/elided_label.h"
+#include "gui/scene_document.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace unprojector {
+namespace {
+
+constexpr int kCallDigits = 5;
+
+/// The numbers of a step in the order of its call.
+double *numberIn(TransformStep &step, int i)
+{
+    if (auto *translate = std::get_if<Translate>(&step))
+        return &translate->offset[i];
+    if (auto *scale = std::get_if<Scale>(&step))
+        return &scale->factors[i];
+    auto &rotate = std::get<Rotate>(step);
+    return i == 0 ? &rotate.degrees : &rotate.axis[i - 1];
+}
+
+int numbersOf(const TransformStep &step)
+{
+    return std::holds_alternative<Rotate>(step) ? 4 : 3;
+}
+
+QToolButton *smallButton(const QString &text, const QString &name, const QString &tip)
+{
+    auto *button = new QToolButton;
+    button->setText(text);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAccessibleName(name);
+    button->setToolTip(tip);
+    return button;
+}
+
+} // namespace
+
+QString callText(const TransformStep &step)
+{
+    TransformStep copy = step;
+    QStringList numbers;
+    for (int i = 0; i < numbersOf(step); ++i)
+        numbers << significantText(*numberIn(copy, i), kCallDigits);
+    const QString name = std::holds_alternative<Translate>(step) ? QStringLiteral("glTranslated")
+                         : std::holds_alternative<Rotate>(step)  ? QStringLiteral("glRotated")
+                                                                 : QStringLiteral("glScaled");
+    return QStringLiteral("%1(%2)").arg(name, numbers.join(QStringLiteral(", ")));
+}
+
+ModelTab::ModelTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, parent)
+{
+    m_object = new QComboBox;
+    m_object->setObjectName(QStringLiteral("object"));
+    m_object->setAccessibleName(tr("Object"));
+    m_object->setToolTip(tr("The object that is placed by these steps"));
+    m_object->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_object->setMinimumContentsLength(12);
+    ignoreWheelWithoutFocus(m_object);
+    content()->addWidget(m_object);
+
+    auto *adds = new QHBoxLayout;
+    adds->setSpacing(4);
+    const auto add = [&](const QString &label, const QString &text, const QString &tip, const QString &objectName, const TransformStep &step) {
+        auto *button = new QPushButton(label);
+        button->setObjectName(objectName);
+        button->setAccessibleName(text);
+        button->setToolTip(tip);
+        button->setMinimumWidth(10); // a third of the panel each
+        connect(button, &QPushButton::clicked, this, [this, step, text] { addStep(step, text); });
+        adds->addWidget(button, 1);
+        m_adds.push_back(button);
+    };
+    add(tr("+ Translate"), tr("Add translate"), tr("Add a glTranslate after the last step"), QStringLiteral("addTranslate"), Translate{});
+    add(tr("+ Rotate"), tr("Add rotate"), tr("Add a glRotate after the last step"), QStringLiteral("addRotate"), Rotate{0.0, {0.0, 1.0, 0.0}});
+    add(tr("+ Scale"), tr("Add scale"), tr("Add a glScale after the last step"), QStringLiteral("addScale"), Scale{});
+    content()->addLayout(adds);
+
+    m_hint = new QLabel;
+    m_hint->setWordWrap(true);
+    content()->addWidget(m_hint);
+
+    m_list = new QVBoxLayout;
+    m_list->setSpacing(8);
+    content()->addLayout(m_list);
+    content()->addStretch();
+
+    connect(m_object, &QComboBox::activated, this, [this](int index) {
+        restoreFields();
+        m_shown = static_cast<std::size_t>(index);
+        refresh();
+    });
+}
+
+const std::vector<TransformStep> &ModelTab::steps() const
+{
+    static const std::vector<TransformStep> none;
+    const std::vector<SceneObject> &objects = document().objects();
+    return m_shown < objects.size() ? objects[m_shown].transform : none;
+}
+
+void ModelTab::addStep(const TransformStep &step, const QString &text)
+{
+    Scene next = document().scene();
+    if (m_shown >= next.objects.size())
+        return;
+    next.objects[m_shown].transform.push_back(step);
+    if (change(std::move(next), text) && !m_rows.empty())
+        bringUp(m_rows.back().first);
+}
+
+void ModelTab::moveStep(std::size_t from, std::size_t to)
+{
+    Scene next = document().scene();
+    std::vector<TransformStep> &list = next.objects[m_shown].transform;
+    std::swap(list[from], list[to]);
+    restoreFields();
+    const bool isUp = to < from;
+    if (change(std::move(next), tr("Reorder steps")) && to < m_rows.size()) {
+        // The focus goes with the step, on to the other button at the end of the list.
+        QToolButton *same = isUp ? m_rows[to].up : m_rows[to].down;
+        (same->isEnabled() ? same : isUp ? m_rows[to].down : m_rows[to].up)->setFocus();
+    }
+}
+
+void ModelTab::removeStep(std::size_t step)
+{
+    Scene next = document().scene();
+    std::vector<TransformStep> &list = next.objects[m_shown].transform;
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(step));
+    restoreFields();
+    if (!change(std::move(next), tr("Remove step")))
+        return;
+    if (m_rows.empty())
+        m_adds.front()->setFocus();
+    else
+        m_rows[std::min(step, m_rows.size() - 1)].remove->setFocus();
+}
+
+void ModelTab::showObjects()
+{
+    const std::vector<SceneObject> &objects = document().objects();
+    const bool isSame = std::equal(objects.begin(), objects.end(), m_names.begin(), m_names.end(),
+                                   [](const SceneObject &object, const std::string &name) { return object.name == name; });
+    if (isSame && m_object->count() > 0)
+        return;
+    m_names.clear();
+    m_object->clear();
+    for (const SceneObject &object : objects) {
+        m_names.push_back(object.name);
+        m_object->addItem(QString::fromStdString(object.name));
+    }
+    m_shown = 0;
+    m_rowsOf.reset();
+    m_object->setEnabled(!objects.empty());
+    for (QPushButton *button : m_adds)
+        button->setEnabled(!objects.empty());
+}
+
+void ModelTab::showScene()
+{
+    showObjects();
+    std::vector<std::size_t> kinds;
+    for (const TransformStep &step : steps())
+        kinds.push_back(step.index());
+    if (kinds != m_shownKinds || m_rowsOf != m_shown) {
+        m_shownKinds = std::move(kinds);
+        m_rowsOf = m_shown;
+        rebuildRows();
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        m_rows[i].call->setFullText(callText(steps()[i]));
+}
+
+void ModelTab::rebuildRows()
+{
+    for (const Row &row : m_rows) {
+        m_list->removeWidget(row.widget);
+        removeFieldsIn(row.widget);
+    }
+    m_rows.clear();
+    for (std::size_t i = 0; i < steps().size(); ++i) {
+        m_rows.push_back(makeRow(i));
+        m_list->addWidget(m_rows.back().widget);
+        m_rows.back().widget->show();
+    }
+    m_hint->setText(document().objects().empty() ? tr("There are no objects to place.")
+                    : m_rows.empty()             ? tr("No steps: the object stands where its file puts it.")
+                                                 : tr("In the order of the calls: the last step is applied to the object first."));
+}
+
+ModelTab::Row ModelTab::makeRow(std::size_t step)
+{
+    const TransformStep &shown = steps()[step];
+    const int number = static_cast<int>(step) + 1;
+    Row row{};
+    row.widget = new QWidget;
+    row.widget->setObjectName(QStringLiteral("step%1").arg(number));
+    row.call = new ElidedLabel;
+    row.call->setAccessibleName(tr("Call of step %1").arg(number));
+    row.up = smallButton(QStringLiteral("↑"), tr("Move step %1 up").arg(number), tr("Call this step earlier"));
+    row.down = smallButton(QStringLiteral("↓"), tr("Move step %1 down").arg(number), tr("Call this step later"));
+    row.remove = smallButton(QStringLiteral("✕"), tr("Remove step %1").arg(number), tr("Remove this step"));
+    row.up->setObjectName(QStringLiteral("up"));
+    row.down->setObjectName(QStringLiteral("down"));
+    row.remove->setObjectName(QStringLiteral("remove"));
+    row.up->setEnabled(step > 0);
+    row.down->setEnabled(step + 1 < steps().size());
+    connect(row.up, &QToolButton::clicked, this, [this, step] { moveStep(step, step - 1); });
+    connect(row.down, &QToolButton::clicked, this, [this, step] { moveStep(step, step + 1); });
+    connect(row.remove, &QToolButton::clicked, this, [this, step] { removeStep(step); });
+
+    auto *top = new QHBoxLayout;
+    top->setSpacing(0);
+    top->addWidget(row.call, 1);
+    top->addWidget(row.up);
+    top->addWidget(row.down);
+    top->addWidget(row.remove);
+
+    auto *numbers = new QHBoxLayout;
+    numbers->setSpacing(4);
+    const bool isRotation = std::holds_alternative<Rotate>(shown);
+    const QString kind = isRotation ? tr("Rotation") : std::holds_alternative<Scale>(shown) ? tr("Scale") : tr("Translation");
+    for (int i = 0; i < numbersOf(shown); ++i) {
+        const QString axis = QString(QChar(u'x' + (isRotation ? i - 1 : i)));
+        const bool isAngle = isRotation && i == 0;
+        const QString name = isAngle ? tr("Rotation angle") : isRotation ? tr("Rotation axis %1").arg(axis) : QStringLiteral("%1 %2").arg(kind, axis);
+        const QString help = isAngle ? tr("Angle in degrees, counter-clockwise seen against the axis (glRotate: angle)")
+                             : isRotation
+                                 ? tr("Axis of the rotation, %1; its length does not matter (glRotate: %1)").arg(axis)
+                             : std::holds_alternative<Scale>(shown) ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
+                                                                    : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
+        const std::size_t object = m_shown;
+        NumberField *field = addField({name, help,
+                                       [object, step, i](const Scene &scene) -> std::optional<double> {
+                                           if (object >= scene.objects.size() || step >= scene.objects[object].transform.size())
+                                               return std::nullopt;
+                                           TransformStep copy = scene.objects[object].transform[step];
+                                           return i < numbersOf(copy) ? std::optional<double>(*numberIn(copy, i)) : std::nullopt;
+                                       },
+                                       [object, step, i](Scene &scene, double value) {
+                                           *numberIn(scene.objects[object].transform[step], i) = value;
+                                       }});
+        field->setObjectName(QStringLiteral("number%1").arg(i));
+        field->setAccessibleName(tr("Step %1: %2").arg(number).arg(name));
+        if (isAngle)
+            field->setFixedStep(1.0);
+        else if (!std::holds_alternative<Scale>(shown))
+            field->setFixedStep(0.1);
+        numbers->addWidget(field, 1);
+        if (i == 0)
+            row.first = field;
+    }
+
+    auto *layout = new QVBoxLayout(row.widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(top);
+    layout->addLayout(numbers);
+    return row;
+}
+
+} // namespace unprojector

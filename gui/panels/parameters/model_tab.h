@@ -1,0 +1,57 @@
+#pragma once
+
+#include "gui/panels/parameters/parameter_tab.h"
+
+#include <string>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace unprojector {
+
+class ElidedLabel;
+
+/// The OpenGL call of a step: "glRotated(30, 0, 1, 0)", its numbers with at most five digits.
+QString callText(const TransformStep &step);
+
+/// How one object is placed: an ordered list of glTranslate, glRotate and glScale, in the order of the calls.
+class ModelTab : public ParameterTab {
+    Q_OBJECT
+public:
+    explicit ModelTab(SceneDocument &document, QWidget *parent = nullptr);
+
+protected:
+    void showScene() override;
+
+private:
+    struct Row {
+        QWidget *widget;
+        ElidedLabel *call;
+        QToolButton *up;
+        QToolButton *down;
+        QToolButton *remove;
+        NumberField *first;
+    };
+
+    const std::vector<TransformStep> &steps() const;
+    void addStep(const TransformStep &step, const QString &text);
+    void moveStep(std::size_t from, std::size_t to);
+    void removeStep(std::size_t step);
+    void showObjects();
+    void rebuildRows();
+    Row makeRow(std::size_t step);
+
+    QComboBox *m_object;
+    QLabel *m_hint;
+    QVBoxLayout *m_list;
+    std::vector<QPushButton *> m_adds;
+    std::vector<Row> m_rows;
+    std::vector<std::string> m_names;
+    std::vector<std::size_t> m_shownKinds; ///< of the steps that the rows were made for
+    std::size_t m_shown = 0;               ///< the object that is shown
+    std::optional<std::size_t> m_rowsOf;   ///< the object that the rows were made for
+};
+
+} // namespace unprojector

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QTabWidget>
+
+namespace unprojector {
+
+class SceneDocument;
+
+/// All numbers that make the picture, each editable at once and undoably: view, projection, viewport, model, clip
+/// planes. Tabs that are not on the screen cost nothing.
+class ParametersPanel : public QTabWidget {
+    Q_OBJECT
+public:
+    explicit ParametersPanel(SceneDocument &document, QWidget *parent = nullptr);
+};
+
+} // namespace unprojector

@@ -1,0 +1,149 @@
+#include "gui/panels/pipeline_model.h"
+
+#include "gui/error_text.h"
+#include "gui/scene_document.h"
+
+namespace unprojector {
+namespace {
+
+using Space = PointModel::Space;
+
+/// Whether nothing of the picture changed since.
+bool isSamePicture(const ViewGeometry &a, const ViewGeometry &b)
+{
+    return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange
+           && a.projection == b.projection && a.camera.eye.coordinates() == b.camera.eye.coordinates()
+           && a.camera.center.coordinates() == b.camera.center.coordinates() && a.camera.up == b.camera.up;
+}
+
+} // namespace
+
+PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
+{
+    for (const PipelineStage stage : kPipelineStages)
+        m_matrices[static_cast<std::size_t>(stage)] = new MatrixModel(stage, this);
+    for (int space = 0; space < PointModel::kSpaces; ++space)
+        m_points[static_cast<std::size_t>(space)] = new PointModel(static_cast<Space>(space), this);
+    connect(&document, &SceneDocument::pickChanged, this, [this] { m_pickedObjectIsStale = true; });
+    connect(&document, &SceneDocument::objectsChanged, this, [this] {
+        m_pickedObjectIsStale = true;
+        m_object = kAutomaticObject;
+    });
+    update();
+}
+
+std::optional<std::size_t> PipelineModel::shownObject() const
+{
+    const std::size_t count = m_document.objects().size();
+    if (m_object == kNoObject || count == 0)
+        return std::nullopt;
+    const std::size_t index = m_object >= 0 ? static_cast<std::size_t>(m_object) : m_pickedObject.value_or(0);
+    return index < count ? std::optional(index) : std::nullopt;
+}
+
+void PipelineModel::setDirection(PipelineDirection direction)
+{
+    m_direction = direction;
+    update();
+}
+
+void PipelineModel::setObject(int object)
+{
+    m_object = object;
+    update();
+}
+
+void PipelineModel::setView(const MatrixView &view)
+{
+    m_view = view;
+    for (MatrixModel *matrix : m_matrices)
+        matrix->setView(view);
+}
+
+void PipelineModel::update()
+{
+    const std::optional<Pick> &pick = m_document.pick();
+    if (m_pickedObjectIsStale) {
+        m_pickedObject.reset();
+        if (pick && pick->hit && pick->point.world.formula)
+            m_pickedObject = objectAround(m_document.scene(), *pick->point.world.formula);
+        m_pickedObjectIsStale = false;
+    }
+    const std::optional<std::size_t> object = shownObject();
+    const glm::dmat4 model = object ? worldFromObject(m_document.objects()[*object].transform) : glm::dmat4(1.0);
+    const Result<Pipeline> pipeline = unprojector::pipeline(m_document.geometry(), model);
+    if (!pipeline) {
+        // The matrices stay as they last were good.
+        clearPoints();
+        m_status = errorText(pipeline.error());
+        return;
+    }
+    const ProjectionKind kind = kindOf(m_document.geometry().projection);
+    for (const PipelineStage stage : kPipelineStages)
+        matrix(stage)->setMatrix(pipeline->matrix(stage, m_direction), m_direction, kind);
+    if (!pick) {
+        clearPoints();
+        m_status = tr("Press the left button on the model: its point appears at every stage.");
+    } else if (!pick->hit) {
+        clearPoints();
+        m_status = tr("Background: no surface here, so there is no point to follow.");
+    } else {
+        showPoints(*pipeline);
+    }
+}
+
+void PipelineModel::showPoints(const Pipeline &pipeline)
+{
+    const Pick &pick = *m_document.pick();
+    const Result<WorldPoint> &world = pick.point.world.formula;
+    if (!world) {
+        clearPoints();
+        m_status = errorText(world.error());
+        return;
+    }
+    const bool isFresh = isSamePicture(pick.geometry, pipeline.geometry);
+    PipelinePoints points = pointsForward(pipeline, *world);
+    const bool isVisible = points.clip && isInsideViewVolume(*points.clip);
+    if (m_direction == PipelineDirection::Backward) {
+        const Result<WindowPoint> start = isFresh ? Result<WindowPoint>(pick.window) : points.window;
+        if (start)
+            points = pointsBackward(pipeline, *start);
+        m_status = isFresh ? tr("Back from the clicked pixel's centre and the depth read there.")
+                           : tr("The view changed since the click: back from where the point is now.");
+    } else {
+        m_status = isFresh || isVisible ? tr("The picked point on its way to the window.")
+                                        : tr("The picked point, which is outside the view volume now.");
+    }
+    point(Space::Object)->setPoint(points.object);
+    point(Space::World)->setPoint(points.world);
+    point(Space::Eye)->setPoint(points.eye);
+    point(Space::Clip)->setPoint(points.clip);
+    point(Space::Ndc)->setPoint(points.ndc);
+    point(Space::Window)->setPoint(points.window);
+    point(Space::Widget)->setPoint(points.widget);
+    if (!points.widget)
+        m_status = errorText(points.widget.error());
+    else if (!points.object)
+        m_status = errorText(points.object.error());
+}
+
+void PipelineModel::clearPoints()
+{
+    for (PointModel *point : m_points)
+        point->clearPoint();
+}
+
+QString PipelineModel::text() const
+{
+    QString text = m_status + u'\n';
+    const bool forward = m_direction == PipelineDirection::Forward;
+    for (int i = 0; i < PointModel::kSpaces; ++i) {
+        const PointModel *model = m_points[static_cast<std::size_t>(forward ? i : PointModel::kSpaces - 1 - i)];
+        text += QStringLiteral("%1\t%2\n").arg(model->name(), model->fullText());
+    }
+    for (const MatrixModel *model : m_matrices)
+        text += QStringLiteral("\n%1\n%2").arg(model->variableName(), model->copyText(MatrixSyntax::Text));
+    return text;
+}
+
+} // namespace unprojector

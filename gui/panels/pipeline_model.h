@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/pipeline.h"
+#include "gui/panels/matrix_model.h"
+#include "gui/panels/point_model.h"
+
+#include <QObject>
+#include <QString>
+
+#include <array>
+#include <optional>
+
+namespace unprojector {
+
+class SceneDocument;
+
+/// What the pipeline panel shows of a document: the picked point in every space, the matrices between them, and a
+/// sentence. It looks at the document when told to, so that a hidden panel costs nothing.
+class PipelineModel : public QObject {
+    Q_OBJECT
+public:
+    /// Whose object space: the index of one of the document's objects, or one of these.
+    static constexpr int kAutomaticObject = -1; ///< the one that the picked point belongs to, by the boxes
+    static constexpr int kNoObject = -2;        ///< the identity: object coordinates are world coordinates
+
+    explicit PipelineModel(const SceneDocument &document, QObject *parent = nullptr);
+
+    /// Takes over the document as it is now.
+    void update();
+
+    PipelineDirection direction() const { return m_direction; }
+    void setDirection(PipelineDirection direction);
+    int object() const { return m_object; }
+    void setObject(int object);
+    const MatrixView &view() const { return m_view; }
+    void setView(const MatrixView &view);
+
+    MatrixModel *matrix(PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
+    PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
+
+    /// The object whose space is shown; nothing for the identity.
+    std::optional<std::size_t> shownObject() const;
+    /// Where the points come from, or why there are none.
+    const QString &status() const { return m_status; }
+    /// Points and matrices with all digits.
+    QString text() const;
+
+private:
+    void showPoints(const Pipeline &pipeline);
+    void clearPoints();
+
+    const SceneDocument &m_document;
+    PipelineDirection m_direction = PipelineDirection::Forward;
+    int m_object = kAutomaticObject;
+    /// Found once for each pick: moving the object afterwards does not make the point another's.
+    std::optional<std::size_t> m_pickedObject;
+    bool m_pickedObjectIsStale = true;
+    MatrixView m_view;
+    std::array<MatrixModel *, kPipelineStages.size()> m_matrices;
+    std::array<PointModel *, PointModel::kSpaces> m_points;
+    QString m_status;
+};
+
+} // namespace unprojector

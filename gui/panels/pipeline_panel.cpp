@@ -1,0 +1,349 @@
+#include "gui/panels/pipeline_panel.h"
+
+#include "gui/number_text.h"
+#include "gui/panels/matrix_section.h"
+#include "gui/panels/number_grid.h"
+#include "gui/panels/segmented_switch.h"
+#include "gui/scene_document.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace unprojector {
+namespace {
+
+using Space = PointModel::Space;
+
+/// Before the document's objects in the combo box.
+constexpr int kAutomaticItem = 0;
+constexpr int kNoneItem = 1;
+constexpr int kFirstObjectItem = 2;
+
+QString stageName(PipelineStage stage, PipelineDirection direction)
+{
+    QString name;
+    switch (stage) {
+    case PipelineStage::ModelMatrix: name = PipelinePanel::tr("Model"); break;
+    case PipelineStage::ViewMatrix: name = PipelinePanel::tr("View"); break;
+    case PipelineStage::ProjectionMatrix: name = PipelinePanel::tr("Projection"); break;
+    case PipelineStage::ViewportMatrix: name = PipelinePanel::tr("Viewport"); break;
+    case PipelineStage::ModelviewMatrix: name = PipelinePanel::tr("Modelview"); break;
+    case PipelineStage::WholeMatrix: name = QStringLiteral("MVPW"); break;
+    }
+    return direction == PipelineDirection::Forward ? name : name + QStringLiteral("⁻¹");
+}
+
+/// The factors of a combined matrix in the order they are written in; empty for a single one.
+QString productText(PipelineStage stage, PipelineDirection direction, MatrixLayout layout)
+{
+    std::vector<PipelineStage> stages;
+    if (stage == PipelineStage::ModelviewMatrix)
+        stages = {PipelineStage::ViewMatrix, PipelineStage::ModelMatrix};
+    else if (stage == PipelineStage::WholeMatrix)
+        stages = {PipelineStage::ViewportMatrix, PipelineStage::ProjectionMatrix, PipelineStage::ViewMatrix,
+                  PipelineStage::ModelMatrix};
+    else
+        return {};
+    // Both the inverse and the row vectors turn the order round.
+    if ((direction == PipelineDirection::Backward) != (layout == MatrixLayout::Row))
+        std::reverse(stages.begin(), stages.end());
+    QStringList names;
+    for (const PipelineStage factor : stages)
+        names << stageName(factor, direction);
+    return QStringLiteral("= ") + names.join(QStringLiteral(" · "));
+}
+
+} // namespace
+
+PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
+    : QWidget(parent), m_document(document), m_model(new PipelineModel(document, this))
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->addWidget(createSwitches());
+
+    m_status = new QLabel;
+    m_status->setWordWrap(true);
+    m_status->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_status->setAccessibleName(tr("What the points are"));
+    m_status->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    // Room for its longest text, so that nothing below it moves.
+    m_status->setFixedHeight(2 * m_status->fontMetrics().lineSpacing() + 2);
+    auto *copy = new QPushButton(tr("&Copy all"));
+    copy->setToolTip(tr("Copy all points and matrices with all digits"));
+    connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model->text()); });
+    auto *statusLine = new QHBoxLayout;
+    statusLine->addWidget(m_status, 1);
+    statusLine->addWidget(copy);
+    layout->addLayout(statusLine);
+
+    createStages();
+    layout->addWidget(m_scrollArea, 1);
+
+    connect(&document, &SceneDocument::geometryChanged, this, &PipelinePanel::refresh);
+    connect(&document, &SceneDocument::pickChanged, this, &PipelinePanel::refresh);
+    connect(&document, &SceneDocument::objectsChanged, this, &PipelinePanel::refresh);
+    arrange();
+}
+
+QWidget *PipelinePanel::createSwitches()
+{
+    m_directionSwitch = new SegmentedSwitch(
+        tr("Direction"), {{tr("Forward"), tr("From the object to the widget")},
+                          {tr("Backward"), tr("From the window to the object, by the inverse of each matrix")}});
+    m_layoutSwitch = new SegmentedSwitch(
+        tr("Vectors"), {{tr("Columns"), tr("Column vectors, M · v, as OpenGL writes them")},
+                        {tr("Rows"), tr("Row vectors, v · M: every matrix transposed, products in reversed order")}});
+    m_memorySwitch = new SegmentedSwitch(
+        tr("Arrangement"),
+        {{tr("4 × 4"), tr("Rows and columns, as matrices are printed")},
+         {QStringLiteral("m[0..15]"),
+          tr("The memory order that glGetFloatv gives and a debugger shows, the same for column and row vectors")}});
+    m_digitsSwitch = new SegmentedSwitch(
+        tr("Digits"),
+        {{QStringLiteral("double"), tr("Six digits of the double; all of them in the tooltip and when copied")},
+         {QStringLiteral("float"), tr("Rounded to single precision, with all the digits that it has")}});
+
+    m_object = new QComboBox;
+    m_object->setAccessibleName(tr("Object"));
+    m_object->setToolTip(
+        tr("Whose object space: by itself that of the object whose box holds the picked point most tightly"));
+    m_object->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_object->setMinimumContentsLength(8);
+    auto *objectLabel = new QLabel(tr("&Object:"));
+    objectLabel->setBuddy(m_object);
+
+    auto *switches = new QWidget;
+    auto *lines = new QVBoxLayout(switches);
+    lines->setContentsMargins(0, 0, 0, 0);
+    auto *first = new QHBoxLayout;
+    first->addWidget(m_directionSwitch);
+    first->addSpacing(6);
+    first->addWidget(objectLabel);
+    first->addWidget(m_object, 1);
+    auto *second = new QHBoxLayout;
+    second->addWidget(m_layoutSwitch);
+    second->addWidget(m_memorySwitch);
+    second->addWidget(m_digitsSwitch);
+    second->addStretch();
+    lines->addLayout(first);
+    lines->addLayout(second);
+
+    connect(m_directionSwitch, &SegmentedSwitch::chosen, this, [this](int index) {
+        m_model->setDirection(index == 0 ? PipelineDirection::Forward : PipelineDirection::Backward);
+        arrange();
+        showStatus();
+    });
+    const auto showView = [this] {
+        m_model->setView({m_layoutSwitch->choice() == 0 ? MatrixLayout::Column : MatrixLayout::Row,
+                          m_memorySwitch->choice() == 1,
+                          m_digitsSwitch->choice() == 0 ? Digits::Double : Digits::Float});
+        showTitles();
+    };
+    for (SegmentedSwitch *one : {m_layoutSwitch, m_memorySwitch, m_digitsSwitch})
+        connect(one, &SegmentedSwitch::chosen, this, showView);
+    connect(m_object, &QComboBox::activated, this, [this](int item) {
+        m_model->setObject(item == kAutomaticItem ? PipelineModel::kAutomaticObject
+                           : item == kNoneItem    ? PipelineModel::kNoObject
+                                                  : item - kFirstObjectItem);
+        showStatus();
+        showObjects();
+    });
+    return switches;
+}
+
+void PipelinePanel::createStages()
+{
+    auto *content = new QWidget;
+    m_rows = new QVBoxLayout(content);
+    m_rows->setContentsMargins(0, 0, 4, 0);
+    m_rows->setSpacing(4);
+
+    QFont bold = font();
+    bold.setBold(true);
+    int nameWidth = 0;
+    for (int i = 0; i < PointModel::kSpaces; ++i)
+        nameWidth =
+            std::max(nameWidth, QFontMetrics(bold).horizontalAdvance(m_model->point(static_cast<Space>(i))->name()));
+    for (int i = 0; i < PointModel::kSpaces; ++i) {
+        PointModel *point = m_model->point(static_cast<Space>(i));
+        auto *row = new QWidget;
+        auto *name = new QLabel(point->name());
+        name->setFont(bold);
+        name->setFixedWidth(nameWidth + 8);
+        auto *grid = new NumberGrid(point, NumberGrid::Frame::None);
+        grid->setAccessibleName(tr("Point in %1 coordinates").arg(point->name()));
+        name->setBuddy(grid);
+        auto *line = new QHBoxLayout(row);
+        line->setContentsMargins(0, 0, 0, 0);
+        line->setSpacing(0);
+        line->addWidget(name);
+        line->addWidget(grid, 1);
+        m_pointRows[static_cast<std::size_t>(i)] = row;
+    }
+    for (const PipelineStage stage : kPipelineStages) {
+        auto *section = new MatrixSection(m_model->matrix(stage));
+        m_sections[static_cast<std::size_t>(stage)] = section;
+        section->setOpen(stage != PipelineStage::ModelviewMatrix && stage != PipelineStage::WholeMatrix);
+    }
+    m_division = new QLabel;
+    m_flip = new QLabel;
+    for (QLabel *step : {m_division, m_flip})
+        step->setIndent(6);
+
+    m_scrollArea = new QScrollArea;
+    m_scrollArea->setWidgetResizable(true);
+    m_scrollArea->setFrameShape(QFrame::NoFrame);
+    m_scrollArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scrollArea->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    m_scrollArea->setWidget(content);
+}
+
+void PipelinePanel::arrange()
+{
+    const auto point = [this](Space space) { return m_pointRows[static_cast<std::size_t>(space)]; };
+    const auto section = [this](PipelineStage stage) -> QWidget * {
+        return m_sections[static_cast<std::size_t>(stage)];
+    };
+    std::vector<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix),
+                                point(Space::World),  section(PipelineStage::ViewMatrix),
+                                point(Space::Eye),    section(PipelineStage::ProjectionMatrix),
+                                point(Space::Clip),   m_division,
+                                point(Space::Ndc),    section(PipelineStage::ViewportMatrix),
+                                point(Space::Window), m_flip,
+                                point(Space::Widget)};
+    if (m_model->direction() == PipelineDirection::Backward)
+        std::reverse(rows.begin(), rows.end());
+    rows.push_back(section(PipelineStage::ModelviewMatrix));
+    rows.push_back(section(PipelineStage::WholeMatrix));
+
+    while (QLayoutItem *item = m_rows->takeAt(0))
+        delete item;
+    for (QWidget *row : rows)
+        m_rows->addWidget(row);
+    m_rows->addStretch();
+    // The Tab key follows the eye.
+    QWidget *last = nullptr;
+    for (QWidget *row : rows) {
+        for (QWidget *child : row->findChildren<QWidget *>()) {
+            if (child->focusPolicy() == Qt::NoFocus)
+                continue;
+            if (last)
+                setTabOrder(last, child);
+            last = child;
+        }
+    }
+    m_division->setText(m_model->direction() == PipelineDirection::Forward
+                            ? tr("↓  divide by w")
+                            : tr("↓  times the w that the division took"));
+    showFlip();
+    showTitles();
+}
+
+void PipelinePanel::showTitles()
+{
+    for (const PipelineStage stage : kPipelineStages)
+        m_sections[static_cast<std::size_t>(stage)]->setTitle(
+            stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
+            productText(stage, m_model->direction(), m_model->view().layout));
+}
+
+void PipelinePanel::refresh()
+{
+    if (!isVisible())
+        return;
+    m_model->update();
+    showStatus();
+    showObjects();
+}
+
+void PipelinePanel::showStatus()
+{
+    if (m_status->text() != m_model->status())
+        m_status->setText(m_model->status());
+    const Surface &surface = m_document.geometry().surface;
+    if (surface == m_surface)
+        return;
+    m_surface = surface;
+    showFlip();
+}
+
+void PipelinePanel::showFlip()
+{
+    const int height = m_surface.heightPixels;
+    const double ratio = m_surface.devicePixelRatio;
+    const QString ratioText = significantText(ratio, 6);
+    if (m_model->direction() == PipelineDirection::Forward)
+        m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y)").arg(height)
+                                     : tr("↓  (x, %1 − y) / %2").arg(height).arg(ratioText));
+    else
+        m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y), depth as read").arg(height)
+                                     : tr("↓  (x · %2, %1 − y · %2), depth as read").arg(height).arg(ratioText));
+}
+
+void PipelinePanel::showObjects()
+{
+    const std::vector<SceneObject> &objects = m_document.objects();
+    const auto hasName = [](const SceneObject &object, const std::string &name) { return object.name == name; };
+    const bool isSame =
+        m_object->count() > 0
+        && std::equal(objects.begin(), objects.end(), m_objectNames.begin(), m_objectNames.end(), hasName);
+    if (!isSame) {
+        m_objectNames.clear();
+        const QSignalBlocker blocker(m_object);
+        m_object->clear();
+        m_object->addItem({});
+        m_object->addItem(tr("None (identity)"));
+        for (const SceneObject &object : objects) {
+            m_objectNames.push_back(object.name);
+            m_object->addItem(QString::fromStdString(object.name));
+        }
+    }
+    const std::optional<std::size_t> shown = m_model->shownObject();
+    const bool isAutomatic = m_model->object() == PipelineModel::kAutomaticObject;
+    const QString automatic = isAutomatic && shown
+                                  ? tr("Automatic: %1").arg(QString::fromStdString(objects[*shown].name))
+                              : isAutomatic ? tr("None (identity)")
+                                            : tr("Automatic");
+    if (m_object->itemText(kAutomaticItem) != automatic)
+        m_object->setItemText(kAutomaticItem, automatic);
+    const int item = isAutomatic || !shown ? (isAutomatic ? kAutomaticItem : kNoneItem)
+                                           : kFirstObjectItem + static_cast<int>(*shown);
+    if (m_object->currentIndex() != item)
+        m_object->setCurrentIndex(item);
+}
+
+void PipelinePanel::setDirection(PipelineDirection direction)
+{
+    m_directionSwitch->setChoice(direction == PipelineDirection::Forward ? 0 : 1);
+}
+
+void PipelinePanel::setMatrixView(const MatrixView &view)
+{
+    m_layoutSwitch->setChoice(view.layout == MatrixLayout::Column ? 0 : 1);
+    m_memorySwitch->setChoice(view.isMemoryOrder ? 1 : 0);
+    m_digitsSwitch->setChoice(view.digits == Digits::Double ? 0 : 1);
+}
+
+QSize PipelinePanel::sizeHint() const
+{
+    return {420, 600};
+}
+
+void PipelinePanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    refresh();
+}
+
+} // namespace unprojector

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "gui/panels/pipeline_model.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace unprojector {
+
+class MatrixSection;
+class SceneDocument;
+class SegmentedSwitch;
+
+/// The picked point in object, world, eye, clip, NDC and window coordinates and as widget position, with the matrix
+/// between two of them; forward or backward. Hidden, it does nothing; shown again, it catches up.
+class PipelinePanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit PipelinePanel(SceneDocument &document, QWidget *parent = nullptr);
+
+    const PipelineModel &model() const { return *m_model; }
+
+    // How it is shown, to be remembered.
+    PipelineDirection direction() const { return m_model->direction(); }
+    void setDirection(PipelineDirection direction);
+    const MatrixView &matrixView() const { return m_model->view(); }
+    void setMatrixView(const MatrixView &view);
+
+    QSize sizeHint() const override;
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    QWidget *createSwitches();
+    void createStages();
+    /// The rows in the order of the direction, and their headings.
+    void arrange();
+    void showTitles();
+    void refresh();
+    void showStatus();
+    void showFlip();
+    void showObjects();
+
+    const SceneDocument &m_document;
+    PipelineModel *m_model;
+    SegmentedSwitch *m_directionSwitch;
+    SegmentedSwitch *m_layoutSwitch;
+    SegmentedSwitch *m_memorySwitch;
+    SegmentedSwitch *m_digitsSwitch;
+    QComboBox *m_object;
+    QLabel *m_status;
+    QScrollArea *m_scrollArea;
+    QVBoxLayout *m_rows;
+    std::array<QWidget *, PointModel::kSpaces> m_pointRows{};
+    std::array<MatrixSection *, kPipelineStages.size()> m_sections{};
+    QLabel *m_division;
+    QLabel *m_flip;
+    Surface m_surface;                      ///< as m_flip tells of it
+    std::vector<std::string> m_objectNames; ///< as the combo box lists them
+};
+
+} // namespace unprojector

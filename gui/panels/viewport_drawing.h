@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/view_geometry.h"
+
+#include <QPixmap>
+#include <QWidget>
+
+#include <optional>
+
+namespace unprojector {
+
+/// Two drawings, each to scale: the window with the viewport in it, and the projection window [left, right] x
+/// [bottom, top]; the pointer in both, and a circle of the projection window as the viewport shows it. The projection
+/// window stands as it is seen: its left limit at the left, even where left > right.
+class ViewportDrawing : public QWidget {
+    Q_OBJECT
+public:
+    explicit ViewportDrawing(QWidget *parent = nullptr);
+
+    /// @pre the geometry is valid
+    void setPicture(const ViewGeometry &geometry);
+    /// Window position; nothing: no pointer.
+    void setPointer(const std::optional<WindowPoint> &pointer);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    /// Everything but the pointer.
+    void paintStill();
+    /// @return where the window is drawn
+    QRectF paintWindow(QPainter &painter, const QRectF &area) const;
+    QRectF paintProjectionWindow(QPainter &painter, const QRectF &area) const;
+    void paintPointer(QPainter &painter, const QRectF &within, const QPointF &position) const;
+    /// What the pointer covers: little, so that following it is cheap.
+    QRegion pointerRegion() const;
+    QPointF pointerInWindow() const;
+    QPointF pointerInProjectionWindow() const;
+    double captionHeight() const;
+
+    ViewGeometry m_geometry;
+    std::optional<WindowPoint> m_pointer;
+    QPixmap m_still; ///< null: to be painted anew
+    QRectF m_windowRect;
+    QRectF m_projectionRect;
+};
+
+} // namespace unprojector

@@ -1,0 +1,346 @@
+// The tutorials' examples: the numbers that the tutorials print, read from the scenes themselves. Every expected number
+// is typed from the tutorial (or worked out by hand where it is one that the tutorial gets wrong).
+
+#include "core/examples.h"
+#include "core/pipeline.h"
+#include "core/unproject_comparison.h"
+
+#include <QtTest>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace unprojector;
+
+namespace {
+
+/// A few roundings of numbers of order 1 to 100.
+constexpr double kRounding = 1e-12;
+/// The tutorials print eight digits of single-precision numbers up to 2.5; a cotangent is typed to six decimals.
+constexpr double kPrinted = 6e-7;
+/// Mesh corners are single precision.
+constexpr double kCorner = 1e-5;
+
+const Surface kSurfaces[] = {{50, 50, 1.0}, {300, 300, 1.0}, {800, 600, 1.0}, {1280, 720, 1.0}, {600, 1000, 2.0}, {1333, 900, 1.25}};
+
+const Example &example(const char *id)
+{
+    static const std::vector<Example> all = examples();
+    const auto found = std::find_if(all.begin(), all.end(), [id](const Example &e) { return e.id == id; });
+    if (found == all.end())
+        qFatal("There is no example %s.", id);
+    return *found;
+}
+
+/// Of the example's first object, in a window of this size.
+Pipeline pipelineOf(const char *id, const Surface &surface = {800, 600, 1.0})
+{
+    const Scene &scene = example(id).scene;
+    const Result<ViewGeometry> geometry = viewGeometry(scene, surface, {});
+    if (!geometry)
+        qFatal("The example %s has no picture.", id);
+    const Result<Pipeline> made = pipeline(*geometry, worldFromObject(scene.objects.at(0).transform));
+    if (!made)
+        qFatal("The example %s has no pipeline.", id);
+    return *made;
+}
+
+/// m[index] as glGetFloatv counts.
+double entry(const Pipeline &pipeline, PipelineStage stage, int index)
+{
+    return pipeline.matrix(stage, PipelineDirection::Forward)[index / 4][index % 4];
+}
+
+template <class Vector>
+bool isAt(const Vector &point, const Vector &expected, double tolerance = kRounding)
+{
+    if (glm::length(point - expected) <= tolerance)
+        return true;
+    for (int i = 0; i < point.length(); ++i)
+        qWarning("coordinate %d: %.17g, expected %.17g", i, point[i], expected[i]);
+    return false;
+}
+
+} // namespace
+
+class TestExamples : public QObject {
+    Q_OBJECT
+
+private slots:
+    void idsAreUniqueAndTutorialsTogether();
+    void everyExampleIsSeen_data();
+    void everyExampleIsSeen();
+    void theMatricesAreTheTutorials_data();
+    void theMatricesAreTheTutorials();
+    void inTwoDimensionsThePointIsFollowed();
+    void theCubeOfSide10TakesHalfOfTheVolume();
+    void farCubesAreSmaller();
+    void theMiddleOfTheVolumeOf50PixelsHasDepth075();
+    void theQuarterIsTheLowerRight();
+    void threeProjectionsAreNotEqual();
+    void aCircleIsDrawnWiderByTwoOfThem();
+    void theOriginGoesToPixel150AndBack();
+    void theQuadIsAtFourNinths();
+    void theShearIsNotOne();
+};
+
+void TestExamples::idsAreUniqueAndTutorialsTogether()
+{
+    std::set<std::string> ids, finished;
+    std::string tutorial;
+    for (const Example &e : examples()) {
+        QVERIFY2(ids.insert(e.id).second, e.id.c_str());
+        if (e.tutorial != tutorial) {
+            QVERIFY2(finished.insert(e.tutorial).second, e.id.c_str());
+            tutorial = e.tutorial;
+        }
+    }
+    QCOMPARE(finished.size(), std::size_t(4));
+}
+
+void TestExamples::everyExampleIsSeen_data()
+{
+    QTest::addColumn<int>("index");
+    QTest::addColumn<int>("surface");
+    const std::vector<Example> all = examples();
+    for (int index = 0; index < int(all.size()); ++index) {
+        int number = 0;
+        for (const Surface &s : kSurfaces)
+            QTest::addRow("%s in %d x %d", all[std::size_t(index)].id.c_str(), s.widthPixels, s.heightPixels) << index << number++;
+    }
+}
+
+void TestExamples::everyExampleIsSeen()
+{
+    QFETCH(int, index);
+    QFETCH(int, surface);
+    const Example e = examples().at(std::size_t(index));
+    QVERIFY(check(e.scene));
+    const Result<ViewGeometry> geometry = viewGeometry(e.scene, kSurfaces[surface], {});
+    QVERIFY(geometry);
+    QVERIFY(!e.scene.objects.empty());
+    const Result<glm::dmat4> clip = clipFromWorld(*geometry);
+    QVERIFY(clip);
+    for (const SceneObject &object : e.scene.objects) {
+        QVERIFY(!object.name.empty());
+        std::size_t inside = 0;
+        for (const Mesh &mesh : object.model->meshes) {
+            QCOMPARE(mesh.normals.size(), mesh.positions.size());
+            QVERIFY(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
+            for (const glm::vec3 &corner : mesh.positions) {
+                const glm::dvec4 world = worldFromObject(object.transform) * glm::dvec4(glm::dvec3(corner), 1.0);
+                inside += isInsideViewVolume(ClipPoint(*clip * world)) ? 1 : 0;
+            }
+        }
+        QVERIFY2(inside > 0, object.name.c_str());
+    }
+    // The camera and the projection are the tutorial's in every window.
+    QCOMPARE(kindOf(geometry->projection), kindOf(e.scene.projection));
+    QVERIFY(geometry->projection == e.scene.projection);
+}
+
+void TestExamples::theMatricesAreTheTutorials_data()
+{
+    using Stage = PipelineStage;
+    QTest::addColumn<QByteArray>("id");
+    QTest::addColumn<int>("stage");
+    QTest::addColumn<int>("index");
+    QTest::addColumn<double>("expected");
+    const auto row = [](const char *figure, const char *id, Stage stage, int index, double expected) {
+        QTest::addRow("%s m[%d]", figure, index) << QByteArray(id) << int(stage) << index << expected;
+    };
+    for (const int diagonal : {0, 5, 10, 15})
+        row("fig. 2.7", "zhangci-model-view", Stage::ModelviewMatrix, diagonal, 1.0);
+    row("fig. 2.7", "zhangci-model-view", Stage::ModelviewMatrix, 12, 0.0);
+    row("fig. 2.7", "zhangci-model-view", Stage::ModelviewMatrix, 13, 0.0);
+    row("fig. 2.7", "zhangci-model-view", Stage::ModelviewMatrix, 14, -8.0);
+
+    row("fig. 2.10", "zhangci-ortho", Stage::ProjectionMatrix, 0, 0.1);
+    row("fig. 2.10", "zhangci-ortho", Stage::ProjectionMatrix, 5, 0.1);
+    row("fig. 2.10", "zhangci-ortho", Stage::ProjectionMatrix, 10, -0.1);
+    for (const int zero : {12, 13, 14})
+        row("fig. 2.10", "zhangci-ortho", Stage::ProjectionMatrix, zero, 0.0);
+    row("fig. 2.10", "zhangci-ortho", Stage::ProjectionMatrix, 15, 1.0);
+
+    row("fig. 2.12", "zhangci-perspective", Stage::ProjectionMatrix, 0, 2.4142137);
+    row("fig. 2.12", "zhangci-perspective", Stage::ProjectionMatrix, 5, 2.4142137);
+    row("fig. 2.12", "zhangci-perspective", Stage::ProjectionMatrix, 10, -1.0202020);
+    row("fig. 2.12", "zhangci-perspective", Stage::ProjectionMatrix, 11, -1.0);
+    row("fig. 2.12", "zhangci-perspective", Stage::ProjectionMatrix, 14, -2.0202019);
+    row("fig. 2.12", "zhangci-perspective", Stage::ProjectionMatrix, 15, 0.0);
+
+    for (const char *id : {"derivation-matrix", "derivation-frustum"}) {
+        row(id, id, Stage::ProjectionMatrix, 0, 4.0 / 3.0);
+        row(id, id, Stage::ProjectionMatrix, 5, 1.0);
+        row(id, id, Stage::ProjectionMatrix, 11, -1.0);
+    }
+    row("gluPerspective", "derivation-perspective", Stage::ProjectionMatrix, 0, 0.75);
+    row("gluPerspective", "derivation-perspective", Stage::ProjectionMatrix, 5, 1.0);
+
+    row("program 1", "parallel-orthographic", Stage::ProjectionMatrix, 0, 1.0 / 9.0);
+    row("program 1", "parallel-orthographic", Stage::ProjectionMatrix, 10, -2.0 / 7.0);
+    row("program 1", "parallel-orthographic", Stage::ProjectionMatrix, 14, -11.0 / 7.0);
+    // 0.1 cot 0.78, and not 0.1.
+    row("program 2", "parallel-oblique", Stage::ProjectionMatrix, 8, 0.101086);
+    row("program 2", "parallel-oblique", Stage::ProjectionMatrix, 9, 0.101086);
+}
+
+void TestExamples::theMatricesAreTheTutorials()
+{
+    QFETCH(QByteArray, id);
+    QFETCH(int, stage);
+    QFETCH(int, index);
+    QFETCH(double, expected);
+    for (const Surface &surface : kSurfaces) {
+        const double value = entry(pipelineOf(id.constData(), surface), static_cast<PipelineStage>(stage), index);
+        QVERIFY2(std::abs(value - expected) <= kPrinted, qPrintable(QString::number(value, 'g', 17)));
+    }
+}
+
+void TestExamples::inTwoDimensionsThePointIsFollowed()
+{
+    const Pipeline pipeline = pipelineOf("zhangci-2d");
+    const PipelinePoints points = pointsForward(pipeline, ObjectPoint(1, 1, 0));
+    QVERIFY(isAt(points.world->coordinates(), {3, 4, 0}));
+    QVERIFY(isAt(points.eye->coordinates(), {-2, -2, 0}));
+    // MC, VC^-1 and their product, without the row and column of z.
+    struct Row { PipelineStage stage; double matrix[6]; };
+    for (const Row &row : {Row{PipelineStage::ModelMatrix, {-1, 0, 4, 0, 1, 3}}, Row{PipelineStage::ViewMatrix, {1, 0, -5, 0, -1, 2}},
+                           Row{PipelineStage::ModelviewMatrix, {-1, 0, -1, 0, -1, -1}}}) {
+        constexpr int kMemory[6] = {0, 4, 12, 1, 5, 13};
+        for (int i = 0; i < 6; ++i)
+            QCOMPARE(entry(pipeline, row.stage, kMemory[i]), row.matrix[i]);
+    }
+    // It is the middle of the plate that can be clicked.
+    const Box plate = boundsOf({example("zhangci-2d").scene.objects.at(0).model->meshes.back()});
+    QVERIFY(isAt(plate.center(), {1, 1, 0}, kCorner));
+}
+
+void TestExamples::theCubeOfSide10TakesHalfOfTheVolume()
+{
+    const PipelinePoints corner = pointsForward(pipelineOf("zhangci-ortho"), ObjectPoint(5, 5, 5));
+    QVERIFY(isAt(corner.ndc->coordinates(), {0.5, 0.5, 0.0}));
+    const Box cube = example("zhangci-ortho").scene.objects.at(0).model->bounds;
+    QVERIFY(isAt(cube.highest - cube.lowest, {10, 10, 10}, kCorner));
+}
+
+void TestExamples::farCubesAreSmaller()
+{
+    const Scene &scene = example("zhangci-perspective").scene;
+    const Result<ViewGeometry> geometry = viewGeometry(scene, {800, 600, 1.0}, {});
+    const double distances[] = {5, 11, 19};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const SceneObject &cube = scene.objects.at(i);
+        const Result<Pipeline> made = pipeline(*geometry, worldFromObject(cube.transform));
+        const PipelinePoints low = pointsForward(*made, ObjectPoint(0, -0.7, 0)), high = pointsForward(*made, ObjectPoint(0, 0.7, 0));
+        // 1.4 units of an extent of 2 tan(22.5 degrees) z, in a viewport 600 pixels high.
+        const double expected = 600.0 * 1.4 / (2.0 * 0.41421356237309503 * distances[i]);
+        QVERIFY(std::abs(high.window->y - low.window->y - expected) <= 1e-9);
+        QVERIFY(std::abs(-low.eye->z - distances[i]) <= kRounding);
+    }
+}
+
+void TestExamples::theMiddleOfTheVolumeOf50PixelsHasDepth075()
+{
+    for (const Surface &surface : kSurfaces) {
+        const PipelinePoints points = pointsForward(pipelineOf("zhangci-viewport-50", surface), ObjectPoint(0, 0, 0));
+        QVERIFY(isAt(points.ndc->coordinates(), {0, 0, 0.5}));
+        QVERIFY(isAt(points.window->coordinates(), {25, 25, 0.75}));
+    }
+}
+
+void TestExamples::theQuarterIsTheLowerRight()
+{
+    const Result<ViewGeometry> geometry = viewGeometry(example("zhangci-viewport-quarter").scene, {801, 600, 1.0}, {});
+    QVERIFY(geometry);
+    const Viewport expected{400, 0, 400, 300};
+    QVERIFY(geometry->viewport == expected);
+    const PipelinePoints points = pointsForward(pipelineOf("zhangci-viewport-quarter"), ObjectPoint(0, 0, 0));
+    QVERIFY(isAt(points.window->coordinates(), {600, 150, 0.75}));
+}
+
+void TestExamples::threeProjectionsAreNotEqual()
+{
+    const Pipeline matrix = pipelineOf("derivation-matrix"), frustum = pipelineOf("derivation-frustum"),
+                   perspective = pipelineOf("derivation-perspective");
+    QVERIFY(matrix.geometry.projection == frustum.geometry.projection);
+    for (const ObjectPoint &corner : {ObjectPoint(30, 20, -40), ObjectPoint(40, 10, -30)}) {
+        const double across = pointsForward(matrix, corner).ndc->x / pointsForward(perspective, corner).ndc->x;
+        QVERIFY(std::abs(across - 16.0 / 9.0) <= kRounding);
+        QVERIFY(std::abs(pointsForward(matrix, corner).ndc->y - pointsForward(perspective, corner).ndc->y) <= kRounding);
+    }
+    // Translated by (0, 0, 10), which glTranslatef between glBegin and glEnd does not do.
+    QVERIFY(isAt(pointsForward(matrix, ObjectPoint(0, 0, -20)).eye->coordinates(), {0, 0, -10}));
+}
+
+void TestExamples::aCircleIsDrawnWiderByTwoOfThem()
+{
+    for (const Surface &surface : kSurfaces) {
+        for (const auto &[id, widthToHeight] : {std::pair("derivation-matrix", 16.0 / 9.0), std::pair("derivation-perspective", 1.0),
+                                                std::pair("derivation-frustum", 16.0 / 9.0)}) {
+            const Scene &scene = example(id).scene;
+            const Result<ViewGeometry> geometry = viewGeometry(scene, surface, {});
+            const Result<Pipeline> made = pipeline(*geometry, worldFromObject(scene.objects.at(1).transform));
+            const PipelinePoints middle = pointsForward(*made, ObjectPoint(0, 0, 0)), right = pointsForward(*made, ObjectPoint(5, 0, 0)),
+                                 top = pointsForward(*made, ObjectPoint(0, 5, 0));
+            const double width = right.window->x - middle.window->x, height = top.window->y - middle.window->y;
+            // The viewport is 4:3 but for its rounding to whole pixels.
+            const double pixel = 2.0 / std::min(made->geometry.viewport.width, made->geometry.viewport.height);
+            QVERIFY2(std::abs(width / height - widthToHeight) <= widthToHeight * pixel, id);
+        }
+    }
+}
+
+void TestExamples::theOriginGoesToPixel150AndBack()
+{
+    const Pipeline pipeline = pipelineOf("opencascade-round-trip", {300, 300, 1.0});
+    const PipelinePoints points = pointsForward(pipeline, WorldPoint(0, 0, 0));
+    QVERIFY(isAt(points.widget->coordinates(), {150, 150}));
+    for (const double depth : {0.0, points.window->z, 1.0}) {
+        const PipelinePoints back = pointsBackward(pipeline, WindowPoint(150, 150, depth));
+        QVERIFY(std::abs(back.world->x) <= kRounding && std::abs(back.world->y) <= kRounding);
+        // Only with its own depth does the origin come back: "only the depth z is different".
+        QCOMPARE(std::abs(back.world->z) <= 1e-11, depth == points.window->z);
+    }
+    // In a larger window the window coordinates are the same.
+    QVERIFY(isAt(glm::dvec2(pointsForward(pipelineOf("opencascade-round-trip", {1280, 720, 1.0}), WorldPoint(0, 0, 0)).window->coordinates()),
+                 {150, 150}));
+}
+
+void TestExamples::theQuadIsAtFourNinths()
+{
+    const Mesh &quad = example("parallel-orthographic").scene.objects.at(0).model->meshes.at(0);
+    const glm::u8vec4 red(255, 0, 0, 255), green(0, 255, 0, 255), blue(0, 0, 255, 255), white(255);
+    const struct { glm::vec3 place; glm::u8vec4 color; } corners[] = {
+        {{-4, 4, -4}, red}, {{4, 4, -4}, green}, {{4, -4, -4}, blue}, {{-4, -4, -4}, white}};
+    for (const auto &corner : corners) {
+        bool found = false;
+        for (std::size_t i = 0; i < quad.positions.size(); ++i) {
+            if (quad.positions[i] == corner.place) {
+                QVERIFY(quad.colors[i] == corner.color);
+                found = true;
+            }
+        }
+        QVERIFY(found);
+    }
+    const PipelinePoints top = pointsForward(pipelineOf("parallel-orthographic"), ObjectPoint(4, 4, -4));
+    QVERIFY(isAt(top.ndc->coordinates(), {4.0 / 9.0, 4.0 / 9.0, -3.0 / 7.0}));
+}
+
+void TestExamples::theShearIsNotOne()
+{
+    const Pipeline pipeline = pipelineOf("parallel-oblique");
+    // x + cot(0.78) z: 4.5 - 3 * 1.0108550 is 0.1467435 of 10; with pi / 4 it would be 0.15.
+    const PipelinePoints front = pointsForward(pipeline, ObjectPoint(4.5, 4.5, -3));
+    QVERIFY(std::abs(front.ndc->x - 0.146743) <= 1e-5);
+    QVERIFY(std::abs(front.ndc->y - 0.146743) <= 1e-5);
+    const Box box = example("parallel-oblique").scene.objects.at(0).model->bounds;
+    QVERIFY(isAt(box.lowest, {-4.5, -4.5, -4.5}));
+    QVERIFY(isAt(box.highest, {4.5, 4.5, -3}));
+}
+
+QTEST_APPLESS_MAIN(TestExamples)
+#include "test_examples.moc"

@@ -1,0 +1,93 @@
+#include "panel_user.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QTest>
+
+namespace unprojector {
+
+bool isSameScene(const Scene &a, const Scene &b)
+{
+    const auto isSameView = [](const LookAt &v, const LookAt &w) {
+        return v.eye.coordinates() == w.eye.coordinates() && v.center.coordinates() == w.center.coordinates() && v.up == w.up;
+    };
+    if (a.objects.size() != b.objects.size())
+        return false;
+    for (std::size_t i = 0; i < a.objects.size(); ++i) {
+        if (a.objects[i].transform != b.objects[i].transform)
+            return false;
+    }
+    return isSameView(a.camera, b.camera) && a.projection == b.projection && a.viewport == b.viewport && a.depthRange == b.depthRange
+        && a.clipPlanes == b.clipPlanes && a.clipPlanesOff.size() == b.clipPlanesOff.size()
+        && a.projectionFollowsViewport == b.projectionFollowsViewport && a.clipDistancesFitObjects == b.clipDistancesFitObjects;
+}
+
+void PanelUser::open(const Scene &scene)
+{
+    QVERIFY(m_document->open(scene).hasValue());
+}
+
+void PanelUser::start()
+{
+    m_panel.reset();
+    m_document = std::make_unique<SceneDocument>();
+    m_document->setSurface({801, 601, 1.0});
+    open(startScene());
+    m_panel = std::make_unique<ParametersPanel>(*m_document);
+    m_panel->resize(250, 430);
+    m_panel->show();
+    m_panel->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+}
+
+void PanelUser::showTab(const QString &name)
+{
+    auto *tab = m_panel->findChild<QWidget *>(name);
+    QVERIFY2(tab, qPrintable(name));
+    m_panel->setCurrentWidget(tab);
+}
+
+NumberField *PanelUser::field(const QString &name, const QString &within)
+{
+    for (int tab = 0; tab < m_panel->count(); ++tab) {
+        const QWidget *place = within.isEmpty() ? m_panel->widget(tab) : m_panel->widget(tab)->findChild<QWidget *>(within);
+        if (auto *found = place ? place->findChild<NumberField *>(name) : nullptr) {
+            m_panel->setCurrentIndex(tab);
+            return found;
+        }
+    }
+    qFatal("no field %s", qPrintable(name));
+}
+
+void PanelUser::type(NumberField *target, const QString &text)
+{
+    target->setFocus();
+    target->selectAll();
+    if (text.isEmpty())
+        QTest::keyClick(target, Qt::Key_Delete);
+    else
+        QTest::keyClicks(target, text);
+}
+
+void PanelUser::choose(const QString &comboBox, const QString &text)
+{
+    auto *box = m_panel->findChild<QComboBox *>(comboBox);
+    const int index = box->findText(text, Qt::MatchStartsWith);
+    QVERIFY2(index >= 0, qPrintable(text));
+    box->setCurrentIndex(index);
+    emit box->activated(index);
+}
+
+void PanelUser::click(const QString &button, const QString &within)
+{
+    const QWidget *place = within.isEmpty() ? m_panel.get() : m_panel->findChild<QWidget *>(within);
+    QVERIFY2(place, qPrintable(within));
+    auto *found = place->findChild<QAbstractButton *>(button);
+    QVERIFY2(found, qPrintable(button));
+    QVERIFY(found->isEnabled());
+    found->click();
+    // Rows that went are deleted later.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+} // namespace unprojector

@@ -1,0 +1,377 @@
+// The examples' notes and the page of formulas: nothing of them is missing, and the pipeline panel shows the tutorials'
+// numbers for the examples.
+
+#include "core/examples.h"
+#include "gui/example_note.h"
+#include "gui/example_texts.h"
+#include "gui/formula_markup.h"
+#include "gui/formulas_window.h"
+#include "gui/panels/pipeline_model.h"
+#include "gui/scene_document.h"
+
+#include <QAbstractButton>
+#include <QFile>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QSet>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTextDocumentFragment>
+
+#include <cmath>
+
+using namespace unprojector;
+
+namespace {
+
+QString source()
+{
+    QFile file(QStringLiteral(":/help/formulas.html"));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// The page's anchors.
+QSet<QString> anchors()
+{
+    QSet<QString> names;
+    static const QRegularExpression name(QStringLiteral("<a name=['\"]([^'\"]+)['\"]"));
+    const QString page = typeset(source());
+    for (auto matches = name.globalMatch(page); matches.hasNext();)
+        names.insert(matches.next().captured(1));
+    return names;
+}
+
+QString plain(const QString &html)
+{
+    return QTextDocumentFragment::fromHtml(html).toPlainText().simplified();
+}
+
+} // namespace
+
+class TestExamplesHelp : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyExampleHasItsWords_data();
+    void everyExampleHasItsWords();
+    void anUnknownExampleHasNone();
+    void linksLeadToFormulas();
+    void aLongTextScrolls();
+    void thePipelineShowsTheFigures_data();
+    void thePipelineShowsTheFigures();
+
+    void theShortFormIsSet_data();
+    void theShortFormIsSet();
+    void nothingOfTheShortFormIsLeft();
+    void everyFormulaIsThereWithItsSource_data();
+    void everyFormulaIsThereWithItsSource();
+    void everyErrorIsThere_data();
+    void everyErrorIsThere();
+    void theContentsLeadSomewhere();
+    void thePageIsAsWideAsTheWindow_data();
+    void thePageIsAsWideAsTheWindow();
+    void theTextIsZoomedWithinLimits();
+    void aThemeDoesNotDarkenThePage();
+};
+
+void TestExamplesHelp::everyExampleHasItsWords_data()
+{
+    QTest::addColumn<QByteArray>("id");
+    for (const Example &example : examples())
+        QTest::newRow(example.id.c_str()) << QByteArray::fromStdString(example.id);
+}
+
+void TestExamplesHelp::everyExampleHasItsWords()
+{
+    QFETCH(QByteArray, id);
+    const std::optional<ExampleText> text = exampleText(id.toStdString());
+    QVERIFY(text);
+    QVERIFY(text->name.size() > 5 && text->name.size() <= 45);
+    QVERIFY(plain(text->text).size() > 120);
+    QVERIFY(!text->source.isEmpty());
+    QVERIFY(text->text.contains(QLatin1String("<b>")));
+
+    ExampleNote note;
+    QVERIFY(note.isEmpty());
+    note.showExample(id.toStdString());
+    QVERIFY(!note.isEmpty());
+    QVERIFY(note.text().startsWith(text->name));
+    QVERIFY(note.text().contains(text->source));
+    QVERIFY(note.sizeHint().width() <= 360);
+    QVERIFY(note.minimumSizeHint().width() <= 360);
+    note.clear();
+    QVERIFY(note.isEmpty() && note.text().isEmpty());
+
+    for (const Example &example : examples())
+        QVERIFY2(!tutorialName(example.tutorial).isEmpty(), example.id.c_str());
+}
+
+void TestExamplesHelp::anUnknownExampleHasNone()
+{
+    QVERIFY(!exampleText("teapot"));
+    QVERIFY(tutorialName("teapot").isEmpty());
+    ExampleNote note;
+    note.showExample("zhangci-2d");
+    note.showExample("teapot");
+    QVERIFY(note.isEmpty());
+}
+
+void TestExamplesHelp::linksLeadToFormulas()
+{
+    static const QRegularExpression link(QStringLiteral("href='formulas:([^']+)'"));
+    const QSet<QString> names = anchors();
+    int links = 0;
+    for (const Example &example : examples()) {
+        const QString text = exampleText(example.id)->text;
+        for (auto matches = link.globalMatch(text); matches.hasNext(); ++links) {
+            const QString name = matches.next().captured(1);
+            QVERIFY2(names.contains(name), qPrintable(name));
+        }
+    }
+    QVERIFY(links >= 5);
+
+    ExampleNote note;
+    note.showExample("zhangci-ortho");
+    QSignalSpy asked(&note, &ExampleNote::formulasRequested), closed(&note, &ExampleNote::closeRequested);
+    emit note.findChild<QTextBrowser *>()->anchorClicked(QUrl(QStringLiteral("formulas:ortho")));
+    QCOMPARE(asked.size(), 1);
+    QCOMPARE(asked.first().first().toString(), QStringLiteral("ortho"));
+    note.findChild<QAbstractButton *>()->click();
+    QCOMPARE(closed.size(), 1);
+}
+
+void TestExamplesHelp::aLongTextScrolls()
+{
+    ExampleNote note;
+    note.showExample("derivation-matrix");
+    note.show();
+    const auto *bar = note.findChild<QTextBrowser *>()->verticalScrollBar();
+    note.resize(note.sizeHint());
+    QTRY_COMPARE(bar->maximum(), 0);
+    note.resize(300, 180);
+    QTRY_VERIFY(bar->maximum() > 0);
+}
+
+void TestExamplesHelp::thePipelineShowsTheFigures_data()
+{
+    using Stage = PipelineStage;
+    QTest::addColumn<QByteArray>("id");
+    QTest::addColumn<int>("stage");
+    QTest::addColumn<int>("row");
+    QTest::addColumn<int>("column");
+    QTest::addColumn<double>("expected");
+    QTest::newRow("fig. 2.7: m[14]") << QByteArray("zhangci-model-view") << int(Stage::ModelviewMatrix) << 2 << 3 << -8.0;
+    QTest::newRow("fig. 2.10: m[10]") << QByteArray("zhangci-ortho") << int(Stage::ProjectionMatrix) << 2 << 2 << -0.1;
+    QTest::newRow("fig. 2.12: m[14]") << QByteArray("zhangci-perspective") << int(Stage::ProjectionMatrix) << 2 << 3 << -2.0202019;
+    QTest::newRow("hand-made matrix: m[0]") << QByteArray("derivation-matrix") << int(Stage::ProjectionMatrix) << 0 << 0 << 1.33333333;
+    QTest::newRow("gluPerspective: m[0]") << QByteArray("derivation-perspective") << int(Stage::ProjectionMatrix) << 0 << 0 << 0.75;
+    QTest::newRow("2-D: MC") << QByteArray("zhangci-2d") << int(Stage::ModelMatrix) << 0 << 3 << 4.0;
+}
+
+void TestExamplesHelp::thePipelineShowsTheFigures()
+{
+    QFETCH(QByteArray, id);
+    QFETCH(int, stage);
+    QFETCH(int, row);
+    QFETCH(int, column);
+    QFETCH(double, expected);
+    SceneDocument document;
+    document.setSurface({900, 600, 1.0});
+    for (const Example &example : examples()) {
+        if (example.id == id.toStdString())
+            QVERIFY(document.open(example.scene));
+    }
+    PipelineModel model(document);
+    model.setObject(0);
+    model.update();
+    const MatrixModel *matrix = model.matrix(static_cast<PipelineStage>(stage));
+    const QVariant value = matrix->index(row, column).data(NumberGridModel::ValueRole);
+    QVERIFY(value.isValid());
+    QVERIFY2(std::abs(value.toDouble() - expected) <= 2.5e-7, qPrintable(QString::number(value.toDouble(), 'g', 17)));
+}
+
+void TestExamplesHelp::theShortFormIsSet_data()
+{
+    QTest::addColumn<QString>("page");
+    QTest::addColumn<int>("tables");
+    QTest::addColumn<QString>("text");
+    const QString around = QStringLiteral("a<formula>%1</formula>b");
+    // A formula is a table; a row with anything built is another, and each fraction and matrix one more.
+    QTest::newRow("nothing") << QStringLiteral("a|b {c}") << 0 << QStringLiteral("a|b {c}");
+    QTest::newRow("words") << around.arg(QStringLiteral("x = 2 y")) << 1 << QStringLiteral("a x = 2 y b");
+    QTest::newRow("fraction") << around.arg(QStringLiteral("{x | n} + 1")) << 3 << QStringLiteral("a x n + 1 b");
+    QTest::newRow("matrix") << around.arg(QStringLiteral("{a, 0; 0, b}")) << 3 << QStringLiteral("a a 0 0 b b");
+    QTest::newRow("column") << around.arg(QStringLiteral("M {x; y; 1}")) << 3 << QStringLiteral("a M x y 1 b");
+    QTest::newRow("fraction in a matrix") << around.arg(QStringLiteral("{−{r + l | r − l}, 0; 0, 1}")) << 5 << QStringLiteral("a − r + l r − l 0 0 1 b");
+    QTest::newRow("unclosed") << around.arg(QStringLiteral("{a, b")) << 3 << QStringLiteral("a a b b");
+}
+
+void TestExamplesHelp::theShortFormIsSet()
+{
+    QFETCH(QString, page);
+    QFETCH(int, tables);
+    QFETCH(QString, text);
+    const QString set = typeset(page);
+    QCOMPARE(int(set.count(QLatin1String("<table"))), tables);
+    QCOMPARE(int(set.count(QLatin1String("</table"))), tables);
+    QCOMPARE(int(set.count(QLatin1String("<tr"))), int(set.count(QLatin1String("</tr"))));
+    QCOMPARE(int(set.count(QLatin1String("<td"))), int(set.count(QLatin1String("</td"))));
+    QCOMPARE(plain(set), text);
+}
+
+void TestExamplesHelp::nothingOfTheShortFormIsLeft()
+{
+    QVERIFY(!source().isEmpty());
+    const QString set = typeset(source());
+    QVERIFY(!set.contains(QLatin1String("formula>")));
+    const QString text = plain(set);
+    for (const char *left : {"{", "}", " | "})
+        QVERIFY2(!text.contains(QLatin1String(left)), left);
+}
+
+void TestExamplesHelp::everyFormulaIsThereWithItsSource_data()
+{
+    QTest::addColumn<int>("number");
+    for (int number = 1; number <= 16; ++number)
+        QTest::addRow("(%d)", number) << number;
+}
+
+void TestExamplesHelp::everyFormulaIsThereWithItsSource()
+{
+    QFETCH(int, number);
+    const QString page = source();
+    const qsizetype at = page.indexOf(QStringLiteral("<formula no=\"%1\"").arg(number));
+    QVERIFY(at > 0);
+    // Printed once, and its source follows before the next heading.
+    QCOMPARE(page.count(QStringLiteral("<formula no=\"%1\"").arg(number)), 1);
+    const qsizetype sourceAt = page.indexOf(QLatin1String("<p class=\"source\">"), at);
+    QVERIFY(sourceAt > at && sourceAt < page.indexOf(QLatin1String("<h2"), at));
+    QVERIFY(plain(typeset(page)).contains(QStringLiteral("(%1)").arg(number)));
+}
+
+void TestExamplesHelp::everyErrorIsThere_data()
+{
+    QTest::addColumn<QString>("printed");
+    QTest::addColumn<QString>("right");
+    const auto row = [](const char *name, const char *printed, const char *right) {
+        QTest::newRow(name) << QString::fromUtf8(printed) << QString::fromUtf8(right);
+    };
+    row("weng z", "z, without a sign", "distance in front of the eye");
+    row("weng (8)", "yv = rect.bottom − py", "½ lower");
+    row("weng x axis", "x axis points left", "right");
+    row("weng view volume", "coordinates of the view volume", "eye coordinates");
+    row("zhangci ortho", "−2/(znear − zfar)", "−2/(f − n)");
+    row("zhangci cube", "side 10, normalised to side 1", "20 and 2");
+    row("zhangci fig. 2.7", "M = VC−1", "M = VC−1 · MC");
+    row("zhangci depth", "0.5 stays 0.5", "0.75");
+    row("three programs", "the same picture", "1.3333, the second 0.75");
+    row("glTranslatef", "glTranslatef between glBegin and glEnd", "translate before glBegin");
+    row("opencascade", "+(max + min)/(max − min)", "−(max + min)/(max − min)");
+    row("SIZE", "const int SIZE = 4.5", "truncates to 4");
+    row("cot", "π/4 ≈ 0.78", "1.01086");
+}
+
+void TestExamplesHelp::everyErrorIsThere()
+{
+    QFETCH(QString, printed);
+    QFETCH(QString, right);
+    const QString page = source();
+    const qsizetype begin = page.indexOf(QLatin1String("name=\"errors\"")), end = page.indexOf(QLatin1String("</table>"), begin);
+    static const QRegularExpression row(QStringLiteral("<tr><td>(.*?)</td><td>(.*?)</td><td>(.*?)</td></tr>"));
+    int rows = 0, found = 0;
+    for (auto matches = row.globalMatch(page.mid(begin, end - begin)); matches.hasNext(); ++rows) {
+        const QRegularExpressionMatch match = matches.next();
+        found += plain(match.captured(2)).contains(printed) && plain(match.captured(3)).contains(right) ? 1 : 0;
+    }
+    QCOMPARE(found, 1);
+    QCOMPARE(rows, 13);
+}
+
+void TestExamplesHelp::theContentsLeadSomewhere()
+{
+    static const QRegularExpression link(QStringLiteral("<a href=\"#([^\"]+)\""));
+    const QSet<QString> names = anchors();
+    const QString page = source();
+    int links = 0;
+    for (auto matches = link.globalMatch(page); matches.hasNext(); ++links) {
+        const QString name = matches.next().captured(1);
+        QVERIFY2(names.contains(name), qPrintable(name));
+    }
+    QVERIFY(links >= 10);
+
+    FormulasWindow window;
+    window.show();
+    const QScrollBar *bar = window.page().verticalScrollBar();
+    int last = -1;
+    for (const char *name : {"contents", "forward", "ortho", "weng", "w9", "closed", "errors"}) {
+        window.showFormula(QString::fromLatin1(name));
+        QTRY_VERIFY2(bar->value() > last, name);
+        last = bar->value();
+    }
+}
+
+void TestExamplesHelp::thePageIsAsWideAsTheWindow_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<int>("percent");
+    QTest::newRow("as it opens") << QSize(900, 700) << 100;
+    QTest::newRow("wide") << QSize(1800, 900) << 100;
+    QTest::newRow("smaller text") << QSize(900, 700) << 70;
+}
+
+void TestExamplesHelp::thePageIsAsWideAsTheWindow()
+{
+    QFETCH(QSize, size);
+    QFETCH(int, percent);
+    FormulasWindow window;
+    window.setZoomPercent(percent);
+    window.resize(size);
+    window.show();
+    QTRY_COMPARE(window.page().horizontalScrollBar()->maximum(), 0);
+    QVERIFY(window.page().verticalScrollBar()->maximum() > 1000);
+}
+
+void TestExamplesHelp::theTextIsZoomedWithinLimits()
+{
+    FormulasWindow window;
+    window.show();
+    QCOMPARE(window.zoomPercent(), 100);
+    QTest::keyClick(&window, Qt::Key_0, Qt::ControlModifier);
+    QCOMPARE(window.zoomPercent(), 100);
+    window.setZoomPercent(150);
+    QCOMPARE(window.zoomPercent(), 150);
+    for (const auto &[asked, given] : {std::pair(10, 60), std::pair(1000, 300)}) {
+        window.setZoomPercent(asked);
+        QCOMPARE(window.zoomPercent(), given);
+    }
+    window.setZoomPercent(100);
+    QWheelEvent up({50, 50}, window.page().viewport()->mapToGlobal(QPointF(50, 50)), {}, {0, 120}, Qt::NoButton, Qt::ControlModifier,
+                   Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(window.page().viewport(), &up);
+    QCOMPARE(window.zoomPercent(), 110);
+}
+
+void TestExamplesHelp::aThemeDoesNotDarkenThePage()
+{
+    QPalette dark;
+    for (const QPalette::ColorRole role : {QPalette::Base, QPalette::Window})
+        dark.setColor(role, Qt::black);
+    for (const QPalette::ColorRole role : {QPalette::Text, QPalette::WindowText})
+        dark.setColor(role, Qt::white);
+    const QPalette before = QApplication::palette();
+    QApplication::setPalette(dark);
+    FormulasWindow window;
+    window.show();
+    const QImage picture = window.page().grab().toImage();
+    QApplication::setPalette(before);
+    int light = 0, all = 0;
+    for (int y = 0; y < picture.height(); y += 7) {
+        for (int x = 0; x < picture.width() - 30; x += 7, ++all)
+            light += qGray(picture.pixel(x, y)) > 200 ? 1 : 0;
+    }
+    QVERIFY2(light > all * 8 / 10, qPrintable(QStringLiteral("%1 of %2").arg(light).arg(all)));
+}
+
+QTEST_MAIN(TestExamplesHelp)
+#include "test_examples_help.moc"

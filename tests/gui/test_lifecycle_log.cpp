@@ -1,0 +1,233 @@
+// The log by itself, and the life of a real view in it.
+
+#include "core/bundled_scene.h"
+#include "gui/lifecycle_log.h"
+#include "gui/panels/lifecycle_panel.h"
+#include "gui/scene_document.h"
+#include "gui/scene_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTest>
+
+#include <memory>
+
+using namespace unprojector;
+using Kind = LifecycleEvent::Kind;
+
+namespace {
+
+QString cell(const LifecycleLog &log, int row, int column)
+{
+    return log.index(row, column).data().toString();
+}
+
+QStringList column(const LifecycleLog &log, int number)
+{
+    QStringList cells;
+    for (int row = 0; row < log.rowCount(); ++row)
+        cells << cell(log, row, number);
+    return cells;
+}
+
+LifecycleEvent draw(double milliseconds)
+{
+    return {Kind::OnDraw, {}, QStringLiteral("glClear, glDrawElements"), milliseconds};
+}
+
+LifecycleEvent size(int width)
+{
+    return {Kind::OnSize, QStringLiteral("%1, 768").arg(width), QStringLiteral("glViewport(0, 0, %1, 768)").arg(width), 0.25};
+}
+
+/// A step's name without its arguments and counts.
+QString nameOf(const QString &step)
+{
+    return step.section(u'(', 0, 0).section(u' ', 0, 0);
+}
+
+} // namespace
+
+class TestLifecycleLog : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aStepIsShownAsACallWithWhatItStandsFor();
+    void picturesInARowAreOneRow();
+    void anotherStepEndsTheRow();
+    void theOldestRowsGo();
+    void thePanelFollowsUnlessScrolledUp();
+    void thePanelCopiesAndClears();
+    void theLifeOfAViewIsLogged_data();
+    void theLifeOfAViewIsLogged();
+};
+
+void TestLifecycleLog::aStepIsShownAsACallWithWhatItStandsFor()
+{
+    LifecycleLog log;
+    log.append({Kind::PreCreateWindow, {}, QStringLiteral("OpenGL 3.3 core"), 0.0});
+    log.append({Kind::OnCreate, {}, QStringLiteral("glLinkProgram"), 12.346});
+    log.append(size(1024));
+    log.append({Kind::OnLButtonDown, QStringLiteral("10, 20"), QStringLiteral("glReadPixels"), 0.004});
+    log.append({Kind::OnDestroy, {}, QStringLiteral("glDeleteProgram"), 1.0});
+    QCOMPARE(column(log, LifecycleLog::Step), QStringList({"PreCreateWindow()", "OnCreate()", "OnSize(1024, 768)", "OnLButtonDown(10, 20)", "OnDestroy()"}));
+    QCOMPARE(cell(log, 2, LifecycleLog::StandsFor), QStringLiteral("glViewport(0, 0, 1024, 768)"));
+    QCOMPARE(column(log, LifecycleLog::Took), QStringList({"–", "12.35 ms", "0.25 ms", "0.00 ms", "1.00 ms"}));
+    QCOMPARE(cell(log, 0, LifecycleLog::Time), QStringLiteral("0.000 s"));
+    double last = 0.0;
+    for (const QString &time : column(log, LifecycleLog::Time)) {
+        const double seconds = time.section(u' ', 0, 0).toDouble();
+        QVERIFY(seconds >= last);
+        last = seconds;
+    }
+}
+
+void TestLifecycleLog::picturesInARowAreOneRow()
+{
+    LifecycleLog log;
+    log.append(size(1024));
+    log.append(draw(3.0));
+    QCOMPARE(cell(log, 1, LifecycleLog::Step), QStringLiteral("OnDraw"));
+    QCOMPARE(cell(log, 1, LifecycleLog::Took), QStringLiteral("3.00 ms"));
+    log.append(draw(1.0));
+    log.append(draw(0.5));
+    QCOMPARE(log.rowCount(), 2);
+    QCOMPARE(cell(log, 1, LifecycleLog::Step), QStringLiteral("OnDraw × 3"));
+    QCOMPARE(cell(log, 1, LifecycleLog::Took), QStringLiteral("0.50 ms, mean 1.50 ms"));
+}
+
+void TestLifecycleLog::anotherStepEndsTheRow()
+{
+    LifecycleLog log;
+    for (const LifecycleEvent &event : {draw(1.0), draw(1.0), size(800), size(801), draw(1.0)})
+        log.append(event);
+    QCOMPARE(column(log, LifecycleLog::Step), QStringList({"OnDraw × 2", "OnSize(800, 768)", "OnSize(801, 768)", "OnDraw"}));
+    log.clear();
+    QCOMPARE(log.rowCount(), 0);
+    log.append(draw(1.0));
+    QCOMPARE(column(log, LifecycleLog::Step), QStringList({"OnDraw"}));
+}
+
+void TestLifecycleLog::theOldestRowsGo()
+{
+    LifecycleLog log;
+    for (int width = 1; width <= 2003; ++width)
+        log.append(size(width));
+    QCOMPARE(log.rowCount(), 2000);
+    QCOMPARE(cell(log, 0, LifecycleLog::Step), QStringLiteral("OnSize(4, 768)"));
+    QCOMPARE(cell(log, 1999, LifecycleLog::Step), QStringLiteral("OnSize(2003, 768)"));
+}
+
+void TestLifecycleLog::thePanelFollowsUnlessScrolledUp()
+{
+    LifecycleLog log;
+    LifecyclePanel panel(log);
+    panel.resize(900, 190);
+    panel.show();
+    const QScrollBar *bar = panel.findChild<QTableView *>()->verticalScrollBar();
+    for (int width = 0; width < 100; ++width)
+        log.append(size(width));
+    QTRY_VERIFY(bar->maximum() > 50);
+    QTRY_COMPARE(bar->value(), bar->maximum());
+
+    panel.findChild<QTableView *>()->verticalScrollBar()->setValue(20);
+    log.append(size(100));
+    QTest::qWait(20);
+    QCOMPARE(bar->value(), 20);
+
+    panel.findChild<QTableView *>()->scrollToBottom();
+    log.append(size(101));
+    log.append(size(102));
+    QTest::qWait(20);
+    QCOMPARE(bar->value(), bar->maximum());
+}
+
+void TestLifecycleLog::thePanelCopiesAndClears()
+{
+    LifecycleLog log;
+    LifecyclePanel panel(log);
+    const auto button = [&panel](const QString &text) {
+        for (QPushButton *candidate : panel.findChildren<QPushButton *>()) {
+            if (candidate->text().remove(u'&') == text)
+                return candidate;
+        }
+        return static_cast<QPushButton *>(nullptr);
+    };
+    QVERIFY(!button("Copy")->isEnabled());
+    log.append(size(640));
+    log.append(size(641));
+    button("Copy")->click();
+    QCOMPARE(QApplication::clipboard()->text().section(u'\t', 1, 3), QStringLiteral("OnSize(640, 768)\tglViewport(0, 0, 640, 768)\t0.25 ms\n0.000 s"));
+    panel.findChild<QTableView *>()->selectRow(1);
+    button("Copy")->click();
+    QCOMPARE(QApplication::clipboard()->text().section(u'\t', 1), QStringLiteral("OnSize(641, 768)\tglViewport(0, 0, 641, 768)\t0.25 ms\n"));
+    button("Clear")->click();
+    QCOMPARE(log.rowCount(), 0);
+    QVERIFY(!button("Clear")->isEnabled());
+}
+
+void TestLifecycleLog::theLifeOfAViewIsLogged_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("viewport"); // of a window of 400 x 300 device pixels
+    QTest::newRow("whole window") << int(ViewportRule::Kind::WholeWindow) << "glViewport(0, 0, 400, 300)";
+    // glViewport(width/2, 0, width/2, height/2)
+    QTest::newRow("quarter") << int(ViewportRule::Kind::Quarter) << "glViewport(200, 0, 200, 150)";
+}
+
+void TestLifecycleLog::theLifeOfAViewIsLogged()
+{
+    if (QGuiApplication::platformName() == QStringLiteral("offscreen"))
+        QSKIP("A view needs OpenGL: run under a display.");
+    QFETCH(int, kind);
+    QFETCH(QString, viewport);
+
+    SceneDocument document;
+    document.setObjects(bundledScene());
+    Scene scene = document.scene();
+    scene.viewport.kind = static_cast<ViewportRule::Kind>(kind);
+    QVERIFY(document.change(scene, QStringLiteral("Viewport")).hasValue());
+
+    LifecycleLog log;
+    auto view = std::make_unique<SceneView>(document, 0);
+    connect(view.get(), &SceneView::happened, &log, &LifecycleLog::append);
+    view->resize(800, 600);
+    view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view.get()));
+    QTRY_VERIFY(column(log, LifecycleLog::Step).filter(QStringLiteral("OnDraw")).size() > 0);
+    const int beforeResize = log.rowCount();
+    view->resize(400, 300);
+    QTRY_VERIFY(log.rowCount() >= beforeResize + 2);
+    QTest::mouseClick(view.get(), Qt::LeftButton, {}, {100, 40});
+    QTRY_VERIFY(nameOf(cell(log, log.rowCount() - 1, LifecycleLog::Step)) == QStringLiteral("OnDraw")); // the pick is drawn
+    view.reset();
+
+    // First and last of each step, in this order.
+    const QStringList steps = column(log, LifecycleLog::Step);
+    QStringList names;
+    for (const QString &step : steps) {
+        if (names.isEmpty() || names.last() != nameOf(step))
+            names << nameOf(step);
+    }
+    QCOMPARE(names, QStringList({"PreCreateWindow", "OnCreate", "OnSize", "OnDraw", "OnSize", "OnDraw", "OnLButtonDown", "OnDraw", "OnDestroy"}));
+
+    const double ratio = document.geometry().surface.devicePixelRatio;
+    if (ratio != 1.0)
+        QSKIP("The numbers are those of one device pixel per logical pixel.");
+    const auto rowOf = [&steps](const QString &step) { return static_cast<int>(steps.indexOf(step)); };
+    QVERIFY2(rowOf("OnSize(800, 600)") >= 0, qPrintable(steps.join(u' ')));
+    QVERIFY2(rowOf("OnSize(400, 300)") > rowOf("OnSize(800, 600)"), qPrintable(steps.join(u' ')));
+    QCOMPARE(cell(log, rowOf("OnSize(400, 300)"), LifecycleLog::StandsFor), viewport);
+    if (kind == int(ViewportRule::Kind::Quarter))
+        QCOMPARE(cell(log, rowOf("OnSize(800, 600)"), LifecycleLog::StandsFor), QStringLiteral("glViewport(400, 0, 400, 300)"));
+    QVERIFY2(rowOf("OnLButtonDown(100, 40)") > 0, qPrintable(steps.join(u' ')));
+    // Row 300 - 1 - 40 from the bottom.
+    const QString read = cell(log, rowOf("OnLButtonDown(100, 40)"), LifecycleLog::StandsFor);
+    QVERIFY2(read.startsWith(QStringLiteral("glReadPixels(100, 259, 1, 1, GL_DEPTH_COMPONENT")), qPrintable(read));
+}
+
+QTEST_MAIN(TestLifecycleLog)
+#include "test_lifecycle_log.moc"

@@ -1,0 +1,325 @@
+// The view from outside: it draws without errors, its hand moves what it says it moves, and nothing else.
+
+#include "core/bundled_scene.h"
+#include "core/view_volume.h"
+#include "gui/observer_view.h"
+#include "gui/panels/observer_panel.h"
+
+#include <QApplication>
+#include <QImage>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QSlider>
+#include <QTest>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <memory>
+
+using namespace unprojector;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Pixels whose colour differs by more than a few steps.
+int differentPixels(const QImage &a, const QImage &b)
+{
+    if (a.size() != b.size())
+        return a.width() * a.height();
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+            if (std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 24)
+                ++count;
+        }
+    }
+    return count;
+}
+
+void send(QWidget &widget, QEvent::Type type, const QPointF &position, Qt::MouseButton button, Qt::MouseButtons buttons)
+{
+    QMouseEvent event(type, position, widget.mapToGlobal(position), button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(&widget, &event);
+}
+
+/// Pressed, moved in steps, let go.
+void drag(QWidget &widget, const QPointF &from, const QPointF &to)
+{
+    send(widget, QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+    for (int i = 1; i <= 10; ++i)
+        send(widget, QEvent::MouseMove, from + (to - from) * (i / 10.0), Qt::NoButton, Qt::LeftButton);
+    send(widget, QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(unprojector::Projection)
+
+class TestObserverView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+    void itDrawsWithoutErrors_data() { addProjections(); }
+    void itDrawsWithoutErrors();
+    void theWholeVolumeIsInThePictureAllTheWay_data() { addProjections(); }
+    void theWholeVolumeIsInThePictureAllTheWay();
+    void theSliderMorphsThePicture();
+    void aDraggedEdgeMovesThePlaneAsOneUndoStep_data();
+    void aDraggedEdgeMovesThePlaneAsOneUndoStep();
+    void orbitLeavesTheDocumentAlone();
+    void theWatchedCameraMovesAloneInTheWorld();
+    void theCubeStandsStillWhileTheCameraMoves();
+    void aNewSceneIsFitted();
+    void keysTurnAndZoom();
+
+private:
+    static void addProjections();
+    void show(const Projection &projection);
+    QPointF placeOfEye(const EyePoint &point) const;
+    ObserverView &view() { return m_panel->view(); }
+
+    std::unique_ptr<SceneDocument> m_document;
+    std::unique_ptr<ObserverPanel> m_panel;
+};
+
+void TestObserverView::addProjections()
+{
+    QTest::addColumn<Projection>("projection");
+    const Ortho box{-6.0, 6.0, -4.0, 4.0, 6.0, 20.0};
+    QTest::newRow("perspective") << Projection(Perspective{kPi / 4.0, 1.5, 6.0, 20.0});
+    QTest::newRow("frustum, off-centre") << Projection(Frustum{-1.0, 4.0, -0.5, 3.0, 6.0, 20.0});
+    QTest::newRow("frustum, mirrored") << Projection(Frustum{3.0, -3.0, -2.0, 2.0, 6.0, 20.0});
+    QTest::newRow("ortho") << Projection(box);
+    QTest::newRow("oblique") << Projection(Oblique{box, kPi / 3.0, kPi / 2.5});
+}
+
+void TestObserverView::init()
+{
+    m_document = std::make_unique<SceneDocument>();
+    m_document->setSurface({900, 600, 1.0});
+    m_document->setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    m_panel = std::make_unique<ObserverPanel>(*m_document, 0);
+    m_panel->resize(500, 600);
+    m_panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    view().grabFramebuffer();
+}
+
+void TestObserverView::cleanup()
+{
+    m_panel.reset();
+    m_document.reset();
+}
+
+void TestObserverView::show(const Projection &projection)
+{
+    Scene scene = m_document->scene();
+    scene.projection = projection;
+    scene.projectionFollowsViewport = false;
+    scene.clipDistancesFitObjects = false;
+    QVERIFY(m_document->change(scene, QStringLiteral("Projection")));
+    m_document->undoStack().clear();
+    view().fit();
+}
+
+QPointF TestObserverView::placeOfEye(const EyePoint &point) const
+{
+    const EyeFrame frame = *eyeFrame(m_document->geometry().camera);
+    return m_panel->view().placeOf(worldFromEye(frame, point)).value_or(QPointF(-1.0, -1.0));
+}
+
+void TestObserverView::itDrawsWithoutErrors()
+{
+    QFETCH(Projection, projection);
+    show(projection);
+    m_document->pickAt(WidgetPoint(450.0, 300.0), {0.7, true, 24});
+    QVERIFY(m_document->pick().has_value());
+    for (const double t : {0.0, 1e-6, 0.5, 1.0 - 1e-6, 1.0}) {
+        view().setMorph(t);
+        const QImage picture = view().grabFramebuffer();
+        QVERIFY(!picture.isNull());
+        view().makeCurrent();
+        QCOMPARE(view().context()->functions()->glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+        view().doneCurrent();
+        // The near plane's colour is somewhere in it.
+        int blue = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const QColor color = picture.pixelColor(x, y);
+                blue += color.blue() > color.red() + 100 && color.blue() > color.green() + 50;
+            }
+        }
+        QVERIFY2(blue > 200, qPrintable(QStringLiteral("t %1: %2 blue pixels").arg(t).arg(blue)));
+    }
+}
+
+void TestObserverView::theWholeVolumeIsInThePictureAllTheWay()
+{
+    QFETCH(Projection, projection);
+    show(projection);
+    for (int i = 0; i <= 20; ++i) {
+        view().setMorph(i / 20.0);
+        for (const EyePoint &corner : viewVolumeCorners(m_document->geometry().projection))
+            QVERIFY(QRectF(view().rect()).contains(placeOfEye(corner)));
+    }
+    view().setMorph(0.0);
+    QVERIFY(QRectF(view().rect()).contains(placeOfEye(EyePoint())));
+}
+
+void TestObserverView::theSliderMorphsThePicture()
+{
+    auto *slider = m_panel->findChild<QSlider *>();
+    QVERIFY(slider);
+    const QImage eyeSpace = view().grabFramebuffer();
+    slider->setValue(slider->maximum() / 2);
+    QCOMPARE(view().morph(), 0.5);
+    const QImage between = view().grabFramebuffer();
+    slider->setValue(slider->maximum());
+    QCOMPARE(view().morph(), 1.0);
+    const QImage cube = view().grabFramebuffer();
+    QVERIFY(differentPixels(eyeSpace, between) > 2000);
+    QVERIFY(differentPixels(between, cube) > 2000);
+    slider->setValue(0);
+    QVERIFY(differentPixels(eyeSpace, view().grabFramebuffer()) == 0);
+    view().setMorph(0.25);
+    QCOMPARE(slider->value(), slider->maximum() / 4);
+    QVERIFY(m_document->undoStack().count() == 0);
+}
+
+void TestObserverView::aDraggedEdgeMovesThePlaneAsOneUndoStep_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::addColumn<bool>("movesFar");
+    QTest::addColumn<double>("wanted");
+    QTest::addColumn<double>("t");
+    const Projection perspective = Perspective{kPi / 4.0, 1.5, 6.0, 20.0};
+    const Projection oblique = Oblique{{-6.0, 6.0, -4.0, 4.0, 6.0, 20.0}, kPi / 3.0, kPi / 2.5};
+    QTest::newRow("perspective, near closer") << perspective << false << 4.5 << 0.0;
+    QTest::newRow("perspective, near deeper") << perspective << false << 9.0 << 0.0;
+    QTest::newRow("perspective, far closer") << perspective << true << 15.0 << 0.0;
+    QTest::newRow("perspective, near deeper, half way") << perspective << false << 9.0 << 0.5;
+    QTest::newRow("oblique, near closer") << oblique << false << 3.0 << 0.0;
+    QTest::newRow("oblique, far closer") << oblique << true << 15.0 << 0.0;
+}
+
+void TestObserverView::aDraggedEdgeMovesThePlaneAsOneUndoStep()
+{
+    QFETCH(Projection, projection);
+    QFETCH(bool, movesFar);
+    QFETCH(double, wanted);
+    QFETCH(double, t);
+    show(projection);
+    view().setMorph(t);
+    // The middle of the lower edge, which no other edge crosses; where the plane is to go, it is the same share of it.
+    const auto middleOf = [&](const Projection &of) {
+        const std::array<EyePoint, 8> corners = viewVolumeCorners(of);
+        const std::size_t first = movesFar ? 4 : 0;
+        return placeOfEye(EyePoint((corners[first].coordinates() + corners[first + 1].coordinates()) / 2.0));
+    };
+    const QPointF from = middleOf(projection);
+    const QPointF to = middleOf(withClipDistances(projection, movesFar ? 6.0 : wanted, movesFar ? wanted : 20.0));
+    send(view(), QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
+    QVERIFY(view().cursor().shape() == Qt::SizeHorCursor || view().cursor().shape() == Qt::SizeVerCursor);
+    drag(view(), from, to);
+
+    const ProjectionWindow after = projectionWindow(m_document->geometry().projection);
+    const double moved = movesFar ? after.farDistance : after.nearDistance;
+    QVERIFY2(std::abs(moved - wanted) < 0.1, qPrintable(QStringLiteral("%1 instead of %2").arg(moved).arg(wanted)));
+    QCOMPARE(movesFar ? after.nearDistance : after.farDistance, movesFar ? 6.0 : 20.0);
+    QVERIFY(!m_document->scene().clipDistancesFitObjects);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    m_document->undoStack().undo();
+    QVERIFY(m_document->geometry().projection == projection);
+    // Another drag is another step.
+    drag(view(), from, to);
+    drag(view(), middleOf(m_document->geometry().projection), from);
+    QCOMPARE(m_document->undoStack().count(), 2);
+}
+
+void TestObserverView::orbitLeavesTheDocumentAlone()
+{
+    const ViewGeometry before = m_document->geometry();
+    const LookAt observer = view().observer();
+    const QImage picture = view().grabFramebuffer();
+    drag(view(), QPointF(10.0, 10.0), QPointF(90.0, 40.0));
+    QVERIFY(glm::length(view().observer().eye.coordinates() - observer.eye.coordinates()) > 1.0);
+    QVERIFY(glm::length(view().observer().center.coordinates() - observer.center.coordinates()) < 1e-9);
+    QVERIFY(differentPixels(picture, view().grabFramebuffer()) > 2000);
+    QCOMPARE(m_document->undoStack().count(), 0);
+    QVERIFY(m_document->geometry().camera.eye.coordinates() == before.camera.eye.coordinates());
+    QVERIFY(m_document->geometry().projection == before.projection);
+    QVERIFY(view().cursor().shape() == Qt::ArrowCursor);
+}
+
+void TestObserverView::theWatchedCameraMovesAloneInTheWorld()
+{
+    const LookAt observer = view().observer();
+    const WorldPoint corner(1.0, 2.0, 0.5);
+    const std::optional<QPointF> before = view().placeOf(corner);
+    const QPointF eyeBefore = placeOfEye(EyePoint());
+    LookAt camera = m_document->scene().camera;
+    camera.eye.x -= 4.0;
+    m_document->setCamera(camera);
+    view().grabFramebuffer();
+    QVERIFY(view().observer().eye.coordinates() == observer.eye.coordinates());
+    const std::optional<QPointF> after = view().placeOf(corner);
+    QVERIFY(before && after && QLineF(*before, *after).length() < 1e-6);
+    QVERIFY(QLineF(eyeBefore, placeOfEye(EyePoint())).length() > 5.0);
+}
+
+void TestObserverView::theCubeStandsStillWhileTheCameraMoves()
+{
+    view().setMorph(1.0);
+    const auto corners = [this] {
+        std::vector<QPointF> places;
+        for (const EyePoint &corner : viewVolumeCorners(m_document->geometry().projection))
+            places.push_back(placeOfEye(corner));
+        return places;
+    };
+    const std::vector<QPointF> before = corners();
+    LookAt camera = m_document->scene().camera;
+    camera.eye = WorldPoint(-9.0, 3.0, 4.0);
+    m_document->setCamera(camera);
+    const std::vector<QPointF> after = corners();
+    for (std::size_t i = 0; i < before.size(); ++i)
+        QVERIFY(QLineF(before[i], after[i]).length() < 1e-6);
+}
+
+void TestObserverView::aNewSceneIsFitted()
+{
+    drag(view(), QPointF(10.0, 10.0), QPointF(90.0, 40.0));
+    m_document->setObjects(bundledScene(), {WorldPoint(65.0, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    view().grabFramebuffer();
+    for (const EyePoint &corner : viewVolumeCorners(m_document->geometry().projection))
+        QVERIFY(QRectF(view().rect()).contains(placeOfEye(corner)));
+    m_document->setObjects({});
+    view().grabFramebuffer();
+    view().setMorph(1.0);
+    view().grabFramebuffer();
+    QVERIFY(QRectF(view().rect()).contains(placeOfEye(viewVolumeCorners(m_document->geometry().projection)[7])));
+}
+
+void TestObserverView::keysTurnAndZoom()
+{
+    const LookAt placed = view().observer();
+    const auto distance = [this] { return glm::length(view().observer().eye.coordinates() - view().observer().center.coordinates()); };
+    const double placedDistance = distance();
+    QTest::keyClick(&view(), Qt::Key_Left);
+    QVERIFY(glm::length(view().observer().eye.coordinates() - placed.eye.coordinates()) > 0.1);
+    QTest::keyClick(&view(), Qt::Key_Right);
+    QVERIFY(glm::length(view().observer().eye.coordinates() - placed.eye.coordinates()) < 1e-9 * placedDistance);
+    QTest::keyClick(&view(), Qt::Key_Plus);
+    QVERIFY(distance() < placedDistance * 0.9);
+    QTest::keyClick(&view(), Qt::Key_F);
+    QVERIFY(std::abs(distance() - placedDistance) < 1e-6 * placedDistance);
+}
+
+QTEST_MAIN(TestObserverView)
+#include "test_observer_view.moc"

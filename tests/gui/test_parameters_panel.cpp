@@ -1,0 +1,350 @@
+// The parameters as a person uses them: keys into the panel, then the document's scene and geometry. Expected numbers are
+// literals.
+
+#include "panel_user.h"
+
+#include "gui/panels/parameters/parameter_tab.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QPushButton>
+#include <QTest>
+
+using namespace unprojector;
+
+namespace {
+
+/// A field's name and what its number is in the scene.
+struct FieldRow {
+    const char *field;
+    const char *text;
+    double expected;
+    double (*read)(const Scene &);
+};
+
+const FieldRow kFieldRows[] = {
+    {"eyeX", "1.5", 1.5, [](const Scene &s) { return s.camera.eye.x; }},
+    {"eyeY", "-2", -2.0, [](const Scene &s) { return s.camera.eye.y; }},
+    {"eyeZ", "1e1", 10.0, [](const Scene &s) { return s.camera.eye.z; }},
+    {"centerX", "0,25", 0.25, [](const Scene &s) { return s.camera.center.x; }},
+    {"centerZ", "-7", -7.0, [](const Scene &s) { return s.camera.center.z; }},
+    {"upX", "3", 3.0, [](const Scene &s) { return s.camera.up.x; }},
+    {"left", "-0.6", -0.6, [](const Scene &s) { return frustumOf(s).left; }},
+    {"right", "2", 2.0, [](const Scene &s) { return frustumOf(s).right; }},
+    {"bottom", "-3", -3.0, [](const Scene &s) { return frustumOf(s).bottom; }},
+    {"top", "4.5", 4.5, [](const Scene &s) { return frustumOf(s).top; }},
+    {"nearDistance", "0.01", 0.01, [](const Scene &s) { return frustumOf(s).nearDistance; }},
+    {"farDistance", "1e6", 1e6, [](const Scene &s) { return frustumOf(s).farDistance; }},
+    {"depthAtNear", "0.25", 0.25, [](const Scene &s) { return s.depthRange.atNear; }},
+    {"depthAtFar", "0.5", 0.5, [](const Scene &s) { return s.depthRange.atFar; }},
+};
+
+using Prepare = void (*)(Scene &);
+
+struct BadRow {
+    const char *situation;
+    Prepare prepare;
+    const char *field;
+    const char *text;
+    const char *reason;
+};
+
+const BadRow kBadRows[] = {
+    {"near-is-0", asIs, "nearDistance", "0", "Near is 0; it must be greater than 0"},
+    {"near-is-far", asIs, "nearDistance", "100", "Near is 100; it must be smaller than far (100)"},
+    {"far-is-near", asIs, "farDistance", "1", "Near is 1; it must be smaller than far (1)"},
+    {"near-behind-far-in-a-box", box, "nearDistance", "200", "Near is 200"},
+    {"near-is-not-a-number", asIs, "nearDistance", "nan", "not a finite number"},
+    {"far-is-infinite", asIs, "farDistance", "inf", "not a finite number"},
+    {"no-number", asIs, "nearDistance", "abc", "“abc” is not a number"},
+    {"empty", asIs, "farDistance", "", "Far is empty"},
+    {"left-is-right", asIs, "left", "0.75", "Left and right are both 0.75"},
+    {"bottom-is-top", asIs, "bottom", "0.25", "Bottom and top are both 0.25"},
+    {"field-of-view-0", perspective, "fovy", "0", "must lie between 0° and 180°"},
+    {"field-of-view-180", perspective, "fovy", "180", "must lie between 0° and 180°"},
+    {"aspect-0", perspective, "aspect", "0", "The aspect is 0"},
+    {"shear-0", oblique, "theta", "0", "The angle is 0°"},
+    {"shear-200", oblique, "phi", "200", "The angle is 200°"},
+    {"up-is-zero", asIs, "upY", "0", "Up is (0, 0, 0)"},
+    {"eye-is-center", asIs, "eyeZ", "0", "Eye and center are the same point"},
+    {"viewport-width-0", fixedViewport, "viewportWidth", "0", "The viewport is 0 × 480 pixels"},
+    {"viewport-height-negative", fixedViewport, "viewportHeight", "-4", "The viewport is 640 × -4 pixels"},
+    {"half-a-pixel", fixedViewport, "viewportX", "0.5", "0.5 is not a whole number of pixels"},
+    {"letterbox-aspect-0", letterbox, "viewportAspect", "0", "The aspect is 0"},
+    {"depth-range-empty", asIs, "depthAtNear", "1", "Both ends of the depth range are 1"},
+    {"depth-beyond-1", asIs, "depthAtFar", "1.5", "The depth is 1.5; it must lie between 0 and 1"},
+    {"scale-0", scaled, "number0", "0", "The scale is 0"},
+    {"axis-0", rotated, "number2", "0", "The rotation axis is (0, 0, 0)"},
+    {"plane-without-a-normal", cut, "number0", "0", "A, B and C of the clip plane are all 0"},
+};
+
+} // namespace
+
+class TestParametersPanel : public QObject, PanelUser
+{
+    Q_OBJECT
+
+private slots:
+    void init() { start(); }
+
+    void aTypedNumberIsTheScenes_data();
+    void aTypedNumberIsTheScenes();
+    void aBadNumberIsRedAndTheLastGoodViewStays_data();
+    void aBadNumberIsRedAndTheLastGoodViewStays();
+    void upAlongTheViewIsRed();
+    void aRedNumberStaysUntilEscape();
+    void nearAndFarMovePastEachOther();
+    void aPlaneTurnsByTwoNumbers();
+    void whatStillCannotBeTakenStaysRed();
+    void whatCanBeTakenAfterAllWaitsForEnter();
+    void editsOfOneFieldAreUndoneAsOne();
+    void editsOfTwoFieldsAreUndoneOneByOne();
+    void anUndoIsSeenInTheFieldBeingTyped();
+    void typingTheSameNumberIsNoChange();
+    void aHiddenPanelDoesNothingUntilItIsShown();
+    void nothingIsCutInANarrowDock();
+
+};
+
+void TestParametersPanel::aTypedNumberIsTheScenes_data()
+{
+    QTest::addColumn<int>("row");
+    int index = 0;
+    for (const FieldRow &row : kFieldRows)
+        QTest::newRow(row.field) << index++;
+}
+
+void TestParametersPanel::aTypedNumberIsTheScenes()
+{
+    QFETCH(int, row);
+    const FieldRow &r = kFieldRows[row];
+    type(QString::fromUtf8(r.field), QString::fromUtf8(r.text));
+    QVERIFY2(r.read(scene()) == r.expected, qPrintable(QString::number(r.read(scene()), 'g', 17)));
+    QVERIFY(!field(QString::fromUtf8(r.field))->isBad());
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), startScene()));
+}
+
+void TestParametersPanel::aBadNumberIsRedAndTheLastGoodViewStays_data()
+{
+    QTest::addColumn<int>("row");
+    int index = 0;
+    for (const BadRow &row : kBadRows)
+        QTest::newRow(row.situation) << index++;
+}
+
+void TestParametersPanel::aBadNumberIsRedAndTheLastGoodViewStays()
+{
+    QFETCH(int, row);
+    const BadRow &r = kBadRows[row];
+    Scene prepared = startScene();
+    r.prepare(prepared);
+    open(prepared);
+    showTab(r.prepare == cut ? QStringLiteral("clipTab") : QStringLiteral("modelTab"));
+    const QString within = r.prepare == cut ? QStringLiteral("plane1") : r.prepare == scaled || r.prepare == rotated ? QStringLiteral("step1") : QString();
+    NumberField *target = field(QString::fromUtf8(r.field), within);
+    const Scene before = scene();
+    // Pasted, so that the digits on the way do not count.
+    target->setFocus();
+    target->setText(QString::fromUtf8(r.text));
+    emit target->textEdited(target->text());
+
+    QVERIFY(target->isBad());
+    QVERIFY2(target->reason().contains(QString::fromUtf8(r.reason)), qPrintable(target->reason()));
+    QCOMPARE(target->accessibleDescription(), target->reason());
+    QVERIFY(target->palette().color(QPalette::Base).red() > target->palette().color(QPalette::Base).green() + 20);
+    auto *tab = qobject_cast<ParameterTab *>(m_panel->currentWidget());
+    QCOMPARE(tab->reason(), target->reason());
+    QVERIFY(isSameScene(scene(), before));
+    QCOMPARE(m_document->undoStack().count(), 0);
+    QCOMPARE(target->text(), QString::fromUtf8(r.text));
+
+    QTest::keyClick(target, Qt::Key_Escape);
+    QVERIFY(!target->isBad());
+    QVERIFY(tab->reason().isEmpty());
+    QVERIFY(target->typed() == target->value());
+}
+
+void TestParametersPanel::upAlongTheViewIsRed()
+{
+    type(QStringLiteral("upZ"), QStringLiteral("1"));
+    QVERIFY(!field(QStringLiteral("upZ"))->isBad());
+    type(QStringLiteral("upY"), QStringLiteral("0"));
+    QVERIFY(field(QStringLiteral("upY"))->reason().contains(QStringLiteral("along the view direction")));
+    QVERIFY(scene().camera.up == glm::dvec3(0.0, 1.0, 1.0));
+}
+
+void TestParametersPanel::aRedNumberStaysUntilEscape()
+{
+    NumberField *nearField = field(QStringLiteral("nearDistance"));
+    type(nearField, QStringLiteral("500"));
+    field(QStringLiteral("top"))->setFocus();
+    QVERIFY(nearField->isBad());
+    QCOMPARE(nearField->text(), QStringLiteral("500"));
+    // "5" and "50" were good on the way.
+    QCOMPARE(frustumOf(scene()).nearDistance, 50.0);
+    nearField->setFocus();
+    QTest::keyClick(nearField, Qt::Key_Escape);
+    QVERIFY(!nearField->isBad());
+    QCOMPARE(nearField->text(), QStringLiteral("50"));
+}
+
+void TestParametersPanel::nearAndFarMovePastEachOther()
+{
+    NumberField *nearField = field(QStringLiteral("nearDistance"));
+    NumberField *farField = field(QStringLiteral("farDistance"));
+    type(nearField, QStringLiteral("200"));
+    QVERIFY(nearField->isBad());
+    type(farField, QStringLiteral("300"));
+    QVERIFY(!nearField->isBad());
+    QVERIFY(!farField->isBad());
+    QCOMPARE(frustumOf(scene()).nearDistance, 200.0);
+    QCOMPARE(frustumOf(scene()).farDistance, 300.0);
+    QCOMPARE(nearField->text(), QStringLiteral("200"));
+    // The far's own edit takes both back: near to the 20 that it had on the way.
+    m_document->undoStack().undo();
+    QCOMPARE(frustumOf(scene()).nearDistance, 20.0);
+    QCOMPARE(frustumOf(scene()).farDistance, 100.0);
+    m_document->undoStack().redo();
+    QCOMPARE(frustumOf(scene()).nearDistance, 200.0);
+}
+
+void TestParametersPanel::aPlaneTurnsByTwoNumbers()
+{
+    Scene prepared = startScene();
+    cut(prepared);
+    open(prepared);
+    showTab(QStringLiteral("clipTab"));
+    type(field(QStringLiteral("number0"), QStringLiteral("plane1")), QStringLiteral("0"));
+    QCOMPARE(scene().clipPlanes.at(0).x, 1.0);
+    type(field(QStringLiteral("number1"), QStringLiteral("plane1")), QStringLiteral("-1"));
+    // The minus alone is no number; with the 1 both are taken.
+    QVERIFY(scene().clipPlanes.at(0) == glm::dvec4(0.0, -1.0, 0.0, 0.5));
+    QVERIFY(!field(QStringLiteral("number0"), QStringLiteral("plane1"))->isBad());
+}
+
+void TestParametersPanel::whatStillCannotBeTakenStaysRed()
+{
+    NumberField *nearField = field(QStringLiteral("nearDistance"));
+    type(nearField, QStringLiteral("200"));
+    type(QStringLiteral("farDistance"), QStringLiteral("150"));
+    QCOMPARE(frustumOf(scene()).farDistance, 150.0);
+    QCOMPARE(frustumOf(scene()).nearDistance, 20.0);
+    QVERIFY(nearField->isBad());
+    QVERIFY2(nearField->reason().contains(QStringLiteral("far (150)")), qPrintable(nearField->reason()));
+    // Two refused numbers of which only one comes good with the next edit.
+    type(QStringLiteral("left"), QStringLiteral("0.75"));
+    QVERIFY(field(QStringLiteral("left"))->isBad());
+    type(QStringLiteral("right"), QStringLiteral("1"));
+    QVERIFY(!field(QStringLiteral("left"))->isBad());
+    QVERIFY(nearField->isBad());
+    QCOMPARE(frustumOf(scene()).left, 0.75);
+}
+
+void TestParametersPanel::whatCanBeTakenAfterAllWaitsForEnter()
+{
+    NumberField *nearField = field(QStringLiteral("nearDistance"));
+    type(nearField, QStringLiteral("150"));
+    QVERIFY(nearField->isBad());
+    Scene next = scene();
+    std::get<Frustum>(next.projection).farDistance = 1000.0;
+    QVERIFY(m_document->change(next, QStringLiteral("by another")).hasValue());
+    QCOMPARE(frustumOf(scene()).nearDistance, 15.0);
+    QVERIFY2(nearField->reason().contains(QStringLiteral("press Enter")), qPrintable(nearField->reason()));
+    QTest::keyClick(nearField, Qt::Key_Return);
+    QCOMPARE(frustumOf(scene()).nearDistance, 150.0);
+    QVERIFY(!nearField->isBad());
+}
+
+void TestParametersPanel::editsOfOneFieldAreUndoneAsOne()
+{
+    type(QStringLiteral("top"), QStringLiteral("1.25"));
+    QTest::keyClick(field(QStringLiteral("top")), Qt::Key_Up);
+    QCOMPARE(frustumOf(scene()).top, 1.35);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Top"));
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), startScene()));
+    m_document->undoStack().redo();
+    QCOMPARE(frustumOf(scene()).top, 1.35);
+}
+
+void TestParametersPanel::editsOfTwoFieldsAreUndoneOneByOne()
+{
+    type(QStringLiteral("top"), QStringLiteral("12"));
+    type(QStringLiteral("bottom"), QStringLiteral("-1"));
+    type(QStringLiteral("top"), QStringLiteral("34"));
+    QCOMPARE(m_document->undoStack().count(), 3);
+    m_document->undoStack().undo();
+    QCOMPARE(frustumOf(scene()).top, 12.0);
+    m_document->undoStack().undo();
+    QCOMPARE(frustumOf(scene()).bottom, -0.375);
+    QCOMPARE(frustumOf(scene()).top, 12.0);
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), startScene()));
+    // The same field after the focus was elsewhere and nothing else was changed.
+    type(QStringLiteral("top"), QStringLiteral("5"));
+    field(QStringLiteral("bottom"))->setFocus();
+    type(QStringLiteral("top"), QStringLiteral("6"));
+    QCOMPARE(m_document->undoStack().count(), 2);
+}
+
+void TestParametersPanel::anUndoIsSeenInTheFieldBeingTyped()
+{
+    NumberField *top = field(QStringLiteral("top"));
+    type(top, QStringLiteral("12"));
+    m_document->undoStack().undo();
+    QCOMPARE(top->text(), QStringLiteral("0.25"));
+    m_document->undoStack().redo();
+    QCOMPARE(top->text(), QStringLiteral("12"));
+}
+
+void TestParametersPanel::typingTheSameNumberIsNoChange()
+{
+    type(QStringLiteral("top"), QStringLiteral("0.250"));
+    const int edits = m_document->undoStack().count(); // "0" on the way
+    type(QStringLiteral("eyeZ"), QStringLiteral("10"));
+    NumberField *farField = field(QStringLiteral("farDistance"));
+    farField->setFocus();
+    farField->setText(QStringLiteral("1e2"));
+    emit farField->textEdited(farField->text());
+    QVERIFY(!farField->isBad());
+    QCOMPARE(m_document->undoStack().count() - edits, 1); // of the eye, by the "1" on the way
+}
+
+void TestParametersPanel::aHiddenPanelDoesNothingUntilItIsShown()
+{
+    NumberField *eye = field(QStringLiteral("eyeX"));
+    m_panel->hide();
+    Scene next = scene();
+    next.camera.eye.x = 3.0;
+    QVERIFY(m_document->change(next, QStringLiteral("by another")).hasValue());
+    QCOMPARE(eye->text(), QStringLiteral("0"));
+    m_panel->show();
+    QCOMPARE(eye->text(), QStringLiteral("3"));
+}
+
+void TestParametersPanel::nothingIsCutInANarrowDock()
+{
+    Scene prepared = startScene();
+    prepared.objects[0].transform = {Translate{{-1.0 / 3.0, 123.456789, 1e-5}}, Rotate{30.0, {0.0, 1.0, 0.0}}, Scale{}};
+    prepared.clipPlanes.assign(6, {-0.123456789, 1.0, 2.0, -3.0});
+    open(prepared);
+    for (int tab = 0; tab < m_panel->count(); ++tab) {
+        m_panel->setCurrentIndex(tab);
+        QTest::qWait(1);
+        QCOMPARE(m_panel->size(), QSize(250, 430));
+        for (const QWidget *child : m_panel->currentWidget()->findChildren<QWidget *>()) {
+            if (!child->isVisible() || !(qobject_cast<const QLineEdit *>(child) || qobject_cast<const QAbstractButton *>(child) || qobject_cast<const QComboBox *>(child)))
+                continue;
+            const auto *button = qobject_cast<const QPushButton *>(child);
+            const int least = button ? button->fontMetrics().horizontalAdvance(button->text()) + 4 : child->minimumSizeHint().width();
+            const int right = child->mapTo(m_panel.get(), QPoint(child->width(), 0)).x();
+            QVERIFY2(right <= 250 && child->width() >= least,
+                     qPrintable(QStringLiteral("%1 ends at %2").arg(child->accessibleName()).arg(right)));
+        }
+    }
+}
+
+QTEST_MAIN(TestParametersPanel)
+#include "test_parameters_panel.moc"

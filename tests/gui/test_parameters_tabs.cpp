@@ -1,0 +1,345 @@
+// What each tab is for: kinds of projection, rules of the viewport, steps of a model, clip planes. Expected numbers are
+// literals.
+
+#include "panel_user.h"
+
+#include <QCheckBox>
+#include <QPushButton>
+#include <QRect>
+#include <QTest>
+#include <QToolButton>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <vector>
+
+using namespace unprojector;
+
+namespace {
+
+/// A few roundings of window positions up to 1000 pixels.
+constexpr double kRoundingPixels = 1e-9;
+/// A few roundings of coordinates of about 1.
+constexpr double kRounding = 1e-12;
+
+} // namespace
+
+class TestParametersTabs : public QObject, PanelUser
+{
+    Q_OBJECT
+
+private slots:
+    void init() { start(); }
+
+    void frustumAndPerspectiveShowTheSamePicture();
+    void boxesAndPerspectivesAgreeAtThePivot_data();
+    void boxesAndPerspectivesAgreeAtThePivot();
+    void onlyTheNumbersOfTheKindAreShown();
+    void anEditSwitchesOffWhatWouldTakeItBack_data();
+    void anEditSwitchesOffWhatWouldTakeItBack();
+    void theSwitchesAreUndoable();
+
+    void theViewportFollowsItsRule_data();
+    void theViewportFollowsItsRule();
+    void aFixedRectangleStartsFromTheViewportInUse();
+
+    void theOrderOfStepsMatters();
+    void stepsAreAddedRemovedAndUndone();
+    void everyObjectHasStepsOfItsOwn();
+
+    void sixPlanesAtMost();
+    void aPlaneSwitchedOffIsKept();
+    void aPlaneInTheMiddleIsRemoved();
+
+private:
+    WindowPoint windowPoint(const WorldPoint &point) const { return windowFromWorld(m_document->geometry(), point).value(); }
+};
+
+void TestParametersTabs::frustumAndPerspectiveShowTheSamePicture()
+{
+    Scene prepared = startScene();
+    perspective(prepared);
+    open(prepared);
+    showTab(QStringLiteral("projectionTab"));
+    const WorldPoint points[] = {WorldPoint(0.3, 0.2, 8.0), WorldPoint(-1.0, 0.5, 0.0), WorldPoint(2.0, -3.0, -70.0)};
+    std::vector<WindowPoint> before;
+    for (const WorldPoint &point : points)
+        before.push_back(windowPoint(point));
+    for (const QString &kind : {QStringLiteral("Frustum"), QStringLiteral("Perspective")}) {
+        choose(QStringLiteral("projectionKind"), kind);
+        QCOMPARE(kindOf(scene().projection), kind == QStringLiteral("Frustum") ? ProjectionKind::Frustum : ProjectionKind::Perspective);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            QVERIFY(glm::length(windowPoint(points[i]).coordinates() - before[i].coordinates()) < kRoundingPixels);
+    }
+    QCOMPARE(m_document->undoStack().count(), 2);
+    m_document->undoStack().undo();
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), prepared));
+}
+
+void TestParametersTabs::boxesAndPerspectivesAgreeAtThePivot_data()
+{
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QString>("to");
+    const QStringList kinds{"Frustum", "Perspective", "Orthographic", "Oblique"};
+    for (const QString &from : kinds) {
+        for (const QString &to : kinds) {
+            if (from != to)
+                QTest::newRow(qPrintable(from + QStringLiteral("-to-") + to)) << from << to;
+        }
+    }
+}
+
+void TestParametersTabs::boxesAndPerspectivesAgreeAtThePivot()
+{
+    QFETCH(QString, from);
+    QFETCH(QString, to);
+    Scene prepared = startScene();
+    perspective(prepared); // symmetric: an off-centre frustum has no perspective of its own
+    open(prepared);
+    showTab(QStringLiteral("projectionTab"));
+    choose(QStringLiteral("projectionKind"), from);
+    // In the plane of the center, at 10 from the eye.
+    const WorldPoint points[] = {WorldPoint(0.0, 0.0, 0.0), WorldPoint(-1.5, 2.5, 0.0), WorldPoint(3.0, -1.0, 0.0)};
+    std::vector<WindowPoint> before;
+    for (const WorldPoint &point : points)
+        before.push_back(windowPoint(point));
+    choose(QStringLiteral("projectionKind"), to);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        QVERIFY(std::abs(windowPoint(points[i]).x - before[i].x) < kRoundingPixels);
+        QVERIFY(std::abs(windowPoint(points[i]).y - before[i].y) < kRoundingPixels);
+    }
+}
+
+void TestParametersTabs::onlyTheNumbersOfTheKindAreShown()
+{
+    showTab(QStringLiteral("projectionTab"));
+    const auto shown = [this] {
+        QStringList names;
+        for (const NumberField *f : m_panel->currentWidget()->findChildren<NumberField *>()) {
+            if (f->isVisible())
+                names << f->objectName();
+        }
+        names.sort();
+        return names.join(u' ');
+    };
+    QCOMPARE(shown(), QStringLiteral("bottom farDistance left nearDistance right top"));
+    choose(QStringLiteral("projectionKind"), QStringLiteral("Perspective"));
+    QCOMPARE(shown(), QStringLiteral("aspect farDistance fovy nearDistance"));
+    choose(QStringLiteral("projectionKind"), QStringLiteral("Oblique"));
+    QCOMPARE(shown(), QStringLiteral("bottom farDistance left nearDistance phi right theta top"));
+}
+
+void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("isPerspective");
+    QTest::addColumn<bool>("follows");
+    QTest::addColumn<bool>("fits");
+    QTest::newRow("near") << "nearDistance" << "2" << false << true << false;
+    QTest::newRow("far") << "farDistance" << "77" << false << true << false;
+    QTest::newRow("left") << "left" << "-3" << false << false << true;
+    QTest::newRow("right") << "right" << "3" << false << false << true;
+    QTest::newRow("aspect") << "aspect" << "3" << true << false << true;
+    QTest::newRow("field-of-view") << "fovy" << "30" << true << true << true;
+    QTest::newRow("top") << "top" << "3" << false << true << true;
+}
+
+void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, text);
+    QFETCH(bool, isPerspective);
+    Scene prepared = startScene();
+    if (isPerspective)
+        perspective(prepared);
+    prepared.projectionFollowsViewport = prepared.clipDistancesFitObjects = true;
+    open(prepared);
+    NumberField *target = field(name);
+    type(target, text);
+    QVERIFY(!target->isBad());
+    QCOMPARE(target->text(), text);
+    QTEST(scene().projectionFollowsViewport, "follows");
+    QTEST(scene().clipDistancesFitObjects, "fits");
+    QCOMPARE(m_panel->findChild<QCheckBox *>(QStringLiteral("followsViewport"))->isChecked(), scene().projectionFollowsViewport);
+    QCOMPARE(m_panel->findChild<QCheckBox *>(QStringLiteral("fitsObjects"))->isChecked(), scene().clipDistancesFitObjects);
+    m_document->undoStack().undo();
+    QVERIFY(scene().projectionFollowsViewport && scene().clipDistancesFitObjects);
+}
+
+void TestParametersTabs::theSwitchesAreUndoable()
+{
+    showTab(QStringLiteral("projectionTab"));
+    click(QStringLiteral("fitsObjects"));
+    QVERIFY(scene().clipDistancesFitObjects);
+    QVERIFY(frustumOf(scene()).nearDistance > 1.0);
+    click(QStringLiteral("followsViewport"));
+    const Frustum &f = frustumOf(scene());
+    QVERIFY(std::abs((f.right - f.left) / (f.top - f.bottom) - 801.0 / 601.0) < kRounding);
+    m_document->undoStack().undo();
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), startScene()));
+    QVERIFY(!m_panel->findChild<QCheckBox *>(QStringLiteral("fitsObjects"))->isChecked());
+}
+
+void TestParametersTabs::theViewportFollowsItsRule_data()
+{
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QRect>("viewport");
+    QTest::newRow("whole") << "Whole window" << QRect(0, 0, 801, 601);
+    QTest::newRow("letterbox") << "Keep aspect" << QRect(0, 0, 801, 601);
+    QTest::newRow("quarter") << "Lower right quarter" << QRect(400, 0, 400, 300);
+    QTest::newRow("fixed") << "Fixed rectangle" << QRect(0, 0, 801, 601);
+}
+
+void TestParametersTabs::theViewportFollowsItsRule()
+{
+    QFETCH(QString, kind);
+    showTab(QStringLiteral("viewportTab"));
+    choose(QStringLiteral("viewportKind"), kind);
+    const auto viewport = [this] {
+        const Viewport &v = m_document->geometry().viewport;
+        return QRect(static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.width), static_cast<int>(v.height));
+    };
+    QTEST(viewport(), "viewport");
+    if (kind == QStringLiteral("Keep aspect")) {
+        type(QStringLiteral("viewportAspect"), QStringLiteral("1"));
+        QCOMPARE(viewport(), QRect(100, 0, 601, 601));
+        type(QStringLiteral("viewportAspect"), QStringLiteral("2"));
+        QCOMPARE(viewport(), QRect(0, 100, 801, 401));
+    } else if (kind == QStringLiteral("Fixed rectangle")) {
+        type(QStringLiteral("viewportX"), QStringLiteral("-20"));
+        type(QStringLiteral("viewportY"), QStringLiteral("30"));
+        type(QStringLiteral("viewportWidth"), QStringLiteral("320"));
+        type(QStringLiteral("viewportHeight"), QStringLiteral("240"));
+        QCOMPARE(viewport(), QRect(-20, 30, 320, 240));
+        m_document->setSurface({500, 400, 1.0});
+        QCOMPARE(viewport(), QRect(-20, 30, 320, 240));
+    } else if (kind == QStringLiteral("Lower right quarter")) {
+        m_document->setSurface({500, 400, 1.0});
+        QCOMPARE(viewport(), QRect(250, 0, 250, 200));
+    }
+}
+
+void TestParametersTabs::aFixedRectangleStartsFromTheViewportInUse()
+{
+    showTab(QStringLiteral("viewportTab"));
+    choose(QStringLiteral("viewportKind"), QStringLiteral("Lower right quarter"));
+    choose(QStringLiteral("viewportKind"), QStringLiteral("Fixed rectangle"));
+    QCOMPARE(field(QStringLiteral("viewportX"))->text(), QStringLiteral("400"));
+    QCOMPARE(field(QStringLiteral("viewportHeight"))->text(), QStringLiteral("300"));
+    m_document->undoStack().undo();
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), startScene()));
+}
+
+void TestParametersTabs::theOrderOfStepsMatters()
+{
+    showTab(QStringLiteral("modelTab"));
+    click(QStringLiteral("addTranslate"));
+    type(field(QStringLiteral("number0"), QStringLiteral("step1")), QStringLiteral("1"));
+    click(QStringLiteral("addRotate"));
+    type(field(QStringLiteral("number0"), QStringLiteral("step2")), QStringLiteral("90"));
+    type(field(QStringLiteral("number3"), QStringLiteral("step2")), QStringLiteral("1"));
+    type(field(QStringLiteral("number2"), QStringLiteral("step2")), QStringLiteral("0"));
+    const auto placed = [this] { return worldFromObject(scene().objects[0].transform) * glm::dvec4(1.0, 0.0, 0.0, 1.0); };
+    // T R: turned to (0, 1, 0), then moved.
+    QVERIFY(placed() == glm::dvec4(1.0, 1.0, 0.0, 1.0));
+    click(QStringLiteral("up"), QStringLiteral("step2"));
+    // R T: moved to (2, 0, 0), then turned.
+    QVERIFY(placed() == glm::dvec4(0.0, 2.0, 0.0, 1.0));
+    m_document->undoStack().undo();
+    QVERIFY(placed() == glm::dvec4(1.0, 1.0, 0.0, 1.0));
+}
+
+void TestParametersTabs::stepsAreAddedRemovedAndUndone()
+{
+    showTab(QStringLiteral("modelTab"));
+    click(QStringLiteral("addTranslate"));
+    click(QStringLiteral("addScale"));
+    click(QStringLiteral("addRotate"));
+    type(field(QStringLiteral("number1"), QStringLiteral("step2")), QStringLiteral("3"));
+    const std::vector<TransformStep> all{Translate{}, Scale{{1.0, 3.0, 1.0}}, Rotate{0.0, {0.0, 1.0, 0.0}}};
+    QVERIFY(scene().objects[0].transform == all);
+    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step1"))->findChild<QToolButton *>(QStringLiteral("up"))->isEnabled());
+    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step3"))->findChild<QToolButton *>(QStringLiteral("down"))->isEnabled());
+
+    click(QStringLiteral("remove"), QStringLiteral("step1"));
+    QVERIFY(scene().objects[0].transform == std::vector<TransformStep>(all.begin() + 1, all.end()));
+    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step3")));
+    click(QStringLiteral("down"), QStringLiteral("step1"));
+    QVERIFY(std::holds_alternative<Rotate>(scene().objects[0].transform.at(0)));
+    m_document->undoStack().undo();
+    m_document->undoStack().undo();
+    QVERIFY(scene().objects[0].transform == all);
+    QCOMPARE(field(QStringLiteral("number1"), QStringLiteral("step2"))->text(), QStringLiteral("3"));
+    while (m_document->undoStack().canUndo())
+        m_document->undoStack().undo();
+    QVERIFY(scene().objects[0].transform.empty());
+}
+
+void TestParametersTabs::everyObjectHasStepsOfItsOwn()
+{
+    showTab(QStringLiteral("modelTab"));
+    click(QStringLiteral("addTranslate"));
+    choose(QStringLiteral("object"), QStringLiteral("second"));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step1")));
+    click(QStringLiteral("addTranslate"));
+    type(field(QStringLiteral("number2"), QStringLiteral("step1")), QStringLiteral("8"));
+    QVERIFY(scene().objects[0].transform == std::vector<TransformStep>{Translate{}});
+    QVERIFY((scene().objects[1].transform == std::vector<TransformStep>{Translate{{0.0, 0.0, 8.0}}}));
+}
+
+void TestParametersTabs::sixPlanesAtMost()
+{
+    showTab(QStringLiteral("clipTab"));
+    for (int i = 0; i < 6; ++i)
+        click(QStringLiteral("addPlane"));
+    QCOMPARE(scene().clipPlanes.size(), std::size_t(6));
+    auto *add = m_panel->findChild<QPushButton *>(QStringLiteral("addPlane"));
+    QVERIFY(!add->isEnabled());
+    click(QStringLiteral("isOn"), QStringLiteral("plane4")); // a plane that is off counts
+    QVERIFY(!add->isEnabled());
+    m_document->undoStack().undo();
+    m_document->undoStack().undo();
+    QCOMPARE(scene().clipPlanes.size(), std::size_t(5));
+    QVERIFY(add->isEnabled());
+}
+
+void TestParametersTabs::aPlaneSwitchedOffIsKept()
+{
+    Scene prepared = startScene();
+    prepared.clipPlanes = {{1.0, 0.0, 0.0, 1.0}, {0.0, 1.0, 0.0, 2.0}, {0.0, 0.0, 1.0, 3.0}};
+    open(prepared);
+    showTab(QStringLiteral("clipTab"));
+    click(QStringLiteral("isOn"), QStringLiteral("plane2"));
+    QVERIFY(scene().clipPlanes == (std::vector<glm::dvec4>{{1.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 1.0, 3.0}}));
+    // It stays the second line and can be edited.
+    QCOMPARE(field(QStringLiteral("number3"), QStringLiteral("plane2"))->text(), QStringLiteral("2"));
+    type(field(QStringLiteral("number3"), QStringLiteral("plane2")), QStringLiteral("7"));
+    click(QStringLiteral("isOn"), QStringLiteral("plane2"));
+    QVERIFY(scene().clipPlanes == (std::vector<glm::dvec4>{{1.0, 0.0, 0.0, 1.0}, {0.0, 1.0, 0.0, 7.0}, {0.0, 0.0, 1.0, 3.0}}));
+    while (m_document->undoStack().canUndo())
+        m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), prepared));
+    QVERIFY(m_panel->findChild<QWidget *>(QStringLiteral("plane2"))->findChild<QCheckBox *>()->isChecked());
+}
+
+void TestParametersTabs::aPlaneInTheMiddleIsRemoved()
+{
+    Scene prepared = startScene();
+    prepared.clipPlanes = {{1.0, 0.0, 0.0, 1.0}, {0.0, 1.0, 0.0, 2.0}, {0.0, 0.0, 1.0, 3.0}};
+    open(prepared);
+    showTab(QStringLiteral("clipTab"));
+    click(QStringLiteral("remove"), QStringLiteral("plane2"));
+    QVERIFY(scene().clipPlanes == (std::vector<glm::dvec4>{{1.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 1.0, 3.0}}));
+    QCOMPARE(field(QStringLiteral("number3"), QStringLiteral("plane2"))->text(), QStringLiteral("3"));
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), prepared));
+}
+
+QTEST_MAIN(TestParametersTabs)
+#include "test_parameters_tabs.moc"

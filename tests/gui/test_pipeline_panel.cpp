@@ -1,0 +1,478 @@
+// The pipeline panel: its numbers are read from its models, and compared with the originals' or with hand-made ones.
+
+#include "gui/panels/matrix_section.h"
+#include "gui/panels/number_grid.h"
+#include "gui/panels/pipeline_panel.h"
+#include "gui/scene_document.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include <cmath>
+
+using namespace unprojector;
+using Space = PointModel::Space;
+using Stage = PipelineStage;
+
+namespace {
+
+/// Coordinates of order 10 through the whole pipeline in double.
+constexpr double kRounding = 1e-11;
+
+SceneObject boxObject(const char *name, double halfSide, std::vector<TransformStep> transform)
+{
+    auto model = std::make_shared<Model>();
+    model->bounds.add(glm::dvec3(-halfSide));
+    model->bounds.add(glm::dvec3(halfSide));
+    SceneObject object;
+    object.name = name;
+    object.model = model;
+    object.transform = std::move(transform);
+    return object;
+}
+
+/// Figures 2.7 and 2.10 in a window of 50 x 50: from (0, 0, 5), glTranslate(0, 0, -3), glOrtho(-10, …, 10).
+void openFigures(SceneDocument &document)
+{
+    Scene scene;
+    scene.camera = scene.home = {WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
+    scene.projection = Ortho{-10, 10, -10, 10, -10, 10};
+    scene.projectionFollowsViewport = false;
+    scene.clipDistancesFitObjects = false;
+    scene.objects = {boxObject("small", 5, {Translate{{0, 0, -3}}}), boxObject("large", 9, {Scale{{2, 2, 2}}})};
+    document.setSurface(surfaceFromWidget(50, 50, 1.0));
+    QVERIFY(document.open(scene));
+}
+
+double value(const NumberGridModel *model, int row, int column)
+{
+    const QVariant value = model->index(row, column).data(NumberGridModel::ValueRole);
+    return value.isValid() ? value.toDouble() : std::nan("");
+}
+
+bool isPoint(const PointModel *model, std::initializer_list<double> expected)
+{
+    int column = 0;
+    for (const double number : expected) {
+        if (!(std::abs(value(model, 0, column) - number) <= kRounding)) {
+            qWarning("%s: %s", qPrintable(model->name()), qPrintable(model->fullText()));
+            return false;
+        }
+        ++column;
+    }
+    return true;
+}
+
+bool isBlank(const PipelineModel &model)
+{
+    for (int i = 0; i < PointModel::kSpaces; ++i) {
+        if (model.point(static_cast<Space>(i))->fullText() != QStringLiteral("–"))
+            return false;
+    }
+    return true;
+}
+
+QString cell(const NumberGridModel *model, int row, int column)
+{
+    return model->index(row, column).data().toString().replace(QChar::Nbsp, u' ').trimmed();
+}
+
+} // namespace
+
+class TestPipelinePanel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void beforeAPickThereAreMatricesAndDashes();
+    void theMemoryOrderIsTheTutorialsWatchWindow();
+    void aPickIsFollowedThroughEverySpace();
+    void backwardStartsFromTheClickedPixelsCentre();
+    void backwardStartsFromThePointOnceTheViewChanged();
+    void theBackgroundHasNoPoint();
+    void rowsAreColumnsTransposed();
+    void aTooltipNamesTheEntry();
+    void theObjectIsThePickedOneUntilAnotherIsChosen();
+    void undoAndRedoTakeTheNumbersAlong();
+    void aRefusedChangeLeavesTheNumbers();
+    void aPointInThePlaneOfTheEyeHasNoWindowPosition();
+    void hiddenItStandsStillAndCatchesUpWhenShown();
+    void numbersThatAreTooLongLoseDigitsNotPlaces();
+    void theHeadingOpensAndCloses();
+    void copyingTakesAllDigits();
+    void theWheelOverAMatrixIsLeftToThePanel();
+    void everyControlHasAName();
+    void itFitsADockOf420Pixels();
+};
+
+void TestPipelinePanel::beforeAPickThereAreMatricesAndDashes()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    QVERIFY(isBlank(model));
+    QVERIFY(model.status().contains(QStringLiteral("left button")));
+    QCOMPARE(value(model.matrix(Stage::ProjectionMatrix), 0, 0), 0.1);
+    QCOMPARE(value(model.matrix(Stage::ProjectionMatrix), 2, 2), -0.1);
+    QCOMPARE(value(model.matrix(Stage::ViewportMatrix), 0, 3), 25.0);
+}
+
+void TestPipelinePanel::theMemoryOrderIsTheTutorialsWatchWindow()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    model.setView({MatrixLayout::Column, true, Digits::Float});
+    const MatrixModel *modelview = model.matrix(Stage::ModelviewMatrix);
+    QCOMPARE(modelview->rowCount(), 8);
+    QCOMPARE(modelview->columnCount(), 2);
+    QCOMPARE(modelview->index(6, 1).data(NumberGridModel::LabelRole).toString(), QStringLiteral("m[14]"));
+    QCOMPARE(value(modelview, 6, 1), -8.0);
+    QCOMPARE(cell(modelview, 6, 1), QStringLiteral("-8"));
+
+    // fig. 2.12
+    document.setProjection(Perspective{std::acos(-1.0) / 4.0, 1, 1, 100});
+    model.update();
+    const MatrixModel *projection = model.matrix(Stage::ProjectionMatrix);
+    QCOMPARE(cell(projection, 0, 0), QStringLiteral("2.4142137"));         // m[0]
+    QCOMPARE(cell(projection, 5, 0), QStringLiteral("2.4142137"));         // m[5]
+    QCOMPARE(cell(projection, 2, 1), QStringLiteral("-1.020202"));         // m[10]
+    QCOMPARE(cell(projection, 3, 1), QStringLiteral("-1"));                // m[11]
+    QCOMPARE(cell(projection, 6, 1).left(9), QStringLiteral("-2.020202")); // m[14]
+}
+
+void TestPipelinePanel::aPickIsFollowedThroughEverySpace()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    // Pixel (30, 35) has its centre at window (30.5, 14.5); depth 0.85 is z_eye = -7.
+    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    model.update();
+    QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 1}));
+    QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
+    QVERIFY(isPoint(model.point(Space::Eye), {2.2, -4.2, -7}));
+    QVERIFY(isPoint(model.point(Space::Clip), {0.22, -0.42, 0.7, 1}));
+    QVERIFY(isPoint(model.point(Space::Ndc), {0.22, -0.42, 0.7}));
+    QVERIFY(isPoint(model.point(Space::Window), {30.5, 14.5, 0.85}));
+    QVERIFY(isPoint(model.point(Space::Widget), {30.5, 35.5}));
+    QVERIFY(model.point(Space::Widget)->index(0, 2).data().isNull());
+    QCOMPARE(cell(model.point(Space::Ndc), 0, 2), QStringLiteral("0.7"));
+}
+
+void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    model.setDirection(PipelineDirection::Backward);
+    QCOMPARE(value(model.point(Space::Window), 0, 0), 30.5);
+    QCOMPARE(value(model.point(Space::Window), 0, 2), 0.85);
+    QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
+    QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 1}));
+    QCOMPARE(model.matrix(Stage::ViewMatrix)->variableName(), QStringLiteral("worldFromEye"));
+    QCOMPARE(value(model.matrix(Stage::ViewMatrix), 2, 3), 5.0);
+    QCOMPARE(value(model.matrix(Stage::ModelMatrix), 2, 3), 3.0);
+    QVERIFY(model.status().contains(QStringLiteral("clicked pixel")));
+}
+
+void TestPipelinePanel::backwardStartsFromThePointOnceTheViewChanged()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    model.setDirection(PipelineDirection::Backward);
+    document.setCamera({WorldPoint(1, 0, 5), WorldPoint(1, 0, 0), {0, 1, 0}});
+    model.update();
+    // One unit to the side is 2.5 pixels.
+    QVERIFY(isPoint(model.point(Space::Window), {28, 14.5, 0.85}));
+    QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
+    QVERIFY(model.status().contains(QStringLiteral("changed")));
+
+    model.setDirection(PipelineDirection::Forward);
+    document.setCamera({WorldPoint(50, 0, 5), WorldPoint(50, 0, 0), {0, 1, 0}});
+    model.update();
+    QVERIFY(model.status().contains(QStringLiteral("outside")));
+    QVERIFY(isPoint(model.point(Space::Eye), {-47.8, -4.2, -7}));
+}
+
+void TestPipelinePanel::theBackgroundHasNoPoint()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    model.update();
+    QVERIFY(!isBlank(model));
+    document.pickAt(WidgetPoint(30, 35), {1.0, false, 24});
+    model.update();
+    QVERIFY(isBlank(model));
+    QVERIFY(model.status().contains(QStringLiteral("Background")));
+    QCOMPARE(value(model.matrix(Stage::ViewMatrix), 2, 3), -5.0);
+}
+
+void TestPipelinePanel::rowsAreColumnsTransposed()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    const MatrixModel *view = model.matrix(Stage::ViewMatrix);
+    QCOMPARE(value(view, 2, 3), -5.0);
+    model.setView({MatrixLayout::Row, false, Digits::Double});
+    QCOMPARE(value(view, 3, 2), -5.0);
+    QCOMPARE(value(view, 2, 3), 0.0);
+    QVERIFY(view->copyText(MatrixSyntax::Text).endsWith(QStringLiteral("0  0  -5  1\n")));
+
+    PipelinePanel panel(document);
+    const auto showsProduct = [&](const QString &text) {
+        for (const QLabel *label : panel.findChildren<QLabel *>()) {
+            if (label->text() == text)
+                return true;
+        }
+        return false;
+    };
+    QVERIFY(showsProduct(QStringLiteral("= Viewport · Projection · View · Model")));
+    panel.setMatrixView({MatrixLayout::Row, false, Digits::Double});
+    QVERIFY(showsProduct(QStringLiteral("= Model · View · Projection · Viewport")));
+    panel.setDirection(PipelineDirection::Backward);
+    QVERIFY(showsProduct(QStringLiteral("= Viewport⁻¹ · Projection⁻¹ · View⁻¹ · Model⁻¹")));
+}
+
+void TestPipelinePanel::aTooltipNamesTheEntry()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.setProjection(Frustum{-1, 3, -2, 1, 2, 10});
+    PipelineModel model(document);
+    const MatrixModel *projection = model.matrix(Stage::ProjectionMatrix);
+    const auto tip = [&](int row, int column) {
+        return projection->index(row, column).data(Qt::ToolTipRole).toString();
+    };
+    QCOMPARE(tip(0, 2), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 1, column 3, m[8]"));
+    QCOMPARE(tip(3, 2), QStringLiteral("−1, always\nrow 4, column 3, m[11]"));
+    model.setView({MatrixLayout::Row, false, Digits::Double});
+    QCOMPARE(tip(2, 0), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 3, column 1, m[8]"));
+    model.setView({MatrixLayout::Row, true, Digits::Double});
+    QCOMPARE(tip(0, 1), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 3, column 1, m[8]"));
+    QCOMPARE(model.matrix(Stage::WholeMatrix)->index(7, 1).data(Qt::ToolTipRole).toString().section(u'\n', 1),
+             QStringLiteral("row 4, column 4, m[15]"));
+}
+
+void TestPipelinePanel::theObjectIsThePickedOneUntilAnotherIsChosen()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    model.update();
+    QCOMPARE(*model.shownObject(), std::size_t(0)); // in both boxes: the small one
+    // Window (45.5, 25.5, 0.85) is the world's (8.2, 0.2, -2): outside the small one's box.
+    document.pickAt(WidgetPoint(45, 24), {0.85, true, 24});
+    model.update();
+    QCOMPARE(*model.shownObject(), std::size_t(1));
+    QVERIFY(isPoint(model.point(Space::Object), {4.1, 0.1, -1}));
+    model.setObject(0);
+    QVERIFY(isPoint(model.point(Space::Object), {8.2, 0.2, 1}));
+    model.setObject(PipelineModel::kNoObject);
+    QVERIFY(isPoint(model.point(Space::Object), {8.2, 0.2, -2}));
+    QCOMPARE(value(model.matrix(Stage::ModelMatrix), 0, 0), 1.0);
+
+    // Without objects there is only the world.
+    document.setObjects({});
+    model.update();
+    QVERIFY(!model.shownObject());
+    QCOMPARE(model.object(), PipelineModel::kAutomaticObject);
+    QCOMPARE(value(model.matrix(Stage::ModelMatrix), 2, 3), 0.0);
+}
+
+void TestPipelinePanel::undoAndRedoTakeTheNumbersAlong()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    PipelinePanel panel(document);
+    panel.show();
+    const PipelineModel &model = panel.model();
+    Scene next = document.scene();
+    next.objects[0].transform = {Translate{{0, 0, -6}}};
+    QVERIFY(document.change(next, QStringLiteral("Move")));
+    QCOMPARE(value(model.matrix(Stage::ModelMatrix), 2, 3), -6.0);
+    QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 4}));
+    document.undoStack().undo();
+    QCOMPARE(value(model.matrix(Stage::ModelMatrix), 2, 3), -3.0);
+    QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 1}));
+    document.undoStack().redo();
+    QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 4}));
+}
+
+void TestPipelinePanel::aRefusedChangeLeavesTheNumbers()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.show();
+    Scene next = document.scene();
+    next.projection = Ortho{1, 1, -10, 10, -10, 10};
+    QVERIFY(!document.change(next, QStringLiteral("Left")));
+    QCOMPARE(value(panel.model().matrix(Stage::ProjectionMatrix), 0, 0), 0.1);
+
+    // Valid step by step, but too small for the inverse to be a number.
+    next = document.scene();
+    next.objects = {boxObject("tiny", 1, {Scale{glm::dvec3(1e-200)}})};
+    QVERIFY(document.change(next, QStringLiteral("Scale")));
+    QVERIFY(panel.model().status().contains(QStringLiteral("no inverse")));
+    QVERIFY(isBlank(panel.model()));
+    document.undoStack().undo();
+    QVERIFY(!panel.model().status().contains(QStringLiteral("no inverse")));
+}
+
+void TestPipelinePanel::aPointInThePlaneOfTheEyeHasNoWindowPosition()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.pickAt(WidgetPoint(30, 35), {0.75, true, 24}); // on z = 0
+    document.setView({WorldPoint(1, 2, 0), WorldPoint(1, 2, -5), {0, 1, 0}}, Frustum{-1, 1, -1, 1, 1, 10});
+    PipelineModel model(document);
+    QCOMPARE(value(model.point(Space::Clip), 0, 3), 0.0);
+    QCOMPARE(model.point(Space::Ndc)->fullText(), QStringLiteral("–"));
+    QCOMPARE(model.point(Space::Widget)->fullText(), QStringLiteral("–"));
+    QVERIFY(model.status().contains(QStringLiteral("infinity")));
+}
+
+void TestPipelinePanel::hiddenItStandsStillAndCatchesUpWhenShown()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    const MatrixModel *view = panel.model().matrix(Stage::ViewMatrix);
+    QSignalSpy changed(view, &QAbstractItemModel::dataChanged);
+    document.setCamera({WorldPoint(0, 0, 7), WorldPoint(0, 0, 0), {0, 1, 0}});
+    QCOMPARE(value(view, 2, 3), -5.0);
+    QCOMPARE(changed.count(), 0);
+    panel.show();
+    QCOMPARE(value(view, 2, 3), -7.0);
+    document.setCamera({WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
+    QCOMPARE(value(view, 2, 3), -8.0);
+    panel.hide();
+    document.setCamera({WorldPoint(0, 0, 9), WorldPoint(0, 0, 0), {0, 1, 0}});
+    QCOMPARE(value(view, 2, 3), -8.0);
+}
+
+void TestPipelinePanel::numbersThatAreTooLongLoseDigitsNotPlaces()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    document.setCamera({WorldPoint(0, 0, 12345.678901), WorldPoint(0, 0, 0), {0, 1, 0}});
+    model.update();
+    MatrixModel *view = model.matrix(Stage::ViewMatrix);
+    view->setCapacity(12);
+    QCOMPARE(cell(view, 2, 3), QStringLiteral("-12345.7"));
+    view->setCapacity(7);
+    QCOMPARE(cell(view, 2, 3), QStringLiteral("-12346"));
+    QCOMPARE(view->fullText(2, 3), QStringLiteral("-12345.678901"));
+    // Aligned: the decimal points of a column stand under each other.
+    view->setCapacity(12);
+    QCOMPARE(view->index(2, 3).data().toString().size(), view->index(0, 3).data().toString().size());
+}
+
+void TestPipelinePanel::theHeadingOpensAndCloses()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.resize(420, 1500);
+    panel.show();
+    int open = 0;
+    const QList<MatrixSection *> sections = panel.findChildren<MatrixSection *>();
+    QCOMPARE(sections.size(), 6);
+    for (const MatrixSection *section : sections)
+        open += section->isOpen() ? 1 : 0;
+    QCOMPARE(open, 4);
+    MatrixSection *first = sections.front();
+    const bool wasOpen = first->isOpen();
+    auto *heading = first->findChild<QToolButton *>();
+    heading->setFocus();
+    QTest::keyClick(heading, Qt::Key_Space);
+    QCOMPARE(first->isOpen(), !wasOpen);
+    QCOMPARE(first->findChild<NumberGrid *>()->isVisible(), !wasOpen);
+}
+
+void TestPipelinePanel::copyingTakesAllDigits()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
+    PipelinePanel panel(document);
+    panel.show();
+    const MatrixModel *projection = panel.model().matrix(Stage::ProjectionMatrix);
+    QVERIFY(projection->copyText(MatrixSyntax::CArray)
+                .startsWith(QStringLiteral("const double clipFromEye[16] = {\n    0.3333333333333333, 0.0,")));
+    QVERIFY(projection->copyText(MatrixSyntax::NumPy).startsWith(QStringLiteral("clipFromEye = np.array(")));
+    const QString text = panel.model().text();
+    QVERIFY(text.contains(QStringLiteral("window\t(")));
+    QVERIFY(text.contains(QStringLiteral("0.3333333333333333")));
+
+    for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+        if (grid->model() != projection)
+            continue;
+        grid->setFocus();
+        grid->setCurrentIndex(grid->model()->index(0, 0));
+        QCOMPARE(grid->selectedText(), QStringLiteral("0.3333333333333333"));
+        grid->selectAll();
+        QCOMPARE(grid->selectedText().count(u'\n'), 3);
+        QTest::keySequence(grid, QKeySequence::Copy);
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("0.3333333333333333\t0\t0\t0\n")));
+    }
+}
+
+void TestPipelinePanel::theWheelOverAMatrixIsLeftToThePanel()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.resize(420, 400);
+    panel.show();
+    QWidget *target = panel.findChildren<MatrixSection *>().front()->findChild<NumberGrid *>()->viewport();
+    QWheelEvent wheel(QPointF(5, 5), target->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(target, &wheel);
+    QVERIFY(!wheel.isAccepted()); // Qt then asks the parents, up to the scroll area
+}
+
+void TestPipelinePanel::everyControlHasAName()
+{
+    SceneDocument document;
+    PipelinePanel panel(document);
+    for (const QToolButton *button : panel.findChildren<QToolButton *>()) {
+        if (!button->objectName().startsWith(QStringLiteral("qt_"))) {
+            QVERIFY(!button->accessibleName().isEmpty());
+            QVERIFY(!button->toolTip().isEmpty());
+        }
+    }
+    for (const NumberGrid *grid : panel.findChildren<NumberGrid *>())
+        QVERIFY(!grid->accessibleName().isEmpty());
+    QVERIFY(!panel.findChild<QComboBox *>()->accessibleName().isEmpty());
+}
+
+void TestPipelinePanel::itFitsADockOf420Pixels()
+{
+    SceneDocument document;
+    PipelinePanel panel(document);
+    QVERIFY2(panel.minimumSizeHint().width() <= 420, qPrintable(QString::number(panel.minimumSizeHint().width())));
+    panel.setDirection(PipelineDirection::Backward);
+    panel.setMatrixView({MatrixLayout::Row, true, Digits::Float});
+    QVERIFY(panel.minimumSizeHint().width() <= 420);
+    QVERIFY(panel.minimumSizeHint().height() <= 600);
+}
+
+QTEST_MAIN(TestPipelinePanel)
+#include "test_pipeline_panel.moc"
