@@ -133,14 +133,22 @@ QString differenceCauseText(const Pick &pick)
     if (ulps <= 4.0)
         return tr("The two agree to the last places: each rounds a few times, and that is all.");
     const Result<EyePoint> &eye = pick.hit ? pick.point.eye.formula : pick.rayFar.eye.formula;
-    if (!isPerspective(pick.geometry.projection) || !eye)
-        return tr("Cause: rounding in the inverted matrix. The formula inverts nothing.");
+    if (!eye)
+        return {};
+    // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
+    const glm::dvec3 point = world.formula->coordinates(), origin = pick.geometry.camera.eye.coordinates();
+    const auto largest = [](const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const double cancelled = std::max(largest(origin), largest(eye->coordinates())) / largest(point);
+    const QString byCancelling = significantText(std::max(1.0, cancelled), 2);
+    if (!isPerspective(pick.geometry.projection))
+        return tr("Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
+                  "formula inverts nothing.").arg(byCancelling);
     // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
     const ProjectionWindow w = projectionWindow(pick.geometry.projection);
     const double n = w.nearDistance, f = w.farDistance, z = -eye->z;
-    return tr("Cause: rounding in the inverted matrix. At z = %1 with near : far = %2 : %3 the perspective magnifies "
-              "it up to z (f − n) / (f n) = %4 times. The formula inverts nothing.")
-        .arg(significantText(z, 4), significantText(n, 4), significantText(f, 4), significantText(z * (f - n) / (f * n), 2));
+    return tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
+              "times where the eye's coordinates cancel. The formula inverts nothing.")
+        .arg(significantText(std::max(1.0, z * (f - n) / (f * n)), 2), byCancelling);
 }
 
 QString certaintyText(const Pick &pick)

@@ -230,11 +230,13 @@ QRectF ViewportDrawing::paintProjectionWindow(QPainter &painter, const QRectF &a
     const double overlap = std::max(0.0, leftWidth + rightWidth + kGap - rect.width());
     const double leftEdge = std::max(area.left(), rect.left() - overlap / 2.0);
     const double rightEdge = std::min(area.right(), std::max(rect.right() + overlap / 2.0, leftEdge + leftWidth + kGap + rightWidth));
-    painter.drawText(QPointF(leftEdge, rect.bottom() + 2.0 + fontMetrics().ascent()), left);
-    painter.drawText(QPointF(rightEdge - rightWidth, rect.bottom() + 2.0 + fontMetrics().ascent()), right);
-    painter.drawText(QPointF(rect.right() + 4.0, rect.top() + fontMetrics().ascent() - 1.0), limitText(w.top));
-    painter.drawText(QPointF(rect.right() + 4.0, std::max(rect.bottom() - 1.0, rect.top() + captionHeight() + fontMetrics().ascent())),
-                     limitText(w.bottom));
+    const double ascent = fontMetrics().ascent();
+    const double bottomLine = std::max(rect.bottom() - 1.0, rect.top() + captionHeight() + ascent);
+    const double belowLine = std::max(rect.bottom() + 2.0 + ascent, bottomLine + captionHeight());
+    painter.drawText(QPointF(leftEdge, belowLine), left);
+    painter.drawText(QPointF(rightEdge - rightWidth, belowLine), right);
+    painter.drawText(QPointF(rect.right() + 4.0, rect.top() + ascent - 1.0), limitText(w.top));
+    painter.drawText(QPointF(rect.right() + 4.0, bottomLine), limitText(w.bottom));
     return rect;
 }
 

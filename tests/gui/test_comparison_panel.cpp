@@ -480,8 +480,8 @@ void TestComparisonPanel::theCauseOfADifferenceIsNamed()
                 .contains(QStringLiteral("agree")));
     const QString cause =
         withPlainSpaces(differenceCauseText(pickWith({1.0, 2.0, 4.0}, {1.0, 2.0, 4.0 + 1e-12}, {1.0, 2.0, 4.0}, 0.01)));
-    QVERIFY2(cause.contains(QStringLiteral("magnifies"))
-                 && cause.contains(QStringLiteral("near : far = 2 : 10")),
+    // z = 4 between 2 and 10 gives 1.6; the largest coordinate is 4.
+    QVERIFY2(cause.contains(QStringLiteral("magnified")) && cause.contains(QStringLiteral("perspective")),
              qPrintable(cause));
     QVERIFY(!hasPlaceholder(cause));
 }
