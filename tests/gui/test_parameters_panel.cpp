@@ -326,6 +326,9 @@ void TestParametersPanel::aHiddenPanelDoesNothingUntilItIsShown()
 
 void TestParametersPanel::nothingIsCutInANarrowDock()
 {
+#ifdef _WIN32
+    QSKIP("The widths are those of the fonts that the layout is judged by, DejaVu's.");
+#endif
     Scene prepared = startScene();
     prepared.objects[0].transform = {Translate{{-1.0 / 3.0, 123.456789, 1e-5}}, Rotate{30.0, {0.0, 1.0, 0.0}}, Scale{}};
     prepared.clipPlanes.assign(6, {-0.123456789, 1.0, 2.0, -3.0});

@@ -291,6 +291,9 @@ void TestViewportInspector::atAnyWidthNothingIsCutOff_data()
 
 void TestViewportInspector::atAnyWidthNothingIsCutOff()
 {
+#ifdef _WIN32
+    QSKIP("The widths are those of the fonts that the layout is judged by, DejaVu's.");
+#endif
     QFETCH(int, width);
     SceneDocument document;
     document.setSurface({1000, 750, 1.25});
