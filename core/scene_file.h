@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/picture_geometry.h"
 #include "core/scene.h"
 #include "core/scene_file_error.h"
 
@@ -37,15 +38,18 @@ struct SceneFileUi {
 /// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "ui", the window's
 /// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
 /// written again after those it knows; only a transform's steps and a clip plane have no room for any.
+///
+/// A projection of type "matrix" has "matrix", 16 numbers column by column, and may have "ndcDepth", [-1, 1] or [0, 1]; a
+/// view may be {"matrix": [...]} too. Any finite matrix that has an inverse is read, whatever its form.
 struct SceneFile {
     int windowWidth = 800; ///< logical pixels
     int windowHeight = 600;
     double devicePixelRatio = 1.0;
     std::optional<Viewport> viewport; ///< none: the whole window
     DepthRange depthRange;
-    Projection projection;
-    bool aspectFromViewport = false; ///< a perspective without "aspect"; `projection` already has the viewport's
-    LookAt camera;
+    std::variant<Projection, MatrixProjection> projection;
+    bool aspectFromViewport = false;       ///< a perspective without "aspect"; `projection` already has the viewport's
+    std::variant<LookAt, glm::dmat4> view; ///< or eyeFromWorld
     std::vector<SceneFileObject> objects;
     std::vector<glm::dvec4> clipPlanes;
     SceneFileUi ui;
@@ -80,8 +84,8 @@ Result<std::string, SceneFileError> sceneText(const SceneFile &scene);
 /// @return the errors of sceneText; IsDirectory, NotWritable
 Result<std::monostate, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene);
 
-/// The picture that a scene file describes, in a window of its own size.
-ViewGeometry viewGeometry(const SceneFile &scene);
+/// The picture that a scene file describes, in a window of its own size. To show it, take viewGeometry of that.
+PictureGeometry pictureGeometry(const SceneFile &scene);
 
 /// Where an object's file is.
 /// @param sceneFile  the file that the scene was read from
@@ -92,8 +96,9 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
 /// Without "ui" the file's numbers hold as they stand: near and far are not fitted, and the projection follows the
 /// viewport only where the file leaves its aspect to it. A viewport that takes the whole window keeps doing so.
 /// @param models  one for each of scene.objects
-Scene sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
-                    const std::vector<std::shared_ptr<const Model>> &models);
+/// @return the errors of viewGeometry(PictureGeometry): matrices that no camera of the window's makes
+Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
+                            const std::vector<std::shared_ptr<const Model>> &models);
 
 /// What to write for a scene: the numbers of the picture as it is shown, and under "ui" how the window makes them.
 /// @param geometry   of the scene, in the window that shows it

@@ -1,6 +1,7 @@
 #include "core/cli/scene_error_text.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace unprojector {
 namespace {
@@ -81,6 +82,10 @@ std::string causeText(const Error &error)
     case ErrorCode::SingularMatrix: return "the matrix has no inverse";
     case ErrorCode::PointAtInfinity: return "the point lies at infinity";
     case ErrorCode::ScaleIsZero: return "a factor is 0; it must differ from 0";
+    case ErrorCode::MatrixNotAProjection: return "the entry " + value + " fits no projection of a known form";
+    case ErrorCode::ViewNotRigid:
+        return std::isnan(error.other) ? "the axes are not perpendicular and of length 1 (off by " + value + ")"
+                                       : "the entry " + value + " must not stand in the last row";
     case ErrorCode::ClipPlaneHasNoNormal: return "the first three numbers are all 0; one of them must differ from 0";
     }
     return {};
@@ -111,7 +116,9 @@ std::string sentence(const SceneFileError &e)
     case SceneFileErrorCode::WrongCount: return "has " + text(e.value) + " elements; it must have " + text(e.limit);
     case SceneFileErrorCode::TooMany:
         return "has " + text(e.value) + " elements; there may be at most " + text(e.limit);
-    case SceneFileErrorCode::UnknownChoice: return "\"" + e.found + "\" must be " + choicesText(e.choices);
+    case SceneFileErrorCode::UnknownChoice:
+        return (e.foundKind == JsonKind::Array ? e.found : "\"" + e.found + "\"") + " must be "
+               + choicesText(e.choices);
     case SceneFileErrorCode::NotOneChoice: return "must have exactly one of " + choicesText(e.choices);
     case SceneFileErrorCode::BadFileName: return "this is no name of a file";
     case SceneFileErrorCode::NotUtf8: return "the name is not UTF-8 and cannot be written; rename it";

@@ -89,6 +89,11 @@ void JsonNode::mustBeObject() const
     static_cast<void>(is(JsonKind::Object, JsonKind::Object));
 }
 
+std::string JsonNode::shown() const
+{
+    return shortened(m_json->dump());
+}
+
 std::optional<JsonNode> JsonNode::optionalMember(const char *key) const
 {
     if (!is(JsonKind::Object, JsonKind::Object))

@@ -52,6 +52,8 @@ public:
     /// The members whose keys are none of these; null where there are none.
     Json except(std::initializer_list<const char *> known) const;
     void mustBeObject() const;
+    /// The value as JSON, shortened, for a message.
+    std::string shown() const;
 
     void fail(SceneFileError error) const;
     void fail(SceneFileErrorCode code) const;

@@ -2,7 +2,10 @@
 #include "core/scene_file.h"
 #include "core/scene_file/json_node.h"
 #include "core/scene_file/strict_json.h"
+#include "core/unproject_matrix_inverse.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <system_error>
 
@@ -15,6 +18,42 @@ constexpr int kVersion = 1;
 void noteAt(const JsonNode &node, const char *key, const Error &cause)
 {
     node.member(key).fail(cause);
+}
+
+/// Notes an error of one of the 16 numbers at its place.
+void checkMatrix(const JsonNode &node, const glm::dmat4 &matrix)
+{
+    if (!node.failed() && std::isinf(conditionNumber(matrix)))
+        node.fail(Error{ErrorCode::SingularMatrix});
+}
+
+glm::dmat4 matrixOf(const JsonNode &node)
+{
+    const JsonNode entries = node.member("matrix");
+    const glm::dmat4 matrix = entries.matrix();
+    checkMatrix(entries, matrix);
+    return matrix;
+}
+
+std::optional<NdcDepth> ndcDepthOf(const JsonNode &node)
+{
+    const std::vector<JsonNode> ends = node.elements(2, JsonKind::Array);
+    if (node.failed())
+        return std::nullopt;
+    const double low = ends[0].number(), high = ends[1].number();
+    if (node.failed())
+        return std::nullopt;
+    if (high == 1.0 && low == 0.0)
+        return NdcDepth::ZeroToOne;
+    if (high == 1.0 && low == -1.0)
+        return NdcDepth::MinusOneToOne;
+    SceneFileError error;
+    error.code = SceneFileErrorCode::UnknownChoice;
+    error.foundKind = JsonKind::Array;
+    error.found = node.shown();
+    error.choices = {"[-1, 1]", "[0, 1]"};
+    node.fail(std::move(error));
+    return std::nullopt;
 }
 
 LookAt lookAtOf(const JsonNode &node)
@@ -58,7 +97,8 @@ const char *keyOf(const Error &error, const Projection &projection)
     }
 }
 
-Projection projectionOf(const JsonNode &node, double viewportAspect, bool &aspectFromViewport)
+std::variant<Projection, MatrixProjection> projectionOf(const JsonNode &node, double viewportAspect,
+                                                        bool &aspectFromViewport)
 {
     const auto number = [&node](const char *key) { return node.member(key).number(); };
     const auto box = [&number] {
@@ -81,11 +121,14 @@ Projection projectionOf(const JsonNode &node, double viewportAspect, bool &aspec
     } else if (type == "oblique") {
         const Ortho b = box();
         projection = Oblique{b, radiansFromDegrees(number("theta")), radiansFromDegrees(number("phi"))};
+    } else if (type == "matrix") {
+        const auto depth = node.optionalMember("ndcDepth");
+        return MatrixProjection{matrixOf(node), depth ? ndcDepthOf(*depth) : std::nullopt};
     } else if (!node.failed()) {
         SceneFileError error;
         error.code = SceneFileErrorCode::UnknownChoice;
         error.found = shortened(type);
-        error.choices = {"frustum", "ortho", "perspective", "oblique"};
+        error.choices = {"frustum", "ortho", "perspective", "oblique", "matrix"};
         typeNode.fail(error);
     }
     if (node.failed())
@@ -282,11 +325,14 @@ SceneFile sceneOf(const JsonNode &root)
     const Viewport viewport = scene.viewport.value_or(wholeSurface(surface));
     const JsonNode projection = root.member("projection");
     scene.projection = projectionOf(projection, viewport.width / viewport.height, scene.aspectFromViewport);
-    scene.extra.projection =
-        projection.except({"type", "left", "right", "bottom", "top", "near", "far", "fovy", "aspect", "theta", "phi"});
+    scene.extra.projection = projection.except({"type", "left", "right", "bottom", "top", "near", "far", "fovy",
+                                                "aspect", "theta", "phi", "matrix", "ndcDepth"});
     const JsonNode view = root.member("view");
-    scene.camera = lookAtOf(view);
-    scene.extra.view = view.except({"eye", "center", "up"});
+    if (view.optionalMember("matrix"))
+        scene.view = matrixOf(view);
+    else
+        scene.view = lookAtOf(view);
+    scene.extra.view = view.except({"eye", "center", "up", "matrix"});
 
     if (const auto objects = root.optionalMember("objects")) {
         for (const JsonNode &object : objects->elements()) {

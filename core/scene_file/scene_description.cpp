@@ -5,10 +5,10 @@
 
 namespace unprojector {
 
-ViewGeometry viewGeometry(const SceneFile &scene)
+PictureGeometry pictureGeometry(const SceneFile &scene)
 {
     const Surface surface = surfaceFromWidget(scene.windowWidth, scene.windowHeight, scene.devicePixelRatio);
-    return {surface, scene.viewport.value_or(wholeSurface(surface)), scene.depthRange, scene.projection, scene.camera};
+    return {surface, scene.viewport.value_or(wholeSurface(surface)), scene.depthRange, scene.projection, scene.view};
 }
 
 std::filesystem::path objectFile(const SceneFileObject &object, const std::filesystem::path &sceneFile)
@@ -16,23 +16,26 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
     return object.file.empty() ? std::filesystem::path() : sceneFile.parent_path() / object.file;
 }
 
-Scene sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,
-                    const std::vector<std::shared_ptr<const Model>> &models)
+Result<Scene> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,
+                            const std::vector<std::shared_ptr<const Model>> &models)
 {
     assert(models.size() == file.objects.size());
+    const Result<ViewGeometry> picture = viewGeometry(pictureGeometry(file));
+    if (!picture)
+        return picture.error();
     Scene scene;
-    scene.camera = file.camera;
-    scene.home = file.ui.home.value_or(file.camera);
-    scene.projection = file.projection;
+    scene.camera = picture->camera;
+    scene.home = file.ui.home.value_or(scene.camera);
+    scene.projection = picture->projection;
     scene.projectionFollowsViewport = file.ui.projectionFollowsViewport.value_or(file.aspectFromViewport);
     scene.clipDistancesFitObjects = file.ui.clipDistancesFitObjects.value_or(false);
     if (file.ui.viewportRule)
         scene.viewport = *file.ui.viewportRule;
-    else if (file.viewport && *file.viewport != wholeSurface(viewGeometry(file).surface)) {
+    else if (file.viewport && *file.viewport != wholeSurface(picture->surface)) {
         scene.viewport.kind = ViewportRule::Kind::Fixed;
         scene.viewport.fixed = *file.viewport;
     }
-    scene.depthRange = file.depthRange;
+    scene.depthRange = picture->depthRange;
     for (std::size_t i = 0; i < file.objects.size() && i < models.size(); ++i) {
         const SceneFileObject &object = file.objects[i];
         scene.objects.push_back({object.name, objectFile(object, sceneFile), models[i], object.transform});
@@ -58,7 +61,7 @@ SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const 
     file.projection = geometry.projection;
     file.aspectFromViewport =
         scene.projectionFollowsViewport && std::holds_alternative<Perspective>(geometry.projection);
-    file.camera = geometry.camera;
+    file.view = geometry.camera;
     file.clipPlanes = scene.clipPlanes;
     file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home,
                scene.clipPlanesOff};

@@ -26,6 +26,14 @@ Json vectorJson(const Vector &v)
     return json;
 }
 
+Json matrixJson(const glm::dmat4 &m)
+{
+    Json json = Json::array();
+    for (int i = 0; i < 16; ++i)
+        json.push_back(jsonNumber(m[i / 4][i % 4]));
+    return json;
+}
+
 Json viewportJson(const Viewport &v)
 {
     return {{"x", jsonNumber(v.x)},
@@ -39,6 +47,11 @@ Json viewJson(const LookAt &view)
     return {{"eye", vectorJson(view.eye.coordinates())},
             {"center", vectorJson(view.center.coordinates())},
             {"up", vectorJson(view.up)}};
+}
+
+Json viewJson(const glm::dmat4 &eyeFromWorld)
+{
+    return {{"matrix", matrixJson(eyeFromWorld)}};
 }
 
 /// Adds the keys that this version does not know.
@@ -74,6 +87,14 @@ Json projectionJson(const SceneFile &scene)
 {
     struct Visitor {
         bool aspectFromViewport;
+        Json operator()(const Projection &p) const { return std::visit(*this, p); }
+        Json operator()(const MatrixProjection &p) const
+        {
+            Json json = {{"type", "matrix"}, {"matrix", matrixJson(p.clipFromEye)}};
+            if (p.ndcDepth)
+                json["ndcDepth"] = {*p.ndcDepth == NdcDepth::ZeroToOne ? 0 : -1, 1};
+            return json;
+        }
         Json operator()(const Frustum &p) const { return boxJson("frustum", p); }
         Json operator()(const Ortho &p) const { return boxJson("ortho", p); }
         Json operator()(const Perspective &p) const
@@ -161,7 +182,7 @@ Json documentJson(const SceneFile &scene)
         json["viewport"] = with(viewportJson(*scene.viewport), scene.extra.viewport);
     json["depthRange"] = vectorJson(glm::dvec2(scene.depthRange.atNear, scene.depthRange.atFar));
     json["projection"] = with(projectionJson(scene), scene.extra.projection);
-    json["view"] = with(viewJson(scene.camera), scene.extra.view);
+    json["view"] = with(std::visit([](const auto &view) { return viewJson(view); }, scene.view), scene.extra.view);
     json["objects"] = Json::array();
     for (const SceneFileObject &object : scene.objects)
         json["objects"].push_back(objectJson(object));

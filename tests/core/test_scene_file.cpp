@@ -83,6 +83,14 @@ QByteArray withProjection(const char *projection)
     return changed(R"({"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 100})", projection);
 }
 
+QByteArray withView(const char *view)
+{
+    return changed(R"({"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})", view);
+}
+
+/// Of no form that the formulas know: its near plane is tilted.
+const char *const kMatrix = R"({"type": "matrix", "matrix": [1.5,0,0.1,0, 0,2,0.3,0, 0,0,-1.25,-1, 0,0,-2.25,0]})";
+
 QByteArray withMember(const QByteArray &member)
 {
     return changed("\"unprojector\": 1,", ("\"unprojector\": 1, " + member + ",").constData());
@@ -120,6 +128,7 @@ private slots:
     void aNameThatIsNotUtf8IsRefused();
     void aWindowsSceneSurvivesASave();
     void withoutUiTheFilesNumbersHold();
+    void aWindowShowsWhatMatricesOfItsCamerasSay();
 };
 
 void TestSceneFile::everyKeyIsRead()
@@ -130,8 +139,8 @@ void TestSceneFile::everyKeyIsRead()
     QCOMPARE(scene.devicePixelRatio, 1.25);
     QVERIFY(scene.viewport == (Viewport{3, 5.5, 640, 480}));
     QVERIFY(scene.depthRange == (DepthRange{0.9, 0.1}));
-    QVERIFY(scene.projection == Projection(Frustum{-1.1, 1.2, -0.75, 0.8, 0.1, 1e5}));
-    QVERIFY(isSame(scene.camera, {{0.1, 0.2, 5.3}, {1, 2, 3}, {0, 1, 0.5}}));
+    QVERIFY(std::get<Projection>(scene.projection) == Projection(Frustum{-1.1, 1.2, -0.75, 0.8, 0.1, 1e5}));
+    QVERIFY(isSame(std::get<LookAt>(scene.view), {{0.1, 0.2, 5.3}, {1, 2, 3}, {0, 1, 0.5}}));
     QCOMPARE(scene.objects.size(), std::size_t(2));
     QCOMPARE(scene.objects[0].name, "face");
     QVERIFY(scene.objects[0].file == std::filesystem::path("models") / "face.obj");
@@ -149,7 +158,7 @@ void TestSceneFile::everyKeyIsRead()
     QCOMPARE(scene.ui.clipPlanesOff[0].place, std::size_t(1));
     QVERIFY(scene.ui.clipPlanesOff[0].plane == glm::dvec4(0, 0, 1, 2));
 
-    const ViewGeometry geometry = viewGeometry(scene);
+    const PictureGeometry geometry = pictureGeometry(scene);
     QVERIFY(geometry.surface == (Surface{801, 599, 1.25}));
     QVERIFY(geometry.viewport == *scene.viewport);
     QVERIFY(objectFile(scene.objects[0], "/there/scene.json") == std::filesystem::path("/there/models/face.obj"));
@@ -161,29 +170,29 @@ void TestSceneFile::whatIsLeftOutHasItsDefault()
     QCOMPARE(scene.devicePixelRatio, 1.0);
     QVERIFY(!scene.viewport && scene.objects.empty() && scene.clipPlanes.empty());
     QVERIFY(scene.depthRange == (DepthRange{0, 1}));
-    QVERIFY(viewGeometry(scene).viewport == (Viewport{0, 0, 800, 600}));
+    QVERIFY(pictureGeometry(scene).viewport == (Viewport{0, 0, 800, 600}));
     QVERIFY(!scene.ui.viewportRule && !scene.ui.home && !scene.ui.projectionFollowsViewport);
 }
 
 void TestSceneFile::anglesAreDegrees()
 {
     const auto perspective = parsed(withProjection(R"({"type": "perspective", "fovy": 90, "aspect": 2, "near": 1, "far": 9})"));
-    QVERIFY(perspective.projection == Projection(Perspective{std::numbers::pi / 2, 2, 1, 9}));
+    QVERIFY(std::get<Projection>(perspective.projection) == Projection(Perspective{std::numbers::pi / 2, 2, 1, 9}));
     const auto oblique = parsed(withProjection(
         R"({"type": "oblique", "left": -1, "right": 1, "bottom": -2, "top": 2, "near": -3, "far": 3, "theta": 45, "phi": 90})"));
-    QVERIFY(oblique.projection == Projection(Oblique{{-1, 1, -2, 2, -3, 3}, std::numbers::pi / 4, std::numbers::pi / 2}));
+    QVERIFY(std::get<Projection>(oblique.projection) == Projection(Oblique{{-1, 1, -2, 2, -3, 3}, std::numbers::pi / 4, std::numbers::pi / 2}));
 }
 
 void TestSceneFile::aPerspectiveWithoutAspectTakesTheViewports()
 {
     const char *const projection = R"({"type": "perspective", "fovy": 45, "near": 1, "far": 9})";
     SceneFile scene = parsed(withProjection(projection));
-    QCOMPARE(std::get<Perspective>(scene.projection).aspect, 800.0 / 600.0);
+    QCOMPARE(std::get<Perspective>(std::get<Projection>(scene.projection)).aspect, 800.0 / 600.0);
     QVERIFY(!written(scene).contains("aspect"));
     QByteArray text = withProjection(projection);
     text.replace("\"unprojector\": 1,", R"("unprojector": 1, "viewport": {"x": 0, "y": 0, "width": 300, "height": 100},)");
     scene = parsed(text);
-    QCOMPARE(std::get<Perspective>(scene.projection).aspect, 3.0);
+    QCOMPARE(std::get<Perspective>(std::get<Projection>(scene.projection)).aspect, 3.0);
 }
 
 void TestSceneFile::whatIsReadIsWrittenAndReadAgain_data()
@@ -198,6 +207,9 @@ void TestSceneFile::whatIsReadIsWrittenAndReadAgain_data()
                                                    "near": 1, "far": 9, "theta": 44.690708, "phi": 135})");
     QTest::newRow("extreme numbers") << withProjection(R"({"type": "ortho", "left": -1.7976931348623157e308, "right": 5e-324,
                                                           "bottom": -0.0, "top": 9007199254740993, "near": 0.1, "far": 0.30000000000000004})");
+    QTest::newRow("matrix") << withProjection(kMatrix);
+    QTest::newRow("matrix of [0, 1]") << QByteArray(withProjection(kMatrix)).replace("\"matrix\", ", "\"matrix\", \"ndcDepth\": [0, 1], ");
+    QTest::newRow("view matrix") << withView("{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.1,1]}");
     QTest::newRow("unknown keys") << withMember(R"("by": {"a": [1, {"b": null}]}, "ui": {"theme": "dark"})");
 }
 
@@ -208,8 +220,17 @@ void TestSceneFile::whatIsReadIsWrittenAndReadAgain()
     const QByteArray saved = written(first);
     const SceneFile second = parsed(saved);
     QCOMPARE(written(second), saved);
-    QVERIFY(second.projection == first.projection);
-    QVERIFY(isSame(second.camera, first.camera));
+    QCOMPARE(second.projection.index(), first.projection.index());
+    if (const auto *matrix = std::get_if<MatrixProjection>(&first.projection)) {
+        QVERIFY(std::get<MatrixProjection>(second.projection).clipFromEye == matrix->clipFromEye);
+        QCOMPARE(std::get<MatrixProjection>(second.projection).ndcDepth, matrix->ndcDepth);
+    } else {
+        QVERIFY(std::get<Projection>(second.projection) == std::get<Projection>(first.projection));
+    }
+    if (const auto *matrix = std::get_if<glm::dmat4>(&first.view))
+        QVERIFY(std::get<glm::dmat4>(second.view) == *matrix);
+    else
+        QVERIFY(isSame(std::get<LookAt>(second.view), std::get<LookAt>(first.view)));
     QVERIFY(second.viewport == first.viewport && second.depthRange == first.depthRange);
     QVERIFY(second.aspectFromViewport == first.aspectFromViewport);
     QVERIFY(second.ui.viewportRule == first.ui.viewportRule);
@@ -251,7 +272,7 @@ void TestSceneFile::unknownKeysAreKept()
 
     // A change of the projection's type leaves nothing of the old one.
     SceneFile other = scene;
-    other.projection = Perspective{1, 1.5, 1, 9};
+    other.projection = Projection(Perspective{1, 1.5, 1, 9});
     const auto otherJson = nlohmann::ordered_json::parse(written(other).toStdString());
     QVERIFY(!otherJson["projection"].contains("left") && otherJson["projection"]["lens"] == "P");
 }
@@ -336,7 +357,7 @@ void TestSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("depth range of three", withMember("\"depthRange\": [0, 1, 2]"), ": depthRange: has 3 elements; it must have 2");
     row("no projection", changed("\"projection\"", "\"Projection\""), ": projection: is missing");
     row("projection null", withProjection("null"), ": projection: expected an object in { }, found null");
-    row("projection unknown", withProjection("{\"type\": \"fisheye\"}"), ": projection.type: \"fisheye\" must be frustum, ortho, perspective or oblique");
+    row("projection unknown", withProjection("{\"type\": \"fisheye\"}"), ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique or matrix");
     row("near missing", changed("\"near\": 1, ", ""), ": projection.near: is missing");
     row("near null", changed("\"near\": 1", "\"near\": null"), ": projection.near: expected a number, found null");
     row("near 0", changed("\"ortho\"", "\"frustum\"").replace("\"near\": 1,", "\"near\": 0,"), ": projection.near: 0 must be greater than 0");
@@ -345,6 +366,11 @@ void TestSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("fovy 180", withProjection(R"({"type": "perspective", "fovy": 180, "near": 1, "far": 9})"), ": projection.fovy: 180 must lie between 0 and 180 degrees");
     row("aspect negative", withProjection(R"({"type": "perspective", "fovy": 18, "aspect": -1, "near": 1, "far": 9})"), ": projection.aspect: -1 must be greater than 0");
     row("phi 0", withProjection(R"({"type": "oblique", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "theta": 45, "phi": 0})"), ": projection.phi: 0 must lie between 0 and 180 degrees");
+    row("matrix of 15", withProjection(R"({"type": "matrix", "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0]})"), ": projection.matrix: has 15 elements; it must have 16");
+    row("matrix in rows", withProjection(R"({"type": "matrix", "matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})"), ": projection.matrix: has 4 elements; it must have 16");
+    row("matrix without inverse", withProjection(R"({"type": "matrix", "matrix": [1,0,0,0, 0,1,0,0, 0,0,0,0, 0,0,0,1]})"), ": projection.matrix: the matrix has no inverse");
+    row("NDC depth of another kind", QByteArray(withProjection(kMatrix)).replace("\"matrix\", ", "\"matrix\", \"ndcDepth\": [0, 2], "), ": projection.ndcDepth: [0,2] must be [-1, 1] or [0, 1]");
+    row("view matrix a number", withView("{\"matrix\": 1}"), ": view.matrix: expected a list of 16 numbers, column by column, found a number");
     row("eye of two numbers", changed("[0, 0, 5]", "[0, 0]"), ": view.eye: has 2 elements; it must have 3");
     row("eye with a text", changed("[0, 0, 5]", "[0, 0, \"5\"]"), ": view.eye[2]: expected a number, found \"5\"");
     row("eye at the center", changed("[0, 0, 5]", "[0, 0, 0]"), ": view.center: must be another point than the eye");
@@ -503,12 +529,12 @@ void TestSceneFile::aWindowsSceneSurvivesASave()
         file = parsed(written(file));
 
         // Another program sees what the window showed.
-        const ViewGeometry shown = viewGeometry(file);
+        const ViewGeometry shown = viewGeometry(pictureGeometry(file)).value();
         QVERIFY(shown.surface == geometry.surface && shown.viewport == geometry.viewport);
         QVERIFY(shown.projection == geometry.projection && shown.depthRange == geometry.depthRange);
         QVERIFY(isSame(shown.camera, geometry.camera));
 
-        const Scene again = sceneFromFile(file, "/there/scene.json", {model, model});
+        const Scene again = sceneFromFile(file, "/there/scene.json", {model, model}).value();
         QVERIFY(isSame(again.camera, scene.camera) && isSame(again.home, scene.home));
         QVERIFY(again.viewport == scene.viewport && again.depthRange == scene.depthRange);
         QCOMPARE(again.projectionFollowsViewport, follows);
@@ -531,18 +557,31 @@ void TestSceneFile::aWindowsSceneSurvivesASave()
 
 void TestSceneFile::withoutUiTheFilesNumbersHold()
 {
-    const Scene scene = sceneFromFile(parsed(kLeastScene), "scene.json", {});
+    const Scene scene = sceneFromFile(parsed(kLeastScene), "scene.json", {}).value();
     QVERIFY(!scene.projectionFollowsViewport && !scene.clipDistancesFitObjects);
     QVERIFY(scene.viewport.kind == ViewportRule::Kind::WholeWindow);
     QVERIFY(isSame(scene.home, scene.camera));
     const auto rule = [](const QByteArray &viewport) {
-        return sceneFromFile(parsed(withMember("\"viewport\": " + viewport)), "scene.json", {}).viewport;
+        return sceneFromFile(parsed(withMember("\"viewport\": " + viewport)), "scene.json", {})->viewport;
     };
     QVERIFY(rule(R"({"x": 0, "y": 0, "width": 800, "height": 600})").kind == ViewportRule::Kind::WholeWindow);
     QVERIFY(rule(R"({"x": 1, "y": 0, "width": 800, "height": 600})").kind == ViewportRule::Kind::Fixed);
     QVERIFY(rule(R"({"x": 1, "y": 0, "width": 800, "height": 600})").fixed == (Viewport{1, 0, 800, 600}));
     const auto perspective = parsed(withProjection(R"({"type": "perspective", "fovy": 45, "near": 1, "far": 9})"));
-    QVERIFY(sceneFromFile(perspective, "scene.json", {}).projectionFollowsViewport);
+    QVERIFY(sceneFromFile(perspective, "scene.json", {})->projectionFollowsViewport);
+}
+
+void TestSceneFile::aWindowShowsWhatMatricesOfItsCamerasSay()
+{
+    // glFrustum(-1, 1, -0.75, 0.75, 1, 9), and the view from (0, 0, 5.5).
+    QByteArray text = withProjection(R"({"type": "matrix", "matrix": [1,0,0,0, 0,1.3333333333333333,0,0, 0,0,-1.25,-1, 0,0,-2.25,0]})");
+    text.replace(R"({"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})", "{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.5,1]}");
+    const Scene scene = sceneFromFile(parsed(text), "scene.json", {}).value();
+    QVERIFY(scene.projection == Projection(Frustum{-1, 1, -0.75, 0.75, 1, 9}));
+    QVERIFY(isSame(scene.camera, {{0, 0, 5.5}, {0, 0, 2.5}, {0, 1, 0}}));
+    const auto refused = sceneFromFile(parsed(withProjection(kMatrix)), "scene.json", {});
+    QVERIFY(!refused && refused.error().code == ErrorCode::MatrixNotAProjection);
+    QCOMPARE(refused.error().other, 2.0);
 }
 
 QTEST_GUILESS_MAIN(TestSceneFile)
