@@ -33,6 +33,8 @@ enum class ErrorCode {
     ScaleIsZero,            ///< value: 0
     RotationAxisIsZero,     ///< the axis has no length
     ClipPlaneHasNoNormal,   ///< A = B = C = 0
+    MatrixNotAProjection,   ///< value: the entry that fits no known form; other: its place, column by column from 0
+    ViewNotRigid,           ///< value: how far the axes are from orthonormal; with other, the entry at that place
 };
 
 struct Error {

@@ -62,7 +62,7 @@ double conditionNumber(const glm::dmat4 &matrix)
 
 template <class Space, class Scalar>
 Result<Point<Space>> unprojectByInverse(const glm::dmat4 &clipFromSpace, const Viewport &viewport,
-                                        const DepthRange &range, const WindowPoint &window)
+                                        const DepthRange &range, const WindowPoint &window, NdcDepth ndcDepth)
 {
     using Vec4 = glm::vec<4, Scalar>;
     using Mat4 = glm::mat<4, 4, Scalar>;
@@ -85,9 +85,10 @@ Result<Point<Space>> unprojectByInverse(const glm::dmat4 &clipFromSpace, const V
         return Error{ErrorCode::SingularMatrix};
 
     const Scalar two = 2, one = 1;
+    const Scalar fromNear = Scalar(window.z) - Scalar(range.atNear), depth = Scalar(range.atFar - range.atNear);
     const Vec4 ndc(two * (Scalar(window.x) - Scalar(viewport.x)) / Scalar(viewport.width) - one,
                    two * (Scalar(window.y) - Scalar(viewport.y)) / Scalar(viewport.height) - one,
-                   two * (Scalar(window.z) - Scalar(range.atNear)) / Scalar(range.atFar - range.atNear) - one, one);
+                   ndcDepth == NdcDepth::ZeroToOne ? fromNear / depth : two * fromNear / depth - one, one);
     const Vec4 homogeneous = glm::inverse(Mat4(clipFromSpace)) * ndc;
     const Vec4 p = homogeneous / homogeneous.w;
     if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
@@ -97,9 +98,9 @@ Result<Point<Space>> unprojectByInverse(const glm::dmat4 &clipFromSpace, const V
 
 #define UNPROJECTOR_INSTANTIATE(Space)                                                                                 \
     template Result<Point<Space>> unprojectByInverse<Space, double>(const glm::dmat4 &, const Viewport &,             \
-                                                                    const DepthRange &, const WindowPoint &);         \
+                                                                    const DepthRange &, const WindowPoint &, NdcDepth); \
     template Result<Point<Space>> unprojectByInverse<Space, float>(const glm::dmat4 &, const Viewport &,              \
-                                                                   const DepthRange &, const WindowPoint &)
+                                                                   const DepthRange &, const WindowPoint &, NdcDepth)
 UNPROJECTOR_INSTANTIATE(EyeSpace);
 UNPROJECTOR_INSTANTIATE(WorldSpace);
 UNPROJECTOR_INSTANTIATE(ObjectSpace);

@@ -104,16 +104,19 @@ DevicePoint deviceFromWindow(const Surface &surface, const WindowPoint &point)
     return DevicePoint(point.x, surface.heightPixels - point.y);
 }
 
-WindowPoint windowFromNdc(const Viewport &v, const DepthRange &range, const NdcPoint &point)
+WindowPoint windowFromNdc(const Viewport &v, const DepthRange &range, const NdcPoint &point, NdcDepth ndcDepth)
 {
+    const double depth = range.atFar - range.atNear;
     return WindowPoint(v.x + (point.x + 1.0) * v.width / 2.0, v.y + (point.y + 1.0) * v.height / 2.0,
-                       range.atNear + (point.z + 1.0) * (range.atFar - range.atNear) / 2.0);
+                       ndcDepth == NdcDepth::ZeroToOne ? range.atNear + point.z * depth
+                                                       : range.atNear + (point.z + 1.0) * depth / 2.0);
 }
 
-NdcPoint ndcFromWindow(const Viewport &v, const DepthRange &range, const WindowPoint &point)
+NdcPoint ndcFromWindow(const Viewport &v, const DepthRange &range, const WindowPoint &point, NdcDepth ndcDepth)
 {
+    const double fromNear = point.z - range.atNear, depth = range.atFar - range.atNear;
     return NdcPoint(2.0 * (point.x - v.x) / v.width - 1.0, 2.0 * (point.y - v.y) / v.height - 1.0,
-                    2.0 * (point.z - range.atNear) / (range.atFar - range.atNear) - 1.0);
+                    ndcDepth == NdcDepth::ZeroToOne ? fromNear / depth : 2.0 * fromNear / depth - 1.0);
 }
 
 glm::dmat4 windowFromNdc(const Viewport &v, const DepthRange &range)

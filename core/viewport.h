@@ -36,6 +36,10 @@ struct DepthRange {
     friend bool operator==(const DepthRange &, const DepthRange &) = default;
 };
 
+/// Which NDC depths the near and far ends of the depth range stand for: OpenGL's [-1, 1], or [0, 1] as in Direct3D,
+/// Vulkan and glClipControl(GL_ZERO_TO_ONE).
+enum class NdcDepth { MinusOneToOne, ZeroToOne };
+
 /// @return NotFinite; EmptyViewport (width or height not above 0); EmptyDepthRange
 Check check(const Viewport &viewport);
 Check check(const DepthRange &range);
@@ -69,10 +73,13 @@ DevicePoint deviceFromWindow(const Surface &surface, const WindowPoint &point);
 
 // ---- NDC <-> window --------------------------------------------------------------------------------------------
 
-/// x_w = vx + (x_n + 1) w / 2, y_w = vy + (y_n + 1) h / 2, d = dn + (z_n + 1) (df - dn) / 2
+/// x_w = vx + (x_n + 1) w / 2, y_w = vy + (y_n + 1) h / 2, d = dn + (z_n + 1) (df - dn) / 2;
+/// where NDC depths go from 0 to 1, d = dn + z_n (df - dn)
 /// @pre the viewport and the depth range are valid
-WindowPoint windowFromNdc(const Viewport &viewport, const DepthRange &range, const NdcPoint &point);
-NdcPoint ndcFromWindow(const Viewport &viewport, const DepthRange &range, const WindowPoint &point);
+WindowPoint windowFromNdc(const Viewport &viewport, const DepthRange &range, const NdcPoint &point,
+                          NdcDepth ndcDepth = NdcDepth::MinusOneToOne);
+NdcPoint ndcFromWindow(const Viewport &viewport, const DepthRange &range, const WindowPoint &point,
+                       NdcDepth ndcDepth = NdcDepth::MinusOneToOne);
 
 /// windowFromNdc as a matrix, the last factor of MVPW.
 glm::dmat4 windowFromNdc(const Viewport &viewport, const DepthRange &range);

@@ -69,6 +69,13 @@ QString errorText(const Error &error)
     case ErrorCode::PointAtInfinity: return tr("The point lies at infinity.");
     case ErrorCode::ScaleIsZero: return tr("The scale is 0; it must differ from 0.");
     case ErrorCode::RotationAxisIsZero: return tr("The rotation axis is (0, 0, 0); give it a length.");
+    case ErrorCode::MatrixNotAProjection:
+        return tr("The projection matrix is of no known form: %1 stands in row %2, column %3.")
+            .arg(value)
+            .arg(static_cast<int>(error.other) % 4 + 1)
+            .arg(static_cast<int>(error.other) / 4 + 1);
+    case ErrorCode::ViewNotRigid:
+        return tr("The view matrix does more than turn and move; its axes must be perpendicular and of length 1.");
     case ErrorCode::ClipPlaneHasNoNormal: return tr("A, B and C of the clip plane are all 0; one of them must differ.");
     }
     Q_UNREACHABLE();

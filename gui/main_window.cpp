@@ -63,6 +63,10 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     });
     connect(m_loading, &LoadingBar::cancelRequested, m_loader, &ModelLoader::cancel);
 
+    connect(&m_document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
+        setWindowModified(!isClean && !m_scenePath.empty());
+    });
+
     restoreLayout();
     showCamera();
 }
@@ -278,6 +282,10 @@ void MainWindow::showEvent(QShowEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    if (!mayLeaveScene()) {
+        event->ignore();
+        return;
+    }
     if (m_options.remembers) {
         QSettings settings;
         settings.setValue(QStringLiteral("window/geometry"), saveGeometry());

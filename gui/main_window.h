@@ -1,13 +1,16 @@
 #pragma once
 
 #include "core/pick.h"
+#include "core/scene_file.h"
 #include "gui/model_loader.h"
 
 #include <QMainWindow>
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QGridLayout;
@@ -43,7 +46,12 @@ public:
     ComparisonPanel &comparison() { return *m_comparison; }
     LifecycleLog &lifecycle() { return *m_lifecycle; }
 
-    /// Opens model files; what could be opened replaces the scene, the rest is told in a message.
+    /// Opens a scene file: its models are loaded first; if one of them cannot be, nothing changes and a message says why.
+    void openScene(const std::filesystem::path &file);
+    /// Writes the scene; a message says so when that fails, and the scene stays unsaved.
+    /// @return whether it is on the disk
+    bool saveScene(const std::filesystem::path &file);
+    /// Opens model files, or the scene where there is a scene file (.json) among them; what could be opened replaces the scene, the rest is told in a message.
     void openFiles(std::vector<std::filesystem::path> files);
     void openBundledScene();
     /// Opens one of core's examples and says what to look at.
@@ -86,6 +94,13 @@ private:
     QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &key, const QString &tip, std::function<void()> slot);
 
     void askForFiles();
+    void save();
+    void saveAs();
+    /// Asks about unsaved changes of a scene that has a file.
+    /// @return whether to go on
+    bool mayLeaveScene();
+    void takeScene(const std::vector<LoadedModel> &models);
+    void setSceneFile(const std::filesystem::path &file, SceneFile contents);
     void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
     void rememberRecent(const std::filesystem::path &file);
     void updateRecentMenu();
@@ -121,6 +136,9 @@ private:
     QDockWidget *m_inspectorDock = nullptr;
     QDockWidget *m_lifecycleDock = nullptr;
     QMenu *m_recentMenu = nullptr;
+    std::filesystem::path m_scenePath; ///< where the scene was opened from or saved to; empty: nowhere
+    SceneFile m_sceneFile;             ///< what that file held, for the keys that are not ours
+    std::optional<std::pair<std::filesystem::path, SceneFile>> m_pendingScene; ///< its models are being loaded
     QAction *m_projectionAction = nullptr;
     QAction *m_hidesPanels = nullptr;
     QByteArray m_layoutWithPanels;

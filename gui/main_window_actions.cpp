@@ -38,9 +38,12 @@ void MainWindow::createActions()
 void MainWindow::createFileMenu(QToolBar &bar)
 {
     QMenu *menu = menuBar()->addMenu(tr("&File"));
-    bar.addAction(addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files"), [this] { askForFiles(); }));
+    bar.addAction(addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"), [this] { askForFiles(); }));
     bar.addSeparator();
     m_recentMenu = menu->addMenu(tr("Open &Recent"));
+    addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"), [this] { save(); });
+    addAction(menu, tr("Save Scene &As…"), QKeySequence::SaveAs, tr("Write the scene to another file"), [this] { saveAs(); });
+    menu->addSeparator();
     addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"), [this] { openBundledScene(); });
     createExamplesMenu(*menu->addMenu(tr("&Examples")));
     menu->addSeparator();

@@ -46,6 +46,14 @@ Matrix4 identity()
     return m;
 }
 
+Matrix4 fromColumns(const std::array<double, 16> &columns)
+{
+    Matrix4 m;
+    for (std::size_t i = 0; i < 16; ++i)
+        m[i % 4][i / 4] = columns[i];
+    return m;
+}
+
 /// Gauss elimination with partial pivoting, then back substitution.
 Vector4 solved(Matrix4 a, Vector4 b)
 {
@@ -184,6 +192,19 @@ Oracle::Oracle(const View &view, const Projection &projection, const Target &tar
       m_windowFromNdc(targetMatrix(target)), m_windowFromEye(product(m_windowFromNdc, m_clipFromEye)),
       m_windowFromWorld(product(m_windowFromEye, m_eyeFromWorld))
 {
+}
+
+Oracle::Oracle(const std::array<double, 16> &eyeFromWorld, const std::array<double, 16> &clipFromEye,
+               const Target &target, bool zeroToOne)
+    : m_eyeFromWorld(fromColumns(eyeFromWorld)), m_clipFromEye(fromColumns(clipFromEye)),
+      m_windowFromNdc(targetMatrix(target))
+{
+    if (zeroToOne) {
+        m_windowFromNdc[2][2] = Extended(target.depthAtFar) - target.depthAtNear;
+        m_windowFromNdc[2][3] = target.depthAtNear;
+    }
+    m_windowFromEye = product(m_windowFromNdc, m_clipFromEye);
+    m_windowFromWorld = product(m_windowFromEye, m_eyeFromWorld);
 }
 
 Stages Oracle::forward(const Vector3 &world) const

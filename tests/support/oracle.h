@@ -55,6 +55,10 @@ Matrix4 product(const Matrix4 &a, const Matrix4 &b);
 class Oracle {
 public:
     Oracle(const View &view, const Projection &projection, const Target &target);
+    /// From matrices as programs hand them on, 16 numbers column by column.
+    /// @param zeroToOne  NDC depths go from 0 to 1: d = dn + z_n (df - dn)
+    Oracle(const std::array<double, 16> &eyeFromWorld, const std::array<double, 16> &clipFromEye, const Target &target,
+           bool zeroToOne);
 
     Stages forward(const Vector3 &world) const;
     /// @param window  origin bottom-left; its depth in the target's depth range

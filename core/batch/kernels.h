@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+
+/// The arithmetic of core/batch_unproject, compiled once for each instruction set from batch/kernels.inl. Only additions,
+/// subtractions, products and quotients, each rounded once and none fused: so every instruction set gives the same
+/// digits.
+namespace unprojector::batch {
+
+/// Eye to target space of a closed form: p = origin + z (ahead + X across + Y down), or for a box
+/// p = origin + X across + Y down + z ahead, with X and Y counted in pixels from the view axis.
+struct ClosedFormConstants {
+    double axisX, axisY;         ///< device position that the view axis goes through
+    double axisXRest, axisYRest; ///< what the doubles above leave out of it
+    double depthAtNear, depthAtFar;
+    /// Perspective: z = nearTerm / ((df - d) + (d - dn) farTerm). Box: z = nearTerm (df - d) + farTerm (d - dn).
+    double nearTerm, farTerm;
+    double origin[3], ahead[3], across[3], down[3];
+};
+
+/// Rows of targetFromDevice: (x', y', z', w') = rows * (px, py, depth, 1).
+struct MatrixConstants {
+    double rows[4][4];
+};
+
+template <class Scalar, class Constants>
+using Kernel = void (*)(const Constants &, const Scalar *px, const Scalar *py, const Scalar *depth, Scalar *x, Scalar *y,
+                        Scalar *z, std::size_t count);
+
+template <class Scalar>
+struct KernelsOf {
+    Kernel<Scalar, ClosedFormConstants> perspective, box;
+    Kernel<Scalar, MatrixConstants> matrix;
+};
+
+/// The loops of one instruction set. They compute in double, whatever the arrays hold.
+struct Kernels {
+    KernelsOf<double> ofDoubles;
+    KernelsOf<float> ofFloats;
+};
+
+extern const Kernels kBaselineKernels;
+#ifdef UNPROJECTOR_WIDE_KERNELS
+extern const Kernels kAvx2Kernels;
+extern const Kernels kAvx512Kernels;
+#endif
+
+} // namespace unprojector::batch

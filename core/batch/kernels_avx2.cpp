@@ -1,0 +1,2 @@
+#define UNPROJECTOR_KERNELS kAvx2Kernels
+#include "core/batch/kernels.inl"

@@ -1,0 +1,2 @@
+#define UNPROJECTOR_KERNELS kAvx512Kernels
+#include "core/batch/kernels.inl"

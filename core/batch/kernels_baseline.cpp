@@ -1,0 +1,2 @@
+#define UNPROJECTOR_KERNELS kBaselineKernels
+#include "core/batch/kernels.inl"

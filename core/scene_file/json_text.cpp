@@ -1,0 +1,79 @@
+#include "core/scene_file/json_text.h"
+
+#include <cmath>
+
+namespace unprojector {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLineLength = 120;
+
+/// Appends everything on one line and says whether it stayed within `limit` characters; else stops early.
+bool appendOnOneLine(std::string &text, const Json &json, std::size_t limit)
+{
+    if (!json.is_structured()) {
+        text += json.dump();
+        return text.size() <= limit;
+    }
+    const bool isObject = json.is_object();
+    text += isObject ? '{' : '[';
+    const char *separator = "";
+    for (auto it = json.begin(); it != json.end(); ++it) {
+        text += separator;
+        separator = ", ";
+        if (isObject)
+            text += Json(it.key()).dump() + ": ";
+        if (!appendOnOneLine(text, *it, limit))
+            return false;
+    }
+    text += isObject ? '}' : ']';
+    return text.size() <= limit;
+}
+
+/// @param reserved  characters of the line that are taken: the indent, the key before, the comma behind
+void append(std::string &text, const Json &json, std::size_t indent, std::size_t reserved, bool mayBeOneLine)
+{
+    std::string line;
+    if (!json.is_structured() || json.empty()) {
+        appendOnOneLine(text, json, std::string::npos);
+        return;
+    }
+    if (mayBeOneLine && reserved < kLineLength && appendOnOneLine(line, json, kLineLength - reserved)) {
+        text += line;
+        return;
+    }
+    const bool isObject = json.is_object();
+    text += isObject ? "{\n" : "[\n";
+    const char *separator = "";
+    for (auto it = json.begin(); it != json.end(); ++it) {
+        text += separator;
+        separator = ",\n";
+        text.append(indent + 2, ' ');
+        const std::string key = isObject ? Json(it.key()).dump() + ": " : std::string();
+        text += key;
+        append(text, *it, indent + 2, indent + 3 + key.size(), true);
+    }
+    text += '\n';
+    text.append(indent, ' ');
+    text += isObject ? '}' : ']';
+}
+
+} // namespace
+
+std::string readableJson(const Json &json)
+{
+    std::string text;
+    append(text, json, 0, 0, false);
+    return text + '\n';
+}
+
+Json jsonNumber(double value)
+{
+    constexpr double kExact = 9007199254740992.0; // 2^53
+    if (value == std::floor(value) && std::abs(value) < kExact && !(value == 0.0 && std::signbit(value)))
+        return static_cast<std::int64_t>(value);
+    return value;
+}
+
+} // namespace unprojector

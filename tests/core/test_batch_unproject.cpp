@@ -1,0 +1,330 @@
+// The loops over many points against the oracle of 50 digits, and every instruction set against the plain one.
+
+#include "core/batch_unproject.h"
+#include "core/transform.h"
+#include "tests/support/core_scene.h"
+
+#include <QTest>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace unprojector;
+using oracle::Extended;
+using oracle::RandomKind;
+using oracle::SceneLimits;
+
+namespace {
+
+/// Units in the last place of the largest world component: of 99.99 points of 100, and of every point no closer to the
+/// world's origin than `kCloseToOrigin` of the scene's scale (see test_unproject_oracle).
+constexpr double kMostUlps = 8.0;
+constexpr double kAllUlps = 20.0;
+constexpr double kCloseToOrigin = 1.0 / 16.0;
+
+/// Three arrays of numbers.
+template <class Scalar>
+struct Triples {
+    std::array<std::vector<Scalar>, 3> of;
+    explicit Triples(std::size_t count = 0) : of{std::vector<Scalar>(count), std::vector<Scalar>(count), std::vector<Scalar>(count)} {}
+
+    std::size_t count() const { return of[0].size(); }
+    BatchInput<Scalar> input() const { return {of[0].data(), of[1].data(), of[2].data()}; }
+    BatchOutput<Scalar> output() { return {of[0].data(), of[1].data(), of[2].data()}; }
+    glm::dvec3 at(std::size_t i) const { return {of[0][i], of[1][i], of[2][i]}; }
+};
+
+ViewGeometry geometryOf(const oracle::Scene &s)
+{
+    ViewGeometry g;
+    g.surface = {static_cast<int>(s.target.width), static_cast<int>(s.target.height), 1.0};
+    g.viewport = oracle::coreViewport(s.target);
+    g.depthRange = oracle::coreDepthRange(s.target);
+    g.projection = oracle::coreProjection(s.projection);
+    g.camera = oracle::coreView(s.view);
+    return g;
+}
+
+/// Clicks as arrays of device positions; the window positions that they mean are exact, for these are of few bits.
+Triples<double> randomClicks(oracle::Random &random, const oracle::Scene &s, std::size_t count)
+{
+    Triples<double> clicks(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::array<double, 3> at = oracle::randomClick(random, s.target);
+        clicks.of[0][i] = std::round(at[0] * 64.0) / 64.0;
+        clicks.of[1][i] = s.target.height - std::round(at[1] * 64.0) / 64.0;
+        clicks.of[2][i] = at[2];
+    }
+    return clicks;
+}
+
+std::array<double, 3> windowAt(const Triples<double> &clicks, const oracle::Scene &s, std::size_t i)
+{
+    return {clicks.of[0][i], s.target.height - clicks.of[1][i], clicks.of[2][i]};
+}
+
+template <class Scalar>
+Triples<Scalar> unprojected(const BatchUnprojection &unprojection, const Triples<Scalar> &clicks,
+                            InstructionSet set = availableInstructionSets().back())
+{
+    Triples<Scalar> points(clicks.count());
+    unprojection(clicks.input(), points.output(), clicks.count(), set);
+    return points;
+}
+
+template <class Scalar>
+bool isSameDigits(const Triples<Scalar> &a, const Triples<Scalar> &b)
+{
+    using Bits = std::conditional_t<sizeof(Scalar) == 8, quint64, quint32>;
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < a.count(); ++i) {
+            if (std::bit_cast<Bits>(a.of[k][i]) != std::bit_cast<Bits>(b.of[k][i]))
+                return false;
+        }
+    }
+    return true;
+}
+
+double largestDistance(const oracle::Vector3 &exact, const glm::dvec3 &actual, const Extended &unit)
+{
+    return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(actual), exact)) / unit);
+}
+
+double percentile(const std::vector<double> &sorted, double share)
+{
+    return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * static_cast<double>(sorted.size())))];
+}
+
+void addKinds()
+{
+    QTest::addColumn<RandomKind>("kind");
+    QTest::newRow("frustum, off-centre and mirrored too") << RandomKind::Frustum;
+    QTest::newRow("perspective") << RandomKind::Perspective;
+    QTest::newRow("ortho, around the eye too") << RandomKind::Ortho;
+    QTest::newRow("oblique") << RandomKind::Oblique;
+}
+
+} // namespace
+
+class TestBatchUnproject : public QObject {
+    Q_OBJECT
+
+private slots:
+    void unitsInTheLastPlace_data();
+    void unitsInTheLastPlace();
+    void eyePointsAreRight_data() { addKinds(); }
+    void eyePointsAreRight();
+    void everyInstructionSetGivesTheSameDigits_data() { addKinds(); }
+    void everyInstructionSetGivesTheSameDigits();
+    void matrixAgreesWithTheFormula_data() { addKinds(); }
+    void matrixAgreesWithTheFormula();
+    void objectSpaceIsTheWorldMovedBack();
+    void floatsAreTheDoublesRounded();
+    void noPointsTouchNothing();
+    void aBadPictureIsRefused();
+};
+
+void TestBatchUnproject::unitsInTheLastPlace_data()
+{
+    QTest::addColumn<double>("nearDistance");
+    QTest::addColumn<double>("farDistance");
+    QTest::newRow("5 : 80000") << 5.0 << 80000.0;
+    QTest::newRow("0.1 : 10000") << 0.1 << 10000.0;
+    QTest::newRow("1 : 100") << 1.0 << 100.0;
+}
+
+void TestBatchUnproject::unitsInTheLastPlace()
+{
+    QFETCH(double, nearDistance);
+    QFETCH(double, farDistance);
+    SceneLimits limits;
+    limits.fixedClipDistances = true;
+    limits.nearLow = nearDistance;
+    limits.farHigh = farDistance;
+    limits.eyeHigh = farDistance;
+    limits.leastUpSine = 0.1;
+    limits.largestTangent = 2.0;
+    limits.plainTarget = true;
+
+    oracle::Random random(7);
+    std::vector<double> errors;
+    double worstOffOrigin = 0.0;
+    for (const auto kind : {RandomKind::Frustum, RandomKind::Perspective, RandomKind::Ortho, RandomKind::Oblique}) {
+        for (int count = 0; count < 1500; ++count) {
+            const oracle::Scene s = oracle::randomScene(random, kind, limits);
+            const oracle::Oracle exact(s.view, s.projection, s.target);
+            const Triples<double> clicks = randomClicks(random, s, 4);
+            const auto unprojection = BatchUnprojection::byFormula(geometryOf(s), {});
+            QVERIFY(unprojection);
+            const Triples<double> points = unprojected(*unprojection, clicks);
+            const oracle::Vector3 eye = oracle::extended(oracle::coreView(s.view).eye);
+            for (std::size_t i = 0; i < clicks.count(); ++i) {
+                const oracle::Vector3 world = exact.worldUnder(windowAt(clicks, s, i));
+                const double largest = static_cast<double>(oracle::maxNorm(world));
+                const Extended ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+                errors.push_back(largestDistance(world, points.at(i), ulp));
+                const Extended scale = std::max({Extended(largest), oracle::maxNorm(eye),
+                                                 oracle::maxNorm(oracle::difference(world, eye))});
+                if (largest >= kCloseToOrigin * scale)
+                    worstOffOrigin = std::max(worstOffOrigin, errors.back());
+            }
+        }
+    }
+    std::sort(errors.begin(), errors.end());
+    qInfo("%zu points: median %.2g ulp, 99%% %.3g, 99.99%% %.3g, worst %.3g, off the origin %.3g", errors.size(),
+          percentile(errors, 0.5), percentile(errors, 0.99), percentile(errors, 0.9999), errors.back(), worstOffOrigin);
+    QVERIFY(percentile(errors, 0.9999) <= kMostUlps && worstOffOrigin <= kAllUlps);
+}
+
+/// In eye space nothing is added to the formulas: each coordinate is right to a few units in its own last place, also
+/// next to the view axis and to either plane, whatever the viewport and the depth range.
+void TestBatchUnproject::eyePointsAreRight()
+{
+    QFETCH(RandomKind, kind);
+    constexpr double kRelative = 4e-15;
+    oracle::Random random(12);
+    double worst = 0.0;
+    for (int count = 0; count < 500; ++count) {
+        const oracle::Scene s = oracle::randomScene(random, kind, SceneLimits{});
+        const oracle::Oracle exact(s.view, s.projection, s.target);
+        const Triples<double> clicks = randomClicks(random, s, 8);
+        const auto unprojection =
+            BatchUnprojection::byFormula(geometryOf(s), {BatchSpace::Kind::Eye, glm::dmat4(1.0)});
+        QVERIFY(unprojection);
+        const Triples<double> points = unprojected(*unprojection, clicks);
+        for (std::size_t i = 0; i < clicks.count(); ++i) {
+            const oracle::Vector3 eye = exact.eyeUnder(windowAt(clicks, s, i));
+            worst = std::max(worst, largestDistance(eye, points.at(i), oracle::maxNorm(eye)));
+        }
+    }
+    qInfo("worst error of the largest eye coordinate: %.2g", worst);
+    QVERIFY(worst <= kRelative);
+}
+
+void TestBatchUnproject::everyInstructionSetGivesTheSameDigits()
+{
+    QFETCH(RandomKind, kind);
+    oracle::Random random(3);
+    for (int count = 0; count < 40; ++count) {
+        const oracle::Scene s = oracle::randomScene(random, kind, SceneLimits{});
+        const Triples<double> clicks = randomClicks(random, s, 67); // not a multiple of any vector's length
+        Triples<float> floats(clicks.count());
+        for (std::size_t k = 0; k < 3; ++k)
+            std::transform(clicks.of[k].begin(), clicks.of[k].end(), floats.of[k].begin(),
+                           [](double value) { return static_cast<float>(value); });
+        for (const auto &unprojection : {BatchUnprojection::byFormula(geometryOf(s), {}),
+                                         BatchUnprojection::byMatrix(geometryOf(s), {})}) {
+            QVERIFY(unprojection);
+            const auto plain = unprojected(*unprojection, clicks, InstructionSet::Baseline);
+            const auto plainFloats = unprojected(*unprojection, floats, InstructionSet::Baseline);
+            for (const InstructionSet set : availableInstructionSets()) {
+                QVERIFY(isSameDigits(unprojected(*unprojection, clicks, set), plain));
+                QVERIFY(isSameDigits(unprojected(*unprojection, floats, set), plainFloats));
+            }
+        }
+    }
+}
+
+void TestBatchUnproject::matrixAgreesWithTheFormula()
+{
+    QFETCH(RandomKind, kind);
+    SceneLimits limits;
+    limits.fixedClipDistances = true;
+    limits.nearLow = 1.0;
+    limits.farHigh = 10.0;
+    limits.eyeHigh = 10.0;
+    limits.leastUpSine = 0.1;
+    limits.largestTangent = 2.0;
+    oracle::Random random(5);
+    for (int count = 0; count < 200; ++count) {
+        const oracle::Scene s = oracle::randomScene(random, kind, limits);
+        const Triples<double> clicks = randomClicks(random, s, 16);
+        for (const auto space : {BatchSpace::Kind::Eye, BatchSpace::Kind::World}) {
+            const auto formula = BatchUnprojection::byFormula(geometryOf(s), {space, glm::dmat4(1.0)});
+            const auto matrix = BatchUnprojection::byMatrix(geometryOf(s), {space, glm::dmat4(1.0)});
+            const Triples<double> a = unprojected(*formula, clicks), b = unprojected(*matrix, clicks);
+            const ProjectionWindow w = projectionWindow(geometryOf(s).projection);
+            const double size = 100.0 + std::abs(w.left) + std::abs(w.right) + std::abs(w.bottom) + std::abs(w.top);
+            // A box may be wide and long at will: its pixels and its depth are no more exact than its size.
+            for (std::size_t i = 0; i < clicks.count(); ++i)
+                QVERIFY(glm::length(a.at(i) - b.at(i)) <= 1e-11 * size);
+        }
+    }
+}
+
+void TestBatchUnproject::objectSpaceIsTheWorldMovedBack()
+{
+    oracle::Random random(9);
+    SceneLimits limits;
+    limits.fixedClipDistances = true;
+    limits.nearLow = 1.0;
+    limits.farHigh = 10.0;
+    limits.eyeHigh = 10.0;
+    limits.leastUpSine = 0.1;
+    limits.largestTangent = 2.0;
+    const glm::dmat4 worldFromObject =
+        unprojector::worldFromObject({Translate{{1, 2, 3}}, Rotate{30, {1, 1, 0}}, Scale{{2, 3, 0.5}}});
+    const oracle::Scene s = oracle::randomScene(random, RandomKind::Frustum, limits);
+    const Triples<double> clicks = randomClicks(random, s, 50);
+    const BatchSpace object{BatchSpace::Kind::Object, worldFromObject};
+    const Triples<double> world = unprojected(*BatchUnprojection::byFormula(geometryOf(s), {}), clicks);
+    for (const auto &unprojection :
+         {BatchUnprojection::byFormula(geometryOf(s), object), BatchUnprojection::byMatrix(geometryOf(s), object)}) {
+        QVERIFY(unprojection);
+        const Triples<double> points = unprojected(*unprojection, clicks);
+        for (std::size_t i = 0; i < clicks.count(); ++i)
+            QVERIFY(glm::length(glm::dvec3(worldFromObject * glm::dvec4(points.at(i), 1.0)) - world.at(i)) <= 1e-11);
+    }
+}
+
+void TestBatchUnproject::floatsAreTheDoublesRounded()
+{
+    oracle::Random random(4);
+    const oracle::Scene s = oracle::randomScene(random, RandomKind::Perspective, SceneLimits{});
+    Triples<double> clicks = randomClicks(random, s, 33);
+    Triples<float> floats(clicks.count());
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < clicks.count(); ++i) {
+            floats.of[k][i] = static_cast<float>(clicks.of[k][i]);
+            clicks.of[k][i] = floats.of[k][i];
+        }
+    }
+    const auto unprojection = BatchUnprojection::byFormula(geometryOf(s), {});
+    const Triples<double> exact = unprojected(*unprojection, clicks);
+    const Triples<float> points = unprojected(*unprojection, floats);
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < clicks.count(); ++i)
+            QCOMPARE(points.of[k][i], static_cast<float>(exact.of[k][i]));
+    }
+}
+
+void TestBatchUnproject::noPointsTouchNothing()
+{
+    oracle::Random random(4);
+    const auto unprojection = BatchUnprojection::byFormula(
+        geometryOf(oracle::randomScene(random, RandomKind::Ortho, SceneLimits{})), {});
+    for (const InstructionSet set : availableInstructionSets())
+        (*unprojection)(BatchInput<double>{}, BatchOutput<double>{}, 0, set);
+}
+
+void TestBatchUnproject::aBadPictureIsRefused()
+{
+    ViewGeometry g;
+    g.surface = {4, 3, 1.0};
+    g.viewport = wholeSurface(g.surface);
+    g.projection = Frustum{-1, 1, -1, 1, 0.0, 10.0};
+    QCOMPARE(BatchUnprojection::byFormula(g, {}).error().code, ErrorCode::NearNotPositive);
+    QCOMPARE(BatchUnprojection::byMatrix(g, {}).error().code, ErrorCode::NearNotPositive);
+    g.projection = Frustum{};
+    const BatchSpace flat{BatchSpace::Kind::Object, glm::dmat4(0.0)};
+    QCOMPARE(BatchUnprojection::byFormula(g, flat).error().code, ErrorCode::SingularMatrix);
+    QCOMPARE(BatchUnprojection::byMatrix(g, flat).error().code, ErrorCode::SingularMatrix);
+}
+
+QTEST_GUILESS_MAIN(TestBatchUnproject)
+#include "test_batch_unproject.moc"
