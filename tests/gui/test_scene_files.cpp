@@ -1,0 +1,131 @@
+// Scenes saved from the window and opened in it again.
+
+#include "gui_scene.h"
+
+#include "gui/scene_view.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace unprojector;
+using namespace guitest;
+
+class TestSceneFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void whatIsSavedOpensAgainAsItWas();
+    void modelsAreFoundBesideTheScene();
+    void aSceneThatCannotBeOpenedChangesNothing_data();
+    void aSceneThatCannotBeOpenedChangesNothing();
+    void aFolderThatIsNotThereIsTold();
+
+private:
+    std::filesystem::path path(const QString &name) const { return std::filesystem::path(m_folder.filePath(name).toStdU16String()); }
+    void write(const QString &name, const QByteArray &text) const
+    {
+        QFile file(m_folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    }
+    static void openAndWait(MainWindow &window, const std::filesystem::path &file)
+    {
+        QSignalSpy ended(&window, &MainWindow::loadingEnded);
+        window.openFiles({file});
+        if (ended.isEmpty())
+            QVERIFY(ended.wait(10000));
+    }
+
+    QTemporaryDir m_folder;
+};
+
+void TestSceneFiles::whatIsSavedOpensAgainAsItWas()
+{
+    const auto window = shownWindow(0, {640, 480});
+    window->openBundledScene();
+    SceneDocument &document = window->document();
+    Scene changed = document.scene();
+    changed.projection = Frustum{-0.6, 0.4, -0.3, 0.5, 1.0, 60.0};
+    changed.projectionFollowsViewport = false;
+    changed.clipDistancesFitObjects = false;
+    changed.camera.eye = WorldPoint(5.0, 1.0 / 3.0, 12.0);
+    changed.objects[1].transform.push_back(Rotate{33.3, {0.0, 0.0, 1.0}});
+    changed.clipPlanes = {{0.0, 1.0, 0.0, -0.25}};
+    QVERIFY(document.change(changed, QStringLiteral("everything")));
+    const Scene saved = document.scene();
+    QVERIFY(window->saveScene(path("saved.json")));
+    QVERIFY(!window->isWindowModified());
+
+    window->openBundledScene();
+    openAndWait(*window, path("saved.json"));
+    QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    const Scene &opened = document.scene();
+    QVERIFY(opened.projection == saved.projection);
+    QVERIFY(opened.projectionFollowsViewport == saved.projectionFollowsViewport);
+    QVERIFY(opened.clipDistancesFitObjects == saved.clipDistancesFitObjects);
+    QVERIFY(opened.camera.eye.coordinates() == saved.camera.eye.coordinates());
+    QVERIFY(opened.clipPlanes == saved.clipPlanes);
+    QCOMPARE(opened.objects.size(), saved.objects.size());
+    for (std::size_t i = 0; i < opened.objects.size(); ++i) {
+        QCOMPARE(opened.objects[i].name, saved.objects[i].name);
+        QVERIFY(opened.objects[i].transform == saved.objects[i].transform);
+        QCOMPARE(opened.objects[i].model->triangleCount(), saved.objects[i].model->triangleCount());
+    }
+    document.setCamera(document.scene().home);
+    QVERIFY(window->isWindowModified());
+}
+
+void TestSceneFiles::modelsAreFoundBesideTheScene()
+{
+    write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("beside.json", R"({"unprojector": 1, "window": {"width": 300, "height": 200},
+        "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
+        "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
+        "objects": [{"name": "t", "file": "triangle.obj", "transform": [{"translate": [0.25, 0, 0]}]}]})");
+    const auto window = shownWindow(0, {640, 480});
+    openAndWait(*window, path("beside.json"));
+    QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    QCOMPARE(window->document().objects().size(), std::size_t(1));
+    QVERIFY(window->document().objects()[0].transform == (std::vector<TransformStep>{Translate{{0.25, 0.0, 0.0}}}));
+    const auto *ortho = std::get_if<Ortho>(&window->document().scene().projection);
+    QVERIFY(ortho && *ortho == (Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0}));
+}
+
+void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing_data()
+{
+    const QByteArray head = R"({"unprojector": 1, "window": {"width": 300, "height": 200}, "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, )";
+    const QByteArray ortho = R"("projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9})";
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("named");
+    QTest::newRow("cut off") << head << "bad.json";
+    QTest::newRow("near is 0") << head + R"("projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 0, "far": 9}})" << "projection.near";
+    QTest::newRow("a model that is not there") << head + ortho + R"(, "objects": [{"name": "a", "file": "nowhere.obj"}]})" << "nowhere.obj";
+    QTest::newRow("an unknown bundled model") << head + ortho + R"(, "objects": [{"name": "a", "bundled": "Nessie"}]})" << "Nessie";
+}
+
+void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QString, named);
+    write("bad.json", text);
+    const auto window = shownWindow(0, {640, 480});
+    window->openBundledScene();
+    const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
+    openAndWait(*window, path("bad.json"));
+    QVERIFY2(window->message().contains(named), qPrintable(window->message()));
+    QCOMPARE(window->document().objects().size(), std::size_t(5));
+    QVERIFY(window->document().scene().camera.eye.coordinates() == eye);
+}
+
+void TestSceneFiles::aFolderThatIsNotThereIsTold()
+{
+    const auto window = shownWindow(0, {640, 480});
+    window->openBundledScene();
+    QVERIFY(!window->saveScene(path("no/such/folder/scene.json")));
+    QVERIFY2(window->message().contains(QStringLiteral("scene.json")), qPrintable(window->message()));
+}
+
+QTEST_MAIN(TestSceneFiles)
+#include "test_scene_files.moc"
