@@ -189,23 +189,6 @@ std::vector<std::string> columnNames(Methods methods)
     return names;
 }
 
-std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput &scene)
-{
-    const std::string_view object = "object:";
-    if (space == "eye")
-        return BatchSpace{BatchSpace::Kind::Eye, glm::dmat4(1.0)};
-    if (space == "world")
-        return BatchSpace{};
-    if (!space.starts_with(object)) {
-        complain("--space " + space + ": give eye, world or object:NAME");
-        return std::nullopt;
-    }
-    const PlacedObject *placed = objectNamed(scene, space.substr(object.size()));
-    if (placed == nullptr)
-        return std::nullopt;
-    return BatchSpace{BatchSpace::Kind::Object, placed->worldFromObject};
-}
-
 /// A method prepared for the scene, where it is wanted. One that does not hold for it says why, and its cells stay empty.
 void prepare(std::optional<BatchUnprojection> &target, bool isWanted, const char *name,
              const Result<BatchUnprojection> &method, const std::string &scene)

@@ -34,4 +34,21 @@ const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name
     return nullptr;
 }
 
+std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput &scene)
+{
+    const std::string_view object = "object:";
+    if (space == "eye")
+        return BatchSpace{BatchSpace::Kind::Eye, glm::dmat4(1.0)};
+    if (space == "world")
+        return BatchSpace{};
+    if (!space.starts_with(object)) {
+        complain("--space " + space + ": give eye, world or object:NAME");
+        return std::nullopt;
+    }
+    const PlacedObject *placed = objectNamed(scene, space.substr(object.size()));
+    if (placed == nullptr)
+        return std::nullopt;
+    return BatchSpace{BatchSpace::Kind::Object, placed->worldFromObject};
+}
+
 } // namespace unprojector

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/batch_unproject.h"
 #include "core/picture_geometry.h"
 
 #include <glm/mat4x4.hpp>
@@ -27,5 +28,8 @@ std::optional<SceneInput> sceneInput(const std::string &file);
 
 /// The first object of a name; where there is none, stderr says which there are.
 const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name);
+
+/// What --space says: eye, world or object:NAME. What is wrong with it is said on stderr.
+std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput &scene);
 
 } // namespace unprojector
