@@ -1,12 +1,14 @@
 #include "core/batch_unproject.h"
 
 #include "core/exact_rounding.h"
+#include "core/view_matrix.h"
 
 #include <glm/matrix.hpp>
 
 #include <cmath>
 #include <initializer_list>
 #include <type_traits>
+#include <utility>
 
 namespace unprojector {
 namespace {
@@ -85,37 +87,57 @@ bool isFinite(const glm::dmat4 &m)
     return true;
 }
 
-/// The axes of the eye and its place, in the space asked for.
-Result<EyeFrame> frameIn(const BatchSpace &space, const LookAt &camera)
+/// The eye's place and its axes, in the space asked for.
+struct Axes {
+    glm::dvec3 origin{0.0}, x{1.0, 0.0, 0.0}, y{0.0, 1.0, 0.0}, z{0.0, 0.0, 1.0};
+};
+
+Result<Axes> axesOf(const LookAt &camera)
+{
+    const Result<EyeFrame> frame = eyeFrame(camera);
+    if (!frame)
+        return frame.error();
+    return Axes{frame->eye.coordinates(), frame->side, frame->upward, -frame->forward};
+}
+
+Result<Axes> axesOf(const glm::dmat4 &eyeFromWorld)
+{
+    glm::dmat4 turn = eyeFromWorld;
+    turn[3] = {0.0, 0.0, 0.0, 1.0};
+    const Result<WorldPoint> origin = worldFromEye(eyeFromWorld, EyePoint(0, 0, 0)),
+                             x = worldFromEye(turn, EyePoint(1, 0, 0)), y = worldFromEye(turn, EyePoint(0, 1, 0)),
+                             z = worldFromEye(turn, EyePoint(0, 0, 1));
+    for (const auto *point : {&origin, &x, &y, &z}) {
+        if (!*point)
+            return point->error();
+    }
+    return Axes{origin->coordinates(), x->coordinates(), y->coordinates(), z->coordinates()};
+}
+
+Result<Axes> axesIn(const BatchSpace &space, const PictureGeometry &geometry)
 {
     if (space.kind == BatchSpace::Kind::Eye)
-        return EyeFrame{WorldPoint(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
-    Result<EyeFrame> frame = eyeFrame(camera);
-    if (!frame || space.kind == BatchSpace::Kind::World)
-        return frame;
+        return Axes{};
+    const Result<Axes> axes = std::visit([](const auto &view) { return axesOf(view); }, geometry.view);
+    if (!axes || space.kind == BatchSpace::Kind::World)
+        return axes;
     const glm::dmat4 objectFromWorld = glm::inverse(space.worldFromObject);
     if (!isFinite(objectFromWorld))
         return Error{ErrorCode::SingularMatrix};
     const auto placed = [&](const glm::dvec3 &v, double w) { return glm::dvec3(objectFromWorld * glm::dvec4(v, w)); };
-    return EyeFrame{WorldPoint(placed(frame->eye.coordinates(), 1.0)), placed(frame->side, 0.0),
-                    placed(frame->upward, 0.0), placed(frame->forward, 0.0)};
+    return Axes{placed(axes->origin, 1.0), placed(axes->x, 0.0), placed(axes->y, 0.0), placed(axes->z, 0.0)};
 }
 
-batch::ClosedFormConstants closedFormConstants(const ViewGeometry &g, const EyeFrame &frame)
+/// What a loop needs, but for the origin.
+struct Constants {
+    batch::ClosedFormConstants numbers{};
+    bool perspective = true;
+};
+
+/// Puts the view axis where it is, counted from the top left corner.
+/// @param fromLeft, fromBottom  of the viewport, pixels
+void setAxis(batch::ClosedFormConstants &c, const PictureGeometry &g, const Sum &fromLeft, const Sum &fromBottom)
 {
-    const ProjectionWindow w = projectionWindow(g.projection);
-    const DepthRange &range = g.depthRange;
-    const double thickness = range.atFar - range.atNear;
-    const bool perspective = isPerspective(g.projection);
-    const Edges horizontal{w.left, w.right, g.viewport.width}, vertical{w.bottom, w.top, g.viewport.height};
-
-    batch::ClosedFormConstants c{};
-    c.depthAtNear = range.atNear;
-    c.depthAtFar = range.atFar;
-    c.nearTerm = perspective ? w.nearDistance * thickness : w.nearDistance / thickness;
-    c.farTerm = perspective ? w.nearDistance / w.farDistance : w.farDistance / thickness;
-
-    const Sum fromLeft = axisFromLow(horizontal), fromBottom = axisFromLow(vertical);
     const Sum axisX = sum(g.viewport.x, fromLeft.value);
     const Sum bottomEdge = sum(g.surface.heightPixels, -g.viewport.y); // from the top: y down
     const Sum axisY = sum(bottomEdge.value, -fromBottom.value);
@@ -123,20 +145,84 @@ batch::ClosedFormConstants closedFormConstants(const ViewGeometry &g, const EyeF
     c.axisXRest = axisX.rest + fromLeft.rest;
     c.axisY = axisY.value;
     c.axisYRest = axisY.rest + (bottomEdge.rest - fromBottom.rest);
+}
 
-    const double n = perspective ? w.nearDistance : 1.0;
-    assign(c.origin, frame.eye.coordinates());
-    assign(c.across, scaled(frame.side, unitsPerPixel(horizontal, n)));
-    assign(c.down, scaled(-frame.upward, unitsPerPixel(vertical, n)));
-    glm::dvec3 ahead = frame.forward;
-    if (const auto *oblique = std::get_if<Oblique>(&g.projection)) {
+Result<Constants> constantsOf(const Projection &projection, const PictureGeometry &g, const Axes &axes)
+{
+    if (const Check valid = check(projection); !valid)
+        return valid.error();
+    const ProjectionWindow w = projectionWindow(projection);
+    const double thickness = g.depthRange.atFar - g.depthRange.atNear;
+    const Edges horizontal{w.left, w.right, g.viewport.width}, vertical{w.bottom, w.top, g.viewport.height};
+
+    Constants result;
+    result.perspective = isPerspective(projection);
+    batch::ClosedFormConstants &c = result.numbers;
+    c.depthAtNear = g.depthRange.atNear;
+    c.depthAtFar = g.depthRange.atFar;
+    c.nearTerm = result.perspective ? w.nearDistance * thickness : w.nearDistance / thickness;
+    c.farTerm = result.perspective ? w.nearDistance / w.farDistance : w.farDistance / thickness;
+    setAxis(c, g, axisFromLow(horizontal), axisFromLow(vertical));
+    const double n = result.perspective ? w.nearDistance : 1.0;
+    assign(c.across, scaled(axes.x, unitsPerPixel(horizontal, n)));
+    assign(c.down, scaled(-axes.y, unitsPerPixel(vertical, n)));
+    glm::dvec3 ahead = -axes.z;
+    if (const auto *oblique = std::get_if<Oblique>(&projection)) {
         for (int k = 0; k < 3; ++k) {
-            ahead[k] += sumOfProducts(cotangent(oblique->thetaRadians), frame.side[k],
-                                      cotangent(oblique->phiRadians), frame.upward[k]);
+            ahead[k] += sumOfProducts(cotangent(oblique->thetaRadians), axes.x[k], cotangent(oblique->phiRadians),
+                                      axes.y[k]);
         }
     }
     assign(c.ahead, ahead);
-    return c;
+    return result;
+}
+
+/// By the matrix's own numbers:
+///
+///   z = zOffset / (z_n + zScale), with z_n + zScale = P share of near + Q share of far
+///   P = 1 + zScale, Q = P - 2 (or P - 1 where NDC depths go from 0 to 1)
+///
+Result<Constants> constantsOf(const MatrixProjection &projection, const PictureGeometry &g, const Axes &axes)
+{
+    const Result<RecognisedProjection> form = recognised(projection);
+    if (!form)
+        return form.error();
+    const ProjectionCoefficients &p = form->coefficients;
+    const double ndcAtNear = form->ndcDepth == NdcDepth::ZeroToOne ? 0.0 : -1.0;
+    const double thickness = g.depthRange.atFar - g.depthRange.atNear;
+
+    Constants result;
+    result.perspective = p.perspective;
+    batch::ClosedFormConstants &c = result.numbers;
+    c.depthAtNear = g.depthRange.atNear;
+    c.depthAtFar = g.depthRange.atFar;
+    if (p.perspective) {
+        const double atFar = 1.0 + p.zScale, atNear = ndcAtNear + p.zScale;
+        c.nearTerm = p.zOffset / atNear * thickness;
+        c.farTerm = atFar / atNear;
+        if (std::abs(atFar) > std::abs(atNear)) { // reversed: far may be at infinity there, and atNear 0
+            std::swap(c.depthAtNear, c.depthAtFar);
+            c.nearTerm = -p.zOffset / atFar * thickness;
+            c.farTerm = atNear / atFar;
+        }
+    } else {
+        c.nearTerm = p.side * (ndcAtNear - p.zOffset) / p.zScale / thickness;
+        c.farTerm = p.side * (1.0 - p.zOffset) / p.zScale / thickness;
+    }
+    // x_n = -xOffset on the axis, and x_n = 2 x_v / width - 1.
+    const auto fromLow = [](double offset, double size) {
+        const Sum share = sum(1.0, -offset);
+        const Sum whole = product(share.value, size / 2.0);
+        return Sum{whole.value, whole.rest + share.rest * (size / 2.0)};
+    };
+    setAxis(c, g, fromLow(p.xOffset, g.viewport.width), fromLow(p.yOffset, g.viewport.height));
+    assign(c.across, scaled(axes.x, quotient({2.0, 0.0}, product(g.viewport.width, p.xScale))));
+    assign(c.down, scaled(-axes.y, quotient({2.0, 0.0}, product(g.viewport.height, p.yScale))));
+    glm::dvec3 ahead = axes.z;
+    if (!p.perspective)
+        ahead -= p.xShear / p.xScale * axes.x + p.yShear / p.yScale * axes.y;
+    assign(c.ahead, p.side * ahead);
+    return result;
 }
 
 const batch::Kernels &kernels(InstructionSet set)
@@ -153,33 +239,53 @@ const batch::Kernels &kernels(InstructionSet set)
     return batch::kBaselineKernels;
 }
 
+/// The first error of what both methods need of a picture.
+Check checkTarget(const PictureGeometry &geometry)
+{
+    for (const Check &valid : {check(geometry.surface), check(geometry.viewport), check(geometry.depthRange)}) {
+        if (!valid)
+            return valid;
+    }
+    return std::monostate{};
+}
+
 } // namespace
 
-Result<BatchUnprojection> BatchUnprojection::byFormula(const ViewGeometry &geometry, const BatchSpace &space)
+Result<BatchUnprojection> BatchUnprojection::byFormula(const PictureGeometry &geometry, const BatchSpace &space)
 {
-    if (const Check valid = check(geometry); !valid)
+    if (const Check valid = checkTarget(geometry); !valid)
         return valid.error();
-    const Result<EyeFrame> frame = frameIn(space, geometry.camera);
-    if (!frame)
-        return frame.error();
-    const batch::ClosedFormConstants c = closedFormConstants(geometry, *frame);
+    const Result<Axes> axes = axesIn(space, geometry);
+    if (!axes)
+        return axes.error();
+    const auto constants =
+        std::visit([&](const auto &p) { return constantsOf(p, geometry, *axes); }, geometry.projection);
+    if (!constants)
+        return constants.error();
+    batch::ClosedFormConstants c = constants->numbers;
+    assign(c.origin, axes->origin);
     if (!isFinite({c.axisX, c.axisY, c.axisXRest, c.axisYRest, c.nearTerm, c.farTerm}) || !isFinite(c.origin)
         || !isFinite(c.ahead) || !isFinite(c.across) || !isFinite(c.down))
         return Error{ErrorCode::NotFinite};
-    if (isPerspective(geometry.projection))
-        return BatchUnprojection(Constants(Perspective{c}));
-    return BatchUnprojection(Constants(Box{c}));
+    if (constants->perspective)
+        return BatchUnprojection(Kind(Perspective{c}));
+    return BatchUnprojection(Kind(Box{c}));
 }
 
-Result<BatchUnprojection> BatchUnprojection::byMatrix(const ViewGeometry &geometry, const BatchSpace &space)
+Result<BatchUnprojection> BatchUnprojection::byMatrix(const PictureGeometry &geometry, const BatchSpace &space)
 {
-    if (const Check valid = check(geometry); !valid)
+    if (const Check valid = checkTarget(geometry); !valid)
         return valid.error();
-    const Result<glm::dmat4> matrix =
-        space.kind == BatchSpace::Kind::Eye ? clipFromEye(geometry.projection) : clipFromWorld(geometry);
-    if (!matrix)
-        return matrix.error();
-    glm::dmat4 clipFromSpace = *matrix;
+    const Result<glm::dmat4> projection = clipFromEye(geometry);
+    if (!projection)
+        return projection.error();
+    glm::dmat4 clipFromSpace = *projection;
+    if (space.kind != BatchSpace::Kind::Eye) {
+        const Result<glm::dmat4> view = eyeFromWorld(geometry);
+        if (!view)
+            return view.error();
+        clipFromSpace = clipFromSpace * *view;
+    }
     if (space.kind == BatchSpace::Kind::Object)
         clipFromSpace = clipFromSpace * space.worldFromObject;
 
@@ -188,8 +294,10 @@ Result<BatchUnprojection> BatchUnprojection::byMatrix(const ViewGeometry &geomet
     const double centreX = v.x + v.width / 2.0;
     const double centreY = geometry.surface.heightPixels - (v.y + v.height / 2.0);
     const double thickness = geometry.depthRange.atFar - geometry.depthRange.atNear;
-    const glm::dvec3 scale(2.0 / v.width, -2.0 / v.height, 2.0 / thickness);
-    const double offsetZ = -(geometry.depthRange.atFar + geometry.depthRange.atNear) / thickness;
+    const bool zeroToOne = ndcDepthOf(geometry) == NdcDepth::ZeroToOne;
+    const glm::dvec3 scale(2.0 / v.width, -2.0 / v.height, (zeroToOne ? 1.0 : 2.0) / thickness);
+    const double atNear = geometry.depthRange.atNear, atFar = geometry.depthRange.atFar;
+    const double offsetZ = -(zeroToOne ? atNear : atFar + atNear) / thickness;
     glm::dmat4 ndcFromDevice(1.0);
     for (int k = 0; k < 3; ++k)
         ndcFromDevice[k][k] = scale[k];
@@ -203,7 +311,7 @@ Result<BatchUnprojection> BatchUnprojection::byMatrix(const ViewGeometry &geomet
         for (int column = 0; column < 4; ++column)
             constants.rows[row][column] = inverse[column][row];
     }
-    return BatchUnprojection(Constants(constants));
+    return BatchUnprojection(Kind(constants));
 }
 
 template <class Scalar>

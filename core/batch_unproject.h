@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/batch/kernels.h"
-#include "core/view_geometry.h"
+#include "core/picture_geometry.h"
 
 #include <cstddef>
 #include <variant>
@@ -47,13 +47,15 @@ public:
     ///
     /// Counted from the axis nothing cancels that (9) and (10) would let cancel. Within 8 units in the last place of the
     /// largest world component for 99.99 of 100 points; the last digits may differ from unprojectClosedForm's.
-    /// @return the errors of check(geometry); NotFinite where a constant leaves the range of doubles; SingularMatrix
-    static Result<BatchUnprojection> byFormula(const ViewGeometry &geometry, const BatchSpace &space);
+    /// A projection given as a matrix is taken by its coefficients, see `recognised`; a view, by its axes.
+    /// @return the errors of check(ViewGeometry), recognised and axesOff; NotFinite where a constant leaves the range of
+    ///         doubles; SingularMatrix
+    static Result<BatchUnprojection> byFormula(const PictureGeometry &geometry, const BatchSpace &space);
 
     /// p = M^-1 (px, py, depth, 1) divided by its w, with M from the space to device positions; inverted once, by
     /// glm::inverse.
-    /// @return as above; SingularMatrix also where the inverse overflows
-    static Result<BatchUnprojection> byMatrix(const ViewGeometry &geometry, const BatchSpace &space);
+    /// @return the errors of check(ViewGeometry); NotFinite; SingularMatrix also where the inverse overflows
+    static Result<BatchUnprojection> byMatrix(const PictureGeometry &geometry, const BatchSpace &space);
 
     /// @pre the depths lie in the depth range and everything is finite; a point that is not is worthless, and so is one
     ///      whose coordinates leave the range of Scalar: infinite or NaN
@@ -66,11 +68,11 @@ private:
     };
     struct Box : batch::ClosedFormConstants {
     };
-    using Constants = std::variant<Perspective, Box, batch::MatrixConstants>;
+    using Kind = std::variant<Perspective, Box, batch::MatrixConstants>;
 
-    explicit BatchUnprojection(const Constants &constants) : m_constants(constants) {}
+    explicit BatchUnprojection(const Kind &constants) : m_constants(constants) {}
 
-    Constants m_constants;
+    Kind m_constants;
 };
 
 } // namespace unprojector

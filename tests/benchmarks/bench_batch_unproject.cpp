@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::size_t kPoints = 10'000'000;
 
-ViewGeometry geometry()
+PictureGeometry geometry()
 {
-    ViewGeometry g;
+    PictureGeometry g;
     g.surface = {3840, 2160, 1.0};
     g.viewport = wholeSurface(g.surface);
     g.projection = Frustum{-1.0, 1.2, -0.5, 0.7, 1.0, 100.0};
-    g.camera = {WorldPoint(3, 4, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
+    g.view = LookAt{WorldPoint(3, 4, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
     return g;
 }
 
@@ -88,9 +88,9 @@ void batch(benchmark::State &state, const Result<BatchUnprojection> &unprojectio
 /// One glm::unProject a point, as it is called in most programs.
 void glmUnProject(benchmark::State &state)
 {
-    const ViewGeometry g = geometry();
+    const PictureGeometry g = geometry();
     Arrays<double> &a = arrays<double>();
-    const glm::dmat4 view = eyeFromWorld(eyeFrame(g.camera).value()), projection = clipFromEye(g.projection).value();
+    const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
     const glm::dvec4 viewport(g.viewport.x, g.viewport.y, g.viewport.width, g.viewport.height);
     for (auto _ : state) {
         for (std::size_t i = 0; i < kPoints; ++i) {
@@ -107,9 +107,9 @@ void glmUnProject(benchmark::State &state)
 
 void glmInverseOnce(benchmark::State &state)
 {
-    const ViewGeometry g = geometry();
+    const PictureGeometry g = geometry();
     Arrays<double> &a = arrays<double>();
-    const glm::dmat4 inverse = glm::inverse(clipFromWorld(g).value());
+    const glm::dmat4 inverse = glm::inverse(clipFromEye(g).value() * eyeFromWorld(g).value());
     for (auto _ : state) {
         for (std::size_t i = 0; i < kPoints; ++i) {
             glm::dvec4 ndc(a.in[0][i] / 3840.0, (2160.0 - a.in[1][i]) / 2160.0, a.in[2][i], 1.0);
@@ -137,7 +137,7 @@ const char *name(InstructionSet set)
 template <class Scalar>
 void registerBatches(const std::string &scalar)
 {
-    ViewGeometry box = geometry();
+    PictureGeometry box = geometry();
     box.projection = Ortho{-10, 10, -7, 9, 1, 100};
     const auto add = [&](const std::string &what, const Result<BatchUnprojection> &unprojection, InstructionSet set) {
         benchmark::RegisterBenchmark((what + '/' + scalar + '/' + name(set)).c_str(),

@@ -39,14 +39,14 @@ struct Triples {
     glm::dvec3 at(std::size_t i) const { return {of[0][i], of[1][i], of[2][i]}; }
 };
 
-ViewGeometry geometryOf(const oracle::Scene &s)
+PictureGeometry geometryOf(const oracle::Scene &s)
 {
-    ViewGeometry g;
+    PictureGeometry g;
     g.surface = {static_cast<int>(s.target.width), static_cast<int>(s.target.height), 1.0};
     g.viewport = oracle::coreViewport(s.target);
     g.depthRange = oracle::coreDepthRange(s.target);
     g.projection = oracle::coreProjection(s.projection);
-    g.camera = oracle::coreView(s.view);
+    g.view = oracle::coreView(s.view);
     return g;
 }
 
@@ -248,7 +248,7 @@ void TestBatchUnproject::matrixAgreesWithTheFormula()
             const auto formula = BatchUnprojection::byFormula(geometryOf(s), {space, glm::dmat4(1.0)});
             const auto matrix = BatchUnprojection::byMatrix(geometryOf(s), {space, glm::dmat4(1.0)});
             const Triples<double> a = unprojected(*formula, clicks), b = unprojected(*matrix, clicks);
-            const ProjectionWindow w = projectionWindow(geometryOf(s).projection);
+            const ProjectionWindow w = projectionWindow(oracle::coreProjection(s.projection));
             const double size = 100.0 + std::abs(w.left) + std::abs(w.right) + std::abs(w.bottom) + std::abs(w.top);
             // A box may be wide and long at will: its pixels and its depth are no more exact than its size.
             for (std::size_t i = 0; i < clicks.count(); ++i)
@@ -314,7 +314,7 @@ void TestBatchUnproject::noPointsTouchNothing()
 
 void TestBatchUnproject::aBadPictureIsRefused()
 {
-    ViewGeometry g;
+    PictureGeometry g;
     g.surface = {4, 3, 1.0};
     g.viewport = wholeSurface(g.surface);
     g.projection = Frustum{-1, 1, -1, 1, 0.0, 10.0};

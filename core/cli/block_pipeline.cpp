@@ -1,0 +1,93 @@
+#include "core/cli/block_pipeline.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace unprojector {
+namespace {
+
+class Pipeline {
+public:
+    Pipeline(LineBlocks &blocks, ByteSink &sink) : m_blocks(blocks), m_sink(sink) {}
+
+    void work(const BlockWorker &worker)
+    {
+        LineBlock block;
+        BlockResult result;
+        for (std::size_t ticket = 0; read(block, ticket);) {
+            result.output.clear();
+            result.messages.clear();
+            result.badRows = 0;
+            worker(block, result);
+            std::stable_sort(result.messages.begin(), result.messages.end(),
+                             [](const LineMessage &a, const LineMessage &b) { return a.line < b.line; });
+            write(result, ticket);
+        }
+    }
+
+    bool hasBadRows() const { return m_badRows > 0; }
+
+private:
+    bool read(LineBlock &block, std::size_t &ticket)
+    {
+        const std::lock_guard lock(m_reading);
+        if (m_isDone || !m_blocks.next(block)) {
+            m_isDone = true;
+            return false;
+        }
+        ticket = m_nextRead++;
+        return true;
+    }
+
+    void write(const BlockResult &result, std::size_t ticket)
+    {
+        std::unique_lock lock(m_writing);
+        m_turn.wait(lock, [&] { return m_nextWritten == ticket; });
+        m_badRows += result.badRows;
+        m_sink.write(result.output);
+        const bool isOver = m_sink.state() != ByteSink::State::Open;
+        for (std::size_t i = 0; i < result.messages.size() && !isOver; ++i)
+            complain(result.messages[i].text);
+        ++m_nextWritten;
+        lock.unlock();
+        m_turn.notify_all();
+        if (isOver) {
+            const std::lock_guard reading(m_reading);
+            m_isDone = true;
+        }
+    }
+
+    LineBlocks &m_blocks;
+    ByteSink &m_sink;
+    std::mutex m_reading, m_writing;
+    std::condition_variable m_turn;
+    std::size_t m_nextRead = 0, m_nextWritten = 0, m_badRows = 0;
+    bool m_isDone = false;
+};
+
+} // namespace
+
+ExitCode runBlocks(LineBlocks &blocks, ByteSource &source, ByteSink &sink, unsigned threads,
+                   const std::function<BlockWorker()> &worker)
+{
+    Pipeline pipeline(blocks, sink);
+    std::vector<std::thread> others;
+    for (unsigned i = 1; i < threads; ++i)
+        others.emplace_back([&] { pipeline.work(worker()); });
+    pipeline.work(worker());
+    for (std::thread &thread : others)
+        thread.join();
+    sink.flush();
+    if (source.hasFailed()) {
+        complain(source.name() + ": reading stopped at an error; the results are not complete");
+        return ExitCode::UnusableInput;
+    }
+    if (sink.state() == ByteSink::State::Failed)
+        return ExitCode::UnusableInput;
+    return pipeline.hasBadRows() ? ExitCode::SomeRowsBad : ExitCode::Done;
+}
+
+} // namespace unprojector

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/cli/exit_code.h"
+#include "core/cli/line_blocks.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace unprojector {
+
+/// What became of a block of lines.
+struct BlockResult {
+    std::string output; ///< for stdout
+    std::vector<LineMessage> messages; ///< for stderr, in any order
+    std::size_t badRows = 0;
+};
+
+/// Works on one block; called by one thread only, so it may keep scratch memory.
+using BlockWorker = std::function<void(const LineBlock &, BlockResult &)>;
+
+/// Takes every block through a worker, several at a time, and writes the results in the order of the input. A thread
+/// reads, works and writes in turn, so that the memory is that of one block a thread.
+/// @param worker  makes the worker of a thread
+ExitCode runBlocks(LineBlocks &blocks, ByteSource &source, ByteSink &sink, unsigned threads,
+                   const std::function<BlockWorker()> &worker);
+
+} // namespace unprojector

@@ -1,0 +1,106 @@
+#include "core/cli/byte_stream.h"
+
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#endif
+
+namespace unprojector {
+namespace {
+
+void setBinary([[maybe_unused]] std::FILE *stream)
+{
+#ifdef _WIN32
+    _setmode(_fileno(stream), _O_BINARY);
+#endif
+}
+
+std::FILE *openedForReading(const std::string &file)
+{
+#ifdef _WIN32
+    return _wfopen(pathOf(file).c_str(), L"rb");
+#else
+    return std::fopen(file.c_str(), "rb");
+#endif
+}
+
+} // namespace
+
+std::filesystem::path pathOf(const std::string &utf8)
+{
+    return std::filesystem::path(std::u8string(utf8.begin(), utf8.end()));
+}
+
+void complain(std::string_view line)
+{
+    std::string text(line);
+    text += '\n';
+    std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void ByteSource::Close::operator()(std::FILE *file) const
+{
+    if (file != stdin)
+        std::fclose(file);
+}
+
+ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" : file)
+{
+    if (file == "-") {
+        setBinary(stdin);
+        m_file.reset(stdin);
+        return;
+    }
+    std::error_code ignored;
+    if (std::filesystem::is_directory(pathOf(file), ignored)) {
+        complain(file + ": this is a folder; give a file");
+        return;
+    }
+    errno = 0;
+    m_file.reset(openedForReading(file));
+    if (!m_file)
+        complain(file + ": cannot be read: " + std::generic_category().message(errno));
+}
+
+std::size_t ByteSource::read(char *buffer, std::size_t size)
+{
+    return std::fread(buffer, 1, size, m_file.get());
+}
+
+ByteSink::ByteSink()
+{
+    setBinary(stdout);
+#ifdef SIGPIPE
+    std::signal(SIGPIPE, SIG_IGN); // writing to a closed pipe then fails, and is seen here
+#endif
+}
+
+void ByteSink::write(std::string_view bytes)
+{
+    if (m_state == State::Open && std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size())
+        fail();
+}
+
+void ByteSink::flush()
+{
+    if (m_state == State::Open && std::fflush(stdout) != 0)
+        fail();
+}
+
+void ByteSink::fail()
+{
+#ifdef _WIN32
+    const bool isReaderGone = errno == EPIPE || errno == EINVAL;
+#else
+    const bool isReaderGone = errno == EPIPE;
+#endif
+    m_state = isReaderGone ? State::ReaderGone : State::Failed;
+    if (!isReaderGone)
+        complain("the results cannot be written: " + std::generic_category().message(errno));
+}
+
+} // namespace unprojector

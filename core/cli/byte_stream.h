@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace unprojector {
+
+/// A path given in UTF-8, as the command's arguments are.
+std::filesystem::path pathOf(const std::string &utf8);
+
+/// A line on stderr.
+void complain(std::string_view line);
+
+/// Bytes as they are (no line ends translated) from a file, or from stdin for "-".
+class ByteSource {
+public:
+    /// What could not be opened is said on stderr, and `isOpen` is false.
+    explicit ByteSource(const std::string &file);
+
+    bool isOpen() const { return m_file != nullptr; }
+    /// The name for messages: the file's, or "stdin".
+    const std::string &name() const { return m_name; }
+    /// Fills the buffer as far as there is something; fewer bytes than asked for only at the end.
+    std::size_t read(char *buffer, std::size_t size);
+    /// Whether reading stopped at an error, not at the end.
+    bool hasFailed() const { return std::ferror(m_file.get()) != 0; }
+
+private:
+    struct Close {
+        void operator()(std::FILE *file) const;
+    };
+    std::unique_ptr<std::FILE, Close> m_file;
+    std::string m_name;
+};
+
+/// Bytes as they are to stdout. Whoever reads may go away at any time, as `head` does: that is no error.
+class ByteSink {
+public:
+    enum class State { Open, ReaderGone, Failed };
+
+    ByteSink();
+    void write(std::string_view bytes);
+    void flush();
+    State state() const { return m_state; }
+
+private:
+    void fail();
+    State m_state = State::Open;
+};
+
+} // namespace unprojector

@@ -1,0 +1,124 @@
+#include "core/cli/command_line.h"
+
+#include "core/cli/matrices_command.h"
+#include "core/cli/points_command.h"
+#include "core/cli/project_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace unprojector {
+namespace {
+
+using Run = std::function<ExitCode()>;
+
+template <class Choice>
+void addChoice(CLI::App &command, const std::string &name, Choice &target, const std::map<std::string, Choice> &choices,
+               const std::string &description)
+{
+    std::string names;
+    for (const auto &choice : choices)
+        names += (names.empty() ? "" : ", ") + choice.first;
+    command.add_option_function<std::string>(
+               name, [&target, choices](const std::string &given) { target = choices.at(given); },
+               description + ": " + names)
+        ->check([choices, names](const std::string &given) {
+            return choices.contains(given) ? std::string() : '"' + given + "\" is none of " + names;
+        });
+}
+
+void addPoints(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("points", "Pixels and depths to points, by the formulas and by the inverted matrix");
+    auto options = std::make_shared<PointsOptions>();
+    command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+    command->add_option("POINTS", options->input,
+                        "CSV with the columns px,py,depth; - or nothing: standard input. px and py are device pixels from "
+                        "the top left corner, the centre of the first pixel is 0.5,0.5");
+    command->add_option("--space", options->space, "Where the points lie: eye, world or object:NAME")->default_str("world");
+    addChoice<Methods>(*command, "--method", options->methods,
+                       {{"both", Methods::Both}, {"formula", Methods::Formula}, {"matrix", Methods::Matrix}},
+                       "How to compute");
+    addChoice<RowFormat>(*command, "--format", options->format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},
+                         "How to write");
+    command->add_flag("--pixel", options->isPixel,
+                      "px and py are whole indices of pixels; their centres are meant (1/2 is added)");
+    command->add_option("--threads", options->threads, "How many threads compute")
+        ->check(CLI::Range(1, 64))->default_str("2");
+    command->footer("Examples:\n"
+                    "  unproject points scene.json clicks.csv > points.csv\n"
+                    "  printf 'px,py,depth\\n400,300,0.5\\n' | unproject points scene.json -\n"
+                    "  unproject points --method formula --space eye --pixel --format jsonl scene.json pixels.csv\n"
+                    "\n"
+                    "A row that cannot be computed has empty cells and a line on stderr; the others go on.");
+    command->callback([options, &run] { run = [options] { return runPoints(*options); }; });
+}
+
+void addProject(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("project", "Points to the window, every stage on the way");
+    auto options = std::make_shared<ProjectOptions>();
+    command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+    command->add_option("POINTS", options->input, "CSV with the columns x,y,z; - or nothing: standard input");
+    command->add_option("--space", options->space, "Where the points lie: world or object:NAME")->default_str("world");
+    addChoice<RowFormat>(*command, "--format", options->format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},
+                         "How to write");
+    command->add_option("--threads", options->threads, "How many threads compute")
+        ->check(CLI::Range(1, 64))->default_str("2");
+    command->footer("The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical pixels\n"
+                    "from the top left corner); px,py,depth are what 'unproject points' takes.\n"
+                    "\n"
+                    "Examples:\n"
+                    "  printf 'x,y,z\\n0,0,0\\n' | unproject project scene.json\n"
+                    "  unproject project scene.json points.csv | unproject points scene.json");
+    command->callback([options, &run] { run = [options] { return runProject(*options); }; });
+}
+
+void addMatrices(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("matrices", "All matrices of a scene");
+    auto options = std::make_shared<MatricesOptions>();
+    command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+    addChoice<MatrixLayout>(*command, "--layout", options->layout,
+                            {{"column", MatrixLayout::Column}, {"row", MatrixLayout::Row}},
+                            "Column vectors, M v, or row vectors, v M");
+    addChoice<MatricesFormat>(*command, "--format", options->format,
+                              {{"text", MatricesFormat::Text},
+                               {"json", MatricesFormat::Json},
+                               {"c", MatricesFormat::C},
+                               {"numpy", MatricesFormat::NumPy},
+                               {"latex", MatricesFormat::Latex}},
+                              "How to write");
+    command->footer("C arrays have OpenGL's order in memory in either layout.\n"
+                    "\n"
+                    "Examples:\n"
+                    "  unproject matrices scene.json\n"
+                    "  unproject matrices --format numpy --layout row scene.json > matrices.py");
+    command->callback([options, &run] { run = [options] { return runMatrices(*options); }; });
+}
+
+} // namespace
+
+ExitCode runCommandLine(int argc, char **argv)
+{
+    CLI::App app("The world coordinates under pixels, computed twice: by formulas in closed form and by the inverted matrix.",
+                 "unproject");
+    app.require_subcommand(1);
+    app.footer("unproject COMMAND --help says more.\n\nExit code: 0 done, 1 some rows bad, 2 unusable input.");
+    Run run;
+    addPoints(app, run);
+    addProject(app, run);
+    addMatrices(app, run);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        return app.exit(error) == 0 ? ExitCode::Done : ExitCode::UnusableInput;
+    }
+    return run();
+}
+
+} // namespace unprojector

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/cli/line_blocks.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector {
+
+/// Where the three columns that are wanted stand in a row of comma-separated values.
+struct NumberColumns {
+    std::array<std::string, 3> names;
+    std::array<std::size_t, 3> places{};
+};
+
+/// Reads the first line and finds the columns by their names; others are passed over. Blanks around names and quotes around
+/// them are taken off. What is wrong is said on stderr.
+std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &source,
+                                        const std::array<std::string, 3> &names);
+
+/// A row that has no result.
+struct BadRow {
+    std::size_t row = 0;              ///< in its block
+    std::array<std::string, 3> cells; ///< as written, without blanks; empty where there are none
+};
+
+/// Rows of three numbers, one array a column. A bad row has zeros and is named in `bad`.
+struct NumberRows {
+    std::array<std::vector<double>, 3> values;
+    std::vector<std::uint32_t> lines; ///< of each row, counted from the block's first
+    std::vector<BadRow> bad;          ///< by row, ascending
+
+    std::size_t count() const { return lines.size(); }
+};
+
+/// Reads the rows of a block. Empty lines are none. Numbers may have blanks around them, a sign and an exponent; anything
+/// else, NaN and infinity make a row bad and are said in `messages`.
+class NumberReader {
+public:
+    NumberReader(std::string fileName, NumberColumns columns)
+        : m_fileName(std::move(fileName)), m_columns(std::move(columns))
+    {
+    }
+
+    void read(const LineBlock &block, NumberRows &rows, std::vector<LineMessage> &messages) const;
+
+    static constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
+    /// Adds "file:line:column: what" to the messages.
+    /// @param line    in the block, counted from 0
+    /// @param column  which of the three is at fault
+    void complainOf(const LineBlock &block, std::uint32_t line, std::size_t column, std::string_view what,
+                    std::vector<LineMessage> &messages) const;
+
+private:
+    using Cells = std::array<std::string_view, 3>;
+    void readRow(const LineBlock &block, std::string_view line, std::uint32_t number, NumberRows &rows,
+                 std::vector<LineMessage> &messages) const;
+    Cells cellsOf(std::string_view line) const;
+
+    std::string m_fileName;
+    NumberColumns m_columns;
+};
+
+} // namespace unprojector

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace unprojector {
+
+/// Appends the fewest digits that read back to the same double.
+inline void appendNumber(std::string &text, double value)
+{
+    std::array<char, 32> digits;
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    text.append(digits.data(), written.ptr);
+}
+
+} // namespace unprojector

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "core/cli/number_writer.h"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector {
+
+enum class RowFormat { Csv, Jsonl };
+
+/// Writes rows of numbers, cell by cell: comma-separated values, or one JSON object a line.
+class RowWriter {
+public:
+    RowWriter(RowFormat format, const std::vector<std::string> &names, std::string &output)
+        : m_format(format), m_names(names), m_output(output)
+    {
+    }
+
+    void header()
+    {
+        if (m_format == RowFormat::Jsonl)
+            return;
+        for (const std::string &name : m_names) {
+            startCell();
+            m_output += name;
+        }
+        endRow();
+    }
+
+    void number(double value)
+    {
+        startCell();
+        appendNumber(m_output, value);
+    }
+
+    /// An empty cell for what is no finite number.
+    void numberOrNothing(double value)
+    {
+        if (std::isfinite(value))
+            number(value);
+        else
+            nothing();
+    }
+
+    void nothing()
+    {
+        startCell();
+        if (m_format == RowFormat::Jsonl)
+            m_output += "null";
+    }
+
+    /// What stood in a cell of comma-separated values; in JSON where it is a number. No comma and no line end is in it.
+    void asWritten(std::string_view cell)
+    {
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+        const bool isNumber = error == std::errc{} && end == cell.data() + cell.size() && std::isfinite(value);
+        if (m_format == RowFormat::Jsonl && isNumber)
+            return number(value);
+        if (m_format == RowFormat::Jsonl || cell.find('"') != std::string_view::npos)
+            return nothing();
+        startCell();
+        m_output += cell;
+    }
+
+    void endRow()
+    {
+        if (m_format == RowFormat::Jsonl)
+            m_output += '}';
+        m_output += '\n';
+        m_column = 0;
+    }
+
+private:
+    void startCell()
+    {
+        if (m_format == RowFormat::Csv) {
+            if (m_column > 0)
+                m_output += ',';
+        } else {
+            m_output += m_column > 0 ? ",\"" : "{\"";
+            m_output += m_names[m_column];
+            m_output += "\":";
+        }
+        ++m_column;
+    }
+
+    RowFormat m_format;
+    const std::vector<std::string> &m_names;
+    std::string &m_output;
+    std::size_t m_column = 0;
+};
+
+} // namespace unprojector

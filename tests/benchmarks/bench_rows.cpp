@@ -1,0 +1,94 @@
+// `unproject points` beside the reading and writing of the same numbers without computing anything, one thread each.
+
+#include "core/batch_unproject.h"
+#include "core/cli/number_table.h"
+#include "core/cli/points_command.h"
+#include "core/cli/row_writer.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <random>
+
+using namespace unprojector;
+
+namespace {
+
+constexpr std::size_t kRows = 4000; // about one block
+
+PictureGeometry geometry()
+{
+    PictureGeometry g;
+    g.surface = {800, 600, 1.0};
+    g.viewport = wholeSurface(g.surface);
+    g.projection = Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 100.0};
+    g.view = LookAt{};
+    return g;
+}
+
+LineBlock block()
+{
+    std::mt19937_64 random(1);
+    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    LineBlock result;
+    for (std::size_t i = 0; i < kRows; ++i) {
+        for (const double value : {unit() * 800, unit() * 600, unit()}) {
+            appendNumber(result.text, value);
+            result.text += ',';
+        }
+        result.text.back() = '\n';
+    }
+    return result;
+}
+
+/// Three numbers in, ten out; the seven results are what `unproject points` would have computed.
+void rows(benchmark::State &state, bool isComputing)
+{
+    const LineBlock text = block();
+    const NumberReader reader("rows", {{"px", "py", "depth"}, {0, 1, 2}});
+    const std::vector<std::string> names(10, "name");
+    const BatchUnprojection formula = *BatchUnprojection::byFormula(geometry(), {});
+    const BatchUnprojection matrix = *BatchUnprojection::byMatrix(geometry(), {});
+    NumberRows numbers;
+    std::vector<LineMessage> messages;
+    std::array<std::vector<double>, 7> results;
+    for (auto &column : results)
+        column.resize(kRows);
+    std::string output;
+    const auto compute = [&] {
+        const BatchInput<double> input{numbers.values[0].data(), numbers.values[1].data(), numbers.values[2].data()};
+        formula(input, BatchOutput<double>{results[0].data(), results[1].data(), results[2].data()}, kRows);
+        matrix(input, BatchOutput<double>{results[3].data(), results[4].data(), results[5].data()}, kRows);
+        for (std::size_t i = 0; i < kRows; ++i) {
+            double squares = 0.0;
+            for (std::size_t k = 0; k < 3; ++k)
+                squares += (results[k][i] - results[k + 3][i]) * (results[k][i] - results[k + 3][i]);
+            results[6][i] = std::sqrt(squares);
+        }
+    };
+    reader.read(text, numbers, messages);
+    compute();
+    for (auto _ : state) {
+        output.clear();
+        reader.read(text, numbers, messages);
+        if (isComputing)
+            compute();
+        RowWriter writer(RowFormat::Csv, names, output);
+        for (std::size_t i = 0; i < kRows; ++i) {
+            for (const auto &column : numbers.values)
+                writer.number(column[i]);
+            for (const auto &column : results)
+                writer.numberOrNothing(column[i]);
+            writer.endRow();
+        }
+        benchmark::DoNotOptimize(output.data());
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kRows));
+}
+
+BENCHMARK_CAPTURE(rows, read and write, false);
+BENCHMARK_CAPTURE(rows, read compute and write, true);
+
+} // namespace
+
+BENCHMARK_MAIN();

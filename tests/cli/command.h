@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QFile>
+#include <QList>
+#include <QProcess>
+#include <QStringList>
+#include <QTemporaryDir>
+#include <QTest>
+
+/// What a run of the command left.
+struct Run {
+    int exitCode = -1;
+    QByteArray output, errors;
+
+    /// The lines written, the last line end left out.
+    QList<QByteArray> lines() const
+    {
+        QByteArray text = output;
+        if (text.endsWith('\n'))
+            text.chop(1);
+        return text.split('\n');
+    }
+};
+
+inline Run runCommand(const QStringList &arguments, const QByteArray &input = {})
+{
+    QProcess process;
+    process.start(QStringLiteral(UNPROJECT_COMMAND), arguments);
+    if (!process.waitForStarted())
+        qFatal("the command does not start: %s", qPrintable(process.errorString()));
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(120000))
+        qFatal("the command does not end");
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
+            process.readAllStandardError()};
+}
+
+/// A folder of files that a test makes.
+class Folder {
+public:
+    QString write(const QString &name, const QByteArray &text) const
+    {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+            qFatal("no room for %s", qPrintable(name));
+        return file.fileName();
+    }
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// 800 x 600; the eye at (0, 0, 5) looks down -z; [-1, 1] x [-3/4, 3/4] at 1, far 4: the depth 2/3 is the distance 2.
+inline const QByteArray kFrustumScene = R"({
+  "unprojector": 1,
+  "window": {"width": 800, "height": 600},
+  "projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -0.75, "top": 0.75, "near": 1, "far": 4},
+  "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
+  "objects": [{"name": "face", "file": "face.obj", "transform": [{"translate": [0, 0, 3]}, {"scale": [2, 2, 2]}]}]
+})";

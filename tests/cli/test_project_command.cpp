@@ -1,0 +1,120 @@
+// `unproject project`: the way forward, as a script runs it.
+
+#include "tests/cli/command.h"
+
+#include <cmath>
+
+namespace {
+
+const QByteArray kHeader = "x,y,z,eye_x,eye_y,eye_z,clip_x,clip_y,clip_z,clip_w,ndc_x,ndc_y,ndc_z,window_x,window_y,"
+                           "window_z,widget_x,widget_y,px,py,depth";
+
+} // namespace
+
+class TestProjectCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { m_scene = m_folder.write("scene.json", kFrustumScene); }
+    void literalStages_data();
+    void literalStages();
+    void aPixelRatioDividesTheWidget();
+    void backwardOfForwardIsThePoint();
+    void badRowsAreNamed_data();
+    void badRowsAreNamed();
+    void objectsOwnCoordinates();
+    void jsonLines();
+
+private:
+    Folder m_folder;
+    QString m_scene;
+};
+
+void TestProjectCommand::literalStages_data()
+{
+    QTest::addColumn<QByteArray>("row");
+    QTest::newRow("near plane, top-right corner")
+        << QByteArray("1,0.75,4,1,0.75,-1,1,1,-1,1,1,1,-1,800,600,0,800,0,800,0,0");
+    QTest::newRow("far plane, centre") << QByteArray("0,0,1,0,0,-4,0,0,4,4,0,0,1,400,300,1,400,300,400,300,1");
+    QTest::newRow("behind the eye") << QByteArray("1,0,6,1,0,1,1,0,-4.333333333333334,-1,-1,-0,4.333333333333334,0,300,"
+                                                  "2.666666666666667,0,300,0,300,2.666666666666667");
+}
+
+void TestProjectCommand::literalStages()
+{
+    QFETCH(QByteArray, row);
+    const QList<QByteArray> cells = row.split(',');
+    const Run run = runCommand({"project", m_scene}, "x,y,z\n" + cells.mid(0, 3).join(',') + '\n');
+    QCOMPARE(run.errors, QByteArray());
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.lines().at(0), kHeader);
+    const QList<QByteArray> written = run.lines().at(1).split(',');
+    QCOMPARE(written.size(), cells.size());
+    for (int k = 0; k < cells.size(); ++k)
+        QVERIFY2(std::abs(written[k].toDouble() - cells[k].toDouble()) <= 1e-12, written[k].constData());
+}
+
+void TestProjectCommand::aPixelRatioDividesTheWidget()
+{
+    QByteArray text = kFrustumScene;
+    text.replace("\"height\": 600}", "\"height\": 600, \"devicePixelRatio\": 2}");
+    const QString scene = m_folder.write("dense.json", text);
+    const Run run = runCommand({"project", scene}, "x,y,z\n1,0.75,1\n");
+    const QList<QByteArray> cells = run.lines().at(1).split(',');
+    QCOMPARE(cells.mid(13, 2), (QList<QByteArray>{"1000", "750"})); // window
+    QCOMPARE(cells.mid(16, 4), (QList<QByteArray>{"500", "225", "1000", "450"})); // widget, device
+}
+
+void TestProjectCommand::backwardOfForwardIsThePoint()
+{
+    const Run forward = runCommand({"project", m_scene}, "x,y,z\n0.25,-0.5,2\n");
+    const Run back = runCommand({"points", m_scene}, forward.output);
+    QCOMPARE(back.exitCode, 0);
+    const QList<QByteArray> cells = back.lines().at(1).split(',');
+    const double expected[] = {0.25, -0.5, 2.0};
+    for (int k = 0; k < 3; ++k)
+        QVERIFY(std::abs(cells[3 + k].toDouble() - expected[k]) <= 1e-14);
+}
+
+void TestProjectCommand::badRowsAreNamed_data()
+{
+    QTest::addColumn<QByteArray>("row");
+    QTest::addColumn<int>("cells");
+    QTest::addColumn<QByteArray>("message");
+    QTest::newRow("in the plane of the eye") << QByteArray("1,2,5") << 10 << QByteArray("stdin:2: the point has no place");
+    QTest::newRow("overflow") << QByteArray("1,1.7e308,0") << 6 << QByteArray("stdin:2: the point has no place");
+    QTest::newRow("text") << QByteArray("1,2,c") << 3 << QByteArray("stdin:2:5: z: \"c\" is not a number");
+}
+
+void TestProjectCommand::badRowsAreNamed()
+{
+    QFETCH(QByteArray, row);
+    QFETCH(int, cells);
+    QFETCH(QByteArray, message);
+    const Run run = runCommand({"project", m_scene}, "x,y,z\n" + row + "\n0,0,1\n");
+    QCOMPARE(run.exitCode, 1);
+    QCOMPARE(run.lines().size(), 3);
+    const QList<QByteArray> written = run.lines().at(1).split(',');
+    QCOMPARE(written.size(), kHeader.count(',') + 1);
+    for (int k = 0; k < written.size(); ++k)
+        QCOMPARE(written[k].isEmpty(), k >= cells);
+    QVERIFY2(run.errors.startsWith(message), run.errors.constData());
+}
+
+void TestProjectCommand::objectsOwnCoordinates()
+{
+    const Run object = runCommand({"project", "--space", "object:face", m_scene}, "x,y,z\n0.5,0.375,0.5\n");
+    const Run world = runCommand({"project", m_scene}, "x,y,z\n1,0.75,4\n");
+    QCOMPARE(object.lines().at(1).mid(sizeof("0.5,0.375,0.5,") - 1), world.lines().at(1).mid(sizeof("1,0.75,4,") - 1));
+    QCOMPARE(runCommand({"project", "--space", "eye", m_scene}, "x,y,z\n").exitCode, 2);
+}
+
+void TestProjectCommand::jsonLines()
+{
+    const Run run = runCommand({"project", "--format", "jsonl", m_scene}, "x,y,z\n1,2,5\n");
+    QVERIFY(run.output.startsWith("{\"x\":1,\"y\":2,\"z\":5,\"eye_x\":1,\"eye_y\":2,"));
+    QVERIFY(run.output.endsWith("\"px\":null,\"py\":null,\"depth\":null}\n"));
+}
+
+QTEST_GUILESS_MAIN(TestProjectCommand)
+#include "test_project_command.moc"
