@@ -131,10 +131,9 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("Examples", "parallel-projection, second program")},
 };
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("Examples", text);
-}
+struct Examples {
+    Q_DECLARE_TR_FUNCTIONS(Examples)
+};
 
 } // namespace
 
@@ -142,7 +141,7 @@ std::optional<ExampleText> exampleText(const std::string &id)
 {
     for (const Entry &entry : kEntries) {
         if (id == entry.id)
-            return ExampleText{tr(entry.name), tr(entry.text), tr(entry.source)};
+            return ExampleText{Examples::tr(entry.name), Examples::tr(entry.text), Examples::tr(entry.source)};
     }
     return std::nullopt;
 }
@@ -150,13 +149,13 @@ std::optional<ExampleText> exampleText(const std::string &id)
 QString tutorialName(const std::string &tutorial)
 {
     if (tutorial == "zhangci")
-        return tr("OpenGL Pipeline (Zhang Ci)");
+        return Examples::tr("OpenGL Pipeline (Zhang Ci)");
     if (tutorial == "projection-derivation")
-        return tr("Projection Derivation");
+        return Examples::tr("Projection Derivation");
     if (tutorial == "opencascade")
-        return tr("OpenCASCADE Transforms");
+        return Examples::tr("OpenCASCADE Transforms");
     if (tutorial == "parallel-projection")
-        return tr("Parallel Projection");
+        return Examples::tr("Parallel Projection");
     return {};
 }
 
