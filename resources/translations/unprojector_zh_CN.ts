@@ -194,8 +194,8 @@
         <translation>二维：三个坐标系</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Three pairs of axes, x red and y green: &lt;b&gt;MC&lt;/b&gt; carries the yellow point, &lt;b&gt;WC&lt;/b&gt; is the world, &lt;b&gt;VC&lt;/b&gt; the camera, in the middle of the picture.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the yellow point&lt;/b&gt; and follow it in the Pipeline panel: about (1, 1) in MC, (3, 4) in the world, (−2, −2) for the camera.&lt;/p&gt;&lt;p&gt;MC is a mirror and a step: glTranslate(4, 3, 0), glScale(−1, 1, 1). VC has its y axis downwards, so the world hangs upside down. In the plane that is a mirror, in space a half turn: the camera looks along +z, and z changes its sign. See the &lt;a href='formulas:view'&gt;view matrix&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;三对坐标轴，x 为红色，y 为绿色：&lt;b&gt;MC&lt;/b&gt; 带着黄点，&lt;b&gt;WC&lt;/b&gt; 是世界，&lt;b&gt;VC&lt;/b&gt; 是相机，在画面中央。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄点&lt;/b&gt;，并在“流水线”面板中跟踪它：在 MC 中约为 (1, 1)，在世界坐标中为 (3, 4)，相对相机为 (−2, −2)。&lt;/p&gt;&lt;p&gt;MC 是一次镜像加一次平移：glTranslate(4, 3, 0)、glScale(−1, 1, 1)。VC 的 y 轴向下，所以世界是倒过来的。在平面中这是镜像，在空间中则是转半圈：相机沿 +z 方向看，z 变号。参见&lt;a href='formulas:view'&gt;视图矩阵&lt;/a&gt;。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Three pairs of axes, x red and y green: &lt;b&gt;MC&lt;/b&gt; carries the yellow point, &lt;b&gt;WC&lt;/b&gt; is the world, &lt;b&gt;VC&lt;/b&gt; the camera, in the middle of the picture.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the yellow point&lt;/b&gt; and follow it in the Pipeline panel: about (1, 1) in MC, (3, 4) in the world, (−2, −2) for the camera.&lt;/p&gt;&lt;p&gt;MC is a mirror and a step: glTranslate(4, 3, 0), glScale(−1, 1, 1). VC has its y axis downwards, so the world hangs upside down. In the plane that is a mirror, in space a half turn: the camera looks along +z, and z changes its sign. See the &lt;a href=&apos;formulas:view&apos;&gt;view matrix&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;三对坐标轴，x 为红色，y 为绿色：&lt;b&gt;MC&lt;/b&gt; 带着黄点，&lt;b&gt;WC&lt;/b&gt; 是世界，&lt;b&gt;VC&lt;/b&gt; 是相机，在画面中央。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄点&lt;/b&gt;，并在“流水线”面板中跟踪它：在 MC 中约为 (1, 1)，在世界坐标中为 (3, 4)，相对相机为 (−2, −2)。&lt;/p&gt;&lt;p&gt;MC 是一次镜像加一次平移：glTranslate(4, 3, 0)、glScale(−1, 1, 1)。VC 的 y 轴向下，所以世界是倒过来的。在平面中这是镜像，在空间中则是转半圈：相机沿 +z 方向看，z 变号。参见&lt;a href=&apos;formulas:view&apos;&gt;视图矩阵&lt;/a&gt;。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Zhang Ci, section 2.1, figures 2.3 to 2.5</source>
@@ -218,8 +218,8 @@
         <translation>glOrtho，从 −10 到 10</translation>
     </message>
     <message>
-        <source>&lt;p&gt;glOrtho(−10, 10, −10, 10, −10, 10). In the Pipeline panel, Projection is 0.1, 0.1, −0.1 on its diagonal and 0 in m[12], m[13], m[14].&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click near a corner of the square&lt;/b&gt;: it is the front of a cube of side 10, seen straight on, and fills only half of the picture. Its NDC are ±0.5 in x and y.&lt;/p&gt;&lt;p&gt;The front lies in the plane of the eye, where a perspective could show nothing; a box may reach behind the eye. The depth there is 0.5.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial calls the volume a cube of side 10, normalised to side 1. Its side is 20, and that of the &lt;a href='formulas:ortho'&gt;normalised volume&lt;/a&gt; is 2.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glOrtho(−10, 10, −10, 10, −10, 10)。在“流水线”面板中，投影矩阵的对角线为 0.1、0.1、−0.1，m[12]、m[13]、m[14] 为 0。&lt;/p&gt;&lt;p&gt;&lt;b&gt;在正方形的一个角附近点击&lt;/b&gt;：它是边长为 10 的立方体的正面，从正前方看，只占画面的一半。它的 NDC 的 x 和 y 为 ±0.5。&lt;/p&gt;&lt;p&gt;正面位于视点所在的平面内，透视投影在那里什么也显示不了；而长方体视景体可以伸到视点后面。那里的深度为 0.5。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说该视景体是边长为 10 的立方体，规范化后边长为 1。实际上它的边长是 20，&lt;a href='formulas:ortho'&gt;规范化视景体&lt;/a&gt;的边长是 2。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;glOrtho(−10, 10, −10, 10, −10, 10). In the Pipeline panel, Projection is 0.1, 0.1, −0.1 on its diagonal and 0 in m[12], m[13], m[14].&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click near a corner of the square&lt;/b&gt;: it is the front of a cube of side 10, seen straight on, and fills only half of the picture. Its NDC are ±0.5 in x and y.&lt;/p&gt;&lt;p&gt;The front lies in the plane of the eye, where a perspective could show nothing; a box may reach behind the eye. The depth there is 0.5.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial calls the volume a cube of side 10, normalised to side 1. Its side is 20, and that of the &lt;a href=&apos;formulas:ortho&apos;&gt;normalised volume&lt;/a&gt; is 2.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glOrtho(−10, 10, −10, 10, −10, 10)。在“流水线”面板中，投影矩阵的对角线为 0.1、0.1、−0.1，m[12]、m[13]、m[14] 为 0。&lt;/p&gt;&lt;p&gt;&lt;b&gt;在正方形的一个角附近点击&lt;/b&gt;：它是边长为 10 的立方体的正面，从正前方看，只占画面的一半。它的 NDC 的 x 和 y 为 ±0.5。&lt;/p&gt;&lt;p&gt;正面位于视点所在的平面内，透视投影在那里什么也显示不了；而长方体视景体可以伸到视点后面。那里的深度为 0.5。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说该视景体是边长为 10 的立方体，规范化后边长为 1。实际上它的边长是 20，&lt;a href=&apos;formulas:ortho&apos;&gt;规范化视景体&lt;/a&gt;的边长是 2。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Zhang Ci, section 2.2.1, figures 2.9 and 2.10</source>
@@ -242,8 +242,8 @@
         <translation>50 × 50 像素的视口</translation>
     </message>
     <message>
-        <source>&lt;p&gt;glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is outside the viewport.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; The NDC (0, 0, 0.5) come to the window point (25, 25, 0.75). The Pipeline panel follows the centre of the clicked pixel, half a pixel beside it: (25.5, 25.5), for example.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial says that the depth 0.5 does not change. Its own &lt;a href='formulas:viewport'&gt;viewport matrix&lt;/a&gt; makes it (0.5 + 1) / 2 = 0.75.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glViewport(0, 0, 50, 50)：左下角的小画面。窗口的其余部分在视口之外。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;NDC (0, 0, 0.5) 变为窗口点 (25, 25, 0.75)。“流水线”面板跟踪的是所点击像素的中心，偏开半个像素：例如 (25.5, 25.5)。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说深度 0.5 不变。但按教程自己的&lt;a href='formulas:viewport'&gt;视口矩阵&lt;/a&gt;，它是 (0.5 + 1) / 2 = 0.75。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is outside the viewport.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; The NDC (0, 0, 0.5) come to the window point (25, 25, 0.75). The Pipeline panel follows the centre of the clicked pixel, half a pixel beside it: (25.5, 25.5), for example.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial says that the depth 0.5 does not change. Its own &lt;a href=&apos;formulas:viewport&apos;&gt;viewport matrix&lt;/a&gt; makes it (0.5 + 1) / 2 = 0.75.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glViewport(0, 0, 50, 50)：左下角的小画面。窗口的其余部分在视口之外。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;NDC (0, 0, 0.5) 变为窗口点 (25, 25, 0.75)。“流水线”面板跟踪的是所点击像素的中心，偏开半个像素：例如 (25.5, 25.5)。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说深度 0.5 不变。但按教程自己的&lt;a href=&apos;formulas:viewport&apos;&gt;视口矩阵&lt;/a&gt;，它是 (0.5 + 1) / 2 = 0.75。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Zhang Ci, section 2.3</source>
@@ -278,8 +278,8 @@
         <translation>三种投影：gluPerspective，90°</translation>
     </message>
     <message>
-        <source>&lt;p&gt;gluPerspective(90, 800/600, 5, 80000), the second of the three programs. &lt;b&gt;The circle is round&lt;/b&gt;: m[0] = 0.75 and m[5] = 1 make up for the window’s 4 : 3.&lt;/p&gt;&lt;p&gt;The other two have m[0] = 1.3333 and draw it 16 : 9. &lt;b&gt;Switch between the three&lt;/b&gt; in the menu.&lt;/p&gt;&lt;p&gt;Near : far is 1 : 16000. Click the triangle and look at the difference of the two methods, and at the condition number given as its &lt;a href='formulas:matrix'&gt;cause&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;gluPerspective(90, 800/600, 5, 80000)，三个程序中的第二个。&lt;b&gt;圆是圆的&lt;/b&gt;：m[0] = 0.75 和 m[5] = 1 抵消了窗口的 4 : 3。&lt;/p&gt;&lt;p&gt;另外两个的 m[0] = 1.3333，把圆画成 16 : 9。在菜单中&lt;b&gt;在三者之间切换&lt;/b&gt;。&lt;/p&gt;&lt;p&gt;近与远之比为 1 : 16000。点击三角形，看两种方法的差，以及作为其&lt;a href='formulas:matrix'&gt;原因&lt;/a&gt;给出的条件数。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;gluPerspective(90, 800/600, 5, 80000), the second of the three programs. &lt;b&gt;The circle is round&lt;/b&gt;: m[0] = 0.75 and m[5] = 1 make up for the window’s 4 : 3.&lt;/p&gt;&lt;p&gt;The other two have m[0] = 1.3333 and draw it 16 : 9. &lt;b&gt;Switch between the three&lt;/b&gt; in the menu.&lt;/p&gt;&lt;p&gt;Near : far is 1 : 16000. Click the triangle and look at the difference of the two methods, and at the condition number given as its &lt;a href=&apos;formulas:matrix&apos;&gt;cause&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;gluPerspective(90, 800/600, 5, 80000)，三个程序中的第二个。&lt;b&gt;圆是圆的&lt;/b&gt;：m[0] = 0.75 和 m[5] = 1 抵消了窗口的 4 : 3。&lt;/p&gt;&lt;p&gt;另外两个的 m[0] = 1.3333，把圆画成 16 : 9。在菜单中&lt;b&gt;在三者之间切换&lt;/b&gt;。&lt;/p&gt;&lt;p&gt;近与远之比为 1 : 16000。点击三角形，看两种方法的差，以及作为其&lt;a href=&apos;formulas:matrix&apos;&gt;原因&lt;/a&gt;给出的条件数。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>projection-derivation, second program</source>
@@ -302,8 +302,8 @@
         <translation>像素 (150, 150) 的往返</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The start of the line is the world’s origin. In a view of 300 × 300 it is the window point (150, 150), and (150, 150) in the widget. In a larger view the picture stays in the lower left corner, and only the widget’s y is another.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; One unit is one pixel here, so that half a pixel shows: the pixel below and to the right of the origin has its centre at (0.5, −0.5).&lt;/p&gt;&lt;p&gt;The article’s way back gives the origin with another depth z. Here the depth is read from the picture, and z comes out as well.&lt;/p&gt;&lt;p&gt;In the Pipeline panel choose Rows to see the matrices as the article writes them, &lt;a href='formulas:rows'&gt;v · M&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;线段的起点是世界原点。在 300 × 300 的视图中，它是窗口点 (150, 150)，在控件中也是 (150, 150)。在更大的视图中，画面仍在左下角，只有控件坐标的 y 不同。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;这里一个单位就是一个像素，所以半个像素也看得出来：原点右下方的那个像素，中心在 (0.5, −0.5)。&lt;/p&gt;&lt;p&gt;文章的逆过程得到的是深度 z 不同的原点。这里的深度从画面读出，z 也能求得。&lt;/p&gt;&lt;p&gt;在“流水线”面板中选择“行向量”，可以按文章的写法 &lt;a href='formulas:rows'&gt;v · M&lt;/a&gt; 查看各矩阵。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The start of the line is the world’s origin. In a view of 300 × 300 it is the window point (150, 150), and (150, 150) in the widget. In a larger view the picture stays in the lower left corner, and only the widget’s y is another.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; One unit is one pixel here, so that half a pixel shows: the pixel below and to the right of the origin has its centre at (0.5, −0.5).&lt;/p&gt;&lt;p&gt;The article’s way back gives the origin with another depth z. Here the depth is read from the picture, and z comes out as well.&lt;/p&gt;&lt;p&gt;In the Pipeline panel choose Rows to see the matrices as the article writes them, &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;线段的起点是世界原点。在 300 × 300 的视图中，它是窗口点 (150, 150)，在控件中也是 (150, 150)。在更大的视图中，画面仍在左下角，只有控件坐标的 y 不同。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;这里一个单位就是一个像素，所以半个像素也看得出来：原点右下方的那个像素，中心在 (0.5, −0.5)。&lt;/p&gt;&lt;p&gt;文章的逆过程得到的是深度 z 不同的原点。这里的深度从画面读出，z 也能求得。&lt;/p&gt;&lt;p&gt;在“流水线”面板中选择“行向量”，可以按文章的写法 &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt; 查看各矩阵。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>opencascade-transforms, section 4, figure 4.1 (its camera is not printed)</source>
@@ -326,8 +326,8 @@
         <translation>平行投影 2：斜投影</translation>
     </message>
     <message>
-        <source>&lt;p&gt;A box from z = −3 to −4.5, sheared by θ = φ = 0.78 and then projected by glOrtho(−10, 10, −10, 10, 2, 9). Parallel edges stay parallel, and two sides can be seen beside the front.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the front and a side.&lt;/b&gt; The formula first finds the point of the sheared box by (11) and (12), then takes the &lt;a href='formulas:oblique-back'&gt;shear&lt;/a&gt; off: x += cot θ · z.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the program means π/4, whose cotangent is 1. cot 0.78 is 1.01086.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;从 z = −3 到 −4.5 的长方体，以 θ = φ = 0.78 错切，再由 glOrtho(−10, 10, −10, 10, 2, 9) 投影。平行的棱仍然平行，除正面外还能看到两个侧面。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击正面和一个侧面。&lt;/b&gt;公式先由 (11) 和 (12) 求出错切后长方体上的点，再去掉&lt;a href='formulas:oblique-back'&gt;错切&lt;/a&gt;：x += cot θ · z。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;程序的本意是 π/4，其余切为 1。cot 0.78 为 1.01086。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;A box from z = −3 to −4.5, sheared by θ = φ = 0.78 and then projected by glOrtho(−10, 10, −10, 10, 2, 9). Parallel edges stay parallel, and two sides can be seen beside the front.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the front and a side.&lt;/b&gt; The formula first finds the point of the sheared box by (11) and (12), then takes the &lt;a href=&apos;formulas:oblique-back&apos;&gt;shear&lt;/a&gt; off: x += cot θ · z.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the program means π/4, whose cotangent is 1. cot 0.78 is 1.01086.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;从 z = −3 到 −4.5 的长方体，以 θ = φ = 0.78 错切，再由 glOrtho(−10, 10, −10, 10, 2, 9) 投影。平行的棱仍然平行，除正面外还能看到两个侧面。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击正面和一个侧面。&lt;/b&gt;公式先由 (11) 和 (12) 求出错切后长方体上的点，再去掉&lt;a href=&apos;formulas:oblique-back&apos;&gt;错切&lt;/a&gt;：x += cot θ · z。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;程序的本意是 π/4，其余切为 1。cot 0.78 为 1.01086。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>parallel-projection, second program</source>
@@ -377,12 +377,12 @@ far = %2</source>
         <translation>原因：求逆矩阵时的舍入。公式不求任何逆。</translation>
     </message>
     <message>
-        <source>Cause: rounding in the inverted matrix. At z = %1 with near : far = %2 : %3 the perspective magnifies it up to z (f − n) / (f n) = %4 times. The formula inverts nothing.</source>
+        <source>Cause: rounding in the inverted matrix. At z = %1 with near&#xa0;:&#xa0;far = %2&#xa0;:&#xa0;%3 the perspective magnifies it up to z (f − n) / (f n) = %4 times. The formula inverts nothing.</source>
         <translation>原因：求逆矩阵时的舍入。在 z = %1 处，近 : 远 = %2 : %3，透视最多把它放大 z (f − n) / (f n) = %4 倍。公式不求任何逆。</translation>
     </message>
     <message>
-        <source>The buffers leave ± %1 along the view (half a depth step) and ± %2 × %3 across it (half a pixel).</source>
-        <translation>缓冲所允许的误差：沿视线方向 ± %1（半个深度级），垂直于视线方向 ± %2 × %3（半个像素）。</translation>
+        <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
+        <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（半个像素）。</translation>
     </message>
 </context>
 <context>
@@ -540,7 +540,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>公式减逆矩阵；世界单位</translation>
     </message>
     <message>
-        <source>The difference in units in the last place of the point's largest component</source>
+        <source>The difference in units in the last place of the point&apos;s largest component</source>
         <translation>差值，以该点最大分量的末位单位 (ulp) 计</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>控件位置</translation>
     </message>
     <message>
-        <source>Logical pixels from the view's top-left corner, y down</source>
+        <source>Logical pixels from the view&apos;s top-left corner, y down</source>
         <translation>逻辑像素，原点在视图左上角，y 向下</translation>
     </message>
     <message>
@@ -579,7 +579,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>窗口位置</translation>
     </message>
     <message>
-        <source>The pixel's centre in device pixels from the bottom-left corner, y up</source>
+        <source>The pixel&apos;s centre in device pixels from the bottom-left corner, y up</source>
         <translation>像素中心，设备像素，原点在左下角，y 向上</translation>
     </message>
     <message>
@@ -667,11 +667,11 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>(%1, %2)，共 %3 × %4，比例 %5</translation>
     </message>
     <message>
-        <source>%1, the pixel's centre</source>
+        <source>%1, the pixel&apos;s centre</source>
         <translation>%1，像素中心</translation>
     </message>
     <message>
-        <source>%1, the background's</source>
+        <source>%1, the background&apos;s</source>
         <translation>%1，背景的深度</translation>
     </message>
     <message>
@@ -734,11 +734,11 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>从左上角算起的列和行，设备像素：控件坐标 × 设备像素比</translation>
     </message>
     <message>
-        <source>The pixel's centre in device pixels from the bottom-left corner, y up</source>
+        <source>The pixel&apos;s centre in device pixels from the bottom-left corner, y up</source>
         <translation>像素中心，设备像素，原点在左下角，y 向上</translation>
     </message>
     <message>
-        <source>The pixel's centre, −1 to 1 across the viewport, y up; no unit</source>
+        <source>The pixel&apos;s centre, −1 to 1 across the viewport, y up; no unit</source>
         <translation>像素中心，在视口内从 −1 到 1，y 向上；无单位</translation>
     </message>
     <message>
@@ -746,7 +746,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>指针下方的窗口像素</translation>
     </message>
     <message>
-        <source>The pixel right below the window's centre: half its width and half its height</source>
+        <source>The pixel right below the window&apos;s centre: half its width and half its height</source>
         <translation>窗口中心右下方的像素：宽和高的一半</translation>
     </message>
     <message>
@@ -863,7 +863,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>耗时</translation>
     </message>
     <message>
-        <source>Seconds since the view's first step; of pictures in a row, when the first was drawn</source>
+        <source>Seconds since the view&apos;s first step; of pictures in a row, when the first was drawn</source>
         <translation>从视图的第一步算起的秒数；对连续的画面，为第一幅的绘制时刻</translation>
     </message>
     <message>
@@ -882,7 +882,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
 <context>
     <name>unprojector::LifecyclePanel</name>
     <message>
-        <source>Steps of the view's life</source>
+        <source>Steps of the view&apos;s life</source>
         <translation>视图生命周期的步骤</translation>
     </message>
     <message>
@@ -1140,7 +1140,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>平滑边缘(&amp;S)</translation>
     </message>
     <message>
-        <source>Multisampling: smoother edges, but a depth is then read at a sample beside the pixel's centre</source>
+        <source>Multisampling: smoother edges, but a depth is then read at a sample beside the pixel&apos;s centre</source>
         <translation>多重采样：边缘更平滑，但深度读自像素中心旁的采样点</translation>
     </message>
     <message>
@@ -1192,8 +1192,8 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>鼠标与键盘</translation>
     </message>
     <message>
-        <source>&lt;table cellspacing='6'&gt;&lt;tr&gt;&lt;td&gt;Left button&lt;/td&gt;&lt;td&gt;read the world coordinate of the pixel&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;… and drag&lt;/td&gt;&lt;td&gt;turn the camera about that point&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Middle button, or Shift + left&lt;/td&gt;&lt;td&gt;move the camera sideways&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Wheel&lt;/td&gt;&lt;td&gt;zoom towards the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Double-click&lt;/td&gt;&lt;td&gt;bring the point to the middle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;1, 3, 7 (with Ctrl: the opposite)&lt;/td&gt;&lt;td&gt;look from the front, right, top&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;5&lt;/td&gt;&lt;td&gt;switch perspective and orthographic&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F, Home&lt;/td&gt;&lt;td&gt;fit all objects; back to the first camera&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellspacing='6'&gt;&lt;tr&gt;&lt;td&gt;左键&lt;/td&gt;&lt;td&gt;读取该像素的世界坐标&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;……并拖动&lt;/td&gt;&lt;td&gt;使相机绕该点转动&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;中键，或 Shift + 左键&lt;/td&gt;&lt;td&gt;平移相机&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;滚轮&lt;/td&gt;&lt;td&gt;朝指针处缩放&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;双击&lt;/td&gt;&lt;td&gt;把该点移到中央&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;1、3、7（加 Ctrl：相反方向）&lt;/td&gt;&lt;td&gt;前视、右视、俯视&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;5&lt;/td&gt;&lt;td&gt;切换透视投影与正投影&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F、Home&lt;/td&gt;&lt;td&gt;显示全部物体；回到最初的相机&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;Left button&lt;/td&gt;&lt;td&gt;read the world coordinate of the pixel&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;… and drag&lt;/td&gt;&lt;td&gt;turn the camera about that point&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Middle button, or Shift + left&lt;/td&gt;&lt;td&gt;move the camera sideways&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Wheel&lt;/td&gt;&lt;td&gt;zoom towards the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Double-click&lt;/td&gt;&lt;td&gt;bring the point to the middle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;1, 3, 7 (with Ctrl: the opposite)&lt;/td&gt;&lt;td&gt;look from the front, right, top&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;5&lt;/td&gt;&lt;td&gt;switch perspective and orthographic&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F, Home&lt;/td&gt;&lt;td&gt;fit all objects; back to the first camera&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;左键&lt;/td&gt;&lt;td&gt;读取该像素的世界坐标&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;……并拖动&lt;/td&gt;&lt;td&gt;使相机绕该点转动&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;中键，或 Shift + 左键&lt;/td&gt;&lt;td&gt;平移相机&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;滚轮&lt;/td&gt;&lt;td&gt;朝指针处缩放&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;双击&lt;/td&gt;&lt;td&gt;把该点移到中央&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;1、3、7（加 Ctrl：相反方向）&lt;/td&gt;&lt;td&gt;前视、右视、俯视&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;5&lt;/td&gt;&lt;td&gt;切换透视投影与正投影&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F、Home&lt;/td&gt;&lt;td&gt;显示全部物体；回到最初的相机&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
     </message>
     <message>
         <source>About Unprojector</source>
@@ -1221,7 +1221,9 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
     <message numerus="yes">
         <source>%1 and %n more – Unprojector</source>
-        <translation><numerusform>%1 及另外 %n 个 – Unprojector</numerusform></translation>
+        <translation>
+            <numerusform>%1 及另外 %n 个 – Unprojector</numerusform>
+        </translation>
     </message>
     <message>
         <source>&amp;Clear This List</source>
@@ -1471,7 +1473,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>Morph the picture from eye space (left, 0 %) into the canonical view volume (right, 100 %).
 The view volume becomes the cube [−1, 1]³ of NDC; straight lines stay straight.
-The cube's z axis points away from the eye, because NDC is left-handed.</source>
+The cube&apos;s z axis points away from the eye, because NDC is left-handed.</source>
         <translation>让画面从视点空间（左端，0 %）渐变到规范视景体（右端，100 %）。
 视景体变为 NDC 的立方体 [−1, 1]³；直线仍是直线。
 立方体的 z 轴背离视点，因为 NDC 是左手系。</translation>
@@ -1653,7 +1655,7 @@ The cube's z axis points away from the eye, because NDC is left-handed.</source>
         <translation>背景：此处没有表面，没有可跟踪的点。</translation>
     </message>
     <message>
-        <source>Back from the clicked pixel's centre and the depth read there.</source>
+        <source>Back from the clicked pixel&apos;s centre and the depth read there.</source>
         <translation>由所点击像素的中心及其读出的深度反推。</translation>
     </message>
     <message>
@@ -1856,7 +1858,7 @@ The cube's z axis points away from the eye, because NDC is left-handed.</source>
     </message>
     <message>
         <source>%1 = %2
-in the object's own units</source>
+in the object&apos;s own units</source>
         <translation>%1 = %2
 物体自身的单位</translation>
     </message>
@@ -1922,7 +1924,7 @@ in logical pixels from the top-left corner, y down</source>
         <translation>投影的种类</translation>
     </message>
     <message>
-        <source>Another kind shows the same picture as nearly as it can: what lies at the picked point's distance, else at the center's, keeps its place</source>
+        <source>Another kind shows the same picture as nearly as it can: what lies at the picked point&apos;s distance, else at the center&apos;s, keeps its place</source>
         <translation>换一种投影时，画面尽可能保持不变：位于拾取点（没有时为目标点）距离处的物体保持原位</translation>
     </message>
     <message>
@@ -2192,7 +2194,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>角点</translation>
     </message>
     <message>
-        <source>The window's corners and centre in all coordinates</source>
+        <source>The window&apos;s corners and centre in all coordinates</source>
         <translation>窗口的四角和中心在各种坐标中的值</translation>
     </message>
     <message>
@@ -2200,7 +2202,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>窗口</translation>
     </message>
     <message>
-        <source>The view's framebuffer in device pixels, and how many of them make a logical pixel</source>
+        <source>The view&apos;s framebuffer in device pixels, and how many of them make a logical pixel</source>
         <translation>视图的帧缓冲，以设备像素计，以及一个逻辑像素含多少设备像素</translation>
     </message>
     <message>
@@ -2208,7 +2210,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>视口</translation>
     </message>
     <message>
-        <source>x, y, width, height in device pixels from the window's bottom-left corner</source>
+        <source>x, y, width, height in device pixels from the window&apos;s bottom-left corner</source>
         <translation>x、y、宽、高，设备像素，原点在窗口左下角</translation>
     </message>
     <message>
@@ -2217,7 +2219,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
     </message>
     <message>
         <source>x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane
-x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner
+x_v, y_v: the centre of the pointer&apos;s pixel, device pixels from the window&apos;s bottom-left corner
 vx, vy, width, height: the viewport; left, right, bottom, top: the projection window</source>
         <translation>x_w, y_w：投影窗口中的指针，视点单位，透视投影时在近裁剪面上
 x_v, y_v：指针所在像素的中心，设备像素，原点在窗口左下角
@@ -2359,7 +2361,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>窗口大小</translation>
     </message>
     <message>
-        <source>Size of the picture's window in device pixels</source>
+        <source>Size of the picture&apos;s window in device pixels</source>
         <translation>画面所在窗口的大小，以设备像素计</translation>
     </message>
     <message>
