@@ -373,16 +373,16 @@ far = %2</source>
         <translation>两者直到最末几位都一致：各自只有几次舍入，仅此而已。</translation>
     </message>
     <message>
-        <source>Cause: rounding in the inverted matrix. The formula inverts nothing.</source>
-        <translation>原因：求逆矩阵时的舍入。公式不求任何逆。</translation>
-    </message>
-    <message>
-        <source>Cause: rounding in the inverted matrix. At z = %1 with near&#xa0;:&#xa0;far = %2&#xa0;:&#xa0;%3 the perspective magnifies it up to z (f − n) / (f n) = %4 times. The formula inverts nothing.</source>
-        <translation>原因：求逆矩阵时的舍入。在 z = %1 处，近 : 远 = %2 : %3，透视最多把它放大 z (f − n) / (f n) = %4 倍。公式不求任何逆。</translation>
-    </message>
-    <message>
         <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
         <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（半个像素）。</translation>
+    </message>
+    <message>
+        <source>Cause: rounding in the inverted matrix, magnified %1 times where the eye&apos;s coordinates cancel. The formula inverts nothing.</source>
+        <translation>原因：求逆矩阵时的舍入，在视点坐标相消之处被放大 %1 倍。公式不求任何逆。</translation>
+    </message>
+    <message>
+        <source>Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 times where the eye&apos;s coordinates cancel. The formula inverts nothing.</source>
+        <translation>原因：求逆矩阵时的舍入，被透视放大 %1 倍 (z (f − n) / (f n))，又在视点坐标相消之处被放大 %2 倍。公式不求任何逆。</translation>
     </message>
 </context>
 <context>
