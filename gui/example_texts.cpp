@@ -29,7 +29,7 @@ constexpr std::array kEntries{
     Entry{"zhangci-model-view", QT_TRANSLATE_NOOP("Examples", "Modelview: m[14] = −8"),
           QT_TRANSLATE_NOOP("Examples",
                             "<p>The camera stands at (0, 0, 5), the object was moved by glTranslate(0, 0, −3).</p>"
-                            "<p><b>Open the Pipeline panel</b>, choose m[0] … m[15], and open Modelview: "
+                            "<p><b>Open the Pipeline panel</b>, choose m[0..15], and open Modelview: "
                             "m[14] = −8, which is −5 of the view and −3 of the model.</p>"
                             "<p>Click the yellow point (1, 1, 0): its world z is −3, its eye z −8.</p>"
                             "<p><b>Correction:</b> the text of the figure prints M = VC⁻¹. The −8 is that of M = VC⁻¹ · MC.</p>"),
@@ -91,7 +91,7 @@ constexpr std::array kEntries{
                             "m[0] = 0.75 and m[5] = 1 make up for the window’s 4 : 3.</p>"
                             "<p>The other two have m[0] = 1.3333 and draw it 16 : 9. <b>Switch between the three</b> in the menu.</p>"
                             "<p>Near : far is 1 : 16000. Click the triangle and look at the difference of the two methods, and at "
-                            "the condition number given as its <a href='formulas:matrix'>cause</a>.</p>"),
+                            "what is given as its <a href='formulas:matrix'>cause</a>.</p>"),
           QT_TRANSLATE_NOOP("Examples", "projection-derivation, second program")},
     Entry{"derivation-frustum", QT_TRANSLATE_NOOP("Examples", "Three Projections: glFrustum"),
           QT_TRANSLATE_NOOP("Examples",
@@ -131,10 +131,9 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("Examples", "parallel-projection, second program")},
 };
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("Examples", text);
-}
+struct Examples {
+    Q_DECLARE_TR_FUNCTIONS(Examples)
+};
 
 } // namespace
 
@@ -142,7 +141,7 @@ std::optional<ExampleText> exampleText(const std::string &id)
 {
     for (const Entry &entry : kEntries) {
         if (id == entry.id)
-            return ExampleText{tr(entry.name), tr(entry.text), tr(entry.source)};
+            return ExampleText{Examples::tr(entry.name), Examples::tr(entry.text), Examples::tr(entry.source)};
     }
     return std::nullopt;
 }
@@ -150,13 +149,13 @@ std::optional<ExampleText> exampleText(const std::string &id)
 QString tutorialName(const std::string &tutorial)
 {
     if (tutorial == "zhangci")
-        return tr("OpenGL Pipeline (Zhang Ci)");
+        return Examples::tr("OpenGL Pipeline (Zhang Ci)");
     if (tutorial == "projection-derivation")
-        return tr("Projection Derivation");
+        return Examples::tr("Projection Derivation");
     if (tutorial == "opencascade")
-        return tr("OpenCASCADE Transforms");
+        return Examples::tr("OpenCASCADE Transforms");
     if (tutorial == "parallel-projection")
-        return tr("Parallel Projection");
+        return Examples::tr("Parallel Projection");
     return {};
 }
 

@@ -14,10 +14,9 @@ namespace {
 
 constexpr int kDigits = 6;
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("Formulas", text);
-}
+struct Formulas {
+    Q_DECLARE_TR_FUNCTIONS(Formulas)
+};
 
 /// With the typographic minus, as the paper has it.
 QString number(double value, int digits = kDigits)
@@ -107,7 +106,7 @@ QString formulaText(const Pick &pick)
         lines << shear(QStringLiteral("x"), boxX, oblique->thetaRadians, eye->x)
               << shear(QStringLiteral("y"), boxY, oblique->phiRadians, eye->y);
     }
-    lines << tr("world = eye + x s + y u + z f\n  = %1 + %2 × %3 + %4 × %5 + %6 × %7\n  = %8")
+    lines << Formulas::tr("world = eye + x s + y u + z f\n  = %1 + %2 × %3 + %4 × %5 + %6 × %7\n  = %8")
                  .arg(vectorText(frame->eye.coordinates()), term(eye->x), vectorText(frame->side), term(eye->y),
                       vectorText(frame->upward), term(a.z), vectorText(frame->forward), vectorText(world->coordinates()));
     return lines.join(QStringLiteral("\n\n"));
@@ -119,7 +118,7 @@ QString rayText(const Pick &pick)
     const Result<WorldPoint> &leave = pick.rayFar.world.formula;
     if (!enter || !leave)
         return {};
-    return tr("p(t) = near + t (far − near), 0 ≤ t ≤ 1\nnear = %1\nfar = %2")
+    return Formulas::tr("p(t) = near + t (far − near), 0 ≤ t ≤ 1\nnear = %1\nfar = %2")
         .arg(vectorText(enter->coordinates()), vectorText(leave->coordinates()));
 }
 
@@ -131,7 +130,7 @@ QString differenceCauseText(const Pick &pick)
     const glm::dvec3 d = world.difference();
     const double ulps = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(world.formula->coordinates());
     if (ulps <= 4.0)
-        return tr("The two agree to the last places: each rounds a few times, and that is all.");
+        return Formulas::tr("The two agree to the last places: each rounds a few times, and that is all.");
     const Result<EyePoint> &eye = pick.hit ? pick.point.eye.formula : pick.rayFar.eye.formula;
     if (!eye)
         return {};
@@ -141,21 +140,21 @@ QString differenceCauseText(const Pick &pick)
     const double cancelled = std::max(largest(origin), largest(eye->coordinates())) / largest(point);
     const QString byCancelling = significantText(std::max(1.0, cancelled), 2);
     if (!isPerspective(pick.geometry.projection))
-        return tr("Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
-                  "formula inverts nothing.").arg(byCancelling);
+        return Formulas::tr("Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
+                            "formula inverts nothing.").arg(byCancelling);
     // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
     const ProjectionWindow w = projectionWindow(pick.geometry.projection);
     const double n = w.nearDistance, f = w.farDistance, z = -eye->z;
-    return tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
-              "times where the eye's coordinates cancel. The formula inverts nothing.")
+    return Formulas::tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
+                        "times where the eye's coordinates cancel. The formula inverts nothing.")
         .arg(significantText(std::max(1.0, z * (f - n) / (f * n)), 2), byCancelling);
 }
 
 QString certaintyText(const Pick &pick)
 {
     const Certainty &c = pick.certainty;
-    return tr("The buffers leave ± %1 along the view (half a depth step) and ± %2 × %3 across it "
-              "(half a pixel).")
+    return Formulas::tr("The buffers leave ± %1 along the view (half a depth step) and ± %2 × %3 across it "
+                        "(half a pixel).")
         .arg(significantText(c.halfDepthStep, 2), significantText(c.footprintWidth / 2.0, 2),
              significantText(c.footprintHeight / 2.0, 2));
 }

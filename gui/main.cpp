@@ -1,12 +1,10 @@
 #include "gui/error_text.h"
 #include "gui/main_window.h"
 #include "gui/screenshot_run.h"
+#include "gui/translation.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QLibraryInfo>
-#include <QLocale>
-#include <QTranslator>
 
 #include <cstdio>
 #include <optional>
@@ -15,10 +13,9 @@ namespace {
 
 using namespace unprojector;
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("CommandLine", text);
-}
+struct CommandLine {
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+};
 
 /// "1280x800"
 std::optional<QSize> parsedSize(const QString &text)
@@ -65,58 +62,56 @@ int main(int argc, char **argv)
     QCoreApplication::setOrganizationName(QStringLiteral("Unprojector"));
     QCoreApplication::setApplicationVersion(QStringLiteral(UNPROJECTOR_VERSION));
 
+    // The words are judged before there is a window, so that --help and mistakes need no display.
+    std::optional<QCoreApplication> words(std::in_place, argc, argv);
+    std::optional<Translation> translation(std::in_place);
+
     QCommandLineParser parser;
-    parser.setApplicationDescription(tr("Click a pixel of a 3-D view and get its world coordinate, computed twice."));
+    parser.setApplicationDescription(CommandLine::tr("Click a pixel of a 3-D view and get its world coordinate, computed twice."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
-    const QCommandLineOption screenshot(QStringLiteral("screenshot"), tr("Open, save a picture of the whole window, print the clicks as JSON, and quit."), QStringLiteral("OUT.png"));
-    const QCommandLineOption size(QStringLiteral("size"), tr("Size of the window in logical pixels (default 1280x800)."), QStringLiteral("WxH"), QStringLiteral("1280x800"));
-    const QCommandLineOption click(QStringLiteral("click"), tr("With --screenshot: press the left button at this position of the view, logical pixels from its top-left corner. May be given several times."), QStringLiteral("X,Y"));
-    const QCommandLineOption samples(QStringLiteral("samples"), tr("Samples a pixel for smooth edges: 0, 2, 4 or 8."), QStringLiteral("N"));
+    const QCommandLineOption screenshot(QStringLiteral("screenshot"), CommandLine::tr("Open, save a picture of the whole window, print the clicks as JSON, and quit."), QStringLiteral("OUT.png"));
+    const QCommandLineOption size(QStringLiteral("size"), CommandLine::tr("Size of the window in logical pixels (default 1280x800)."), QStringLiteral("WxH"), QStringLiteral("1280x800"));
+    const QCommandLineOption click(QStringLiteral("click"), CommandLine::tr("With --screenshot: press the left button at this position of the view, logical pixels from its top-left corner. May be given several times."), QStringLiteral("X,Y"));
+    const QCommandLineOption samples(QStringLiteral("samples"), CommandLine::tr("Samples a pixel for smooth edges: 0, 2, 4 or 8."), QStringLiteral("N"));
     parser.addOptions({screenshot, size, click, samples});
-    parser.addPositionalArgument(QStringLiteral("MODEL"), tr("Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."), QStringLiteral("[MODEL …]"));
+    parser.addPositionalArgument(QStringLiteral("MODEL"), CommandLine::tr("Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."), QStringLiteral("[MODEL …]"));
 
-    // The words are judged before there is a window, so that --help and mistakes need no display.
-    QStringList arguments;
-    {
-        QCoreApplication words(argc, argv);
-        arguments = words.arguments();
-        if (!parser.parse(arguments))
-            return usageError(parser.errorText() + QStringLiteral(" See --help."));
-        if (parser.isSet(help))
-            parser.showHelp(0);
-        if (parser.isSet(version))
-            parser.showVersion();
-    }
+    if (!parser.parse(words->arguments()))
+        return usageError(CommandLine::tr("%1 See --help.").arg(parser.errorText()));
+    if (parser.isSet(help))
+        parser.showHelp(0);
+    if (parser.isSet(version))
+        parser.showVersion();
     const std::optional<QSize> windowSize = parsedSize(parser.value(size));
     if (!windowSize)
-        return usageError(tr("--size is %1; give width x height in pixels, such as 1280x800.").arg(parser.value(size)));
+        return usageError(CommandLine::tr("--size is %1; give width x height in pixels, such as 1280x800.").arg(parser.value(size)));
     std::vector<WidgetPoint> clicks;
     for (const QString &text : parser.values(click)) {
         const std::optional<WidgetPoint> position = parsedPosition(text);
         if (!position)
-            return usageError(tr("--click is %1; give x,y in logical pixels of the view, such as 412,300.").arg(text));
+            return usageError(CommandLine::tr("--click is %1; give x,y in logical pixels of the view, such as 412,300.").arg(text));
         clicks.push_back(*position);
     }
     if (!clicks.empty() && !parser.isSet(screenshot))
-        return usageError(tr("--click works together with --screenshot OUT.png."));
+        return usageError(CommandLine::tr("--click works together with --screenshot OUT.png."));
     int sampleCount = -1;
     if (parser.isSet(samples)) {
         bool isNumber = false;
         sampleCount = parser.value(samples).toInt(&isNumber);
         if (!isNumber || (sampleCount != 0 && sampleCount != 2 && sampleCount != 4 && sampleCount != 8))
-            return usageError(tr("--samples is %1; give 0, 2, 4 or 8.").arg(parser.value(samples)));
+            return usageError(CommandLine::tr("--samples is %1; give 0, 2, 4 or 8.").arg(parser.value(samples)));
     }
     std::vector<std::filesystem::path> files;
     for (const QString &file : parser.positionalArguments())
         files.emplace_back(file.toStdU16String());
     if (!hasDisplay())
-        return usageError(tr("There is no display. Set DISPLAY, or run under xvfb-run."));
+        return usageError(CommandLine::tr("There is no display. Set DISPLAY, or run under xvfb-run."));
 
+    translation.reset();
+    words.reset();
     QApplication application(argc, argv);
-    QTranslator translator;
-    if (translator.load(QLocale(), QStringLiteral("unprojector"), QStringLiteral("_"), QStringLiteral(":/translations")))
-        application.installTranslator(&translator);
+    translation.emplace();
 
     if (parser.isSet(screenshot)) {
         ScreenshotRun run({parser.value(screenshot), *windowSize, std::move(clicks), std::move(files), std::max(0, sampleCount)});

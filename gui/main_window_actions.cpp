@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QToolBar>
 
@@ -17,6 +18,9 @@ namespace unprojector {
 QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySequence &key, const QString &tip, std::function<void()> slot)
 {
     QAction *action = menu->addAction(text);
+    // On a button of the tool bar, "打开(&O)…" is "打开…".
+    static const QRegularExpression keyInParentheses(QStringLiteral("\\(&.\\)"));
+    action->setIconText(QString(text).remove(keyInParentheses).remove(u'&'));
     action->setShortcut(key);
     action->setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
     action->setStatusTip(tip);

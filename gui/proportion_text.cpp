@@ -11,10 +11,9 @@
 namespace unprojector {
 namespace {
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("Proportions", text);
-}
+struct ProportionTexts {
+    Q_DECLARE_TR_FUNCTIONS(ProportionTexts)
+};
 
 /// With the typographic minus, as the paper has it.
 QString typographic(QString text)
@@ -82,10 +81,10 @@ bool isDistorted(double circleAspect)
 QString circleText(double circleAspect)
 {
     if (!isDistorted(circleAspect))
-        return tr("A circle is drawn as a circle.");
+        return ProportionTexts::tr("A circle is drawn as a circle.");
     const QString ratio = significantText(circleAspect, 3);
-    return circleAspect > 1.0 ? tr("A circle would be drawn %1 : 1, wider than high.").arg(ratio)
-                              : tr("A circle would be drawn %1 : 1, higher than wide.").arg(ratio);
+    return circleAspect > 1.0 ? ProportionTexts::tr("A circle would be drawn %1 : 1, wider than high.").arg(ratio)
+                              : ProportionTexts::tr("A circle would be drawn %1 : 1, higher than wide.").arg(ratio);
 }
 
 } // namespace unprojector

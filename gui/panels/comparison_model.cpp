@@ -26,7 +26,7 @@ ComparisonModel::ComparisonModel(QObject *parent) : QAbstractTableModel(parent)
     setPick(std::nullopt);
 }
 
-template <class Space>
+template <typename Space>
 void ComparisonModel::addRows(const QString &space, const TwoWays<Space> &point, std::optional<double> certaintyRadius)
 {
     const auto component = [](const Result<Point<Space>> &p, int axis) {

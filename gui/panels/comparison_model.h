@@ -43,7 +43,7 @@ private:
         int decimals = 15;    ///< all digits of the doubles
         int certain = 15;     ///< decimals that are certain
     };
-    template <class Space>
+    template <typename Space>
     void addRows(const QString &space, const TwoWays<Space> &point, std::optional<double> certaintyRadius);
 
     std::optional<double> value(const Row &row, int column) const;

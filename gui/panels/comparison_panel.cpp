@@ -130,8 +130,9 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
     m_formula->setMinimumHeight(6 * m_formula->fontMetrics().lineSpacing());
 
     // As wide as the chain of a click gets; labels that set it by themselves would move it from click to click.
-    constexpr int kLeastCharacters = 60;
-    setMinimumWidth(kLeastCharacters * fontMetrics().averageCharWidth());
+    // Counted in digits: the average character of a font for Chinese is as wide as an ideograph.
+    constexpr int kLeastDigits = 45;
+    setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
@@ -168,7 +169,7 @@ void ComparisonPanel::fitTable()
         case ComparisonModel::Matrix: return QStringLiteral("-0.000000000000000");
         case ComparisonModel::Ulps: return QStringLiteral("-88888");
         case ComparisonModel::MatrixInFloat: return QStringLiteral("-0.0000000");
-        default: return QStringLiteral("-8.8e-88");
+        default: return QStringLiteral("-8.8e-888");
         }
     };
     constexpr int kPadding = 6;

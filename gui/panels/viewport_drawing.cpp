@@ -89,12 +89,12 @@ void ViewportDrawing::setPointer(const std::optional<WindowPoint> &pointer)
 
 QSize ViewportDrawing::sizeHint() const
 {
-    return {26 * fontMetrics().averageCharWidth() * 2, 9 * fontMetrics().height()};
+    return {39 * fontMetrics().horizontalAdvance(u'0'), 9 * fontMetrics().height()};
 }
 
 QSize ViewportDrawing::minimumSizeHint() const
 {
-    return {30 * fontMetrics().averageCharWidth(), 6 * fontMetrics().height()};
+    return {23 * fontMetrics().horizontalAdvance(u'0'), 6 * fontMetrics().height()};
 }
 
 double ViewportDrawing::captionHeight() const

@@ -1,0 +1,2464 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Click a pixel of a 3-D view and get its world coordinate, computed twice.</source>
+        <translation>点击三维视图中的一个像素，用两种方法求出它的世界坐标。</translation>
+    </message>
+    <message>
+        <source>Open, save a picture of the whole window, print the clicks as JSON, and quit.</source>
+        <translation>打开程序，把整个窗口保存为图片，以 JSON 输出各次点击的结果，然后退出。</translation>
+    </message>
+    <message>
+        <source>Size of the window in logical pixels (default 1280x800).</source>
+        <translation>窗口大小，以逻辑像素计（默认 1280x800）。</translation>
+    </message>
+    <message>
+        <source>With --screenshot: press the left button at this position of the view, logical pixels from its top-left corner. May be given several times.</source>
+        <translation>与 --screenshot 连用：在视图的这个位置按下左键，以逻辑像素计，原点在视图左上角。可以给出多次。</translation>
+    </message>
+    <message>
+        <source>Samples a pixel for smooth edges: 0, 2, 4 or 8.</source>
+        <translation>平滑边缘时每像素的采样数：0、2、4 或 8。</translation>
+    </message>
+    <message>
+        <source>Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene.</source>
+        <translation>要打开的模型文件：OBJ、STL、PLY、OFF、glTF、GLB。不给出时打开自带场景。</translation>
+    </message>
+    <message>
+        <source>%1 See --help.</source>
+        <translation>%1 参见 --help。</translation>
+    </message>
+    <message>
+        <source>--size is %1; give width x height in pixels, such as 1280x800.</source>
+        <translation>--size 为 %1；请给出以像素计的“宽x高”，例如 1280x800。</translation>
+    </message>
+    <message>
+        <source>--click is %1; give x,y in logical pixels of the view, such as 412,300.</source>
+        <translation>--click 为 %1；请给出以视图逻辑像素计的 x,y，例如 412,300。</translation>
+    </message>
+    <message>
+        <source>--click works together with --screenshot OUT.png.</source>
+        <translation>--click 须与 --screenshot OUT.png 连用。</translation>
+    </message>
+    <message>
+        <source>--samples is %1; give 0, 2, 4 or 8.</source>
+        <translation>--samples 为 %1；请给出 0、2、4 或 8。</translation>
+    </message>
+    <message>
+        <source>There is no display. Set DISPLAY, or run under xvfb-run.</source>
+        <translation>没有可用的显示。请设置 DISPLAY，或在 xvfb-run 下运行。</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>Models (%1)</source>
+        <translation>模型 (%1)</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number; give a number.</source>
+        <translation>%1 不是有限的数；请给出一个数。</translation>
+    </message>
+    <message>
+        <source>Near is %1; it must be greater than 0 and smaller than far (%2).</source>
+        <translation>近裁剪面距离为 %1；它必须大于 0 且小于远裁剪面距离（%2）。</translation>
+    </message>
+    <message>
+        <source>Near is %1; it must be smaller than far (%2).</source>
+        <translation>近裁剪面距离为 %1；它必须小于远裁剪面距离（%2）。</translation>
+    </message>
+    <message>
+        <source>Left and right are both %1; they must differ.</source>
+        <translation>left 与 right 都是 %1；二者必须不同。</translation>
+    </message>
+    <message>
+        <source>Bottom and top are both %1; they must differ.</source>
+        <translation>bottom 与 top 都是 %1；二者必须不同。</translation>
+    </message>
+    <message>
+        <source>The vertical field of view is %1°; it must lie between 0° and 180°.</source>
+        <translation>垂直视场角为 %1°；它必须在 0° 与 180° 之间。</translation>
+    </message>
+    <message>
+        <source>The aspect is %1; it must be greater than 0.</source>
+        <translation>宽高比为 %1；它必须大于 0。</translation>
+    </message>
+    <message>
+        <source>The angle is %1°; it must lie between 0° and 180°.</source>
+        <translation>角度为 %1°；它必须在 0° 与 180° 之间。</translation>
+    </message>
+    <message>
+        <source>Eye and center are the same point; move one of them.</source>
+        <translation>视点与目标点是同一点；请移动其中之一。</translation>
+    </message>
+    <message>
+        <source>Up is (0, 0, 0); give it a length.</source>
+        <translation>上方向为 (0, 0, 0)；请给它一个长度。</translation>
+    </message>
+    <message>
+        <source>Up points along the view direction; choose another one.</source>
+        <translation>上方向与视线平行；请另选一个方向。</translation>
+    </message>
+    <message>
+        <source>The viewport is %1 × %2 pixels; width and height must be greater than 0.</source>
+        <translation>视口为 %1 × %2 像素；宽和高必须大于 0。</translation>
+    </message>
+    <message>
+        <source>The window is %1 × %2 pixels; width and height must be greater than 0.</source>
+        <translation>窗口为 %1 × %2 像素；宽和高必须大于 0。</translation>
+    </message>
+    <message>
+        <source>The device pixel ratio is %1; it must be greater than 0.</source>
+        <translation>设备像素比为 %1；它必须大于 0。</translation>
+    </message>
+    <message>
+        <source>Both ends of the depth range are %1; they must differ.</source>
+        <translation>深度范围的两端都是 %1；二者必须不同。</translation>
+    </message>
+    <message>
+        <source>The depth %1 lies outside the depth range.</source>
+        <translation>深度 %1 在深度范围之外。</translation>
+    </message>
+    <message>
+        <source>The position (%1, %2) lies outside the view.</source>
+        <translation>位置 (%1, %2) 在视图之外。</translation>
+    </message>
+    <message>
+        <source>The matrix has no inverse.</source>
+        <translation>该矩阵没有逆矩阵。</translation>
+    </message>
+    <message>
+        <source>The point lies at infinity.</source>
+        <translation>该点在无穷远处。</translation>
+    </message>
+    <message>
+        <source>The scale is 0; it must differ from 0.</source>
+        <translation>缩放系数为 0；它不能为 0。</translation>
+    </message>
+    <message>
+        <source>The rotation axis is (0, 0, 0); give it a length.</source>
+        <translation>旋转轴为 (0, 0, 0)；请给它一个长度。</translation>
+    </message>
+    <message>
+        <source>A, B and C of the clip plane are all 0; one of them must differ.</source>
+        <translation>裁剪平面的 A、B、C 全为 0；至少有一个不能为 0。</translation>
+    </message>
+    <message>
+        <source>%1 does not exist. Check the name and the folder.</source>
+        <translation>%1 不存在。请检查文件名和文件夹。</translation>
+    </message>
+    <message>
+        <source>%1 is a folder; open a model file in it.</source>
+        <translation>%1 是文件夹；请打开其中的模型文件。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read%2. Check its permissions.</source>
+        <translation>无法读取 %1%2。请检查其权限。</translation>
+    </message>
+    <message>
+        <source>%1 is empty (0 bytes).</source>
+        <translation>%1 是空文件（0 字节）。</translation>
+    </message>
+    <message>
+        <source>%1 is no model that can be opened here. Use OBJ, STL, PLY, OFF, glTF or GLB.</source>
+        <translation>%1 不是本程序能打开的模型。请使用 OBJ、STL、PLY、OFF、glTF 或 GLB。</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: %2</source>
+        <translation>%1 已损坏：%2</translation>
+    </message>
+    <message>
+        <source>%1 holds no triangles, so there is no surface to click on.</source>
+        <translation>%1 中没有三角形，因此没有可以点击的表面。</translation>
+    </message>
+    <message>
+        <source>%1: vertex %2 is not a finite number (NaN or infinity)%3.</source>
+        <translation>%1：顶点 %2 不是有限的数（NaN 或无穷大）%3。</translation>
+    </message>
+    <message>
+        <source>Opening %1 was cancelled.</source>
+        <translation>已取消打开 %1。</translation>
+    </message>
+    <message>
+        <source>%1 is too large for the memory of this computer.</source>
+        <translation>%1 太大，本机内存不足。</translation>
+    </message>
+    <message>
+        <source>The projection matrix is of no known form: %1 stands in row %2, column %3.</source>
+        <translation>投影矩阵不是已知形式：第 %2 行第 %3 列为 %1。</translation>
+    </message>
+    <message>
+        <source>The view matrix does more than turn and move; its axes must be perpendicular and of length 1.</source>
+        <translation>观察矩阵不只是旋转和平移；它的各轴必须互相垂直且长度为 1。</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>2-D: Three Coordinate Systems</source>
+        <translation>二维：三个坐标系</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Three pairs of axes, x red and y green: &lt;b&gt;MC&lt;/b&gt; carries the yellow point, &lt;b&gt;WC&lt;/b&gt; is the world, &lt;b&gt;VC&lt;/b&gt; the camera, in the middle of the picture.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the yellow point&lt;/b&gt; and follow it in the Pipeline panel: about (1, 1) in MC, (3, 4) in the world, (−2, −2) for the camera.&lt;/p&gt;&lt;p&gt;MC is a mirror and a step: glTranslate(4, 3, 0), glScale(−1, 1, 1). VC has its y axis downwards, so the world hangs upside down. In the plane that is a mirror, in space a half turn: the camera looks along +z, and z changes its sign. See the &lt;a href=&apos;formulas:view&apos;&gt;view matrix&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;三对坐标轴，x 为红色，y 为绿色：&lt;b&gt;MC&lt;/b&gt; 带着黄点，&lt;b&gt;WC&lt;/b&gt; 是世界，&lt;b&gt;VC&lt;/b&gt; 是相机，在画面中央。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄点&lt;/b&gt;，并在“流水线”面板中跟踪它：在 MC 中约为 (1, 1)，在世界坐标中为 (3, 4)，相对相机为 (−2, −2)。&lt;/p&gt;&lt;p&gt;MC 是一次镜像加一次平移：glTranslate(4, 3, 0)、glScale(−1, 1, 1)。VC 的 y 轴向下，所以世界是倒过来的。在平面中这是镜像，在空间中则是转半圈：相机沿 +z 方向看，z 变号。参见&lt;a href=&apos;formulas:view&apos;&gt;视图矩阵&lt;/a&gt;。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Zhang Ci, section 2.1, figures 2.3 to 2.5</source>
+        <translation>Zhang Ci，2.1 节，图 2.3 至图 2.5</translation>
+    </message>
+    <message>
+        <source>Modelview: m[14] = −8</source>
+        <translation>模型视图矩阵：m[14] = −8</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The camera stands at (0, 0, 5), the object was moved by glTranslate(0, 0, −3).&lt;/p&gt;&lt;p&gt;&lt;b&gt;Open the Pipeline panel&lt;/b&gt;, choose m[0..15], and open Modelview: m[14] = −8, which is −5 of the view and −3 of the model.&lt;/p&gt;&lt;p&gt;Click the yellow point (1, 1, 0): its world z is −3, its eye z −8.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the text of the figure prints M = VC⁻¹. The −8 is that of M = VC⁻¹ · MC.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;相机位于 (0, 0, 5)，物体由 glTranslate(0, 0, −3) 移动。&lt;/p&gt;&lt;p&gt;&lt;b&gt;打开“流水线”面板&lt;/b&gt;，选择 m[0..15]，展开“模型视图”：m[14] = −8，其中 −5 来自视图，−3 来自模型。&lt;/p&gt;&lt;p&gt;点击黄点 (1, 1, 0)：它的世界坐标 z 为 −3，视点坐标 z 为 −8。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;该图的说明文字印的是 M = VC⁻¹。−8 是 M = VC⁻¹ · MC 的元素。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Zhang Ci, section 2.1, figures 2.6 and 2.7</source>
+        <translation>Zhang Ci，2.1 节，图 2.6 和图 2.7</translation>
+    </message>
+    <message>
+        <source>glOrtho from −10 to 10</source>
+        <translation>glOrtho，从 −10 到 10</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;glOrtho(−10, 10, −10, 10, −10, 10). In the Pipeline panel, Projection is 0.1, 0.1, −0.1 on its diagonal and 0 in m[12], m[13], m[14].&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click near a corner of the square&lt;/b&gt;: it is the front of a cube of side 10, seen straight on, and fills only half of the picture. Its NDC are ±0.5 in x and y.&lt;/p&gt;&lt;p&gt;The front lies in the plane of the eye, where a perspective could show nothing; a box may reach behind the eye. The depth there is 0.5.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial calls the volume a cube of side 10, normalised to side 1. Its side is 20, and that of the &lt;a href=&apos;formulas:ortho&apos;&gt;normalised volume&lt;/a&gt; is 2.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glOrtho(−10, 10, −10, 10, −10, 10)。在“流水线”面板中，投影矩阵的对角线为 0.1、0.1、−0.1，m[12]、m[13]、m[14] 为 0。&lt;/p&gt;&lt;p&gt;&lt;b&gt;在正方形的一个角附近点击&lt;/b&gt;：它是边长为 10 的立方体的正面，从正前方看，只占画面的一半。它的 NDC 的 x 和 y 为 ±0.5。&lt;/p&gt;&lt;p&gt;正面位于视点所在的平面内，透视投影在那里什么也显示不了；而长方体视景体可以伸到视点后面。那里的深度为 0.5。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说该视景体是边长为 10 的立方体，规范化后边长为 1。实际上它的边长是 20，&lt;a href=&apos;formulas:ortho&apos;&gt;规范化视景体&lt;/a&gt;的边长是 2。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Zhang Ci, section 2.2.1, figures 2.9 and 2.10</source>
+        <translation>Zhang Ci，2.2.1 节，图 2.9 和图 2.10</translation>
+    </message>
+    <message>
+        <source>gluPerspective, 45°</source>
+        <translation>gluPerspective，45°</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;gluPerspective(45, 1, 1, 100). In the Pipeline panel with float digits, Projection is the figure’s: 2.4142137, 2.4142137, −1.0202020, −1 and −2.0202019.&lt;/p&gt;&lt;p&gt;Three equal cubes at 5, 11 and 19 units. &lt;b&gt;Click one after the other&lt;/b&gt;: the depth grows only from 0.81 to 0.92 and 0.96, since most of its range lies close to the eye. A coordinate picked far away is less certain.&lt;/p&gt;&lt;p&gt;Press 5 to switch to glOrtho: what lies at the picked distance keeps its size, the others no longer shrink.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;gluPerspective(45, 1, 1, 100)。在“流水线”面板中选 float 位数，投影矩阵即图中的数值：2.4142137、2.4142137、−1.0202020、−1 和 −2.0202019。&lt;/p&gt;&lt;p&gt;三个相同的立方体，距离分别为 5、11 和 19 个单位。&lt;b&gt;依次点击它们&lt;/b&gt;：深度只从 0.81 增加到 0.92 和 0.96，因为深度范围的大部分都在视点附近。在远处拾取的坐标不那么可靠。&lt;/p&gt;&lt;p&gt;按 5 切换到 glOrtho：位于所拾取距离处的物体大小不变，其余的不再近大远小。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Zhang Ci, section 2.2.2, figures 2.11 and 2.12</source>
+        <translation>Zhang Ci，2.2.2 节，图 2.11 和图 2.12</translation>
+    </message>
+    <message>
+        <source>Viewport of 50 × 50 Pixels</source>
+        <translation>50 × 50 像素的视口</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is outside the viewport.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; The NDC (0, 0, 0.5) come to the window point (25, 25, 0.75). The Pipeline panel follows the centre of the clicked pixel, half a pixel beside it: (25.5, 25.5), for example.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial says that the depth 0.5 does not change. Its own &lt;a href=&apos;formulas:viewport&apos;&gt;viewport matrix&lt;/a&gt; makes it (0.5 + 1) / 2 = 0.75.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glViewport(0, 0, 50, 50)：左下角的小画面。窗口的其余部分在视口之外。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;NDC (0, 0, 0.5) 变为窗口点 (25, 25, 0.75)。“流水线”面板跟踪的是所点击像素的中心，偏开半个像素：例如 (25.5, 25.5)。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说深度 0.5 不变。但按教程自己的&lt;a href=&apos;formulas:viewport&apos;&gt;视口矩阵&lt;/a&gt;，它是 (0.5 + 1) / 2 = 0.75。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Zhang Ci, section 2.3</source>
+        <translation>Zhang Ci，2.3 节</translation>
+    </message>
+    <message>
+        <source>Viewport in the Lower Right Quarter</source>
+        <translation>右下四分之一的视口</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;glViewport(width/2, 0, width/2, height/2). y counts from the bottom, so the picture is in the &lt;i&gt;lower&lt;/i&gt; right.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the yellow plate&lt;/b&gt;: formulas (9) to (12) subtract v&lt;sub&gt;x&lt;/sub&gt; and v&lt;sub&gt;y&lt;/sub&gt; first. Its depth is 0.75 here as well: the viewport’s rectangle has no part in it.&lt;/p&gt;&lt;p&gt;Make the window wider: the outline, a square, is stretched with it, because this projection does not follow the viewport. Switch that on in Parameters, Projection.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glViewport(width/2, 0, width/2, height/2)。y 从底部算起，所以画面在右&lt;i&gt;下&lt;/i&gt;方。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板&lt;/b&gt;：公式 (9) 至 (12) 先减去 v&lt;sub&gt;x&lt;/sub&gt; 和 v&lt;sub&gt;y&lt;/sub&gt;。它的深度在这里也是 0.75：视口的矩形与深度无关。&lt;/p&gt;&lt;p&gt;把窗口拉宽：正方形轮廓随之拉伸，因为这个投影不跟随视口。可在“参数”面板的“投影”中打开跟随。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Zhang Ci, section 2.3, figure 2.13</source>
+        <translation>Zhang Ci，2.3 节，图 2.13</translation>
+    </message>
+    <message>
+        <source>Three Projections: Hand-made Matrix</source>
+        <translation>三种投影：手写矩阵</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The first of three programs that are said to give the same picture. &lt;b&gt;Switch between the three&lt;/b&gt; in the menu; only the projection changes.&lt;/p&gt;&lt;p&gt;In their window of 800 × 600 this matrix has m[0] = 1.3333 and m[5] = 1. gluPerspective has m[0] = 0.75. So the circle is drawn 16 : 9 here, and round there. &lt;b&gt;The three agree in a square window only.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;The cause: the names ViewAngleH and ViewAngleV are swapped, and the 90° meant for the width become those of the height.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the triangle stands where the program meant it, 10 nearer. Its glTranslatef between glBegin and glEnd is an error in OpenGL and moves nothing.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;三个程序中的第一个，据说三者的画面相同。在菜单中&lt;b&gt;在三者之间切换&lt;/b&gt;；变化的只有投影。&lt;/p&gt;&lt;p&gt;在其 800 × 600 的窗口中，这个矩阵的 m[0] = 1.3333，m[5] = 1。gluPerspective 的 m[0] = 0.75。所以圆在这里画成 16 : 9，在那里是圆的。&lt;b&gt;三者只在正方形窗口中一致。&lt;/b&gt;&lt;/p&gt;&lt;p&gt;原因：ViewAngleH 与 ViewAngleV 两个名字弄反了，本来给宽度的 90° 成了高度的。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;三角形放在程序本意的位置，近了 10。原程序的 glTranslatef 写在 glBegin 与 glEnd 之间，在 OpenGL 中是错误，什么也不会移动。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>projection-derivation, first program (the matrix in ReSize)</source>
+        <translation>projection-derivation，第一个程序（ReSize 中的矩阵）</translation>
+    </message>
+    <message>
+        <source>Three Projections: gluPerspective, 90°</source>
+        <translation>三种投影：gluPerspective，90°</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;gluPerspective(90, 800/600, 5, 80000), the second of the three programs. &lt;b&gt;The circle is round&lt;/b&gt;: m[0] = 0.75 and m[5] = 1 make up for the window’s 4 : 3.&lt;/p&gt;&lt;p&gt;The other two have m[0] = 1.3333 and draw it 16 : 9. &lt;b&gt;Switch between the three&lt;/b&gt; in the menu.&lt;/p&gt;&lt;p&gt;Near : far is 1 : 16000. Click the triangle and look at the difference of the two methods, and at what is given as its &lt;a href=&apos;formulas:matrix&apos;&gt;cause&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;gluPerspective(90, 800/600, 5, 80000)，三个程序中的第二个。&lt;b&gt;圆是圆的&lt;/b&gt;：m[0] = 0.75 和 m[5] = 1 抵消了窗口的 4 : 3。&lt;/p&gt;&lt;p&gt;另外两个的 m[0] = 1.3333，把圆画成 16 : 9。在菜单中&lt;b&gt;在三者之间切换&lt;/b&gt;。&lt;/p&gt;&lt;p&gt;近与远之比为 1 : 16000。点击三角形，看两种方法的差，以及给出的&lt;a href=&apos;formulas:matrix&apos;&gt;原因&lt;/a&gt;。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>projection-derivation, second program</source>
+        <translation>projection-derivation，第二个程序</translation>
+    </message>
+    <message>
+        <source>Three Projections: glFrustum</source>
+        <translation>三种投影：glFrustum</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;glFrustum(−3.75, 3.75, −5, 5, 5, 80000), the third of the three programs in its window of 800 × 600. It is exactly the hand-made matrix: m[0] = 1.3333, m[5] = 1. &lt;b&gt;The circle is drawn 16 : 9.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Left and right take the angle called V, bottom and top the one called H: the wrong way round. Exchange them in Parameters, Projection (left −5, right 5, bottom −3.75, top 3.75) and the circle is round.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glFrustum(−3.75, 3.75, −5, 5, 5, 80000)，三个程序中的第三个，窗口为 800 × 600。它正是手写的矩阵：m[0] = 1.3333，m[5] = 1。&lt;b&gt;圆画成 16 : 9。&lt;/b&gt;&lt;/p&gt;&lt;p&gt;left 和 right 用了名为 V 的角，bottom 和 top 用了名为 H 的角：正好反了。在“参数”面板的“投影”中把它们交换（left −5、right 5、bottom −3.75、top 3.75），圆就是圆的了。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>projection-derivation, third program</source>
+        <translation>projection-derivation，第三个程序</translation>
+    </message>
+    <message>
+        <source>Round Trip of Pixel (150, 150)</source>
+        <translation>像素 (150, 150) 的往返</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The start of the line is the world’s origin. In a view of 300 × 300 it is the window point (150, 150), and (150, 150) in the widget. In a larger view the picture stays in the lower left corner, and only the widget’s y is another.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; One unit is one pixel here, so that half a pixel shows: the pixel below and to the right of the origin has its centre at (0.5, −0.5).&lt;/p&gt;&lt;p&gt;The article’s way back gives the origin with another depth z. Here the depth is read from the picture, and z comes out as well.&lt;/p&gt;&lt;p&gt;In the Pipeline panel choose Rows to see the matrices as the article writes them, &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;线段的起点是世界原点。在 300 × 300 的视图中，它是窗口点 (150, 150)，在控件中也是 (150, 150)。在更大的视图中，画面仍在左下角，只有控件坐标的 y 不同。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;这里一个单位就是一个像素，所以半个像素也看得出来：原点右下方的那个像素，中心在 (0.5, −0.5)。&lt;/p&gt;&lt;p&gt;文章的逆过程得到的是深度 z 不同的原点。这里的深度从画面读出，z 也能求得。&lt;/p&gt;&lt;p&gt;在“流水线”面板中选择“行向量”，可以按文章的写法 &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt; 查看各矩阵。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>opencascade-transforms, section 4, figure 4.1 (its camera is not printed)</source>
+        <translation>opencascade-transforms，第 4 节，图 4.1（原文未给出其相机）</translation>
+    </message>
+    <message>
+        <source>Parallel Projection 1: Orthographic</source>
+        <translation>平行投影 1：正投影</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;glOrtho(−9, 9, −9, 9, 2, 9) and a square with red, green, blue and white corners at z = −4.&lt;/p&gt;&lt;p&gt;All of it lies outside the cube from −1 to 1, and the projection brings it inside. &lt;b&gt;Click near a corner&lt;/b&gt;: its NDC are ±4/9 = ±0.444 in x and y, −3/7 = −0.429 in z.&lt;/p&gt;&lt;p&gt;The box is square and the window is not, so the square is stretched. Let the box follow the viewport (Parameters, Projection) and it is a square.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; const int SIZE = 4.5 is 4.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glOrtho(−9, 9, −9, 9, 2, 9)，以及位于 z = −4、四角为红、绿、蓝、白的正方形。&lt;/p&gt;&lt;p&gt;它整个都在从 −1 到 1 的立方体之外，投影把它带到立方体之内。&lt;b&gt;在一个角附近点击&lt;/b&gt;：它的 NDC 的 x 和 y 为 ±4/9 = ±0.444，z 为 −3/7 = −0.429。&lt;/p&gt;&lt;p&gt;视景体的截面是正方形而窗口不是，所以正方形被拉伸。让视景体跟随视口（“参数”面板的“投影”），它就是正方形了。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;const int SIZE = 4.5 的值是 4。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>parallel-projection, first program</source>
+        <translation>parallel-projection，第一个程序</translation>
+    </message>
+    <message>
+        <source>Parallel Projection 2: Oblique</source>
+        <translation>平行投影 2：斜投影</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;A box from z = −3 to −4.5, sheared by θ = φ = 0.78 and then projected by glOrtho(−10, 10, −10, 10, 2, 9). Parallel edges stay parallel, and two sides can be seen beside the front.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the front and a side.&lt;/b&gt; The formula first finds the point of the sheared box by (11) and (12), then takes the &lt;a href=&apos;formulas:oblique-back&apos;&gt;shear&lt;/a&gt; off: x += cot θ · z.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the program means π/4, whose cotangent is 1. cot 0.78 is 1.01086.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;从 z = −3 到 −4.5 的长方体，以 θ = φ = 0.78 错切，再由 glOrtho(−10, 10, −10, 10, 2, 9) 投影。平行的棱仍然平行，除正面外还能看到两个侧面。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击正面和一个侧面。&lt;/b&gt;公式先由 (11) 和 (12) 求出错切后长方体上的点，再去掉&lt;a href=&apos;formulas:oblique-back&apos;&gt;错切&lt;/a&gt;：x += cot θ · z。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;程序的本意是 π/4，其余切为 1。cot 0.78 为 1.01086。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>parallel-projection, second program</source>
+        <translation>parallel-projection，第二个程序</translation>
+    </message>
+    <message>
+        <source>OpenGL Pipeline (Zhang Ci)</source>
+        <translation>OpenGL 流水线（Zhang Ci）</translation>
+    </message>
+    <message>
+        <source>Projection Derivation</source>
+        <translation>投影推导</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE Transforms</source>
+        <translation>OpenCASCADE 变换</translation>
+    </message>
+    <message>
+        <source>Parallel Projection</source>
+        <translation>平行投影</translation>
+    </message>
+</context>
+<context>
+    <name>Formulas</name>
+    <message>
+        <source>world = eye + x s + y u + z f
+  = %1 + %2 × %3 + %4 × %5 + %6 × %7
+  = %8</source>
+        <translation>世界坐标 = 视点 + x s + y u + z f
+  = %1 + %2 × %3 + %4 × %5 + %6 × %7
+  = %8</translation>
+    </message>
+    <message>
+        <source>p(t) = near + t (far − near), 0 ≤ t ≤ 1
+near = %1
+far = %2</source>
+        <translation>p(t) = 近 + t (远 − 近), 0 ≤ t ≤ 1
+近 = %1
+远 = %2</translation>
+    </message>
+    <message>
+        <source>The two agree to the last places: each rounds a few times, and that is all.</source>
+        <translation>两者直到最末几位都一致：各自只有几次舍入，仅此而已。</translation>
+    </message>
+    <message>
+        <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
+        <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（半个像素）。</translation>
+    </message>
+    <message>
+        <source>Cause: rounding in the inverted matrix, magnified %1 times where the eye&apos;s coordinates cancel. The formula inverts nothing.</source>
+        <translation>原因：求逆矩阵时的舍入，在视点坐标相消之处被放大 %1 倍。公式不求任何逆。</translation>
+    </message>
+    <message>
+        <source>Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 times where the eye&apos;s coordinates cancel. The formula inverts nothing.</source>
+        <translation>原因：求逆矩阵时的舍入，被透视放大 %1 倍 (z (f − n) / (f n))，又在视点坐标相消之处被放大 %2 倍。公式不求任何逆。</translation>
+    </message>
+</context>
+<context>
+    <name>ProportionTexts</name>
+    <message>
+        <source>A circle is drawn as a circle.</source>
+        <translation>圆画出来仍是圆。</translation>
+    </message>
+    <message>
+        <source>A circle would be drawn %1 : 1, wider than high.</source>
+        <translation>圆会画成 %1 : 1，宽大于高。</translation>
+    </message>
+    <message>
+        <source>A circle would be drawn %1 : 1, higher than wide.</source>
+        <translation>圆会画成 %1 : 1，高大于宽。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ClipTab</name>
+    <message>
+        <source>Kept is where A x + B y + C z + D ≥ 0, in world coordinates.</source>
+        <translation>在世界坐标中，保留 A x + B y + C z + D ≥ 0 的一侧。</translation>
+    </message>
+    <message>
+        <source>Add plane</source>
+        <translation>添加平面</translation>
+    </message>
+    <message>
+        <source>Add a clip plane through the middle of the objects; six at most (glClipPlane)</source>
+        <translation>添加一个通过物体中部的裁剪平面；最多六个 (glClipPlane)</translation>
+    </message>
+    <message>
+        <source>Add clip plane</source>
+        <translation>添加裁剪平面</translation>
+    </message>
+    <message>
+        <source>Remove clip plane</source>
+        <translation>移除裁剪平面</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1：</translation>
+    </message>
+    <message>
+        <source>Plane %1 cuts</source>
+        <translation>平面 %1 起作用</translation>
+    </message>
+    <message>
+        <source>Whether this plane cuts the objects (glEnable, glDisable)</source>
+        <translation>此平面是否裁剪物体 (glEnable, glDisable)</translation>
+    </message>
+    <message>
+        <source>Side of plane %1 that is kept</source>
+        <translation>平面 %1 保留的一侧</translation>
+    </message>
+    <message>
+        <source>Remove plane %1</source>
+        <translation>移除平面 %1</translation>
+    </message>
+    <message>
+        <source>Remove this plane</source>
+        <translation>移除此平面</translation>
+    </message>
+    <message>
+        <source>Clip plane on</source>
+        <translation>启用裁剪平面</translation>
+    </message>
+    <message>
+        <source>Clip plane off</source>
+        <translation>停用裁剪平面</translation>
+    </message>
+    <message>
+        <source>Clip plane %1</source>
+        <translation>裁剪平面 %1</translation>
+    </message>
+    <message>
+        <source>%1 of the plane A x + B y + C z + D = 0; (A, B, C) points to the side that is kept</source>
+        <translation>平面 A x + B y + C z + D = 0 的 %1；(A, B, C) 指向保留的一侧</translation>
+    </message>
+    <message>
+        <source>D of the plane A x + B y + C z + D = 0, world units where (A, B, C) has length 1</source>
+        <translation>平面 A x + B y + C z + D = 0 的 D，(A, B, C) 长度为 1 时以世界单位计</translation>
+    </message>
+    <message>
+        <source>Plane %1: %2</source>
+        <translation>平面 %1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ComparisonModel</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>世界</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>Far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1
+Digits in grey are below what the depth buffer and the pixel can tell.</source>
+        <translation>%1
+灰色的数位低于深度缓冲和像素所能分辨的精度。</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>公式</translation>
+    </message>
+    <message>
+        <source>Matrix inverse</source>
+        <translation>逆矩阵</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差</translation>
+    </message>
+    <message>
+        <source>ulp</source>
+        <translation>ulp</translation>
+    </message>
+    <message>
+        <source>Matrix in float</source>
+        <translation>float 矩阵</translation>
+    </message>
+    <message>
+        <source>Float off by</source>
+        <translation>float 误差</translation>
+    </message>
+    <message>
+        <source>By the closed-form formulas (9) to (12), in double; world units</source>
+        <translation>用封闭形式公式 (9) 至 (12) 计算，double；世界单位</translation>
+    </message>
+    <message>
+        <source>By the inverse of projection × view, in double, as gluUnProject does; world units</source>
+        <translation>用“投影 × 视图”的逆矩阵计算，double，与 gluUnProject 相同；世界单位</translation>
+    </message>
+    <message>
+        <source>Formula minus matrix inverse; world units</source>
+        <translation>公式减逆矩阵；世界单位</translation>
+    </message>
+    <message>
+        <source>The difference in units in the last place of the point&apos;s largest component</source>
+        <translation>差值，以该点最大分量的末位单位 (ulp) 计</translation>
+    </message>
+    <message>
+        <source>The matrix inverse done in single precision, as many programs do</source>
+        <translation>用单精度求逆矩阵，许多程序都是这样做的</translation>
+    </message>
+    <message>
+        <source>Formula minus the single-precision result; world units</source>
+        <translation>公式减单精度结果；世界单位</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ComparisonPanel</name>
+    <message>
+        <source>What was clicked</source>
+        <translation>点击的对象</translation>
+    </message>
+    <message>
+        <source>Widget position</source>
+        <translation>控件位置</translation>
+    </message>
+    <message>
+        <source>Logical pixels from the view&apos;s top-left corner, y down</source>
+        <translation>逻辑像素，原点在视图左上角，y 向下</translation>
+    </message>
+    <message>
+        <source>Device pixel</source>
+        <translation>设备像素</translation>
+    </message>
+    <message>
+        <source>Column and row from the top-left corner of the framebuffer, in device pixels</source>
+        <translation>帧缓冲中从左上角算起的列和行，以设备像素计</translation>
+    </message>
+    <message>
+        <source>Window position</source>
+        <translation>窗口位置</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s centre in device pixels from the bottom-left corner, y up</source>
+        <translation>像素中心，设备像素，原点在左下角，y 向上</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>As read from the depth buffer; 0 is the near plane, 1 the far plane</source>
+        <translation>从深度缓冲读出；0 为近裁剪面，1 为远裁剪面</translation>
+    </message>
+    <message>
+        <source>Widget position:</source>
+        <translation>控件位置：</translation>
+    </message>
+    <message>
+        <source>Device pixel:</source>
+        <translation>设备像素：</translation>
+    </message>
+    <message>
+        <source>Window position:</source>
+        <translation>窗口位置：</translation>
+    </message>
+    <message>
+        <source>Depth as read:</source>
+        <translation>读出的深度：</translation>
+    </message>
+    <message>
+        <source>Coordinates by both methods</source>
+        <translation>两种方法求出的坐标</translation>
+    </message>
+    <message>
+        <source>Show what &amp;float would give</source>
+        <translation>显示 &amp;float 的结果</translation>
+    </message>
+    <message>
+        <source>The matrix inverse done in single precision, as most programs do it</source>
+        <translation>用单精度求逆矩阵，多数程序都是这样做的</translation>
+    </message>
+    <message>
+        <source>&amp;Copy all</source>
+        <translation>全部复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy the chain, the table with all digits and the formula</source>
+        <translation>复制坐标链、带全部数位的表格和公式</translation>
+    </message>
+    <message>
+        <source>Certainty</source>
+        <translation>可靠程度</translation>
+    </message>
+    <message>
+        <source>Cause of the difference</source>
+        <translation>差异的原因</translation>
+    </message>
+    <message>
+        <source>Formula with its numbers</source>
+        <translation>代入数值的公式</translation>
+    </message>
+    <message>
+        <source>The formula with its numbers:</source>
+        <translation>代入数值的公式：</translation>
+    </message>
+    <message>
+        <source>Press the left button on the model</source>
+        <translation>请在模型上按下左键</translation>
+    </message>
+    <message>
+        <source>The formulas appear here with the numbers of the click.</source>
+        <translation>点击后，代入数值的公式显示在这里。</translation>
+    </message>
+    <message>
+        <source>A point on the surface</source>
+        <translation>表面上的一点</translation>
+    </message>
+    <message>
+        <source>Background: no surface here</source>
+        <translation>背景：此处没有表面</translation>
+    </message>
+    <message>
+        <source>%1 logical pixels</source>
+        <translation>%1 逻辑像素</translation>
+    </message>
+    <message>
+        <source>(%1, %2) of %3 × %4, ratio %5</source>
+        <translation>(%1, %2)，共 %3 × %4，比例 %5</translation>
+    </message>
+    <message>
+        <source>%1, the pixel&apos;s centre</source>
+        <translation>%1，像素中心</translation>
+    </message>
+    <message>
+        <source>%1, the background&apos;s</source>
+        <translation>%1，背景的深度</translation>
+    </message>
+    <message>
+        <source>Where the ray enters and leaves the view volume:</source>
+        <translation>射线进入和离开视景体的位置：</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::CornersModel</name>
+    <message>
+        <source>Beyond [-1, 1]: outside the viewport, nothing is drawn there</source>
+        <translation>超出 [-1, 1]：在视口之外，那里不绘制任何内容</translation>
+    </message>
+    <message>
+        <source>Widget</source>
+        <translation>控件</translation>
+    </message>
+    <message>
+        <source>Device pixel</source>
+        <translation>设备像素</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>NDC</source>
+        <translation>NDC</translation>
+    </message>
+    <message>
+        <source>Top left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>Pointer</source>
+        <translation>指针</translation>
+    </message>
+    <message>
+        <source>Logical pixels from the top-left corner, y down: where a click on that pixel is reported</source>
+        <translation>逻辑像素，原点在左上角，y 向下：在该像素上点击时报告的位置</translation>
+    </message>
+    <message>
+        <source>Column and row in device pixels from the top-left corner: widget × device pixel ratio</source>
+        <translation>从左上角算起的列和行，设备像素：控件坐标 × 设备像素比</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s centre in device pixels from the bottom-left corner, y up</source>
+        <translation>像素中心，设备像素，原点在左下角，y 向上</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s centre, −1 to 1 across the viewport, y up; no unit</source>
+        <translation>像素中心，在视口内从 −1 到 1，y 向上；无单位</translation>
+    </message>
+    <message>
+        <source>The pixel of the window under the pointer</source>
+        <translation>指针下方的窗口像素</translation>
+    </message>
+    <message>
+        <source>The pixel right below the window&apos;s centre: half its width and half its height</source>
+        <translation>窗口中心右下方的像素：宽和高的一半</translation>
+    </message>
+    <message>
+        <source>The pixel in this corner of the window, not of the viewport</source>
+        <translation>位于窗口（不是视口）这个角上的像素</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ExampleNote</name>
+    <message>
+        <source>Example</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>Close the note; the example stays</source>
+        <translation>关闭说明；示例保留</translation>
+    </message>
+    <message>
+        <source>Close the note</source>
+        <translation>关闭说明</translation>
+    </message>
+    <message>
+        <source>What to look at</source>
+        <translation>观察要点</translation>
+    </message>
+    <message>
+        <source>Source of the example</source>
+        <translation>示例的出处</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>出处：%1</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::FormulasWindow</name>
+    <message>
+        <source>Formulas</source>
+        <translation>公式</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Back to the contents</source>
+        <translation>返回目录</translation>
+    </message>
+    <message>
+        <source>A−</source>
+        <translation>A−</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>缩小文字</translation>
+    </message>
+    <message>
+        <source>Text in its usual size</source>
+        <translation>文字恢复通常大小</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>放大文字</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::LifecycleLog</name>
+    <message>
+        <source>From %1 s to %2 s</source>
+        <translation>从 %1 s 到 %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 ms, mean %2 ms</source>
+        <translation>%1 ms，平均 %2 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Stands for</source>
+        <translation>对应调用</translation>
+    </message>
+    <message>
+        <source>Took</source>
+        <translation>耗时</translation>
+    </message>
+    <message>
+        <source>Seconds since the view&apos;s first step; of pictures in a row, when the first was drawn</source>
+        <translation>从视图的第一步算起的秒数；对连续的画面，为第一幅的绘制时刻</translation>
+    </message>
+    <message>
+        <source>The step under its name in Weng et al. 2008, with its arguments: sizes in device pixels, positions in logical pixels from the top-left corner</source>
+        <translation>步骤及其参数，名称依 Weng 等 (2008)：大小以设备像素计，位置以逻辑像素计，原点在左上角</translation>
+    </message>
+    <message>
+        <source>The OpenGL calls that the step makes</source>
+        <translation>该步骤所做的 OpenGL 调用</translation>
+    </message>
+    <message>
+        <source>Milliseconds of the step; of pictures in a row, the last and the mean</source>
+        <translation>该步骤的毫秒数；对连续的画面，为最后一幅的值和平均值</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::LifecyclePanel</name>
+    <message>
+        <source>Steps of the view&apos;s life</source>
+        <translation>视图生命周期的步骤</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy the selected steps, or all of them, as lines of text</source>
+        <translation>以文本行复制所选步骤，未选时复制全部</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>清空(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Remove all steps from the log</source>
+        <translation>清除日志中的全部步骤</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::LoadingBar</name>
+    <message>
+        <source>Opening</source>
+        <translation>正在打开</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop opening and keep the scene as it is</source>
+        <translation>停止打开，保持场景不变</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>正在打开…</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::MainWindow</name>
+    <message>
+        <source>Unprojector</source>
+        <translation>Unprojector</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Pipeline</source>
+        <translation>流水线</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>Life of the View</source>
+        <translation>视图生命周期</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>World coordinate under the pointer</source>
+        <translation>指针处的世界坐标</translation>
+    </message>
+    <message>
+        <source>World coordinate under the pointer, with the digits that are certain</source>
+        <translation>指针处的世界坐标，只显示可靠的数位</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Projection and distances of the near and far planes, world units</source>
+        <translation>投影方式，以及近、远裁剪面的距离，世界单位</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>background, %1</source>
+        <translation>背景，%1</translation>
+    </message>
+    <message>
+        <source>world %1, %2</source>
+        <translation>世界坐标 %1，%2</translation>
+    </message>
+    <message>
+        <source>%1, near %2, far %3</source>
+        <translation>%1，近 %2，远 %3</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>透视投影</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>正投影</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Bundled Scene</source>
+        <translation>自带场景(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the scene that comes with the program</source>
+        <translation>显示程序自带的场景</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>示例(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>关闭窗口</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Move the camera until all objects fill the view</source>
+        <translation>移动相机，使所有物体充满视图</translation>
+    </message>
+    <message>
+        <source>&amp;Home</source>
+        <translation>初始视图(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Back to the camera that the scene opened with</source>
+        <translation>回到场景打开时的相机</translation>
+    </message>
+    <message>
+        <source>Fr&amp;ont</source>
+        <translation>前视(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Look from the front, along −z</source>
+        <translation>从前方看，沿 −z 方向</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>右视(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Look from the right, along −x</source>
+        <translation>从右方看，沿 −x 方向</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>俯视(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Look from the top, along −y</source>
+        <translation>从上方看，沿 −y 方向</translation>
+    </message>
+    <message>
+        <source>B&amp;ack</source>
+        <translation>后视(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Look from the back, along z</source>
+        <translation>从后方看，沿 z 方向</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>左视(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Look from the left, along x</source>
+        <translation>从左方看，沿 x 方向</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>仰视(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Look from below, along y</source>
+        <translation>从下方看，沿 y 方向</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>透视投影(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Switch between perspective (glFrustum) and orthographic (glOrtho)</source>
+        <translation>在透视投影 (glFrustum) 与正投影 (glOrtho) 之间切换</translation>
+    </message>
+    <message>
+        <source>&amp;View from Outside</source>
+        <translation>从外部观察(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show the camera and its view volume from outside, beside the view</source>
+        <translation>在视图旁边，从外部显示相机及其视景体</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth Edges</source>
+        <translation>平滑边缘(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Multisampling: smoother edges, but a depth is then read at a sample beside the pixel&apos;s centre</source>
+        <translation>多重采样：边缘更平滑，但深度读自像素中心旁的采样点</translation>
+    </message>
+    <message>
+        <source>H&amp;ide All Panels</source>
+        <translation>隐藏所有面板(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Give the view the whole window</source>
+        <translation>让视图占满整个窗口</translation>
+    </message>
+    <message>
+        <source>R&amp;eset Layout</source>
+        <translation>恢复布局(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Put all panels back to where they were at first</source>
+        <translation>把所有面板放回最初的位置</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas</source>
+        <translation>公式(&amp;F)</translation>
+    </message>
+    <message>
+        <source>All formulas with their sources, and the errors in the originals</source>
+        <translation>所有公式及其出处，以及原文中的错误</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and Keys</source>
+        <translation>鼠标与键盘(&amp;M)</translation>
+    </message>
+    <message>
+        <source>How to move the camera and pick points</source>
+        <translation>如何移动相机和拾取点</translation>
+    </message>
+    <message>
+        <source>&amp;About Unprojector</source>
+        <translation>关于 Unprojector(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>本程序的用途</translation>
+    </message>
+    <message>
+        <source>Mouse and Keys</source>
+        <translation>鼠标与键盘</translation>
+    </message>
+    <message>
+        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;Left button&lt;/td&gt;&lt;td&gt;read the world coordinate of the pixel&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;… and drag&lt;/td&gt;&lt;td&gt;turn the camera about that point&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Middle button, or Shift + left&lt;/td&gt;&lt;td&gt;move the camera sideways&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Wheel&lt;/td&gt;&lt;td&gt;zoom towards the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Double-click&lt;/td&gt;&lt;td&gt;bring the point to the middle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;1, 3, 7 (with Ctrl: the opposite)&lt;/td&gt;&lt;td&gt;look from the front, right, top&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;5&lt;/td&gt;&lt;td&gt;switch perspective and orthographic&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F, Home&lt;/td&gt;&lt;td&gt;fit all objects; back to the first camera&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;左键&lt;/td&gt;&lt;td&gt;读取该像素的世界坐标&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;……并拖动&lt;/td&gt;&lt;td&gt;使相机绕该点转动&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;中键，或 Shift + 左键&lt;/td&gt;&lt;td&gt;平移相机&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;滚轮&lt;/td&gt;&lt;td&gt;朝指针处缩放&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;双击&lt;/td&gt;&lt;td&gt;把该点移到中央&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;1、3、7（加 Ctrl：相反方向）&lt;/td&gt;&lt;td&gt;前视、右视、俯视&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;5&lt;/td&gt;&lt;td&gt;切换透视投影与正投影&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F、Home&lt;/td&gt;&lt;td&gt;显示全部物体；回到最初的相机&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+    </message>
+    <message>
+        <source>About Unprojector</source>
+        <translation>关于 Unprojector</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Unprojector %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Click a pixel of a 3-D view and get its world coordinate, computed twice: by the closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, with the difference, its cause and how certain the coordinate is.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Unprojector %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;点击三维视图中的一个像素，用两种方法求出它的世界坐标：Weng、Huang 和 Cai (2008) 的封闭形式逆变换公式，以及逆矩阵；同时给出两者的差、差异的原因和坐标的可靠程度。&lt;/p&gt;&lt;p&gt;MIT 许可证。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Bundled scene – Unprojector</source>
+        <translation>自带场景 – Unprojector</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1 – Unprojector</source>
+        <translation>%1 – Unprojector</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more – Unprojector</source>
+        <translation>
+            <numerusform>%1 及另外 %n 个 – Unprojector</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Clear This List</source>
+        <translation>清空列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open model files or a scene</source>
+        <translation>打开模型文件或场景</translation>
+    </message>
+    <message>
+        <source>&amp;Save Scene</source>
+        <translation>保存场景(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Write the scene to its file</source>
+        <translation>将场景写入其文件</translation>
+    </message>
+    <message>
+        <source>Save Scene &amp;As…</source>
+        <translation>场景另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Write the scene to another file</source>
+        <translation>将场景写入另一个文件</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json)</source>
+        <translation>场景 (*.json)</translation>
+    </message>
+    <message>
+        <source>Open Models or a Scene</source>
+        <translation>打开模型或场景</translation>
+    </message>
+    <message>
+        <source>%1: there is no bundled model &quot;%2&quot;.</source>
+        <translation>%1：没有名为“%2”的自带模型。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1[*] – Unprojector</source>
+        <translation>%1[*] – Unprojector</translation>
+    </message>
+    <message>
+        <source>Save Scene</source>
+        <translation>保存场景</translation>
+    </message>
+    <message>
+        <source>scene.json</source>
+        <translation>scene.json</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1?</source>
+        <translation>要保存对 %1 的更改吗？</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::MatrixModel</name>
+    <message>
+        <source>row %1, column %2, m[%3]</source>
+        <translation>第 %1 行，第 %2 列，m[%3]</translation>
+    </message>
+    <message>
+        <source>%1, always
+%2</source>
+        <translation>%1，恒定
+%2</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::MatrixSection</name>
+    <message>
+        <source>Show or hide the matrix</source>
+        <translation>显示或隐藏该矩阵</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>文本(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Four aligned lines, as shown</source>
+        <translation>对齐的四行，如所显示</translation>
+    </message>
+    <message>
+        <source>&amp;C array</source>
+        <translation>&amp;C 数组</translation>
+    </message>
+    <message>
+        <source>m[16] as OpenGL stores it, column after column</source>
+        <translation>OpenGL 存储的 m[16]，逐列排列</translation>
+    </message>
+    <message>
+        <source>&amp;GLM</source>
+        <translation>&amp;GLM</translation>
+    </message>
+    <message>
+        <source>A constructor, column after column</source>
+        <translation>构造函数，逐列排列</translation>
+    </message>
+    <message>
+        <source>&amp;NumPy</source>
+        <translation>&amp;NumPy</translation>
+    </message>
+    <message>
+        <source>np.array, row after row as shown</source>
+        <translation>np.array，按显示逐行排列</translation>
+    </message>
+    <message>
+        <source>&amp;LaTeX</source>
+        <translation>&amp;LaTeX</translation>
+    </message>
+    <message>
+        <source>A bmatrix, row after row as shown</source>
+        <translation>bmatrix，按显示逐行排列</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy the matrix with all its digits</source>
+        <translation>复制带全部数位的矩阵</translation>
+    </message>
+    <message>
+        <source>Rows and columns of the matrix; Copy takes the selected numbers with all digits</source>
+        <translation>矩阵的行和列；“复制”取所选数值的全部数位</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Copy %1</source>
+        <translation>复制%1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>展开</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>折叠</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>关闭此消息</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ModelTab</name>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>The object that is placed by these steps</source>
+        <translation>由这些步骤放置的物体</translation>
+    </message>
+    <message>
+        <source>+ Translate</source>
+        <translation>+ 平移</translation>
+    </message>
+    <message>
+        <source>Add translate</source>
+        <translation>添加平移</translation>
+    </message>
+    <message>
+        <source>Add a glTranslate after the last step</source>
+        <translation>在最后一步之后添加 glTranslate</translation>
+    </message>
+    <message>
+        <source>+ Rotate</source>
+        <translation>+ 旋转</translation>
+    </message>
+    <message>
+        <source>Add rotate</source>
+        <translation>添加旋转</translation>
+    </message>
+    <message>
+        <source>Add a glRotate after the last step</source>
+        <translation>在最后一步之后添加 glRotate</translation>
+    </message>
+    <message>
+        <source>+ Scale</source>
+        <translation>+ 缩放</translation>
+    </message>
+    <message>
+        <source>Add scale</source>
+        <translation>添加缩放</translation>
+    </message>
+    <message>
+        <source>Add a glScale after the last step</source>
+        <translation>在最后一步之后添加 glScale</translation>
+    </message>
+    <message>
+        <source>Reorder steps</source>
+        <translation>调整步骤顺序</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>移除步骤</translation>
+    </message>
+    <message>
+        <source>There are no objects to place.</source>
+        <translation>没有可放置的物体。</translation>
+    </message>
+    <message>
+        <source>No steps: the object stands where its file puts it.</source>
+        <translation>没有步骤：物体位于其文件给出的位置。</translation>
+    </message>
+    <message>
+        <source>In the order of the calls: the last step is applied to the object first.</source>
+        <translation>按调用的顺序排列：最后一步最先作用于物体。</translation>
+    </message>
+    <message>
+        <source>Call of step %1</source>
+        <translation>步骤 %1 的调用</translation>
+    </message>
+    <message>
+        <source>Move step %1 up</source>
+        <translation>上移步骤 %1</translation>
+    </message>
+    <message>
+        <source>Call this step earlier</source>
+        <translation>提前执行此调用</translation>
+    </message>
+    <message>
+        <source>Move step %1 down</source>
+        <translation>下移步骤 %1</translation>
+    </message>
+    <message>
+        <source>Call this step later</source>
+        <translation>推后执行此调用</translation>
+    </message>
+    <message>
+        <source>Remove step %1</source>
+        <translation>移除步骤 %1</translation>
+    </message>
+    <message>
+        <source>Remove this step</source>
+        <translation>移除此步骤</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Translation</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>Rotation angle</source>
+        <translation>旋转角</translation>
+    </message>
+    <message>
+        <source>Rotation axis %1</source>
+        <translation>旋转轴 %1</translation>
+    </message>
+    <message>
+        <source>Angle in degrees, counter-clockwise seen against the axis (glRotate: angle)</source>
+        <translation>角度，以度计，迎着旋转轴看为逆时针 (glRotate: angle)</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation, %1; its length does not matter (glRotate: %1)</source>
+        <translation>旋转轴的 %1 分量；长度无关紧要 (glRotate: %1)</translation>
+    </message>
+    <message>
+        <source>Factor along %1, not 0 (glScale: %1)</source>
+        <translation>沿 %1 的缩放系数，不能为 0 (glScale: %1)</translation>
+    </message>
+    <message>
+        <source>Way along %1, world units (glTranslate: %1)</source>
+        <translation>沿 %1 的平移量，世界单位 (glTranslate: %1)</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>步骤 %1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ObserverPanel</name>
+    <message>
+        <source>From eye space to the canonical view volume</source>
+        <translation>从视点空间到规范视景体</translation>
+    </message>
+    <message>
+        <source>Morph the picture from eye space (left, 0 %) into the canonical view volume (right, 100 %).
+The view volume becomes the cube [−1, 1]³ of NDC; straight lines stay straight.
+The cube&apos;s z axis points away from the eye, because NDC is left-handed.</source>
+        <translation>让画面从视点空间（左端，0 %）渐变到规范视景体（右端，100 %）。
+视景体变为 NDC 的立方体 [−1, 1]³；直线仍是直线。
+立方体的 z 轴背离视点，因为 NDC 是左手系。</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Share of the way to the canonical view volume</source>
+        <translation>到规范视景体的进度</translation>
+    </message>
+    <message>
+        <source>Play the morph to the other end</source>
+        <translation>播放渐变，直到另一端</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>适合(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show the eye and the view volume fully (F in the view)</source>
+        <translation>完整显示视点和视景体（在视图中按 F）</translation>
+    </message>
+    <message>
+        <source>Eye space</source>
+        <translation>视点空间</translation>
+    </message>
+    <message>
+        <source>As the scene is: lengths and angles are true</source>
+        <translation>场景的原样：长度和角度是真实的</translation>
+    </message>
+    <message>
+        <source>Canonical view volume</source>
+        <translation>规范视景体</translation>
+    </message>
+    <message>
+        <source>As the projection makes it: NDC, each coordinate from −1 to 1</source>
+        <translation>投影之后的样子：NDC，各坐标从 −1 到 1</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the eye in world units. Drag one of its edges in the view to change it.</source>
+        <translation>该平面到视点的距离，世界单位。在视图中拖动它的边即可改变。</translation>
+    </message>
+    <message>
+        <source>Near: projection window</source>
+        <translation>近：投影窗口</translation>
+    </message>
+    <message>
+        <source>Far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>Ray of the clicked pixel</source>
+        <translation>所点击像素的射线</translation>
+    </message>
+    <message>
+        <source>From the eye (in a box: from the near plane) through the clicked pixel to the far plane, and whether it hits a surface</source>
+        <translation>从视点（长方体视景体：从近裁剪面）经过所点击的像素到远裁剪面，以及它是否碰到表面</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>hit</source>
+        <translation>命中</translation>
+    </message>
+    <message>
+        <source>no hit</source>
+        <translation>未命中</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>播放(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ObserverView</name>
+    <message>
+        <source>Observer view</source>
+        <translation>外部观察视图</translation>
+    </message>
+    <message>
+        <source>The camera and its view volume from outside. Arrow keys turn the view, plus and minus zoom, F fits it.</source>
+        <translation>从外部看相机及其视景体。方向键转动视图，加号和减号缩放，F 适合窗口。</translation>
+    </message>
+    <message>
+        <source>OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.</source>
+        <translation>OpenGL %1.%2 太旧：视图需要 3.3。请更新显卡驱动程序。</translation>
+    </message>
+    <message>
+        <source>Near plane</source>
+        <translation>近裁剪面</translation>
+    </message>
+    <message>
+        <source>Far plane</source>
+        <translation>远裁剪面</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ParameterTab</name>
+    <message>
+        <source>Why the number is not taken</source>
+        <translation>该数不被接受的原因</translation>
+    </message>
+    <message>
+        <source>%1 is empty; type a number.</source>
+        <translation>%1为空；请输入一个数。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; type one such as 0.5 or 1e-3.</source>
+        <translation>“%1”不是数；请输入例如 0.5 或 1e-3 的数。</translation>
+    </message>
+    <message>
+        <source>%1 can be taken now; press Enter.</source>
+        <translation>%1现在可以接受；请按回车键。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ParametersPanel</name>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Where the camera stands (gluLookAt)</source>
+        <translation>相机的位置 (gluLookAt)</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>glFrustum, gluPerspective, glOrtho, oblique</source>
+        <translation>glFrustum、gluPerspective、glOrtho、斜投影</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>glViewport and glDepthRange</source>
+        <translation>glViewport 和 glDepthRange</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Where each object stands (glTranslate, glRotate, glScale)</source>
+        <translation>各物体的位置 (glTranslate, glRotate, glScale)</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>裁剪</translation>
+    </message>
+    <message>
+        <source>Planes that cut the objects (glClipPlane)</source>
+        <translation>裁剪物体的平面 (glClipPlane)</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::PipelineModel</name>
+    <message>
+        <source>Press the left button on the model: its point appears at every stage.</source>
+        <translation>请在模型上按下左键：该点将显示在各个阶段。</translation>
+    </message>
+    <message>
+        <source>Background: no surface here, so there is no point to follow.</source>
+        <translation>背景：此处没有表面，没有可跟踪的点。</translation>
+    </message>
+    <message>
+        <source>Back from the clicked pixel&apos;s centre and the depth read there.</source>
+        <translation>由所点击像素的中心及其读出的深度反推。</translation>
+    </message>
+    <message>
+        <source>The view changed since the click: back from where the point is now.</source>
+        <translation>点击之后视图已改变：由该点现在的位置反推。</translation>
+    </message>
+    <message>
+        <source>The picked point on its way to the window.</source>
+        <translation>所拾取的点，从物体到窗口。</translation>
+    </message>
+    <message>
+        <source>The picked point, which is outside the view volume now.</source>
+        <translation>所拾取的点，现在位于视景体之外。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::PipelinePanel</name>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>Modelview</source>
+        <translation>模型视图</translation>
+    </message>
+    <message>
+        <source>What the points are</source>
+        <translation>各点的含义</translation>
+    </message>
+    <message>
+        <source>&amp;Copy all</source>
+        <translation>全部复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy all points and matrices with all digits</source>
+        <translation>复制带全部数位的所有点和矩阵</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>正向</translation>
+    </message>
+    <message>
+        <source>From the object to the widget</source>
+        <translation>从物体到控件</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>逆向</translation>
+    </message>
+    <message>
+        <source>From the window to the object, by the inverse of each matrix</source>
+        <translation>从窗口到物体，用各矩阵的逆矩阵</translation>
+    </message>
+    <message>
+        <source>Vectors</source>
+        <translation>向量</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列向量</translation>
+    </message>
+    <message>
+        <source>Column vectors, M · v, as OpenGL writes them</source>
+        <translation>列向量，M · v，OpenGL 的写法</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行向量</translation>
+    </message>
+    <message>
+        <source>Row vectors, v · M: every matrix transposed, products in reversed order</source>
+        <translation>行向量，v · M：每个矩阵都转置，乘积次序相反</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>排列</translation>
+    </message>
+    <message>
+        <source>4 × 4</source>
+        <translation>4 × 4</translation>
+    </message>
+    <message>
+        <source>Rows and columns, as matrices are printed</source>
+        <translation>行和列，矩阵的印刷形式</translation>
+    </message>
+    <message>
+        <source>The memory order that glGetFloatv gives and a debugger shows, the same for column and row vectors</source>
+        <translation>glGetFloatv 给出、调试器显示的内存次序，对列向量和行向量都相同</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>数位</translation>
+    </message>
+    <message>
+        <source>Six digits of the double; all of them in the tooltip and when copied</source>
+        <translation>double 的六位数字；全部数位见工具提示和复制的内容</translation>
+    </message>
+    <message>
+        <source>Rounded to single precision, with all the digits that it has</source>
+        <translation>舍入到单精度，显示其全部数位</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Whose object space: by itself that of the object whose box holds the picked point most tightly</source>
+        <translation>取哪个物体的物体空间：自动选择包围盒最紧密地包含拾取点的物体</translation>
+    </message>
+    <message>
+        <source>&amp;Object:</source>
+        <translation>物体(&amp;O)：</translation>
+    </message>
+    <message>
+        <source>Point in %1 coordinates</source>
+        <translation>%1坐标中的点</translation>
+    </message>
+    <message>
+        <source>↓  divide by w</source>
+        <translation>↓  除以 w</translation>
+    </message>
+    <message>
+        <source>↓  times the w that the division took</source>
+        <translation>↓  乘以当初所除的 w</translation>
+    </message>
+    <message>
+        <source>↓  (x, %1 − y)</source>
+        <translation>↓  (x, %1 − y)</translation>
+    </message>
+    <message>
+        <source>↓  (x, %1 − y) / %2</source>
+        <translation>↓  (x, %1 − y) / %2</translation>
+    </message>
+    <message>
+        <source>↓  (x, %1 − y), depth as read</source>
+        <translation>↓  (x, %1 − y)，深度为读出值</translation>
+    </message>
+    <message>
+        <source>↓  (x · %2, %1 − y · %2), depth as read</source>
+        <translation>↓  (x · %2, %1 − y · %2)，深度为读出值</translation>
+    </message>
+    <message>
+        <source>None (identity)</source>
+        <translation>无（单位矩阵）</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>自动：%1</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::PointModel</name>
+    <message>
+        <source>object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>世界</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>裁剪</translation>
+    </message>
+    <message>
+        <source>NDC</source>
+        <translation>NDC</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>widget</source>
+        <translation>控件</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+in the object&apos;s own units</source>
+        <translation>%1 = %2
+物体自身的单位</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+in world units</source>
+        <translation>%1 = %2
+世界单位</translation>
+    </message>
+    <message>
+        <source>z = %1
+in world units; the eye looks along −z</source>
+        <translation>z = %1
+世界单位；视点朝 −z 方向看</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+in world units, from the eye</source>
+        <translation>%1 = %2
+世界单位，从视点算起</translation>
+    </message>
+    <message>
+        <source>w = %1
+what x, y and z are divided by</source>
+        <translation>w = %1
+x、y、z 要除以的数</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+homogeneous; inside the view volume from −w to w</source>
+        <translation>%1 = %2
+齐次坐标；视景体内从 −w 到 w</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+inside the view volume from −1 to 1</source>
+        <translation>%1 = %2
+视景体内从 −1 到 1</translation>
+    </message>
+    <message>
+        <source>depth = %1
+in the depth range</source>
+        <translation>深度 = %1
+在深度范围内</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+in device pixels from the bottom-left corner, y up</source>
+        <translation>%1 = %2
+设备像素，原点在左下角，y 向上</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+in logical pixels from the top-left corner, y down</source>
+        <translation>%1 = %2
+逻辑像素，原点在左上角，y 向下</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ProjectionTab</name>
+    <message>
+        <source>Kind of projection</source>
+        <translation>投影的种类</translation>
+    </message>
+    <message>
+        <source>Another kind shows the same picture as nearly as it can: what lies at the picked point&apos;s distance, else at the center&apos;s, keeps its place</source>
+        <translation>换一种投影时，画面尽可能保持不变：位于拾取点（没有时为目标点）距离处的物体保持原位</translation>
+    </message>
+    <message>
+        <source>Frustum (glFrustum)</source>
+        <translation>视景体 (glFrustum)</translation>
+    </message>
+    <message>
+        <source>Perspective (gluPerspective)</source>
+        <translation>透视投影 (gluPerspective)</translation>
+    </message>
+    <message>
+        <source>Orthographic (glOrtho)</source>
+        <translation>正投影 (glOrtho)</translation>
+    </message>
+    <message>
+        <source>Oblique (glOrtho, sheared)</source>
+        <translation>斜投影（glOrtho，错切）</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>视场角</translation>
+    </message>
+    <message>
+        <source>Vertical angle of view in degrees, between 0 and 180 (gluPerspective: fovy)</source>
+        <translation>垂直视场角，以度计，在 0 与 180 之间 (gluPerspective: fovy)</translation>
+    </message>
+    <message>
+        <source>Aspect</source>
+        <translation>宽高比</translation>
+    </message>
+    <message>
+        <source>Width divided by height of the picture (gluPerspective: aspect)</source>
+        <translation>画面的宽除以高 (gluPerspective: aspect)</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Left edge of the view volume, eye units; of a frustum on its near plane</source>
+        <translation>视景体的左边界，视点单位；对透视视景体，取在近裁剪面上</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Right edge of the view volume, eye units; of a frustum on its near plane</source>
+        <translation>视景体的右边界，视点单位；对透视视景体，取在近裁剪面上</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Lower edge of the view volume, eye units; of a frustum on its near plane</source>
+        <translation>视景体的下边界，视点单位；对透视视景体，取在近裁剪面上</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Upper edge of the view volume, eye units; of a frustum on its near plane</source>
+        <translation>视景体的上边界，视点单位；对透视视景体，取在近裁剪面上</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a perspective</source>
+        <translation>近裁剪面在视点前方的距离，视点单位；小于远裁剪面距离，透视投影中须大于 0</translation>
+    </message>
+    <message>
+        <source>Far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>Distance of the far plane in front of the eye, eye units; greater than near</source>
+        <translation>远裁剪面在视点前方的距离，视点单位；大于近裁剪面距离</translation>
+    </message>
+    <message>
+        <source>θ</source>
+        <translation>θ</translation>
+    </message>
+    <message>
+        <source>Angle of the shear in x, degrees between 0 and 180: x grows by cot θ · z. 90 is no shear</source>
+        <translation>x 方向的错切角，以度计，在 0 与 180 之间：x 增加 cot θ · z。90 为无错切</translation>
+    </message>
+    <message>
+        <source>φ</source>
+        <translation>φ</translation>
+    </message>
+    <message>
+        <source>Angle of the shear in y, degrees between 0 and 180: y grows by cot φ · z. 90 is no shear</source>
+        <translation>y 方向的错切角，以度计，在 0 与 180 之间：y 增加 cot φ · z。90 为无错切</translation>
+    </message>
+    <message>
+        <source>The width is always that of the viewport for this height, so that a circle stays a circle. Typing left, right or the aspect switches this off</source>
+        <translation>宽度始终取与高度相应的视口比例，使圆仍是圆。输入左、右或宽高比会关闭此项</translation>
+    </message>
+    <message>
+        <source>Fit near and far to the objects</source>
+        <translation>近、远裁剪面适合物体</translation>
+    </message>
+    <message>
+        <source>The near and far planes hold the objects tightly, which makes the depth as exact as it can be. Typing one of them switches this off</source>
+        <translation>近、远裁剪面紧贴物体，使深度尽可能精确。输入其中之一会关闭此项</translation>
+    </message>
+    <message>
+        <source>%1 (°):</source>
+        <translation>%1 (°)：</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1：</translation>
+    </message>
+    <message>
+        <source>Aspect follows the viewport</source>
+        <translation>宽高比跟随视口</translation>
+    </message>
+    <message>
+        <source>Keep proportions</source>
+        <translation>保持比例</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::SceneDocument</name>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>初始视图</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>正投影</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>透视投影</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::SceneView</name>
+    <message>
+        <source>3-D view</source>
+        <translation>三维视图</translation>
+    </message>
+    <message>
+        <source>Press the left button on the model to read the world coordinate of that pixel</source>
+        <translation>在模型上按下左键，读取该像素的世界坐标</translation>
+    </message>
+    <message>
+        <source>OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.</source>
+        <translation>OpenGL %1.%2 太旧：视图需要 3.3。请更新显卡驱动程序。</translation>
+    </message>
+    <message>
+        <source>The depth of this pixel could not be read: OpenGL reported an error.</source>
+        <translation>无法读取该像素的深度：OpenGL 报告了错误。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ScreenshotRun</name>
+    <message>
+        <source>The click %1,%2 lies outside the view, which is %3 × %4 logical pixels.</source>
+        <translation>点击 %1,%2 在视图之外，视图为 %3 × %4 逻辑像素。</translation>
+    </message>
+    <message>
+        <source>The click %1,%2 could not be read.</source>
+        <translation>无法读取点击 %1,%2。</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Check the folder, and that the name ends in .png.</source>
+        <translation>无法写入 %1。请检查文件夹，以及文件名是否以 .png 结尾。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ViewTab</name>
+    <message>
+        <source>Eye</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>Eye %1</source>
+        <translation>视点 %1</translation>
+    </message>
+    <message>
+        <source>Where the camera stands, world units (gluLookAt: eye%1)</source>
+        <translation>相机的位置，世界单位 (gluLookAt: eye%1)</translation>
+    </message>
+    <message>
+        <source>Center</source>
+        <translation>目标点</translation>
+    </message>
+    <message>
+        <source>Center %1</source>
+        <translation>目标点 %1</translation>
+    </message>
+    <message>
+        <source>The point the camera looks at, world units (gluLookAt: center%1)</source>
+        <translation>相机所看的点，世界单位 (gluLookAt: center%1)</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上方向</translation>
+    </message>
+    <message>
+        <source>Up %1</source>
+        <translation>上方向 %1</translation>
+    </message>
+    <message>
+        <source>The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)</source>
+        <translation>画面中向上的方向；长度无关紧要 (gluLookAt: up%1)</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ViewportDrawing</name>
+    <message>
+        <source>Window, viewport and projection window to scale</source>
+        <translation>按比例绘制的窗口、视口和投影窗口</translation>
+    </message>
+    <message>
+        <source>Left: the window with the viewport in it, to scale in device pixels.
+Right: the projection window, to scale in eye units, with the lines x = 0 and y = 0.
+The dot is the pointer; the circle of the projection window is drawn in the viewport as it comes out there.</source>
+        <translation>左：窗口及其中的视口，按设备像素的比例。
+右：投影窗口，按视点单位的比例，带有直线 x = 0 和 y = 0。
+圆点是指针；投影窗口中的圆，在视口中按它在那里的形状画出。</translation>
+    </message>
+    <message>
+        <source>Window %1 × %2; viewport from (%3, %4), %5 × %6; projection window from %7 to %8 and from %9 to %10</source>
+        <translation>窗口 %1 × %2；视口起点 (%3, %4)，大小 %5 × %6；投影窗口从 %7 到 %8、从 %9 到 %10</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>Projection window</source>
+        <translation>投影窗口</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ViewportInspector</name>
+    <message>
+        <source>What is shown</source>
+        <translation>显示内容</translation>
+    </message>
+    <message>
+        <source>Proportions</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>The proportions (3) and (4) with their numbers</source>
+        <translation>代入数值的比例式 (3) 和 (4)</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>角点</translation>
+    </message>
+    <message>
+        <source>The window&apos;s corners and centre in all coordinates</source>
+        <translation>窗口的四角和中心在各种坐标中的值</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>The view&apos;s framebuffer in device pixels, and how many of them make a logical pixel</source>
+        <translation>视图的帧缓冲，以设备像素计，以及一个逻辑像素含多少设备像素</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>x, y, width, height in device pixels from the window&apos;s bottom-left corner</source>
+        <translation>x、y、宽、高，设备像素，原点在窗口左下角</translation>
+    </message>
+    <message>
+        <source>Proportions (3) and (4)</source>
+        <translation>比例式 (3) 和 (4)</translation>
+    </message>
+    <message>
+        <source>x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane
+x_v, y_v: the centre of the pointer&apos;s pixel, device pixels from the window&apos;s bottom-left corner
+vx, vy, width, height: the viewport; left, right, bottom, top: the projection window</source>
+        <translation>x_w, y_w：投影窗口中的指针，视点单位，透视投影时在近裁剪面上
+x_v, y_v：指针所在像素的中心，设备像素，原点在窗口左下角
+vx, vy, width, height：视口；left, right, bottom, top：投影窗口</translation>
+    </message>
+    <message>
+        <source>Shape of a circle</source>
+        <translation>圆的形状</translation>
+    </message>
+    <message>
+        <source>Corners and centre of the window</source>
+        <translation>窗口的四角和中心</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>全部复制</translation>
+    </message>
+    <message>
+        <source>Window %1 × %2 device pixels, device pixel ratio %3</source>
+        <translation>窗口 %1 × %2 设备像素，设备像素比 %3</translation>
+    </message>
+    <message>
+        <source>Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1</source>
+        <translation>对平行于投影平面的圆：视口为 %1 : 1，投影窗口为 %2 : 1</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::ViewportTab</name>
+    <message>
+        <source>%1 is not a whole number of pixels.</source>
+        <translation>%1 不是整数个像素。</translation>
+    </message>
+    <message>
+        <source>%1 pixels are too many; use at most %2.</source>
+        <translation>%1 像素太多；最多 %2。</translation>
+    </message>
+    <message>
+        <source>The depth is %1; it must lie between 0 and 1.</source>
+        <translation>深度为 %1；它必须在 0 与 1 之间。</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>Part of the window</source>
+        <translation>窗口的部分</translation>
+    </message>
+    <message>
+        <source>Which part of the window the picture takes (glViewport)</source>
+        <translation>画面占窗口的哪一部分 (glViewport)</translation>
+    </message>
+    <message>
+        <source>Whole window</source>
+        <translation>整个窗口</translation>
+    </message>
+    <message>
+        <source>glViewport(0, 0, width, height)</source>
+        <translation>glViewport(0, 0, width, height)</translation>
+    </message>
+    <message>
+        <source>Fixed rectangle</source>
+        <translation>固定矩形</translation>
+    </message>
+    <message>
+        <source>The same pixels whatever the size of the window</source>
+        <translation>像素不变，与窗口大小无关</translation>
+    </message>
+    <message>
+        <source>Keep aspect (letterbox)</source>
+        <translation>保持宽高比（留边）</translation>
+    </message>
+    <message>
+        <source>The largest rectangle of this aspect, centred, with bars beside or above it</source>
+        <translation>该宽高比的最大矩形，居中，两侧或上下留边</translation>
+    </message>
+    <message>
+        <source>Lower right quarter</source>
+        <translation>右下四分之一</translation>
+    </message>
+    <message>
+        <source>glViewport(width/2, 0, width/2, height/2)</source>
+        <translation>glViewport(width/2, 0, width/2, height/2)</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Left edge, whole device pixels from the left edge of the window (glViewport: x)</source>
+        <translation>左边界，整数设备像素，从窗口左边界算起 (glViewport: x)</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Lower edge, whole device pixels from the lower edge of the window (glViewport: y)</source>
+        <translation>下边界，整数设备像素，从窗口下边界算起 (glViewport: y)</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽</translation>
+    </message>
+    <message>
+        <source>Width in whole device pixels, above 0 (glViewport: width)</source>
+        <translation>宽，整数设备像素，大于 0 (glViewport: width)</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>Height in whole device pixels, above 0 (glViewport: height)</source>
+        <translation>高，整数设备像素，大于 0 (glViewport: height)</translation>
+    </message>
+    <message>
+        <source>Viewport aspect</source>
+        <translation>视口宽高比</translation>
+    </message>
+    <message>
+        <source>Width divided by height of the rectangle, above 0</source>
+        <translation>矩形的宽除以高，大于 0</translation>
+    </message>
+    <message>
+        <source>Aspect:</source>
+        <translation>宽高比：</translation>
+    </message>
+    <message>
+        <source>Viewport in use</source>
+        <translation>当前视口</translation>
+    </message>
+    <message>
+        <source>The viewport in use: x, y, width, height in device pixels from the lower left corner</source>
+        <translation>当前视口：x、y、宽、高，设备像素，原点在左下角</translation>
+    </message>
+    <message>
+        <source>Size of the window</source>
+        <translation>窗口大小</translation>
+    </message>
+    <message>
+        <source>Size of the picture&apos;s window in device pixels</source>
+        <translation>画面所在窗口的大小，以设备像素计</translation>
+    </message>
+    <message>
+        <source>Depth range</source>
+        <translation>深度范围</translation>
+    </message>
+    <message>
+        <source>Near plane:</source>
+        <translation>近裁剪面：</translation>
+    </message>
+    <message>
+        <source>Depth of the near plane</source>
+        <translation>近裁剪面的深度</translation>
+    </message>
+    <message>
+        <source>Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)</source>
+        <translation>近裁剪面所得的深度，从 0 到 1；通常为 0 (glDepthRange)</translation>
+    </message>
+    <message>
+        <source>Far plane:</source>
+        <translation>远裁剪面：</translation>
+    </message>
+    <message>
+        <source>Depth of the far plane</source>
+        <translation>远裁剪面的深度</translation>
+    </message>
+    <message>
+        <source>Depth that the far plane gets, from 0 to 1; usually 1 (glDepthRange)</source>
+        <translation>远裁剪面所得的深度，从 0 到 1；通常为 1 (glDepthRange)</translation>
+    </message>
+    <message>
+        <source>Viewport %1</source>
+        <translation>视口 %1</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1：</translation>
+    </message>
+    <message>
+        <source>Window: %1 × %2 pixels</source>
+        <translation>窗口：%1 × %2 像素</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,135 @@
+#include "gui/error_text.h"
+#include "gui/main_window.h"
+#include "gui/translation.h"
+
+#include <QFile>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include <algorithm>
+#include <memory>
+
+namespace unprojector {
+namespace {
+
+struct Message {
+    QString context;
+    QString source;
+    QString translation;
+    QString state;
+};
+
+QList<Message> messagesOfFile()
+{
+    QFile file(QStringLiteral(UNPROJECTOR_TRANSLATION_FILE));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QList<Message> messages;
+    QString context;
+    QXmlStreamReader xml(&file);
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        if (xml.name() == u"name") {
+            context = xml.readElementText();
+        } else if (xml.name() == u"source") {
+            messages.append({context, xml.readElementText(), {}, {}});
+        } else if (xml.name() == u"translation") {
+            messages.last().state = xml.attributes().value(QStringLiteral("type")).toString();
+            messages.last().translation = xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
+        }
+    }
+    return xml.hasError() ? QList<Message>() : messages;
+}
+
+/// "%1", "%2" and "%n", sorted; or the links of a rich text.
+QStringList found(const QString &text, const QString &pattern)
+{
+    QStringList result;
+    for (auto match = QRegularExpression(pattern).globalMatch(text); match.hasNext();)
+        result << match.next().captured();
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+const QStringList kChinese{QStringLiteral("zh-CN")};
+
+} // namespace
+
+class TestTranslation : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyMessageIsTranslated();
+    void theProgramFindsEveryTranslation();
+    void theWindowSpeaksChinese();
+    void theFirstLanguageCounts();
+
+private:
+    static bool isBuilt() { return QFile::exists(QStringLiteral(":/translations/unprojector_zh_CN.qm")); }
+};
+
+void TestTranslation::everyMessageIsTranslated()
+{
+    const QList<Message> messages = messagesOfFile();
+    QVERIFY(messages.size() > 500);
+    for (const Message &m : messages) {
+        QVERIFY2(m.state.isEmpty() && !m.translation.isEmpty(), qPrintable(m.context + QStringLiteral(": ") + m.source));
+        for (const char *pattern : {"%[0-9]+|%n", "href='[^']*'", "</?[a-z]+"}) {
+            const QString p = QString::fromLatin1(pattern);
+            QVERIFY2(found(m.source, p) == found(m.translation, p), qPrintable(m.source + QStringLiteral(" -> ") + m.translation));
+        }
+        // A key to reach it by stays one.
+        const QString key = QStringLiteral("&[A-Za-z]");
+        QVERIFY2(found(m.source, key).size() == found(m.translation, key).size(), qPrintable(m.source + QStringLiteral(" -> ") + m.translation));
+    }
+}
+
+void TestTranslation::theProgramFindsEveryTranslation()
+{
+#ifndef UNPROJECTOR_IS_TRANSLATED
+    QSKIP("Built without Qt's LinguistTools.");
+#endif
+    QVERIFY(isBuilt());
+    const Translation translation(kChinese);
+    for (const Message &m : messagesOfFile()) {
+        if (!m.source.contains(u"%n"))
+            QCOMPARE(QCoreApplication::translate(m.context.toUtf8().constData(), m.source.toUtf8().constData()), m.translation);
+    }
+}
+
+void TestTranslation::theWindowSpeaksChinese()
+{
+#ifndef UNPROJECTOR_IS_TRANSLATED
+    QSKIP("Built without Qt's LinguistTools.");
+#endif
+    const Translation translation(kChinese);
+    MainWindow window({});
+    QCOMPARE(window.menuBar()->actions().constFirst()->text(), QStringLiteral("文件(&F)"));
+    // Of a free function, whose texts are not those of a class of Qt's.
+    QCOMPARE(errorText(Error{ErrorCode::NotFinite, 2.5}), QStringLiteral("2.5 不是有限的数；请给出一个数。"));
+    QCOMPARE(MainWindow::tr("%1 and %n more – Unprojector", nullptr, 3).arg(QStringLiteral("a.obj")), QStringLiteral("a.obj 及另外 3 个 – Unprojector"));
+}
+
+void TestTranslation::theFirstLanguageCounts()
+{
+#ifndef UNPROJECTOR_IS_TRANSLATED
+    QSKIP("Built without Qt's LinguistTools.");
+#endif
+    const auto nameOfTools = [](const QStringList &languages) {
+        const Translation translation(languages);
+        return MainWindow::tr("Tools");
+    };
+    QCOMPARE(nameOfTools({QStringLiteral("en-US"), QStringLiteral("zh-CN")}), QStringLiteral("Tools"));
+    QCOMPARE(nameOfTools({QStringLiteral("C")}), QStringLiteral("Tools"));
+    QCOMPARE(nameOfTools({QStringLiteral("fr-FR"), QStringLiteral("zh-Hans-CN")}), QStringLiteral("工具"));
+    QCOMPARE(MainWindow::tr("Tools"), QStringLiteral("Tools"));
+}
+
+} // namespace unprojector
+
+QTEST_MAIN(unprojector::TestTranslation)
+#include "test_translation.moc"
