@@ -8,10 +8,8 @@ packages=(
     # The window (Qt's OpenGL module is only recommended by qt6-base-dev); lrelease for the translations
     qt6-base-dev libqt6opengl6-dev libgl-dev libopengl-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
     # Vectors and matrices, model files (Assimp's package needs zlib's to link, and does not say so), scene files, the
-    # command's options
-    libglm-dev libassimp-dev zlib1g-dev nlohmann-json3-dev libcli11-dev
-    # Tests: extended precision
-    libboost-dev
+    # command's options, extended precision
+    libglm-dev libassimp-dev zlib1g-dev nlohmann-json3-dev libcli11-dev libboost-dev
     # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none
     libgl1-mesa-dri fonts-dejavu-core xvfb xauth
 )

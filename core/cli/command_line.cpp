@@ -1,5 +1,6 @@
 #include "core/cli/command_line.h"
 
+#include "core/cli/compare_command.h"
 #include "core/cli/matrices_command.h"
 #include "core/cli/points_command.h"
 #include "core/cli/project_command.h"
@@ -101,6 +102,23 @@ void addMatrices(CLI::App &app, Run &run)
     command->callback([options, &run] { run = [options] { return runMatrices(*options); }; });
 }
 
+void addCompare(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("compare", "How far both methods are from the truth");
+    auto options = std::make_shared<CompareOptions>();
+    command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+    command->add_flag("--json", options->isJson, "Write JSON instead of a table");
+    command->add_option("--pixels", options->pixels, "Pixels across and down of the grid")
+        ->check(CLI::Range(1, 1000))->default_str("32");
+    command->add_option("--depths", options->depths, "Depths of the grid, from one end to the other")
+        ->check(CLI::Range(1, 1000))->default_str("17");
+    command->footer("Formula and matrix, in double and in single precision, against the same picture computed with 50 digits.\n"
+                    "\n"
+                    "Example:\n"
+                    "  unproject compare scene.json");
+    command->callback([options, &run] { run = [options] { return runCompare(*options); }; });
+}
+
 } // namespace
 
 ExitCode runCommandLine(int argc, char **argv)
@@ -112,6 +130,7 @@ ExitCode runCommandLine(int argc, char **argv)
     Run run;
     addPoints(app, run);
     addProject(app, run);
+    addCompare(app, run);
     addMatrices(app, run);
     try {
         app.parse(argc, argv);

@@ -1,0 +1,248 @@
+#include "core/cli/compare_command.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/cli/core_error_text.h"
+#include "core/cli/exact_unprojection.h"
+#include "core/cli/number_writer.h"
+#include "core/cli/scene_input.h"
+#include "core/unproject_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+namespace unprojector {
+namespace {
+
+/// Distances from the truth, gathered.
+struct Distribution {
+    std::vector<double> values;
+
+    double largest() const { return values.back(); }
+    double mean() const
+    {
+        double sum = 0.0;
+        for (const double value : values)
+            sum += value;
+        return sum / static_cast<double>(values.size());
+    }
+    double percentile(double share) const
+    {
+        const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+        return values[std::min(at, values.size() - 1)];
+    }
+};
+
+/// One way to compute, and how it did.
+struct Way {
+    const char *method, *precision;
+    bool isFloat = false;
+    std::array<Distribution, 4> of; ///< x, y, z in world units; units in the last place of the largest coordinate
+    std::size_t withoutAnswer = 0;
+    std::string reason; ///< of the first point without an answer
+
+    void add(const std::array<Extended, 3> &exact, const Result<WorldPoint> &point)
+    {
+        if (!point) {
+            if (withoutAnswer++ == 0)
+                reason = errorText(point.error());
+            return;
+        }
+        double largest = 0.0, farthest = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double difference = std::abs(static_cast<double>((*point)[static_cast<int>(k)] - exact[k]));
+            of[k].values.push_back(difference);
+            farthest = std::max(farthest, difference);
+            largest = std::max(largest, std::abs(static_cast<double>(exact[k])));
+        }
+        of[3].values.push_back(farthest / unitInTheLastPlace(largest));
+    }
+
+    double unitInTheLastPlace(double value) const
+    {
+        if (!isFloat)
+            return std::nextafter(value, std::numeric_limits<double>::infinity()) - value;
+        const auto rounded = static_cast<float>(value);
+        return static_cast<double>(std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded);
+    }
+
+    void sort()
+    {
+        for (Distribution &distribution : of)
+            std::sort(distribution.values.begin(), distribution.values.end());
+    }
+};
+
+/// The closed form wholly in single precision, as a program does it that stores its numbers so.
+class FormulaInFloat {
+public:
+    explicit FormulaInFloat(const PictureGeometry &geometry)
+    {
+        const Result<ViewGeometry> view = viewGeometry(geometry);
+        m_problem = view ? std::nullopt : std::optional(view.error());
+        if (!view)
+            return;
+        m_geometry = *view;
+        const Result<EyeFrame> frame = eyeFrame(view->camera);
+        if (frame)
+            m_frame = *frame;
+        else
+            m_problem = frame.error();
+    }
+
+    Result<WorldPoint> operator()(const WindowPoint &window) const
+    {
+        if (m_problem)
+            return *m_problem;
+        const ViewGeometry &g = m_geometry;
+        const ProjectionWindow w = projectionWindow(g.projection);
+        const bool perspective = isPerspective(g.projection);
+        const auto n = float(w.nearDistance), f = float(w.farDistance);
+        const auto dn = float(g.depthRange.atNear), df = float(g.depthRange.atFar);
+        const float d = (float(window.z) - dn) / (df - dn);
+        const float z = perspective ? n * f / (f * (1.0f - d) + n * d) : n * (1.0f - d) + f * d;
+        const auto between = [&](double low, double high, double position, double start, double size) {
+            const float span = (float(position) - float(start)) * (float(high) - float(low));
+            return perspective ? span * z / (float(size) * n) + float(low) * z / n : span / float(size) + float(low);
+        };
+        float x = between(w.left, w.right, window.x, g.viewport.x, g.viewport.width);
+        float y = between(w.bottom, w.top, window.y, g.viewport.y, g.viewport.height);
+        if (const auto *oblique = std::get_if<Oblique>(&g.projection)) {
+            x += float(cotangent(oblique->thetaRadians)) * z;
+            y += float(cotangent(oblique->phiRadians)) * z;
+        }
+        WorldPoint world;
+        for (int k = 0; k < 3; ++k) {
+            world[k] = double(float(m_frame.eye[k]) + x * float(m_frame.side[k]) + y * float(m_frame.upward[k])
+                              + z * float(m_frame.forward[k]));
+        }
+        return world;
+    }
+
+private:
+    ViewGeometry m_geometry;
+    EyeFrame m_frame;
+    std::optional<Error> m_problem;
+};
+
+/// The centres of pixels spread over the viewport, times depths from one end to the other.
+template <class Function>
+void forEachPoint(const PictureGeometry &g, const CompareOptions &options, Function function)
+{
+    const auto spread = [&](double start, double size, int i) {
+        return start + std::floor((i + 0.5) / options.pixels * size) + 0.5;
+    };
+    for (int k = 0; k < options.depths; ++k) {
+        const double share = options.depths == 1 ? 0.5 : double(k) / (options.depths - 1);
+        const double depth = share == 1.0 ? g.depthRange.atFar
+                                          : g.depthRange.atNear + share * (g.depthRange.atFar - g.depthRange.atNear);
+        for (int j = 0; j < options.pixels; ++j) {
+            for (int i = 0; i < options.pixels; ++i) {
+                function(WindowPoint(spread(g.viewport.x, g.viewport.width, i),
+                                     spread(g.viewport.y, g.viewport.height, j), depth));
+            }
+        }
+    }
+}
+
+constexpr double kShare = 0.9999;
+constexpr const char *kQuantities[] = {"x", "y", "z", "ulps"};
+
+std::string table(const std::vector<Way> &ways, std::size_t points)
+{
+    std::string text = "Differences from extended precision over " + std::to_string(points) + " points, world units; ulps of"
+                       " the largest coordinate\n\n";
+    const auto line = [&](const char *method, const char *precision, const char *what, const std::string &a,
+                          const std::string &b, const std::string &c) {
+        std::array<char, 120> buffer;
+        std::snprintf(buffer.data(), buffer.size(), "%-8s %-7s %-5s %10s %10s %10s\n", method, precision, what, a.c_str(),
+                      b.c_str(), c.c_str());
+        text += buffer.data();
+    };
+    const auto number = [](double value) {
+        std::array<char, 32> buffer;
+        std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
+        return std::string(buffer.data());
+    };
+    line("method", "in", "", "largest", "mean", "99.99 %");
+    for (const Way &way : ways) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Distribution &d = way.of[k];
+            const bool isThere = !d.values.empty();
+            line(k == 0 ? way.method : "", k == 0 ? way.precision : "", kQuantities[k],
+                 isThere ? number(d.largest()) : "-", isThere ? number(d.mean()) : "-",
+                 isThere ? number(d.percentile(kShare)) : "-");
+        }
+        if (way.withoutAnswer > 0)
+            text += "         " + std::to_string(way.withoutAnswer) + " points without an answer: " + way.reason + '\n';
+    }
+    return text;
+}
+
+std::string json(const std::vector<Way> &ways, std::size_t points)
+{
+    std::string text = "{\n  \"points\": " + std::to_string(points) + ",\n  \"methods\": [";
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const Way &way = ways[i];
+        text += std::string(i == 0 ? "" : ",") + "\n    {\"method\": \"" + way.method + "\", \"precision\": \""
+                + way.precision + "\", \"withoutAnswer\": " + std::to_string(way.withoutAnswer);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Distribution &d = way.of[k];
+            text += std::string(",\n     \"") + kQuantities[k] + "\": ";
+            if (d.values.empty()) {
+                text += "null";
+                continue;
+            }
+            text += "{\"largest\": ";
+            appendNumber(text, d.largest());
+            text += ", \"mean\": ";
+            appendNumber(text, d.mean());
+            text += ", \"percentile99.99\": ";
+            appendNumber(text, d.percentile(kShare));
+            text += '}';
+        }
+        text += '}';
+    }
+    return text + "\n  ]\n}\n";
+}
+
+} // namespace
+
+ExitCode runCompare(const CompareOptions &options)
+{
+    const std::optional<SceneInput> scene = sceneInput(options.scene);
+    if (!scene)
+        return ExitCode::UnusableInput;
+    const std::optional<ExactUnprojection> exact = ExactUnprojection::of(scene->geometry);
+    if (!exact) {
+        complain(options.scene + ": " + errorText(Error{ErrorCode::SingularMatrix}));
+        return ExitCode::UnusableInput;
+    }
+    const FormulaInFloat formulaInFloat(scene->geometry);
+    std::vector<Way> ways{{"formula", "double", false, {}, 0, {}},
+                          {"matrix", "double", false, {}, 0, {}},
+                          {"formula", "float", true, {}, 0, {}},
+                          {"matrix", "float", true, {}, 0, {}}};
+    std::size_t points = 0;
+    forEachPoint(scene->geometry, options, [&](const WindowPoint &window) {
+        const std::optional<std::array<Extended, 3>> world = exact->world(window);
+        if (!world)
+            return; // a far plane at infinity
+        ++points;
+        const TwoWays<WorldSpace> computed = compareUnprojections(scene->geometry, window).world;
+        ways[0].add(*world, computed.formula);
+        ways[1].add(*world, computed.matrix);
+        ways[2].add(*world, formulaInFloat(window));
+        ways[3].add(*world, computed.matrixInFloat);
+    });
+    for (Way &way : ways)
+        way.sort();
+    ByteSink sink;
+    sink.write(options.isJson ? json(ways, points) : table(ways, points));
+    sink.flush();
+    return sink.state() == ByteSink::State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
+}
+
+} // namespace unprojector

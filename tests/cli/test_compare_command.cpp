@@ -1,0 +1,114 @@
+// `unproject compare`, as a script runs it.
+
+#include "tests/cli/command.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+class TestCompareCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void formulaHoldsItsPromise_data();
+    void formulaHoldsItsPromise();
+    void theGridIsAskedFor();
+    void aMatrixOfNoKnownFormHasOneAnswer();
+    void theTableIsForPeople();
+    void unusableInput();
+
+private:
+    Folder m_folder;
+};
+
+namespace {
+
+/// Looking away from the origin: next to it the digits of any method are few.
+QByteArray sceneWith(const QByteArray &projection)
+{
+    return "{\"unprojector\": 1, \"window\": {\"width\": 801, \"height\": 601}, \"projection\": " + projection
+           + ", \"view\": {\"eye\": [3, 4, 5], \"center\": [13, 24, 35.3], \"up\": [0, 1, 0]}}";
+}
+
+/// The ways to compute by their names: "formula double".
+QHash<QString, QJsonObject> ways(const QByteArray &json)
+{
+    QHash<QString, QJsonObject> result;
+    for (const QJsonValue &way : QJsonDocument::fromJson(json).object()["methods"].toArray())
+        result[way["method"].toString() + ' ' + way["precision"].toString()] = way.toObject();
+    return result;
+}
+
+double largestUlps(const QJsonObject &way)
+{
+    return way["ulps"].toObject()["largest"].toDouble();
+}
+
+} // namespace
+
+void TestCompareCommand::formulaHoldsItsPromise_data()
+{
+    QTest::addColumn<QByteArray>("projection");
+    QTest::addColumn<double>("matrixUlpsAtLeast");
+    QTest::newRow("5 : 80000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 5, "far": 80000})") << 1e3;
+    QTest::newRow("0.1 : 10000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 0.1, "far": 10000})") << 1e4;
+    QTest::newRow("off-centre frustum")
+        << QByteArray(R"({"type": "frustum", "left": -1, "right": 2, "bottom": -0.5, "top": 1, "near": 1, "far": 100})") << 10.0;
+    QTest::newRow("box") << QByteArray(R"({"type": "ortho", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100})") << 0.5;
+    QTest::newRow("oblique") << QByteArray(R"({"type": "oblique", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100,
+        "theta": 60, "phi": 70})") << 0.5;
+}
+
+void TestCompareCommand::formulaHoldsItsPromise()
+{
+    QFETCH(QByteArray, projection);
+    QFETCH(double, matrixUlpsAtLeast);
+    const Run run = runCommand({"compare", "--json", m_folder.write("scene.json", sceneWith(projection))});
+    QCOMPARE(run.errors, QByteArray());
+    QCOMPARE(run.exitCode, 0);
+    const QHash<QString, QJsonObject> found = ways(run.output);
+    QCOMPARE(found.size(), 4);
+    QVERIFY2(found["formula double"]["ulps"].toObject()["percentile99.99"].toDouble() <= 20.0, run.output.constData());
+    QVERIFY(largestUlps(found["formula double"]) > 0.0);
+    QVERIFY2(largestUlps(found["matrix double"]) >= matrixUlpsAtLeast, run.output.constData());
+    for (const char *axis : {"x", "y", "z"}) {
+        const double inDouble = found["formula double"][QLatin1String(axis)].toObject()["largest"].toDouble();
+        const double inFloat = found["formula float"][QLatin1String(axis)].toObject()["largest"].toDouble();
+        QVERIFY2(inFloat >= 1e6 * inDouble, run.output.constData());
+    }
+}
+
+void TestCompareCommand::theGridIsAskedFor()
+{
+    const QString scene = m_folder.write("scene.json", kFrustumScene);
+    const Run run = runCommand({"compare", "--json", "--pixels", "3", "--depths", "2", scene});
+    QCOMPARE(QJsonDocument::fromJson(run.output).object()["points"].toInt(), 18);
+}
+
+void TestCompareCommand::aMatrixOfNoKnownFormHasOneAnswer()
+{
+    const QByteArray matrix(R"({"type": "matrix", "matrix": [1,0.5,0,0, 0.25,1,0,0, 0,0,-1.02,-1, 0,0,-2.02,0]})");
+    const Run run = runCommand({"compare", "--json", m_folder.write("scene.json", sceneWith(matrix))});
+    QCOMPARE(run.exitCode, 0);
+    const QHash<QString, QJsonObject> found = ways(run.output);
+    QVERIFY(found["formula double"]["ulps"].isNull());
+    QCOMPARE(found["formula double"]["withoutAnswer"].toInt(), QJsonDocument::fromJson(run.output).object()["points"].toInt());
+    QVERIFY(largestUlps(found["matrix double"]) < 1e3);
+}
+
+void TestCompareCommand::theTableIsForPeople()
+{
+    const Run run = runCommand({"compare", m_folder.write("scene.json", kFrustumScene)});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(run.output.contains("formula") && run.output.contains("99.99 %") && run.output.contains("17408 points"));
+}
+
+void TestCompareCommand::unusableInput()
+{
+    const QString scene = m_folder.write("scene.json", kFrustumScene);
+    QCOMPARE(runCommand({"compare", m_folder.path("missing")}).exitCode, 2);
+    QCOMPARE(runCommand({"compare", "--pixels", "0", scene}).exitCode, 2);
+}
+
+QTEST_GUILESS_MAIN(TestCompareCommand)
+#include "test_compare_command.moc"
