@@ -1,5 +1,6 @@
 #include "core/cli/command_line.h"
 
+#include "core/cli/cloud_command.h"
 #include "core/cli/compare_command.h"
 #include "core/cli/matrices_command.h"
 #include "core/cli/points_command.h"
@@ -119,6 +120,25 @@ void addCompare(CLI::App &app, Run &run)
     command->callback([options, &run] { run = [options] { return runCompare(*options); }; });
 }
 
+void addCloud(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("cloud", "A whole depth image to a point cloud in world space");
+    auto options = std::make_shared<CloudOptions>();
+    command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+    command->add_option("DEPTH", options->depth, "Depths of the window: PFM, 16-bit PGM, or raw 32-bit floats row by row "
+                                                 "from the top; - is standard input")->required();
+    command->add_option("-o,--output", options->output, "Binary PLY; - is standard output")->required();
+    command->add_option("--size", options->size, "Of raw floats, in pixels: WxH");
+    addChoice<Methods>(*command, "--method", options->method,
+                       {{"formula", Methods::Formula}, {"matrix", Methods::Matrix}}, "How to compute");
+    command->footer("Pixels at the far end of the depth range are background and left out, and so are depths outside it.\n"
+                    "\n"
+                    "Examples:\n"
+                    "  unproject cloud scene.json depth.pfm -o cloud.ply\n"
+                    "  unproject cloud --size 1920x1080 scene.json depth.raw -o cloud.ply");
+    command->callback([options, &run] { run = [options] { return runCloud(*options); }; });
+}
+
 } // namespace
 
 ExitCode runCommandLine(int argc, char **argv)
@@ -130,6 +150,7 @@ ExitCode runCommandLine(int argc, char **argv)
     Run run;
     addPoints(app, run);
     addProject(app, run);
+    addCloud(app, run);
     addCompare(app, run);
     addMatrices(app, run);
     try {
