@@ -5,6 +5,7 @@
 #include "core/cli/matrices_command.h"
 #include "core/cli/points_command.h"
 #include "core/cli/project_command.h"
+#include "core/cli/scene_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -139,6 +140,27 @@ void addCloud(CLI::App &app, Run &run)
     command->callback([options, &run] { run = [options] { return runCloud(*options); }; });
 }
 
+void addScene(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("scene", "A scene file from another program's matrices");
+    auto options = std::make_shared<SceneOptions>();
+    command->add_option("--from-matrices", options->fromMatrices,
+                        "Modelview (16 numbers), projection (16) and viewport (4: x y width height), or a text file that "
+                        "has them; - is standard input. In this order, or each behind its name")
+        ->required()->expected(1, 64);
+    addChoice<bool>(*command, "--order", options->isRowByRow, {{"column", false}, {"row", true}},
+                    "How the 16 numbers follow each other, column by column (as OpenGL has them) or row by row");
+    command->add_option("--window", options->window, "The window's size in pixels, WxH; without it, what the viewport needs");
+    command->add_option("-o,--output", options->output, "Scene file; - is standard output")->default_str("-");
+    command->footer("Brackets, commas and other words between the numbers are passed over.\n"
+                    "\n"
+                    "Examples:\n"
+                    "  unproject scene --from-matrices matrices.txt -o scene.json\n"
+                    "  unproject scene --from-matrices \"modelview 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1\n"
+                    "      projection 1 0 0 0  0 1 0 0  0 0 -1.2 -1  0 0 -2.2 0  viewport 0 0 800 600\"");
+    command->callback([options, &run] { run = [options] { return runScene(*options); }; });
+}
+
 } // namespace
 
 ExitCode runCommandLine(int argc, char **argv)
@@ -150,6 +172,7 @@ ExitCode runCommandLine(int argc, char **argv)
     Run run;
     addPoints(app, run);
     addProject(app, run);
+    addScene(app, run);
     addCloud(app, run);
     addCompare(app, run);
     addMatrices(app, run);
