@@ -179,8 +179,8 @@ Result<Constants> constantsOf(const Projection &projection, const PictureGeometr
 
 /// By the matrix's own numbers:
 ///
-///   z = zOffset / (z_n + zScale), with z_n + zScale = P share of near + Q share of far
-///   P = 1 + zScale, Q = P - 2 (or P - 1 where NDC depths go from 0 to 1)
+///   z = zOffset / (w z_n + zScale), with w z_n + zScale = P share from near + Q share from far
+///   P = w + zScale, Q = -w + zScale (or zScale where NDC depths go from 0 to 1)
 ///
 Result<Constants> constantsOf(const MatrixProjection &projection, const PictureGeometry &g, const Axes &axes)
 {
@@ -197,7 +197,7 @@ Result<Constants> constantsOf(const MatrixProjection &projection, const PictureG
     c.depthAtNear = g.depthRange.atNear;
     c.depthAtFar = g.depthRange.atFar;
     if (p.perspective) {
-        const double atFar = 1.0 + p.zScale, atNear = ndcAtNear + p.zScale;
+        const double atFar = p.w + p.zScale, atNear = ndcAtNear * p.w + p.zScale;
         c.nearTerm = p.zOffset / atNear * thickness;
         c.farTerm = atFar / atNear;
         if (std::abs(atFar) > std::abs(atNear)) { // reversed: far may be at infinity there, and atNear 0
@@ -206,18 +206,18 @@ Result<Constants> constantsOf(const MatrixProjection &projection, const PictureG
             c.farTerm = atNear / atFar;
         }
     } else {
-        c.nearTerm = p.side * (ndcAtNear - p.zOffset) / p.zScale / thickness;
-        c.farTerm = p.side * (1.0 - p.zOffset) / p.zScale / thickness;
+        c.nearTerm = p.side * (ndcAtNear * p.w - p.zOffset) / p.zScale / thickness;
+        c.farTerm = p.side * (p.w - p.zOffset) / p.zScale / thickness;
     }
-    // x_n = -xOffset on the axis, and x_n = 2 x_v / width - 1.
-    const auto fromLow = [](double offset, double size) {
-        const Sum share = sum(1.0, -offset);
+    // w x_n = -xOffset on the axis, and x_n = 2 x_v / width - 1.
+    const auto fromLow = [&](double offset, double size) {
+        const Sum share = sum(p.w, -offset);
         const Sum whole = product(share.value, size / 2.0);
-        return Sum{whole.value, whole.rest + share.rest * (size / 2.0)};
+        return quotient({whole.value, whole.rest + share.rest * (size / 2.0)}, {p.w, 0.0});
     };
     setAxis(c, g, fromLow(p.xOffset, g.viewport.width), fromLow(p.yOffset, g.viewport.height));
-    assign(c.across, scaled(axes.x, quotient({2.0, 0.0}, product(g.viewport.width, p.xScale))));
-    assign(c.down, scaled(-axes.y, quotient({2.0, 0.0}, product(g.viewport.height, p.yScale))));
+    assign(c.across, scaled(axes.x, quotient({2.0 * p.w, 0.0}, product(g.viewport.width, p.xScale))));
+    assign(c.down, scaled(-axes.y, quotient({2.0 * p.w, 0.0}, product(g.viewport.height, p.yScale))));
     glm::dvec3 ahead = axes.z;
     if (!p.perspective)
         ahead -= p.xShear / p.xScale * axes.x + p.yShear / p.yScale * axes.y;

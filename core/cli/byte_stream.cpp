@@ -19,12 +19,12 @@ void setBinary([[maybe_unused]] std::FILE *stream)
 #endif
 }
 
-std::FILE *openedForReading(const std::string &file)
+std::FILE *opened(const std::string &file, bool isWriting)
 {
 #ifdef _WIN32
-    return _wfopen(pathOf(file).c_str(), L"rb");
+    return _wfopen(pathOf(file).c_str(), isWriting ? L"wb" : L"rb");
 #else
-    return std::fopen(file.c_str(), "rb");
+    return std::fopen(file.c_str(), isWriting ? "wb" : "rb");
 #endif
 }
 
@@ -61,7 +61,7 @@ ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" :
         return;
     }
     errno = 0;
-    m_file.reset(openedForReading(file));
+    m_file.reset(opened(file, false));
     if (!m_file)
         complain(file + ": cannot be read: " + std::generic_category().message(errno));
 }
@@ -71,8 +71,22 @@ std::size_t ByteSource::read(char *buffer, std::size_t size)
     return std::fread(buffer, 1, size, m_file.get());
 }
 
-ByteSink::ByteSink()
+void ByteSink::Close::operator()(std::FILE *file) const
 {
+    if (file != stdout)
+        std::fclose(file);
+}
+
+ByteSink::ByteSink(const std::string &file)
+{
+    if (file != "-") {
+        errno = 0;
+        m_file.reset(opened(file, true));
+        if (!m_file)
+            complain(file + ": cannot be written: " + std::generic_category().message(errno));
+        return;
+    }
+    m_file.reset(stdout);
     setBinary(stdout);
 #ifdef SIGPIPE
     std::signal(SIGPIPE, SIG_IGN); // writing to a closed pipe then fails, and is seen here
@@ -81,13 +95,13 @@ ByteSink::ByteSink()
 
 void ByteSink::write(std::string_view bytes)
 {
-    if (m_state == State::Open && std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size())
+    if (m_state == State::Open && std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size())
         fail();
 }
 
 void ByteSink::flush()
 {
-    if (m_state == State::Open && std::fflush(stdout) != 0)
+    if (m_state == State::Open && std::fflush(m_file.get()) != 0)
         fail();
 }
 

@@ -37,18 +37,26 @@ private:
     std::string m_name;
 };
 
-/// Bytes as they are to stdout. Whoever reads may go away at any time, as `head` does: that is no error.
+/// Bytes as they are to stdout, or to a file. Whoever reads may go away at any time, as `head` does: that is no error.
 class ByteSink {
 public:
     enum class State { Open, ReaderGone, Failed };
 
-    ByteSink();
+    /// @param file  "-" for stdout; what cannot be opened is said on stderr, and `isOpen` is false
+    explicit ByteSink(const std::string &file = "-");
+
+    bool isOpen() const { return m_file != nullptr; }
     void write(std::string_view bytes);
     void flush();
     State state() const { return m_state; }
 
 private:
+    struct Close {
+        void operator()(std::FILE *file) const;
+    };
     void fail();
+
+    std::unique_ptr<std::FILE, Close> m_file;
     State m_state = State::Open;
 };
 

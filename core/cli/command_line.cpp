@@ -1,9 +1,11 @@
 #include "core/cli/command_line.h"
 
+#include "core/cli/cloud_command.h"
 #include "core/cli/compare_command.h"
 #include "core/cli/matrices_command.h"
 #include "core/cli/points_command.h"
 #include "core/cli/project_command.h"
+#include "core/cli/scene_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -119,6 +121,46 @@ void addCompare(CLI::App &app, Run &run)
     command->callback([options, &run] { run = [options] { return runCompare(*options); }; });
 }
 
+void addCloud(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("cloud", "A whole depth image to a point cloud in world space");
+    auto options = std::make_shared<CloudOptions>();
+    command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+    command->add_option("DEPTH", options->depth, "Depths of the window: PFM, 16-bit PGM, or raw 32-bit floats row by row "
+                                                 "from the top; - is standard input")->required();
+    command->add_option("-o,--output", options->output, "Binary PLY; - is standard output")->required();
+    command->add_option("--size", options->size, "Of raw floats, in pixels: WxH");
+    addChoice<Methods>(*command, "--method", options->method,
+                       {{"formula", Methods::Formula}, {"matrix", Methods::Matrix}}, "How to compute");
+    command->footer("Pixels at the far end of the depth range are background and left out, and so are depths outside it.\n"
+                    "\n"
+                    "Examples:\n"
+                    "  unproject cloud scene.json depth.pfm -o cloud.ply\n"
+                    "  unproject cloud --size 1920x1080 scene.json depth.raw -o cloud.ply");
+    command->callback([options, &run] { run = [options] { return runCloud(*options); }; });
+}
+
+void addScene(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("scene", "A scene file from another program's matrices");
+    auto options = std::make_shared<SceneOptions>();
+    command->add_option("--from-matrices", options->fromMatrices,
+                        "Modelview (16 numbers), projection (16) and viewport (4: x y width height), or a text file that "
+                        "has them; - is standard input. In this order, or each behind its name")
+        ->required()->expected(1, 64);
+    addChoice<bool>(*command, "--order", options->isRowByRow, {{"column", false}, {"row", true}},
+                    "How the 16 numbers follow each other, column by column (as OpenGL has them) or row by row");
+    command->add_option("--window", options->window, "The window's size in pixels, WxH; without it, what the viewport needs");
+    command->add_option("-o,--output", options->output, "Scene file; - is standard output")->default_str("-");
+    command->footer("Brackets, commas and other words between the numbers are passed over.\n"
+                    "\n"
+                    "Examples:\n"
+                    "  unproject scene --from-matrices matrices.txt -o scene.json\n"
+                    "  unproject scene --from-matrices \"modelview 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1\n"
+                    "      projection 1 0 0 0  0 1 0 0  0 0 -1.2 -1  0 0 -2.2 0  viewport 0 0 800 600\"");
+    command->callback([options, &run] { run = [options] { return runScene(*options); }; });
+}
+
 } // namespace
 
 ExitCode runCommandLine(int argc, char **argv)
@@ -130,6 +172,8 @@ ExitCode runCommandLine(int argc, char **argv)
     Run run;
     addPoints(app, run);
     addProject(app, run);
+    addScene(app, run);
+    addCloud(app, run);
     addCompare(app, run);
     addMatrices(app, run);
     try {

@@ -123,6 +123,8 @@ private slots:
     void everyInstructionSetGivesTheSameDigits();
     void matrixAgreesWithTheFormula_data() { addKinds(); }
     void matrixAgreesWithTheFormula();
+    void matricesOfOtherPrograms_data();
+    void matricesOfOtherPrograms();
     void objectSpaceIsTheWorldMovedBack();
     void floatsAreTheDoublesRounded();
     void noPointsTouchNothing();
@@ -253,6 +255,70 @@ void TestBatchUnproject::matrixAgreesWithTheFormula()
             // A box may be wide and long at will: its pixels and its depth are no more exact than its size.
             for (std::size_t i = 0; i < clicks.count(); ++i)
                 QVERIFY(glm::length(a.at(i) - b.at(i)) <= 1e-11 * size);
+        }
+    }
+}
+
+void TestBatchUnproject::matricesOfOtherPrograms_data()
+{
+    QTest::addColumn<glm::dmat4>("projection");
+    QTest::addColumn<bool>("isZeroToOne");
+    QTest::addColumn<bool>("isFormulaOurs");
+    // Columns; near 0.5, far 50 where there is one; off-centre.
+    const double n = 0.5, f = 50.0;
+    const auto perspective = [](double zz, double zw, double side) {
+        return glm::dmat4{{1.2, 0, 0, 0}, {0, 1.6, 0, 0}, {-0.1 * side, 0.2 * side, zz, side}, {0, 0, zw, 0}};
+    };
+    QTest::newRow("OpenGL") << perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false << true;
+    QTest::newRow("OpenGL, times 3") << 3.0 * perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false << true;
+    QTest::newRow("Vulkan") << perspective(-f / (f - n), -f * n / (f - n), -1) << true << true;
+    QTest::newRow("Direct3D, along +z") << perspective(f / (f - n), -f * n / (f - n), 1) << true << true;
+    QTest::newRow("reversed") << perspective(n / (f - n), f * n / (f - n), -1) << true << true;
+    QTest::newRow("reversed, far at infinity") << perspective(0, n, -1) << true << true;
+    QTest::newRow("OpenGL, far at infinity") << perspective(-1, -2 * n, -1) << false << true;
+    QTest::newRow("box") << glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}} << false << true;
+    QTest::newRow("box, times 7") << 7.0 * glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}} << false << true;
+    QTest::newRow("sheared box, [0, 1]")
+        << glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0.05, 0.02, -0.02, 0}, {0.1, -0.2, -0.01, 1}} << true << true;
+    QTest::newRow("no known form") << glm::dmat4{{1, 0.5, 0, 0}, {0.25, 1, 0, 0}, {0, 0, -1.02, -1}, {0, 0, -2.02, 0}}
+                                   << false << false;
+}
+
+/// The loops against the one-point functions, which have their own tests.
+void TestBatchUnproject::matricesOfOtherPrograms()
+{
+    QFETCH(glm::dmat4, projection);
+    QFETCH(bool, isZeroToOne);
+    QFETCH(bool, isFormulaOurs);
+    PictureGeometry g;
+    g.surface = {640, 480, 1.0};
+    g.viewport = {20.0, 30.0, 500.0, 400.0};
+    g.projection = MatrixProjection{projection, isZeroToOne ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne};
+    g.view = eyeFromWorld(eyeFrame({WorldPoint(3, 4, 5), WorldPoint(1, 0, -2), {0, 1, 0}}).value());
+    for (const DepthRange &range : {DepthRange{0.0, 1.0}, DepthRange{1.0, 0.0}, DepthRange{0.2, 0.9}}) {
+        g.depthRange = range;
+        Triples<double> clicks(7 * 5);
+        for (std::size_t i = 0; i < clicks.count(); ++i) {
+            clicks.of[0][i] = 25.5 + 90.0 * static_cast<double>(i % 7);
+            clicks.of[1][i] = 60.5 + 80.0 * static_cast<double>(i / 7);
+            clicks.of[2][i] = range.atNear + (0.05 + 0.02 * static_cast<double>(i)) * (range.atFar - range.atNear);
+        }
+        const auto formula = BatchUnprojection::byFormula(g, {}), matrix = BatchUnprojection::byMatrix(g, {});
+        QCOMPARE(formula.hasValue(), isFormulaOurs);
+        if (!isFormulaOurs)
+            QCOMPARE(formula.error().code, ErrorCode::MatrixNotAProjection);
+        QVERIFY(matrix);
+        const Triples<double> byMatrix = unprojected(*matrix, clicks);
+        const Triples<double> byFormula = isFormulaOurs ? unprojected(*formula, clicks) : byMatrix;
+        for (std::size_t i = 0; i < clicks.count(); ++i) {
+            const WindowPoint window =
+                windowFromDevice(g.surface, DevicePoint(clicks.of[0][i], clicks.of[1][i]), clicks.of[2][i]);
+            const TwoWays<WorldSpace> expected = compareUnprojections(g, window).world;
+            QVERIFY(expected.matrix);
+            const double size = 10.0 + glm::length(expected.matrix->coordinates());
+            QVERIFY(glm::length(byMatrix.at(i) - expected.matrix->coordinates()) <= 1e-11 * size);
+            if (isFormulaOurs)
+                QVERIFY(glm::length(byFormula.at(i) - expected.formula->coordinates()) <= 2e-15 * size);
         }
     }
 }

@@ -1,0 +1,221 @@
+#include "core/cli/depth_image.h"
+
+#include "core/cli/byte_stream.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace unprojector {
+namespace {
+
+constexpr std::size_t kMostSide = 65536;
+
+struct Size {
+    std::size_t width = 0, height = 0;
+};
+
+bool isSpace(char c)
+{
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+std::optional<std::size_t> sideOf(std::string_view text)
+{
+    std::size_t side = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+    if (error != std::errc{} || end != text.data() + text.size() || side == 0 || side > kMostSide)
+        return std::nullopt;
+    return side;
+}
+
+std::optional<Size> sizeOf(const std::string &text)
+{
+    const std::size_t cross = text.find('x');
+    if (cross == std::string::npos)
+        return std::nullopt;
+    const auto width = sideOf(std::string_view(text).substr(0, cross));
+    const auto height = sideOf(std::string_view(text).substr(cross + 1));
+    if (!width || !height)
+        return std::nullopt;
+    return Size{*width, *height};
+}
+
+/// The words of a PFM's or PGM's header; comments from # to the line's end are none.
+class Header {
+public:
+    explicit Header(const std::string &bytes) : m_bytes(bytes) {}
+
+    std::string_view word()
+    {
+        while (m_at < m_bytes.size() && (isSpace(m_bytes[m_at]) || m_bytes[m_at] == '#')) {
+            if (m_bytes[m_at] == '#')
+                m_at = std::min(m_bytes.find('\n', m_at), m_bytes.size());
+            else
+                ++m_at;
+        }
+        const std::size_t start = m_at;
+        while (m_at < m_bytes.size() && !isSpace(m_bytes[m_at]))
+            ++m_at;
+        return std::string_view(m_bytes).substr(start, m_at - start);
+    }
+    /// Where the pixels start: one blank after the last word.
+    std::size_t end() const { return std::min(m_at + 1, m_bytes.size()); }
+
+private:
+    const std::string &m_bytes;
+    std::size_t m_at = 0;
+};
+
+/// A file's bytes in order, the first of them seen beforehand.
+class Bytes {
+public:
+    explicit Bytes(ByteSource &source) : m_source(source)
+    {
+        constexpr std::size_t kMostHeader = 4096;
+        m_first.resize(kMostHeader);
+        m_first.resize(m_source.read(m_first.data(), kMostHeader));
+    }
+
+    const std::string &first() const { return m_first; }
+    void skip(std::size_t count) { m_at = count; }
+    bool read(char *target, std::size_t count)
+    {
+        const std::size_t seen = std::min(count, m_first.size() - m_at);
+        std::memcpy(target, m_first.data() + m_at, seen);
+        m_at += seen;
+        return seen == count || m_source.read(target + seen, count - seen) == count - seen;
+    }
+
+private:
+    ByteSource &m_source;
+    std::string m_first;
+    std::size_t m_at = 0;
+};
+
+/// Floats as they lie in a file to this machine's.
+void swapBytes(float *values, std::size_t count)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto bits = std::bit_cast<std::uint32_t>(values[i]);
+        values[i] = std::bit_cast<float>(bits << 24 | (bits & 0xff00) << 8 | (bits >> 8 & 0xff00) | bits >> 24);
+    }
+}
+
+/// What a header says of the pixels behind it.
+struct Layout {
+    enum class Kind { Raw, Pfm, Pgm } kind = Kind::Raw;
+    Size size;
+    bool isLittleEndian = true;
+    double greatest = 0.0; ///< PGM: the value that stands for depthHigh
+};
+
+/// Nothing where the header is broken. Without one, the layout is raw and has no size.
+std::optional<Layout> layoutOf(Bytes &bytes)
+{
+    const std::string_view magic = std::string_view(bytes.first()).substr(0, 2);
+    const bool hasHeader = bytes.first().size() > 2 && isSpace(bytes.first()[2]) && (magic == "Pf" || magic == "P5");
+    Layout layout;
+    if (!hasHeader)
+        return layout;
+    layout.kind = magic == "Pf" ? Layout::Kind::Pfm : Layout::Kind::Pgm;
+    Header header(bytes.first());
+    header.word();
+    const auto width = sideOf(header.word()), height = sideOf(header.word());
+    const std::string_view last = header.word();
+    const auto [end, error] = std::from_chars(last.data(), last.data() + last.size(), layout.greatest);
+    if (!width || !height || error != std::errc{} || end != last.data() + last.size())
+        return std::nullopt;
+    const double greatest = layout.greatest;
+    const bool isMeant = layout.kind == Layout::Kind::Pfm
+                             ? greatest != 0.0 && std::isfinite(greatest)
+                             : greatest >= 1.0 && greatest <= 65535.0 && greatest == std::floor(greatest);
+    if (!isMeant)
+        return std::nullopt;
+    layout.size = {*width, *height};
+    layout.isLittleEndian = greatest < 0.0;
+    bytes.skip(header.end());
+    return layout;
+}
+
+/// Reads the rows into their places. False at a file that is too short.
+bool readRows(Bytes &bytes, const Layout &layout, double depthLow, double depthHigh, DepthImage &image)
+{
+    const std::size_t pixelBytes = layout.greatest > 255.0 ? 2 : 1; // of a PGM
+    std::string row(layout.kind == Layout::Kind::Pgm ? image.width * pixelBytes : 0, '\0');
+    for (std::size_t j = 0; j < image.height; ++j) {
+        const std::size_t place = layout.kind == Layout::Kind::Pfm ? image.height - 1 - j : j;
+        float *depths = image.depths.data() + place * image.width;
+        if (layout.kind != Layout::Kind::Pgm) {
+            if (!bytes.read(reinterpret_cast<char *>(depths), image.width * sizeof(float)))
+                return false;
+            if (layout.isLittleEndian != (std::endian::native == std::endian::little))
+                swapBytes(depths, image.width);
+            continue;
+        }
+        if (!bytes.read(row.data(), row.size()))
+            return false;
+        for (std::size_t i = 0; i < image.width; ++i) {
+            unsigned value = static_cast<unsigned char>(row[i * pixelBytes]);
+            if (pixelBytes == 2)
+                value = value << 8 | static_cast<unsigned char>(row[i * pixelBytes + 1]);
+            depths[i] = static_cast<float>(depthLow + value / layout.greatest * (depthHigh - depthLow));
+        }
+    }
+    return true;
+}
+
+std::string shown(const Size &size)
+{
+    return std::to_string(size.width) + 'x' + std::to_string(size.height) + " pixels";
+}
+
+} // namespace
+
+std::optional<DepthImage> readDepthImage(const std::string &file, const std::string &sizeText,
+                                         std::size_t expectedWidth, std::size_t expectedHeight, double depthLow,
+                                         double depthHigh)
+{
+    std::optional<Size> given;
+    if (!sizeText.empty()) {
+        given = sizeOf(sizeText);
+        if (!given) {
+            complain("--size " + sizeText + ": give width and height in pixels, as in 1920x1080");
+            return std::nullopt;
+        }
+    }
+    ByteSource source(file);
+    if (!source.isOpen())
+        return std::nullopt;
+    const auto refuse = [&](const std::string &what) {
+        complain(source.name() + ": " + (source.hasFailed() ? "reading stopped at an error" : what));
+        return std::nullopt;
+    };
+    Bytes bytes(source);
+    std::optional<Layout> layout = layoutOf(bytes);
+    if (!layout)
+        return refuse("the header is broken");
+    if (layout->kind == Layout::Kind::Raw) {
+        if (!given)
+            return refuse("neither PFM nor PGM; for raw 32-bit floats give --size WxH");
+        layout->size = *given;
+    }
+    const Size size = layout->size;
+    if (given && (given->width != size.width || given->height != size.height))
+        return refuse("the picture has " + shown(size) + ", not " + sizeText);
+    if (size.width != expectedWidth || size.height != expectedHeight)
+        return refuse("the picture has " + shown(size) + ", the scene's window " + shown({expectedWidth, expectedHeight}));
+
+    DepthImage image{size.width, size.height, std::vector<float>(size.width * size.height)};
+    if (!readRows(bytes, *layout, depthLow, depthHigh, image))
+        return refuse("the file is too short for " + shown(size));
+    char more = 0;
+    if (bytes.read(&more, 1))
+        return refuse("the file is too long for " + shown(size));
+    return image;
+}
+
+} // namespace unprojector

@@ -1,0 +1,197 @@
+#include "core/cli/scene_command.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/cli/scene_error_text.h"
+#include "core/scene_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <system_error>
+
+namespace unprojector {
+namespace {
+
+/// The three things that are asked for, in the order in which they come where nothing is said.
+struct Part {
+    const char *name;
+    std::size_t wanted;
+    std::vector<double> numbers{};
+};
+using Parts = std::array<Part, 3>;
+
+bool isWordCharacter(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' || c == '-';
+}
+
+std::string lowerCase(std::string_view text)
+{
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    return result;
+}
+
+/// A number, with the f of a C float behind it or not.
+std::optional<double> numberOf(std::string_view word)
+{
+    if (word.size() > 1 && word.front() == '+')
+        word.remove_prefix(1);
+    if (word.size() > 1 && (word.back() == 'f' || word.back() == 'F') && word.find_first_of("0123456789") != word.npos)
+        word.remove_suffix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size())
+        return std::nullopt;
+    return value;
+}
+
+/// Sorts the numbers of a text into the parts: those behind a part's name are that part's; those behind none go to the
+/// first part that is not yet full. Brackets, commas and other words are passed over.
+/// @return what is wrong, or nothing
+std::string sortNumbers(const std::string &text, Parts &parts)
+{
+    Part *named = nullptr;
+    for (std::size_t at = 0; at < text.size();) {
+        if (!isWordCharacter(text[at])) {
+            ++at;
+            continue;
+        }
+        std::size_t end = at;
+        while (end < text.size() && isWordCharacter(text[end]))
+            ++end;
+        const std::string word = text.substr(at, end - at);
+        at = end;
+        const std::optional<double> value = numberOf(word);
+        if (!value) {
+            const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part &p) {
+                return lowerCase(word).find(p.name) != std::string::npos;
+            });
+            if (part != parts.end())
+                named = &*part;
+            continue;
+        }
+        if (!std::isfinite(*value))
+            return '"' + word + "\" is not a finite number";
+        Part *target = named;
+        if (target == nullptr) {
+            const auto open =
+                std::find_if(parts.begin(), parts.end(), [](const Part &p) { return p.numbers.size() < p.wanted; });
+            target = open == parts.end() ? &parts.back() : &*open;
+        }
+        target->numbers.push_back(*value);
+    }
+    for (const Part &part : parts) {
+        if (part.numbers.size() != part.wanted)
+            return std::string(part.name) + ": " + std::to_string(part.numbers.size()) + " numbers found, "
+                   + std::to_string(part.wanted) + " are needed";
+    }
+    return {};
+}
+
+glm::dmat4 matrixOf(const std::vector<double> &numbers, bool isRowByRow)
+{
+    glm::dmat4 m;
+    for (int i = 0; i < 16; ++i) {
+        const int outer = i / 4, inner = i % 4;
+        (isRowByRow ? m[inner][outer] : m[outer][inner]) = numbers[static_cast<std::size_t>(i)];
+    }
+    return m;
+}
+
+/// What was pasted: the words themselves, or a file's text.
+std::optional<std::string> pasted(const std::vector<std::string> &words)
+{
+    std::error_code ignored;
+    const bool isFile = words.size() == 1 && (words[0] == "-" || std::filesystem::is_regular_file(pathOf(words[0]), ignored));
+    if (!isFile) {
+        std::string text;
+        for (const std::string &word : words)
+            text += word + ' ';
+        return text;
+    }
+    ByteSource source(words[0]);
+    if (!source.isOpen())
+        return std::nullopt;
+    constexpr std::size_t kMost = 1 << 20;
+    std::string text(kMost, '\0');
+    text.resize(source.read(text.data(), kMost));
+    if (text.size() == kMost || source.hasFailed()) {
+        complain(source.name() + (source.hasFailed() ? ": cannot be read" : ": too long for two matrices and a viewport"));
+        return std::nullopt;
+    }
+    return text;
+}
+
+/// The window's size: asked for, or up to where the viewport reaches.
+bool setWindow(const SceneOptions &options, const Viewport &viewport, SceneFile &scene)
+{
+    if (options.window.empty()) {
+        const double width = std::ceil(viewport.x + viewport.width), height = std::ceil(viewport.y + viewport.height);
+        if (!(width >= 1.0 && height >= 1.0 && width <= kMostWindowPixels && height <= kMostWindowPixels)) {
+            complain("viewport: it reaches beyond any window; give four numbers, x y width height, in pixels");
+            return false;
+        }
+        scene.windowWidth = static_cast<int>(width);
+        scene.windowHeight = static_cast<int>(height);
+        return true;
+    }
+    const char *end = options.window.data() + options.window.size();
+    const auto width = std::from_chars(options.window.data(), end, scene.windowWidth);
+    const bool hasCross = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+    const auto height = std::from_chars(hasCross ? width.ptr + 1 : end, end, scene.windowHeight);
+    if (hasCross && height.ec == std::errc{} && height.ptr == end)
+        return true;
+    complain("--window " + options.window + ": give width and height in pixels, as in 800x600");
+    return false;
+}
+
+} // namespace
+
+ExitCode runScene(const SceneOptions &options)
+{
+    const std::optional<std::string> text = pasted(options.fromMatrices);
+    if (!text)
+        return ExitCode::UnusableInput;
+    Parts parts{{{"modelview", 16}, {"projection", 16}, {"viewport", 4}}};
+    if (const std::string problem = sortNumbers(*text, parts); !problem.empty()) {
+        complain("--from-matrices: " + problem);
+        return ExitCode::UnusableInput;
+    }
+
+    SceneFile scene;
+    const std::vector<double> &v = parts[2].numbers;
+    scene.viewport = Viewport{v[0], v[1], v[2], v[3]};
+    if (!setWindow(options, *scene.viewport, scene))
+        return ExitCode::UnusableInput;
+    scene.view = matrixOf(parts[0].numbers, options.isRowByRow);
+    scene.projection = MatrixProjection{matrixOf(parts[1].numbers, options.isRowByRow), std::nullopt};
+
+    // What is written must be read again: the reader says what a scene may not be.
+    const auto written = sceneText(scene);
+    const std::string name = options.output == "-" ? "scene" : options.output;
+    if (!written) {
+        complain(sceneErrorText(written.error()));
+        return ExitCode::UnusableInput;
+    }
+    if (const auto readAgain = parseScene(*written, name); !readAgain) {
+        complain(sceneErrorText(readAgain.error()));
+        return ExitCode::UnusableInput;
+    }
+    if (options.output != "-") {
+        const auto done = writeSceneFile(pathOf(options.output), scene);
+        if (!done)
+            complain(sceneErrorText(done.error()));
+        return done ? ExitCode::Done : ExitCode::UnusableInput;
+    }
+    ByteSink sink;
+    sink.write(*written);
+    sink.flush();
+    return sink.state() == ByteSink::State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
+}
+
+} // namespace unprojector

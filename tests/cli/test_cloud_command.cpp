@@ -1,0 +1,187 @@
+// `unproject cloud`, as a script runs it: the same picture in every format that is read.
+
+#include "tests/cli/command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace {
+
+/// 4 x 3 pixels of a scene seen by a frustum; eye (0, 0, 5), looking down -z.
+const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 4, "height": 3},
+  "projection": {"type": "frustum", "left": -2, "right": 2, "bottom": -1.5, "top": 1.5, "near": 1, "far": 4},
+  "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}})";
+
+constexpr int kWidth = 4, kHeight = 3;
+
+/// Background but for the second pixel of the top row, on the near plane, and the last of the bottom row, at 2/3.
+QVector<float> depths()
+{
+    QVector<float> values(kWidth * kHeight, 1.0f);
+    values[1] = 0.0f;
+    values[11] = 2.0f / 3.0f;
+    return values;
+}
+
+QByteArray bytesOf(const QVector<float> &values)
+{
+    return QByteArray(reinterpret_cast<const char *>(values.constData()), values.size() * qsizetype(sizeof(float)));
+}
+
+/// The points of a PLY as x, y, z after each other.
+QVector<float> pointsOf(const QByteArray &ply)
+{
+    const QByteArray end("end_header\n");
+    const QByteArray body = ply.mid(ply.indexOf(end) + end.size());
+    QVector<float> values(body.size() / qsizetype(sizeof(float)));
+    std::memcpy(values.data(), body.constData(), std::size_t(body.size()));
+    return values;
+}
+
+bool isClose(const QVector<float> &values, const QVector<float> &expected)
+{
+    if (values.size() != expected.size())
+        return false;
+    for (int i = 0; i < values.size(); ++i) {
+        if (!(std::abs(values[i] - expected[i]) <= 1e-5f))
+            return false;
+    }
+    return true;
+}
+
+/// Of `depths`: at the distances 1 and 2, x and y at pixel centres.
+const QVector<float> kPoints{-0.5f, 1.0f, 4.0f, 3.0f, -2.0f, 3.0f};
+
+QByteArray pfm(const QVector<float> &values, bool isLittleEndian)
+{
+    QByteArray bytes = isLittleEndian ? "Pf\n4 3\n-1.0\n" : "Pf\n# from the bottom\n4 3\n1.0\n";
+    for (int row = kHeight - 1; row >= 0; --row) {
+        for (int i = 0; i < kWidth; ++i) {
+            QByteArray number = bytesOf({values[row * kWidth + i]});
+            if (!isLittleEndian)
+                std::reverse(number.begin(), number.end());
+            bytes += number;
+        }
+    }
+    return bytes;
+}
+
+QByteArray pgm(const QVector<float> &values)
+{
+    QByteArray bytes("P5\n4 3\n65535\n");
+    for (const float value : values) {
+        const int rounded = int(std::lround(value * 65535.0f));
+        bytes += char(rounded >> 8);
+        bytes += char(rounded & 0xff);
+    }
+    return bytes;
+}
+
+} // namespace
+
+class TestCloudCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { m_scene = m_folder.write("scene.json", kScene); }
+    void everyFormatGivesTheSamePoints_data();
+    void everyFormatGivesTheSamePoints();
+    void backgroundAndNonsenseAreLeftOut();
+    void standardStreams();
+    void unusableInput_data();
+    void unusableInput();
+
+private:
+    Folder m_folder;
+    QString m_scene;
+};
+
+void TestCloudCommand::everyFormatGivesTheSamePoints_data()
+{
+    QTest::addColumn<QByteArray>("image");
+    QTest::addColumn<QStringList>("options");
+    QTest::newRow("raw floats") << bytesOf(depths()) << QStringList{"--size", "4x3"};
+    QTest::newRow("raw floats, by the matrix") << bytesOf(depths()) << QStringList{"--size", "4x3", "--method", "matrix"};
+    QTest::newRow("PFM, little-endian") << pfm(depths(), true) << QStringList{};
+    QTest::newRow("PFM, big-endian") << pfm(depths(), false) << QStringList{};
+    QTest::newRow("PFM, size given too") << pfm(depths(), true) << QStringList{"--size", "4x3"};
+    QTest::newRow("PGM, 16 bits") << pgm(depths()) << QStringList{};
+}
+
+void TestCloudCommand::everyFormatGivesTheSamePoints()
+{
+    QFETCH(QByteArray, image);
+    QFETCH(QStringList, options);
+    const QString output = m_folder.path("out.ply");
+    const Run run =
+        runCommand(QStringList{"cloud", m_scene, m_folder.write("depth", image), "-o", output} + options);
+    QCOMPARE(run.errors, QByteArray());
+    QCOMPARE(run.exitCode, 0);
+    QFile file(output);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray ply = file.readAll();
+    QVERIFY(ply.startsWith("ply\nformat binary_little_endian 1.0\n"));
+    QVERIFY(ply.contains("element vertex 2\n"));
+    // 16 bits tell depths apart by 1/65535, which near 2/3 is 5e-5 of the distance.
+    if (image.startsWith("P5"))
+        QCOMPARE(pointsOf(ply).size(), kPoints.size());
+    else
+        QVERIFY(isClose(pointsOf(ply), kPoints));
+}
+
+void TestCloudCommand::backgroundAndNonsenseAreLeftOut()
+{
+    QVector<float> values = depths();
+    values[0] = std::numeric_limits<float>::quiet_NaN();
+    values[2] = -0.5f;
+    values[3] = 1.5f;
+    values[4] = std::numeric_limits<float>::infinity();
+    const QString image = m_folder.write("depth", bytesOf(values));
+    const Run run = runCommand({"cloud", "--size", "4x3", m_scene, image, "-o", "-"});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(isClose(pointsOf(run.output), kPoints));
+}
+
+void TestCloudCommand::standardStreams()
+{
+    const Run run = runCommand({"cloud", m_scene, "-", "-o", "-"}, pfm(depths(), true));
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(isClose(pointsOf(run.output), kPoints));
+}
+
+void TestCloudCommand::unusableInput_data()
+{
+    QTest::addColumn<QByteArray>("image");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QByteArray>("message");
+    const QByteArray raw = bytesOf(depths());
+    QTest::newRow("raw without a size") << raw << QStringList{} << QByteArray("--size");
+    QTest::newRow("no size") << raw << QStringList{"--size", "4by3"} << QByteArray("1920x1080");
+    QTest::newRow("no pixels") << raw << QStringList{"--size", "0x3"} << QByteArray("1920x1080");
+    QTest::newRow("other size than the window") << raw << QStringList{"--size", "3x4"} << QByteArray("window 4x3");
+    QTest::newRow("too short") << raw.chopped(1) << QStringList{"--size", "4x3"} << QByteArray("too short");
+    QTest::newRow("too long") << raw + '\0' << QStringList{"--size", "4x3"} << QByteArray("too long");
+    QTest::newRow("empty") << QByteArray() << QStringList{"--size", "4x3"} << QByteArray("too short");
+    QTest::newRow("broken header") << QByteArray("Pf\n4 x\n-1\n") << QStringList{} << QByteArray("header");
+    QTest::newRow("PFM of scale 0") << QByteArray("Pf\n4 3\n0\n") << QStringList{} << QByteArray("header");
+    QTest::newRow("enormous") << QByteArray("P5\n65000 65000\n65535\n") << QStringList{} << QByteArray("window 4x3");
+    QTest::newRow("size against the header") << pfm(depths(), true) << QStringList{"--size", "3x4"}
+                                             << QByteArray("not 3x4");
+    QTest::newRow("both methods") << raw << QStringList{"--size", "4x3", "--method", "both"} << QByteArray("formula, matrix");
+}
+
+void TestCloudCommand::unusableInput()
+{
+    QFETCH(QByteArray, image);
+    QFETCH(QStringList, options);
+    QFETCH(QByteArray, message);
+    const Run run = runCommand(QStringList{"cloud", m_scene, m_folder.write("depth", image), "-o", "-"} + options);
+    QCOMPARE(run.exitCode, 2);
+    QCOMPARE(run.output, QByteArray());
+    QVERIFY2(run.errors.contains(message), run.errors.constData());
+}
+
+QTEST_GUILESS_MAIN(TestCloudCommand)
+#include "test_cloud_command.moc"

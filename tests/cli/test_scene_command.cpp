@@ -1,0 +1,129 @@
+// `unproject scene --from-matrices`, as a script runs it.
+
+#include "tests/cli/command.h"
+
+#include <cmath>
+
+namespace {
+
+// gluLookAt(0,0,5, 0,0,0, 0,1,0) and glFrustum(-1,1,-1,1,1,3), as glGetDoublev gives them.
+const QByteArray kModelview = "1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1";
+const QByteArray kProjection = "1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 -3 0";
+const QByteArray kViewport = "0 0 400 300";
+
+} // namespace
+
+class TestSceneCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyWayToPasteGivesTheSameScene_data();
+    void everyWayToPasteGivesTheSameScene();
+    void theSceneUnprojects();
+    void matricesComeBackAsTheyWere();
+    void fileAndWindow();
+    void badMatricesAreRefused_data();
+    void badMatricesAreRefused();
+
+private:
+    Folder m_folder;
+};
+
+void TestSceneCommand::everyWayToPasteGivesTheSameScene_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("order");
+    QTest::newRow("in order") << kModelview + ' ' + kProjection + ' ' + kViewport << "column";
+    QTest::newRow("named, in another order")
+        << "Viewport: " + kViewport + "\nPROJECTION_MATRIX = " + kProjection + "\nmodelview\n" + kModelview << "column";
+    QTest::newRow("brackets and commas") << QByteArray("modelview [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,-5,1]]\nprojection "
+                                                       "{1.0f, 0.0f, 0.f, 0, 0, +1.0f, 0, 0, 0, 0, -2e0f, -1, 0, 0, -3, "
+                                                       "0};\r\nviewport (0, 0, 400, 300)")
+                                         << "column";
+    QTest::newRow("row by row") << QByteArray("1 0 0 0\n0 1 0 0\n0 0 1 -5\n0 0 0 1\n\n1 0 0 0\n0 1 0 0\n0 0 -2 -3\n0 0 -1 0\n"
+                                              "\n0 0 400 300\n")
+                                << "row";
+}
+
+void TestSceneCommand::everyWayToPasteGivesTheSameScene()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QString, order);
+    const Run expected = runCommand(
+        {"scene", "--from-matrices", QString::fromUtf8(kModelview + ' ' + kProjection + ' ' + kViewport)});
+    QCOMPARE(expected.exitCode, 0);
+    const Run argument = runCommand({"scene", "--order", order, "--from-matrices", QString::fromUtf8(text)});
+    const Run file = runCommand({"scene", "--order", order, "--from-matrices", m_folder.write("m.txt", text)});
+    const Run stream = runCommand({"scene", "--order", order, "--from-matrices", "-"}, text);
+    for (const Run &run : {argument, file, stream}) {
+        QCOMPARE(run.errors, QByteArray());
+        QCOMPARE(run.exitCode, 0);
+        QCOMPARE(run.output, expected.output);
+    }
+}
+
+void TestSceneCommand::theSceneUnprojects()
+{
+    const Run scene = runCommand({"scene", "--from-matrices", "-"}, kModelview + ' ' + kProjection
+                                                                        + ' ' + kViewport);
+    const QString file = m_folder.write("scene.json", scene.output);
+    const Run points = runCommand({"points", file}, "px,py,depth\n0,0,0\n400,300,1\n");
+    QCOMPARE(points.errors, QByteArray());
+    const QList<QList<double>> expected{{-1, 1, 4}, {3, -3, 2}};
+    for (int row = 0; row < 2; ++row) {
+        const QList<QByteArray> cells = points.lines().at(row + 1).split(',');
+        for (int k = 0; k < 3; ++k) {
+            QVERIFY2(std::abs(cells[3 + k].toDouble() - expected[row][k]) <= 1e-14, points.output.constData());
+            QVERIFY2(std::abs(cells[6 + k].toDouble() - expected[row][k]) <= 1e-13, points.output.constData());
+        }
+    }
+}
+
+void TestSceneCommand::matricesComeBackAsTheyWere()
+{
+    const Run scene = runCommand({"scene", "--from-matrices", "-"}, kModelview + ' ' + kProjection + ' ' + kViewport);
+    const Run matrices =
+        runCommand({"matrices", "--format", "json", m_folder.write("scene.json", scene.output)});
+    QVERIFY2(matrices.output.contains("\"view\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -5], [0, 0, 0, 1]]"),
+             matrices.output.constData());
+    QVERIFY(matrices.output.contains("\"projection\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -2, -3], [0, 0, -1, 0]]"));
+}
+
+void TestSceneCommand::fileAndWindow()
+{
+    const QString output = m_folder.path("made.json");
+    const Run run = runCommand({"scene", "--from-matrices", "-", "--window", "500x400", "-o", output},
+                               kModelview + ' ' + kProjection + ' ' + kViewport);
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.output, QByteArray());
+    // The viewport's bottom left corner is the window's: 400 pixels down.
+    const Run points = runCommand({"points", "--method", "formula", output}, "px,py,depth\n0,400,0\n");
+    QVERIFY2(points.output.endsWith("\n0,400,0,-1,-1,4\n"), points.output.constData());
+}
+
+void TestSceneCommand::badMatricesAreRefused_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("message");
+    QTest::newRow("nothing") << QByteArray(" ") << QByteArray("modelview: 0 numbers found, 16 are needed");
+    QTest::newRow("one short") << kModelview + ' ' + kProjection + " 0 0 400"
+                               << QByteArray("viewport: 3 numbers found, 4 are needed");
+    QTest::newRow("one too many") << "viewport " + kViewport + " modelview 1 " + kModelview + " projection " + kProjection
+                                  << QByteArray("modelview: 17 numbers found, 16 are needed");
+    QTest::newRow("NaN") << "nan " + kModelview + ' ' + kProjection + ' ' + kViewport << QByteArray("not a finite number");
+    QTest::newRow("empty viewport") << kModelview + ' ' + kProjection + " 0 0 0 300" << QByteArray("viewport");
+    QTest::newRow("enormous viewport") << kModelview + ' ' + kProjection + " 0 0 1e300 300" << QByteArray("viewport");
+}
+
+void TestSceneCommand::badMatricesAreRefused()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, message);
+    const Run run = runCommand({"scene", "--from-matrices", "-"}, text);
+    QCOMPARE(run.exitCode, 2);
+    QCOMPARE(run.output, QByteArray());
+    QVERIFY2(run.errors.contains(message), run.errors.constData());
+}
+
+QTEST_GUILESS_MAIN(TestSceneCommand)
+#include "test_scene_command.moc"
