@@ -1,5 +1,7 @@
 #include "core/pick_json.h"
 
+#include "core/angle.h"
+
 #include <cmath>
 
 namespace unprojector {
@@ -38,10 +40,9 @@ Json toJson(const Projection &projection)
         Json operator()(const Ortho &p) const { return windowJson("ortho", projectionWindow(p)); }
         Json operator()(const Oblique &p) const
         {
-            constexpr double kDegreesPerRadian = 57.29577951308232;
             Json json = windowJson("oblique", projectionWindow(p));
-            json["theta"] = p.thetaRadians * kDegreesPerRadian;
-            json["phi"] = p.phiRadians * kDegreesPerRadian;
+            json["theta"] = degreesFromRadians(p.thetaRadians);
+            json["phi"] = degreesFromRadians(p.phiRadians);
             return json;
         }
     };

@@ -1,5 +1,6 @@
 // A field for one number, by itself: what it reads, what it shows, how it steps, and when it leaves the user's text alone.
 
+#include "core/angle.h"
 #include "gui/panels/parameters/number_field.h"
 
 #include <QTest>

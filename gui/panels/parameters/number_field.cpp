@@ -14,7 +14,6 @@
 namespace unprojector {
 namespace {
 
-constexpr double kRadiansPerDegree = 0.017453292519943295;
 constexpr int kMostDigits = 7;
 constexpr int kFewestDigits = 3;
 constexpr int kWheelAngleOfStep = 120; // eighths of a degree
@@ -48,22 +47,6 @@ std::optional<double> numberFromText(const QString &text)
     if (!isNumber)
         return std::nullopt;
     return value;
-}
-
-double radiansFromDegrees(double degrees)
-{
-    return degrees * kRadiansPerDegree;
-}
-
-double degreesFromRadians(double radians)
-{
-    const double degrees = radians / kRadiansPerDegree;
-    for (int digits = 12; digits < 17; ++digits) {
-        const double rounded = QString::number(degrees, 'g', digits).toDouble();
-        if (radiansFromDegrees(rounded) == radians)
-            return rounded;
-    }
-    return degrees;
 }
 
 NumberField::NumberField(const QString &name, const QString &help, QWidget *parent)

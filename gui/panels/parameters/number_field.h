@@ -10,10 +10,6 @@ namespace unprojector {
 /// around it do not matter. "nan" and "inf" are numbers here, for the document to refuse. Nothing for any other text.
 std::optional<double> numberFromText(const QString &text);
 
-/// An angle in degrees without the noise of the way there and back: the fewest digits that give the same radians.
-double degreesFromRadians(double radians);
-double radiansFromDegrees(double degrees);
-
 /// A line edit for one double. Every keystroke that leaves a number is passed on at once; a text that is none, or that
 /// is refused, stays in red with its reason until it is corrected, until Esc restores the last good value, or until the
 /// document's value becomes another one. With the focus it shows all digits, else at most seven, as they fit.

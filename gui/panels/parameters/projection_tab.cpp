@@ -1,3 +1,4 @@
+#include "core/angle.h"
 #include "gui/panels/parameters/projection_tab.h"
 
 #include "gui/scene_document.h"
