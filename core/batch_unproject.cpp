@@ -1,6 +1,6 @@
 #include "core/batch_unproject.h"
 
-#include "core/exact_rounding.h"
+#include "core/double_double.h"
 #include "core/view_matrix.h"
 
 #include <glm/matrix.hpp>
@@ -13,49 +13,26 @@
 namespace unprojector {
 namespace {
 
-/// A number as the sum of a double and of what that double leaves out.
-struct Sum {
-    double value, rest;
-};
-
-Sum sum(double a, double b)
-{
-    return {a + b, lostBySum(a, b)};
-}
-
-Sum product(double a, double b)
-{
-    return {a * b, lostByProduct(a, b)};
-}
-
-Sum quotient(const Sum &a, const Sum &b)
-{
-    const double q = a.value / b.value;
-    const double remainder = std::fma(-q, b.value, a.value) + (a.rest - q * b.rest);
-    return {q, remainder / b.value};
-}
-
 /// How one direction of the picture is spread out in eye space: between its edges over so many pixels.
 struct Edges {
     double low, high, size;
 };
 
 /// Where the axis meets the picture, in pixels from the edge `low`: -low size / (high - low).
-Sum axisFromLow(const Edges &e)
+DoubleDouble axisFromLow(const Edges &e)
 {
-    return quotient(product(-e.low, e.size), sum(e.high, -e.low));
+    return DoubleDouble(-e.low) * e.size / (DoubleDouble(e.high) - e.low);
 }
 
 /// Eye units a pixel, at the distance 1 for a perspective: (high - low) / (size n).
-Sum unitsPerPixel(const Edges &e, double n)
+DoubleDouble unitsPerPixel(const Edges &e, double n)
 {
-    return quotient(sum(e.high, -e.low), product(e.size, n));
+    return (DoubleDouble(e.high) - e.low) / (DoubleDouble(e.size) * n);
 }
 
-glm::dvec3 scaled(const glm::dvec3 &v, const Sum &factor)
+glm::dvec3 scaled(const glm::dvec3 &v, const DoubleDouble &factor)
 {
-    return {std::fma(v.x, factor.value, v.x * factor.rest), std::fma(v.y, factor.value, v.y * factor.rest),
-            std::fma(v.z, factor.value, v.z * factor.rest)};
+    return {(v.x * factor).value, (v.y * factor).value, (v.z * factor).value};
 }
 
 void assign(double (&target)[3], const glm::dvec3 &v)
@@ -136,15 +113,15 @@ struct Constants {
 
 /// Puts the view axis where it is, counted from the top left corner.
 /// @param fromLeft, fromBottom  of the viewport, pixels
-void setAxis(batch::ClosedFormConstants &c, const PictureGeometry &g, const Sum &fromLeft, const Sum &fromBottom)
+void setAxis(batch::ClosedFormConstants &c, const PictureGeometry &g, const DoubleDouble &fromLeft,
+             const DoubleDouble &fromBottom)
 {
-    const Sum axisX = sum(g.viewport.x, fromLeft.value);
-    const Sum bottomEdge = sum(g.surface.heightPixels, -g.viewport.y); // from the top: y down
-    const Sum axisY = sum(bottomEdge.value, -fromBottom.value);
+    const DoubleDouble axisX = g.viewport.x + fromLeft;
+    const DoubleDouble axisY = g.surface.heightPixels - (g.viewport.y + fromBottom); // from the top: y down
     c.axisX = axisX.value;
-    c.axisXRest = axisX.rest + fromLeft.rest;
+    c.axisXRest = axisX.rest;
     c.axisY = axisY.value;
-    c.axisYRest = axisY.rest + (bottomEdge.rest - fromBottom.rest);
+    c.axisYRest = axisY.rest;
 }
 
 Result<Constants> constantsOf(const Projection &projection, const PictureGeometry &g, const Axes &axes)
@@ -169,8 +146,9 @@ Result<Constants> constantsOf(const Projection &projection, const PictureGeometr
     glm::dvec3 ahead = -axes.z;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
         for (int k = 0; k < 3; ++k) {
-            ahead[k] += sumOfProducts(cotangent(oblique->thetaRadians), axes.x[k], cotangent(oblique->phiRadians),
-                                      axes.y[k]);
+            ahead[k] += (cotangent(oblique->thetaRadians) * DoubleDouble(axes.x[k])
+                         + cotangent(oblique->phiRadians) * DoubleDouble(axes.y[k]))
+                            .value;
         }
     }
     assign(c.ahead, ahead);
@@ -210,14 +188,10 @@ Result<Constants> constantsOf(const MatrixProjection &projection, const PictureG
         c.farTerm = p.side * (p.w - p.zOffset) / p.zScale / thickness;
     }
     // w x_n = -xOffset on the axis, and x_n = 2 x_v / width - 1.
-    const auto fromLow = [&](double offset, double size) {
-        const Sum share = sum(p.w, -offset);
-        const Sum whole = product(share.value, size / 2.0);
-        return quotient({whole.value, whole.rest + share.rest * (size / 2.0)}, {p.w, 0.0});
-    };
+    const auto fromLow = [&](double offset, double size) { return (DoubleDouble(p.w) - offset) * (size / 2.0) / p.w; };
     setAxis(c, g, fromLow(p.xOffset, g.viewport.width), fromLow(p.yOffset, g.viewport.height));
-    assign(c.across, scaled(axes.x, quotient({2.0 * p.w, 0.0}, product(g.viewport.width, p.xScale))));
-    assign(c.down, scaled(-axes.y, quotient({2.0 * p.w, 0.0}, product(g.viewport.height, p.yScale))));
+    assign(c.across, scaled(axes.x, 2.0 * p.w / (DoubleDouble(g.viewport.width) * p.xScale)));
+    assign(c.down, scaled(-axes.y, 2.0 * p.w / (DoubleDouble(g.viewport.height) * p.yScale)));
     glm::dvec3 ahead = axes.z;
     if (!p.perspective)
         ahead -= p.xShear / p.xScale * axes.x + p.yShear / p.yScale * axes.y;

@@ -1,11 +1,9 @@
 #include "core/camera.h"
 
-#include "core/exact_rounding.h"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace unprojector {
 namespace {
@@ -20,75 +18,73 @@ double firstNotFinite(const glm::dvec3 &v)
     return !std::isfinite(v.x) ? v.x : !std::isfinite(v.y) ? v.y : v.z;
 }
 
-/// std::hypot neither overflows nor underflows, so cameras of any scale have axes.
-double length(const glm::dvec3 &v)
+/// v times the power of two that brings its largest component into [1, 2): exact, and its square cannot overflow.
+DoubleDouble3 scaledToOne(const DoubleDouble3 &v)
 {
-    return std::hypot(v.x, v.y, v.z);
+    const double largest = std::max({std::abs(v[0].value), std::abs(v[1].value), std::abs(v[2].value)});
+    const int exponent = std::ilogb(largest);
+    const auto scaled = [&](const DoubleDouble &c) {
+        return DoubleDouble(std::scalbn(c.value, -exponent), std::scalbn(c.rest, -exponent));
+    };
+    return {scaled(v[0]), scaled(v[1]), scaled(v[2])};
 }
 
-/// v times the power of two that brings its largest component into [1, 2): exact.
-glm::dvec3 scaledToOne(const glm::dvec3 &v)
+DoubleDouble3 unit(const DoubleDouble3 &v)
 {
-    const int exponent = std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
-    return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+    const DoubleDouble norm = length(v);
+    return {v[0] / norm, v[1] / norm, v[2] / norm};
 }
 
-/// a x b, each component within 1.5 units in the last place.
-glm::dvec3 accurateCross(const glm::dvec3 &a, const glm::dvec3 &b)
+bool isZero(const DoubleDouble3 &v)
 {
-    return {sumOfProducts(a.y, b.z, -a.z, b.y), sumOfProducts(a.z, b.x, -a.x, b.z), sumOfProducts(a.x, b.y, -a.y, b.x)};
+    return v[0].value == 0.0 && v[1].value == 0.0 && v[2].value == 0.0;
 }
 
-/// v / |v|, of length 1 to within the rounding of its components: one Newton step on 1 - v.v, whose cancellation
-/// is carried out exactly. A component that is 0 stays 0.
-glm::dvec3 accurateUnit(glm::dvec3 v)
+DoubleDouble3 precise(const glm::dvec3 &v)
 {
-    v /= length(v);
-    glm::dvec3 squares = v * v;
-    double excess = 0.0;
-    for (int k = 0; k < 3; ++k)
-        excess += lostByProduct(v[k], v[k]);
-    if (squares.x < squares.y)
-        std::swap(squares.x, squares.y);
-    if (squares.x < squares.z)
-        std::swap(squares.x, squares.z);
-    excess += ((squares.x - 1.0) + squares.y) + squares.z; // the largest first: its difference to 1 stays exact
-    return v - v * (excess / 2.0);
+    return {v.x, v.y, v.z};
+}
+
+glm::dvec3 rounded(const DoubleDouble3 &v)
+{
+    return {v[0].value, v[1].value, v[2].value};
 }
 
 } // namespace
 
-Result<EyeFrame> eyeFrame(const LookAt &view)
+EyeFrame PreciseEyeFrame::rounded() const
+{
+    return {eye, unprojector::rounded(side), unprojector::rounded(upward), unprojector::rounded(forward)};
+}
+
+Result<PreciseEyeFrame> preciseEyeFrame(const LookAt &view)
 {
     for (const glm::dvec3 &v : {view.eye.coordinates(), view.center.coordinates(), view.up}) {
         if (!isFinite(v))
             return Error{ErrorCode::NotFinite, firstNotFinite(v)};
     }
-    const glm::dvec3 direction = view.center - view.eye;
-    const double distance = length(direction);
-    if (distance == 0.0)
+    const DoubleDouble3 eye = precise(view.eye), center = precise(view.center), up = precise(view.up);
+    const DoubleDouble3 direction{center[0] - eye[0], center[1] - eye[1], center[2] - eye[2]};
+    if (isZero(direction))
         return Error{ErrorCode::EyeEqualsCenter};
-    if (length(view.up) == 0.0)
+    if (isZero(up))
         return Error{ErrorCode::UpIsZero};
 
-    // An up close to the view direction leaves only the last digits of the cross product, and they point the side
-    // axis: so nothing is rounded before it, and what center - eye has dropped is put back.
-    const glm::dvec3 up = scaledToOne(view.up);
-    const glm::dvec3 scaledDirection = scaledToOne(direction);
-    glm::dvec3 dropped;
-    for (int k = 0; k < 3; ++k)
-        dropped[k] = lostBySum(view.center[k], -view.eye[k]) / distance;
-    const glm::dvec3 side =
-        (accurateCross(scaledDirection, up) / length(scaledDirection) + glm::cross(dropped, up)) / length(up);
-    const double sine = length(side);
+    const DoubleDouble3 f = unit(scaledToOne(direction));
+    const DoubleDouble3 side = cross(f, unit(scaledToOne(up)));
     constexpr double kParallelSine = 1e-10;
-    if (!(sine > kParallelSine))
+    if (!(length(side).value > kParallelSine))
         return Error{ErrorCode::UpParallelToView};
+    const DoubleDouble3 s = unit(side);
+    return PreciseEyeFrame{view.eye, s, cross(s, f), f};
+}
 
-    const glm::dvec3 forward = accurateUnit(direction);
-    const glm::dvec3 s = accurateUnit(side);
-    const glm::dvec3 u = accurateUnit(accurateCross(s, forward));
-    return EyeFrame{view.eye, s, u, forward};
+Result<EyeFrame> eyeFrame(const LookAt &view)
+{
+    const Result<PreciseEyeFrame> frame = preciseEyeFrame(view);
+    if (!frame)
+        return frame.error();
+    return frame->rounded();
 }
 
 glm::dmat4 eyeFromWorld(const EyeFrame &frame)
@@ -103,23 +99,22 @@ glm::dmat4 eyeFromWorld(const EyeFrame &frame)
     };
 }
 
-WorldPoint worldFromEye(const EyeFrame &frame, const EyePoint &point)
+WorldPoint worldFromEye(const PreciseEyeFrame &frame, const PrecisePoint<EyeSpace> &point)
 {
-    // Near the world's origin the eye and the way from it cancel, so what rounding drops is added at the end.
     WorldPoint world;
-    for (int k = 0; k < 3; ++k) {
-        double sum = frame.eye[k], dropped = 0.0;
-        const auto add = [&](double coordinate, double axis) {
-            const double product = coordinate * axis;
-            dropped += lostByProduct(coordinate, axis) + lostBySum(sum, product);
-            sum += product;
-        };
-        add(point.x, frame.side[k]);
-        add(point.y, frame.upward[k]);
-        add(-point.z, frame.forward[k]);
-        world[k] = sum + dropped;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int component = static_cast<int>(k);
+        world[component] =
+            (frame.eye[component] + point.x * frame.side[k] + point.y * frame.upward[k] - point.z * frame.forward[k])
+                .value;
     }
     return world;
+}
+
+WorldPoint worldFromEye(const EyeFrame &frame, const EyePoint &point)
+{
+    return worldFromEye(PreciseEyeFrame{frame.eye, precise(frame.side), precise(frame.upward), precise(frame.forward)},
+                        PrecisePoint<EyeSpace>{point.x, point.y, point.z});
 }
 
 EyePoint eyeFromWorld(const EyeFrame &frame, const WorldPoint &point)

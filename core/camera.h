@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/double_double.h"
 #include "core/result.h"
 #include "core/spaces.h"
 
@@ -22,13 +23,22 @@ struct EyeFrame {
     glm::dvec3 forward;
 };
 
+/// The axes before they are rounded.
+struct PreciseEyeFrame {
+    WorldPoint eye;
+    DoubleDouble3 side, upward, forward;
+
+    EyeFrame rounded() const;
+};
+
 /// The axes of gluLookAt:
 ///
 ///   f = unit(center - eye), s = unit(f x up), u = s x f
 ///
-/// @return NotFinite; EyeEqualsCenter; UpIsZero; UpParallelToView (up within 1e-10 of the view direction, where
-///         rounding would choose the side axis)
+/// @return NotFinite; EyeEqualsCenter; UpIsZero; UpParallelToView (up within 1e-10 of the view direction: a direction
+///         that close is none that anybody chose)
 /// Source: gluLookAt; Weng et al. 2008, section 2.1, whose world x axis points left by mistake: it points right.
+Result<PreciseEyeFrame> preciseEyeFrame(const LookAt &view);
 Result<EyeFrame> eyeFrame(const LookAt &view);
 
 /// Rows s, u, -f and the translation that takes the eye to the origin.
@@ -38,6 +48,8 @@ glm::dmat4 eyeFromWorld(const EyeFrame &frame);
 ///
 ///   p = eye + x s + y u + z f,  z = -z_eye
 ///
+/// Near the world's origin the eye and the way from it cancel; nothing is rounded before the sum is whole.
+WorldPoint worldFromEye(const PreciseEyeFrame &frame, const PrecisePoint<EyeSpace> &point);
 WorldPoint worldFromEye(const EyeFrame &frame, const EyePoint &point);
 
 /// The way forward, as dot products with the axes.

@@ -1,6 +1,5 @@
 #include "core/matrix_projection.h"
 
-#include "core/exact_rounding.h"
 #include "core/unproject_matrix_inverse.h"
 
 #include <array>
@@ -229,14 +228,11 @@ RecognisedProjection readBox(const ProjectionCoefficients &c, NdcDepth depth, co
     return result;
 }
 
-/// (w x_n + offset) / scale with x_n = (2 (x_v - vx) - size) / size. Nothing that a sum drops is lost where the next one
-/// cancels.
-double centredAndScaled(double position, double origin, double size, double w, double offset, double scale)
+/// (w x_n + offset) / scale with x_n = (2 (x_v - vx) - size) / size.
+DoubleDouble centredAndScaled(double position, double origin, double size, double w, double offset, double scale)
 {
-    const double fromEdge = position - origin;
-    const double centred = 2.0 * fromEdge - size;
-    const double dropped = 2.0 * lostBySum(position, -origin) + lostBySum(2.0 * fromEdge, -size);
-    return (sumOfProducts(w, centred, offset, size) + w * dropped) / (size * scale);
+    const DoubleDouble centred = 2.0 * (DoubleDouble(position) - origin) - size;
+    return (w * centred / size + offset) / scale;
 }
 
 /// What of a depth range can be in front of the eye; chosen, where nothing is said, as the header tells.
@@ -285,6 +281,15 @@ NdcDepth ndcDepthOf(const MatrixProjection &projection)
 Result<EyePoint> unprojectClosedForm(const MatrixProjection &projection, const Viewport &viewport,
                                      const DepthRange &range, const WindowPoint &window)
 {
+    const Result<PrecisePoint<EyeSpace>> point = preciseEyePoint(projection, viewport, range, window);
+    if (!point)
+        return point.error();
+    return point->rounded();
+}
+
+Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projection, const Viewport &viewport,
+                                               const DepthRange &range, const WindowPoint &window)
+{
     const Result<ProjectionCoefficients> coefficients = coefficientsOf(projection.clipFromEye);
     if (!coefficients)
         return coefficients.error();
@@ -303,22 +308,21 @@ Result<EyePoint> unprojectClosedForm(const MatrixProjection &projection, const V
         return d.error();
 
     const double k = *depth == NdcDepth::ZeroToOne ? 1.0 : 2.0;
-    const double x = centredAndScaled(window.x, viewport.x, viewport.width, c.w, c.xOffset, c.xScale);
-    const double y = centredAndScaled(window.y, viewport.y, viewport.height, c.w, c.yOffset, c.yScale);
-    EyePoint eye;
+    const DoubleDouble x = centredAndScaled(window.x, viewport.x, viewport.width, c.w, c.xOffset, c.xScale);
+    const DoubleDouble y = centredAndScaled(window.y, viewport.y, viewport.height, c.w, c.yOffset, c.yScale);
+    PrecisePoint<EyeSpace> eye;
     if (c.perspective) {
-        const double denominator = c.zOffset < 0.0 ? (c.zScale + c.w) - c.w * k * d->fromFar
-                                                   : (c.zScale + c.w * (1.0 - k)) + c.w * k * d->fromNear;
-        const double z = c.zOffset / denominator;
-        eye = EyePoint(x * z, y * z, c.side * z);
+        const DoubleDouble denominator =
+            c.zOffset < 0.0 ? (DoubleDouble(c.zScale) + c.w) - c.w * k * d->fromFar
+                            : (DoubleDouble(c.zScale) + DoubleDouble(c.w) * (1.0 - k)) + c.w * k * d->fromNear;
+        const DoubleDouble z = c.zOffset / denominator;
+        eye = {x * z, y * z, c.side * z};
     } else {
-        // w z_n - zOffset; z_n is fromNear - (k - 1) fromFar.
-        const double low = k == 2.0 ? -d->fromFar : 0.0;
-        const double ndc = d->fromNear + low;
-        const double z = (std::fma(c.w, ndc, -c.zOffset) + c.w * lostBySum(d->fromNear, low)) / c.zScale;
-        eye = EyePoint(std::fma(-c.xShear / c.xScale, z, x), std::fma(-c.yShear / c.yScale, z, y), z);
+        const DoubleDouble ndc = k == 2.0 ? d->fromNear - d->fromFar : d->fromNear;
+        const DoubleDouble z = (c.w * ndc - c.zOffset) / c.zScale;
+        eye = {x - c.xShear * z / c.xScale, y - c.yShear * z / c.yScale, z};
     }
-    if (!(std::isfinite(eye.x) && std::isfinite(eye.y) && std::isfinite(eye.z)))
+    if (!(std::isfinite(eye.x.value) && std::isfinite(eye.y.value) && std::isfinite(eye.z.value)))
         return Error{ErrorCode::PointAtInfinity};
     return eye;
 }

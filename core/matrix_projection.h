@@ -65,6 +65,10 @@ Result<RecognisedProjection> recognised(const MatrixProjection &projection);
 Result<EyePoint> unprojectClosedForm(const MatrixProjection &projection, const Viewport &viewport,
                                      const DepthRange &range, const WindowPoint &window);
 
+/// The same before it is rounded, see preciseEyePoint(Projection).
+Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projection, const Viewport &viewport,
+                                               const DepthRange &range, const WindowPoint &window);
+
 /// The convention that both methods go by: the one given, else what `recognised` says, else OpenGL's.
 NdcDepth ndcDepthOf(const MatrixProjection &projection);
 

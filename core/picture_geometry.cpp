@@ -17,19 +17,21 @@ Result<glm::dmat4> finite(const glm::dmat4 &m)
     return m;
 }
 
-Result<EyePoint> eyeByFormula(const PictureGeometry &g, const WindowPoint &window)
+using PreciseEye = PrecisePoint<EyeSpace>;
+
+Result<PreciseEye> eyeByFormula(const PictureGeometry &g, const WindowPoint &window)
 {
-    return std::visit([&](const auto &p) { return unprojectClosedForm(p, g.viewport, g.depthRange, window); },
+    return std::visit([&](const auto &p) { return preciseEyePoint(p, g.viewport, g.depthRange, window); },
                       g.projection);
 }
 
-Result<WorldPoint> worldByFormula(const PictureGeometry &g, const Result<EyePoint> &eye)
+Result<WorldPoint> worldByFormula(const PictureGeometry &g, const Result<PreciseEye> &eye)
 {
     if (!eye)
         return eye.error();
     if (const auto *matrix = std::get_if<glm::dmat4>(&g.view))
         return worldFromEye(*matrix, *eye);
-    const Result<EyeFrame> frame = eyeFrame(std::get<LookAt>(g.view));
+    const Result<PreciseEyeFrame> frame = preciseEyeFrame(std::get<LookAt>(g.view));
     if (!frame)
         return frame.error();
     return worldFromEye(*frame, *eye);
@@ -96,8 +98,9 @@ Result<WindowPoint> windowFromWorld(const PictureGeometry &g, const WorldPoint &
 
 Comparison compareUnprojections(const PictureGeometry &g, const WindowPoint &window)
 {
-    const Result<EyePoint> eye = eyeByFormula(g, window);
-    return {twoWays<EyeSpace>(eye, clipFromEye(g), g, window),
+    const Result<PreciseEye> eye = eyeByFormula(g, window);
+    const Result<EyePoint> rounded = eye ? Result<EyePoint>(eye->rounded()) : eye.error();
+    return {twoWays<EyeSpace>(rounded, clipFromEye(g), g, window),
             twoWays<WorldSpace>(worldByFormula(g, eye), clipFromWorld(g), g, window)};
 }
 

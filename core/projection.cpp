@@ -92,9 +92,14 @@ glm::dmat4 frustumMatrix(const Frustum &p)
 
 } // namespace
 
+DoubleDouble preciseCotangent(double radians)
+{
+    return radians == kPi / 2.0 ? DoubleDouble(0.0) : 1.0 / preciseTangent(radians);
+}
+
 double cotangent(double radians)
 {
-    return radians == kPi / 2.0 ? 0.0 : 1.0 / std::tan(radians);
+    return preciseCotangent(radians).value;
 }
 
 Check check(const Projection &projection)
@@ -104,9 +109,9 @@ Check check(const Projection &projection)
 
 Frustum frustumFromPerspective(const Perspective &p)
 {
-    const double top = p.nearDistance * std::tan(p.verticalFovRadians / 2.0);
-    const double right = top * p.aspect;
-    return {-right, right, -top, top, p.nearDistance, p.farDistance};
+    const DoubleDouble top = p.nearDistance * preciseTangent(p.verticalFovRadians / 2.0);
+    const double right = (top * p.aspect).value;
+    return {-right, right, -top.value, top.value, p.nearDistance, p.farDistance};
 }
 
 ProjectionWindow projectionWindow(const Projection &projection)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/double_double.h"
 #include "core/result.h"
 
 #include <glm/mat4x4.hpp>
@@ -46,7 +47,8 @@ using Projection = std::variant<Frustum, Ortho, Perspective, Oblique>;
 /// perspective); NearNotBeforeFar; FieldOfViewOutOfRange; AspectNotPositive; ShearAngleOutOfRange.
 Check check(const Projection &projection);
 
-/// The symmetric frustum of gluPerspective: top = n tan(fovy/2), right = top * aspect.
+/// The symmetric frustum of gluPerspective: top = n tan(fovy/2), right = top * aspect. The tangent is our own, so that
+/// the digits do not depend on the system's library.
 Frustum frustumFromPerspective(const Perspective &perspective);
 
 /// The window and clip distances that a projection uses on its near plane. For Oblique it is the unsheared box.
@@ -75,6 +77,7 @@ ProjectionKind kindOf(const Projection &projection);
 Projection converted(const Projection &projection, ProjectionKind kind, double distance);
 
 /// cot, exactly 0 at pi/2: an unsheared axis of an oblique projection stays unsheared.
+DoubleDouble preciseCotangent(double radians);
 double cotangent(double radians);
 
 /// The same projection for a viewport of another aspect (width / height), so that a circle stays a circle: bottom

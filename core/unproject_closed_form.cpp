@@ -1,11 +1,11 @@
 #include "core/unproject_closed_form.h"
 
-#include "core/exact_rounding.h"
-
 #include <cmath>
 
 namespace unprojector {
 namespace {
+
+using PreciseEye = PrecisePoint<EyeSpace>;
 
 /// What every projection needs first: a valid projection and viewport, a finite position, and the depth in [0, 1].
 Result<DepthShares> checkedDepth(const Projection &projection, const Viewport &viewport, const DepthRange &range,
@@ -23,66 +23,59 @@ Result<DepthShares> checkedDepth(const Projection &projection, const Viewport &v
 }
 
 /// n / z = 1 - d + d n / f: the share that the near plane's window has of the view volume's section at z.
-double nearOverDistance(double n, double f, const DepthShares &d)
+DoubleDouble nearOverDistance(double n, double f, const DepthShares &d)
 {
-    return std::fma(d.fromNear, n / f, d.fromFar); // divided by f, so that n f cannot overflow
+    return d.fromFar + d.fromNear * (DoubleDouble(n) / f); // divided by f, so that n f cannot overflow
 }
 
-/// (position / size) (high - low) + low, times z / n: formulas (9) to (12), regrouped into low (size - position)
-/// + high position, over size. Their two terms cancel where the window straddles the view axis; these two products
-/// are kept whole.
-double betweenEdges(double low, double high, double position, double size, double nOverZ = 1.0)
+DoubleDouble boxDistance(double n, double f, const DepthShares &d)
 {
-    return sumOfProducts(low, size - position, high, position) / (size * nOverZ);
+    return n * d.fromFar + f * d.fromNear;
+}
+
+DepthShares sharesOf(double unitDepth)
+{
+    return {unitDepth, DoubleDouble(1.0) - unitDepth};
+}
+
+/// The edges of the window on the near plane.
+struct Edges {
+    DoubleDouble left, right, bottom, top;
+};
+
+/// (position - start) (high - low) / size + low: formulas (11), (12) and, but for the factor z / n, (9), (10).
+DoubleDouble betweenEdges(const DoubleDouble &low, const DoubleDouble &high, double position, double start, double size)
+{
+    return (DoubleDouble(position) - start) / size * (high - low) + low;
 }
 
 /// Parameters at the ends of the range of doubles can overflow on the way.
-Result<EyePoint> finite(const EyePoint &point)
+Result<PreciseEye> finite(const PreciseEye &point)
 {
-    if (!(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)))
+    if (!(std::isfinite(point.x.value) && std::isfinite(point.y.value) && std::isfinite(point.z.value)))
         return Error{ErrorCode::PointAtInfinity};
     return point;
 }
 
-} // namespace
-
-double distanceFromDepthPerspective(double n, double f, const DepthShares &d)
+/// Of a frustum or a perspective.
+Result<PreciseEye> preciseFrustum(const Projection &projection, const Edges &edges, const Viewport &viewport,
+                                  const DepthRange &range, const WindowPoint &window)
 {
-    return n / nearOverDistance(n, f, d);
-}
-
-double distanceFromDepthPerspective(double n, double f, double d)
-{
-    return distanceFromDepthPerspective(n, f, DepthShares{d, 1.0 - d});
-}
-
-double distanceFromDepthOrtho(double n, double f, const DepthShares &d)
-{
-    return sumOfProducts(n, d.fromFar, f, d.fromNear);
-}
-
-double distanceFromDepthOrtho(double n, double f, double d)
-{
-    return distanceFromDepthOrtho(n, f, DepthShares{d, 1.0 - d});
-}
-
-Result<EyePoint> unprojectFrustum(const Frustum &frustum, const Viewport &viewport, const DepthRange &range,
-                                  const WindowPoint &window)
-{
-    const Result<DepthShares> d = checkedDepth(frustum, viewport, range, window);
+    const Result<DepthShares> d = checkedDepth(projection, viewport, range, window);
     if (!d)
         return d.error();
-    const auto &[l, r, b, t, n, f] = frustum;
+    const auto &[l, r, b, t] = edges;
     const auto &[vx, vy, width, height] = viewport;
+    const ProjectionWindow w = projectionWindow(projection);
+    const double n = w.nearDistance, f = w.farDistance;
 
-    const double z = distanceFromDepthPerspective(n, f, *d);
-    const double nOverZ = nearOverDistance(n, f, *d);
-    const double x = betweenEdges(l, r, window.x - vx, width, nOverZ);  // (9)
-    const double y = betweenEdges(b, t, window.y - vy, height, nOverZ); // (10)
-    return finite(EyePoint(x, y, -z));
+    const DoubleDouble nOverZ = nearOverDistance(n, f, *d);
+    const DoubleDouble x = betweenEdges(l, r, window.x, vx, width) / nOverZ;  // (9)
+    const DoubleDouble y = betweenEdges(b, t, window.y, vy, height) / nOverZ; // (10)
+    return finite({x, y, -(n / nOverZ)});
 }
 
-Result<EyePoint> unprojectOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
+Result<PreciseEye> preciseOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
                                 const WindowPoint &window)
 {
     const Result<DepthShares> d = checkedDepth(ortho, viewport, range, window);
@@ -91,40 +84,81 @@ Result<EyePoint> unprojectOrtho(const Ortho &ortho, const Viewport &viewport, co
     const auto &[l, r, b, t, n, f] = ortho;
     const auto &[vx, vy, width, height] = viewport;
 
-    const double z = distanceFromDepthOrtho(n, f, *d);
-    const double x = betweenEdges(l, r, window.x - vx, width);  // (11)
-    const double y = betweenEdges(b, t, window.y - vy, height); // (12)
-    return finite(EyePoint(x, y, -z));
+    const DoubleDouble x = betweenEdges(l, r, window.x, vx, width);  // (11)
+    const DoubleDouble y = betweenEdges(b, t, window.y, vy, height); // (12)
+    return finite({x, y, -boxDistance(n, f, *d)});
+}
+
+Result<PreciseEye> preciseOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
+                                  const WindowPoint &window)
+{
+    if (const Check valid = check(Projection(oblique)); !valid)
+        return valid.error();
+    const Result<PreciseEye> inBox = preciseOrtho(oblique.box, viewport, range, window);
+    if (!inBox)
+        return inBox;
+    const DoubleDouble z = -inBox->z;
+    return finite({inBox->x + preciseCotangent(oblique.thetaRadians) * z,
+                   inBox->y + preciseCotangent(oblique.phiRadians) * z, -z});
+}
+
+} // namespace
+
+double distanceFromDepthPerspective(double n, double f, double d)
+{
+    return (n / nearOverDistance(n, f, sharesOf(d))).value;
+}
+
+double distanceFromDepthOrtho(double n, double f, double d)
+{
+    return boxDistance(n, f, sharesOf(d)).value;
+}
+
+Result<EyePoint> unprojectFrustum(const Frustum &frustum, const Viewport &viewport, const DepthRange &range,
+                                  const WindowPoint &window)
+{
+    return unprojectClosedForm(frustum, viewport, range, window);
+}
+
+Result<EyePoint> unprojectOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
+                                const WindowPoint &window)
+{
+    return unprojectClosedForm(ortho, viewport, range, window);
 }
 
 Result<EyePoint> unprojectOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
                                   const WindowPoint &window)
 {
-    if (const Check valid = check(Projection(oblique)); !valid)
-        return valid.error();
-    Result<EyePoint> inBox = unprojectOrtho(oblique.box, viewport, range, window);
-    if (!inBox)
-        return inBox;
-    const double z = -inBox->z;
-    return finite(EyePoint(std::fma(cotangent(oblique.thetaRadians), z, inBox->x),
-                           std::fma(cotangent(oblique.phiRadians), z, inBox->y), -z));
+    return unprojectClosedForm(oblique, viewport, range, window);
 }
 
 Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
                                      const WindowPoint &window)
 {
+    const Result<PreciseEye> point = preciseEyePoint(projection, viewport, range, window);
+    if (!point)
+        return point.error();
+    return point->rounded();
+}
+
+Result<PreciseEye> preciseEyePoint(const Projection &projection, const Viewport &viewport, const DepthRange &range,
+                                   const WindowPoint &window)
+{
     struct Visitor {
         const Viewport &viewport;
         const DepthRange &range;
         const WindowPoint &window;
-        Result<EyePoint> operator()(const Frustum &p) const { return unprojectFrustum(p, viewport, range, window); }
-        Result<EyePoint> operator()(const Ortho &p) const { return unprojectOrtho(p, viewport, range, window); }
-        Result<EyePoint> operator()(const Oblique &p) const { return unprojectOblique(p, viewport, range, window); }
-        Result<EyePoint> operator()(const Perspective &p) const
+        Result<PreciseEye> operator()(const Frustum &p) const
         {
-            if (const Check valid = check(Projection(p)); !valid)
-                return valid.error();
-            return unprojectFrustum(frustumFromPerspective(p), viewport, range, window);
+            return preciseFrustum(p, {p.left, p.right, p.bottom, p.top}, viewport, range, window);
+        }
+        Result<PreciseEye> operator()(const Ortho &p) const { return preciseOrtho(p, viewport, range, window); }
+        Result<PreciseEye> operator()(const Oblique &p) const { return preciseOblique(p, viewport, range, window); }
+        Result<PreciseEye> operator()(const Perspective &p) const
+        {
+            const DoubleDouble top = p.nearDistance * preciseTangent(p.verticalFovRadians / 2.0),
+                               right = top * p.aspect;
+            return preciseFrustum(p, {-right, right, -top, top}, viewport, range, window);
         }
     };
     return std::visit(Visitor{viewport, range, window}, projection);

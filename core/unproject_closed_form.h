@@ -15,12 +15,8 @@ namespace unprojector {
 /// @param unitDepth in [0, 1]; 0 is the near plane
 double distanceFromDepthPerspective(double nearDistance, double farDistance, double unitDepth);
 
-/// The same from the shares of the way from either plane, which keeps the digits of 1 - d whatever the depth range.
-double distanceFromDepthPerspective(double nearDistance, double farDistance, const DepthShares &depth);
-
 /// z = n (1 - d) + f d: the inverse of glOrtho's third row, exact at both ends.
 double distanceFromDepthOrtho(double nearDistance, double farDistance, double unitDepth);
-double distanceFromDepthOrtho(double nearDistance, double farDistance, const DepthShares &depth);
 
 /// Eye-space point under a window position for a frustum: no matrix is inverted.
 ///
@@ -28,8 +24,9 @@ double distanceFromDepthOrtho(double nearDistance, double farDistance, const Dep
 ///   y = (y_v - vy) (t - b) z / (height n) + b z / n       (10) with (8) y_v = rect.bottom - py
 ///   z = n f / (f (1 - d) + n d),  z_eye = -z
 ///
-/// Evaluated regrouped: the two terms of (9) and of (10) cancel near the view axis, (l (w - u) + r u) z / (w n) with
-/// u = x_v - vx does not. So the result is right to a few units in the last place wherever the click is.
+/// Evaluated with z / n taken out, ((x_v - vx) (r - l) / width + l) z / n, and with 32 digits: the two terms of (9) and
+/// of (10) cancel near the view axis. Rounded once at the end, so the result is the double nearest to what the
+/// formulas say.
 /// @param window  device pixels, origin bottom-left, inside the viewport or not; depth in the depth range
 /// @return the errors of check(frustum), check(viewport), unitDepth; NotFinite for a NaN or infinite position
 /// Source: Weng et al. 2008, section 3. The paper leaves the sign of z open: it holds for the distance in front of
@@ -57,5 +54,10 @@ Result<EyePoint> unprojectOblique(const Oblique &oblique, const Viewport &viewpo
 /// The one of the three that fits the projection; a Perspective is taken as its frustum.
 Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
                                      const WindowPoint &window);
+
+/// unprojectClosedForm before it is rounded, for going on to world space: near the world's origin the digits of the eye
+/// cancel, and what an eye coordinate in double has dropped would be all that is left.
+Result<PrecisePoint<EyeSpace>> preciseEyePoint(const Projection &projection, const Viewport &viewport,
+                                               const DepthRange &range, const WindowPoint &window);
 
 } // namespace unprojector

@@ -1,7 +1,5 @@
 #include "core/view_matrix.h"
 
-#include "core/exact_rounding.h"
-
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -14,21 +12,13 @@ namespace {
 
 constexpr double kRigid = 1e-5;
 
-/// target - R p - t with what the roundings drop, so that corrections go on below the last place.
-glm::dvec3 residual(const glm::dmat4 &m, const glm::dvec3 &target, const glm::dvec3 &p)
+/// target - R p - t
+DoubleDouble3 residual(const glm::dmat4 &m, const DoubleDouble3 &target, const DoubleDouble3 &p)
 {
-    glm::dvec3 result;
-    for (int row = 0; row < 3; ++row) {
-        double sum = target[row], dropped = lostBySum(sum, -m[3][row]);
-        sum -= m[3][row];
-        for (int column = 0; column < 3; ++column) {
-            const double product = m[column][row] * p[column];
-            dropped -= lostByProduct(m[column][row], p[column]);
-            dropped += lostBySum(sum, -product);
-            sum -= product;
-        }
-        result[row] = sum + dropped;
-    }
+    DoubleDouble3 result;
+    for (int row = 0; row < 3; ++row)
+        result[std::size_t(row)] =
+            target[std::size_t(row)] - m[3][row] - m[0][row] * p[0] - m[1][row] * p[1] - m[2][row] * p[2];
     return result;
 }
 
@@ -56,17 +46,25 @@ Result<double> axesOff(const glm::dmat4 &m)
     return largest;
 }
 
+Result<WorldPoint> worldFromEye(const glm::dmat4 &m, const PrecisePoint<EyeSpace> &point)
+{
+    if (const Result<double> off = axesOff(m); !off)
+        return off.error();
+    DoubleDouble3 p;
+    for (int i = 0; i < 3; ++i) {
+        const DoubleDouble3 left = residual(m, {point.x, point.y, point.z}, p);
+        for (int k = 0; k < 3; ++k)
+            p[std::size_t(k)] = p[std::size_t(k)] + (m[k][0] * left[0] + m[k][1] * left[1] + m[k][2] * left[2]);
+    }
+    const WorldPoint world(p[0].value, p[1].value, p[2].value);
+    if (!(std::isfinite(world.x) && std::isfinite(world.y) && std::isfinite(world.z)))
+        return Error{ErrorCode::PointAtInfinity};
+    return world;
+}
+
 Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const EyePoint &point)
 {
-    if (const Result<double> off = axesOff(eyeFromWorld); !off)
-        return off.error();
-    const glm::dmat3 worldFromEyeAxes = glm::transpose(glm::dmat3(eyeFromWorld));
-    glm::dvec3 p(0.0);
-    for (int i = 0; i < 3; ++i)
-        p += worldFromEyeAxes * residual(eyeFromWorld, point.coordinates(), p);
-    if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
-        return Error{ErrorCode::PointAtInfinity};
-    return WorldPoint(p);
+    return worldFromEye(eyeFromWorld, PrecisePoint<EyeSpace>{point.x, point.y, point.z});
 }
 
 Result<LookAt> lookAtFrom(const glm::dmat4 &eyeFromWorld, double distance)

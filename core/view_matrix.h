@@ -20,6 +20,7 @@ Result<double> axesOff(const glm::dmat4 &eyeFromWorld);
 ///
 /// which is exact for a rigid matrix, and takes back what single precision has put the axes off.
 /// @return the errors of axesOff; PointAtInfinity
+Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const PrecisePoint<EyeSpace> &point);
 Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const EyePoint &point);
 
 /// The arguments of gluLookAt that give this view: the eye, a center so far in front of it, and the matrix's own up.

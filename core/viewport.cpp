@@ -144,7 +144,8 @@ Result<DepthShares> depthShares(const DepthRange &range, double depth)
     const Result<double> fromNear = unitDepth(range, depth);
     if (!fromNear)
         return fromNear.error();
-    return DepthShares{*fromNear, (range.atFar - depth) / (range.atFar - range.atNear)};
+    const DoubleDouble d = depth, dn = range.atNear, df = range.atFar;
+    return DepthShares{(d - dn) / (df - dn), (df - d) / (df - dn)};
 }
 
 } // namespace unprojector

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/double_double.h"
 #include "core/result.h"
 #include "core/spaces.h"
 
@@ -92,8 +93,8 @@ Result<double> unitDepth(const DepthRange &range, double depth);
 /// add up to 1, but 1 - fromNear has lost the digits of a point close to the far plane when the range is reversed
 /// or partial, and those digits are what a perspective's distance hangs on.
 struct DepthShares {
-    double fromNear; ///< (d - dn) / (df - dn), the unit depth
-    double fromFar;  ///< (df - d) / (df - dn)
+    DoubleDouble fromNear; ///< (d - dn) / (df - dn), the unit depth
+    DoubleDouble fromFar;  ///< (df - d) / (df - dn)
 };
 
 /// @return the errors of unitDepth
