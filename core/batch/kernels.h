@@ -23,6 +23,12 @@ struct MatrixConstants {
     double rows[4][4];
 };
 
+/// Results that fill more than this go past the caches (non-temporal stores): they would not be there any more when
+/// somebody reads them, and a cache line that is wholly overwritten need not be read first. More than the second-level
+/// cache of a core, less than what a program keeps in many arrays.
+constexpr std::size_t kStreamedBytes = std::size_t{16} << 20;
+constexpr std::size_t kCacheLine = 64;
+
 template <class Scalar, class Constants>
 using Kernel = void (*)(const Constants &, const Scalar *px, const Scalar *py, const Scalar *depth, Scalar *x, Scalar *y,
                         Scalar *z, std::size_t count);

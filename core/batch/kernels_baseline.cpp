@@ -1,2 +1,75 @@
+#ifdef UNPROJECTOR_WIDE_KERNELS // x86-64
+#include <emmintrin.h>
+#endif
+#include <cstddef>
+
+namespace unprojector::batch {
+namespace {
+
+#ifdef UNPROJECTOR_WIDE_KERNELS
+
+/// Two doubles: SSE2, which every x86-64 has.
+struct Pack {
+    static constexpr std::size_t kLanes = 2;
+    __m128d lanes;
+
+    Pack() = default;
+    Pack(__m128d lanes_) : lanes(lanes_) {}
+    explicit Pack(double value) : lanes(_mm_set1_pd(value)) {}
+    static Pack loaded(const double *from) { return _mm_loadu_pd(from); }
+    static Pack loaded(const float *from)
+    {
+        return _mm_cvtps_pd(_mm_castpd_ps(_mm_load_sd(reinterpret_cast<const double *>(from))));
+    }
+    void store(double *to) const { _mm_storeu_pd(to, lanes); }
+    void store(float *to) const { _mm_storel_epi64(reinterpret_cast<__m128i *>(to), asFloats()); }
+    void stream(double *to) const { _mm_stream_pd(to, lanes); }
+    void stream(float *to) const { _mm_stream_si64(reinterpret_cast<long long *>(to), _mm_cvtsi128_si64(asFloats())); }
+    static void finishStreaming() { _mm_sfence(); }
+    friend Pack operator+(Pack a, Pack b) { return _mm_add_pd(a.lanes, b.lanes); }
+    friend Pack operator-(Pack a, Pack b) { return _mm_sub_pd(a.lanes, b.lanes); }
+    friend Pack operator*(Pack a, Pack b) { return _mm_mul_pd(a.lanes, b.lanes); }
+    friend Pack operator/(Pack a, Pack b) { return _mm_div_pd(a.lanes, b.lanes); }
+
+private:
+    __m128i asFloats() const { return _mm_castps_si128(_mm_cvtpd_ps(lanes)); }
+};
+
+#else
+
+/// One double, for processors that we have no wider loops for; the compiler may find some.
+struct Pack {
+    static constexpr std::size_t kLanes = 1;
+    double lane;
+
+    Pack() = default;
+    explicit Pack(double value) : lane(value) {}
+    template <class Scalar>
+    static Pack loaded(const Scalar *from)
+    {
+        return Pack(static_cast<double>(*from));
+    }
+    template <class Scalar>
+    void store(Scalar *to) const
+    {
+        *to = static_cast<Scalar>(lane);
+    }
+    template <class Scalar>
+    void stream(Scalar *to) const
+    {
+        store(to);
+    }
+    static void finishStreaming() {}
+    friend Pack operator+(Pack a, Pack b) { return Pack(a.lane + b.lane); }
+    friend Pack operator-(Pack a, Pack b) { return Pack(a.lane - b.lane); }
+    friend Pack operator*(Pack a, Pack b) { return Pack(a.lane * b.lane); }
+    friend Pack operator/(Pack a, Pack b) { return Pack(a.lane / b.lane); }
+};
+
+#endif
+
+} // namespace
+} // namespace unprojector::batch
+
 #define UNPROJECTOR_KERNELS kBaselineKernels
 #include "core/batch/kernels.inl"

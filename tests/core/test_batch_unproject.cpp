@@ -121,6 +121,8 @@ private slots:
     void eyePointsAreRight();
     void everyInstructionSetGivesTheSameDigits_data() { addKinds(); }
     void everyInstructionSetGivesTheSameDigits();
+    void manyPointsAreThoseOfFew_data();
+    void manyPointsAreThoseOfFew();
     void matrixAgreesWithTheFormula_data() { addKinds(); }
     void matrixAgreesWithTheFormula();
     void matricesOfOtherPrograms_data();
@@ -229,6 +231,60 @@ void TestBatchUnproject::everyInstructionSetGivesTheSameDigits()
                 QVERIFY(isSameDigits(unprojected(*unprojection, floats, set), plainFloats));
             }
         }
+    }
+}
+
+/// Points by the million go past the caches, in whole cache lines, which start wherever the arrays do.
+void TestBatchUnproject::manyPointsAreThoseOfFew_data()
+{
+    QTest::addColumn<std::array<std::size_t, 3>>("starts");
+    using Starts = std::array<std::size_t, 3>;
+    QTest::newRow("where the memory starts") << Starts{0, 0, 0};
+    QTest::newRow("one further") << Starts{1, 1, 1};
+    QTest::newRow("a line less one further") << Starts{15, 15, 15};
+    QTest::newRow("each elsewhere") << Starts{0, 1, 2};
+}
+
+template <class Scalar>
+void checkManyAgainstFew(const BatchUnprojection &unprojection, const std::array<std::size_t, 3> &starts,
+                         InstructionSet set)
+{
+    constexpr std::size_t kFew = 1009, kMany = 1'500'000, kRoom = 16;
+    Triples<Scalar> clicks(kMany);
+    for (std::size_t i = 0; i < kMany; ++i) {
+        clicks.of[0][i] = static_cast<Scalar>(i % kFew) + Scalar(0.5);
+        clicks.of[1][i] = static_cast<Scalar>(i % kFew % 61);
+        clicks.of[2][i] = static_cast<Scalar>(i % kFew) / Scalar(kFew);
+    }
+    static_assert(kMany * 3 * sizeof(Scalar) > batch::kStreamedBytes);
+    const Triples<Scalar> few = [&] {
+        Triples<Scalar> first(kFew);
+        unprojection(clicks.input(), first.output(), kFew, set);
+        return first;
+    }();
+    Triples<Scalar> many(kMany + kRoom);
+    const auto [x, y, z] = many.output();
+    unprojection(clicks.input(), BatchOutput<Scalar>{x + starts[0], y + starts[1], z + starts[2]}, kMany, set);
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < many.count(); ++i) {
+            const bool isWritten = i >= starts[k] && i - starts[k] < kMany;
+            const Scalar expected = isWritten ? few.of[k][(i - starts[k]) % kFew] : Scalar(0);
+            if (many.of[k][i] != expected)
+                QFAIL(qPrintable(QStringLiteral("array %1, point %2").arg(k).arg(i)));
+        }
+    }
+}
+
+void TestBatchUnproject::manyPointsAreThoseOfFew()
+{
+    using Starts = std::array<std::size_t, 3>;
+    QFETCH(Starts, starts);
+    oracle::Random random(6);
+    const oracle::Scene s = oracle::randomScene(random, RandomKind::Perspective, SceneLimits{});
+    const auto unprojection = BatchUnprojection::byFormula(geometryOf(s), {});
+    for (const InstructionSet set : availableInstructionSets()) {
+        checkManyAgainstFew<double>(*unprojection, starts, set);
+        checkManyAgainstFew<float>(*unprojection, starts, set);
     }
 }
 
