@@ -12,77 +12,108 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace unprojector {
 namespace {
 
-/// Whether a depth is of a surface: inside the range, and not the one that the buffer was cleared to, the far end's.
+/// Which depths are of a surface: inside the range, and not the one that the buffer was cleared to, the far end's.
+/// Two comparisons and no jump: loops over millions of depths ask.
 class Surfaces {
 public:
     explicit Surfaces(const DepthRange &range)
-        : m_low(static_cast<float>(std::min(range.atNear, range.atFar))),
-          m_high(static_cast<float>(std::max(range.atNear, range.atFar))), m_background(static_cast<float>(range.atFar))
     {
+        const auto atNear = static_cast<float>(range.atNear), atFar = static_cast<float>(range.atFar);
+        const float beforeFar = std::nextafter(atFar, atNear);
+        m_low = std::min(atNear, beforeFar);
+        m_high = std::max(atNear, beforeFar);
     }
-    bool has(float depth) const { return depth >= m_low && depth <= m_high && depth != m_background; }
+
+    std::size_t countIn(std::span<const float> depths) const
+    {
+        std::uint32_t count = 0; // of 32 bits, as the depths, so that they are compared side by side
+        for (const float depth : depths)
+            count += has(depth);
+        return count;
+    }
+
+    /// 1 for each depth that is of one, 0 for the others.
+    void mark(std::span<const float> depths, std::uint32_t *marks) const
+    {
+        const Surfaces self = *this; // no mark written can change it
+        for (std::size_t i = 0; i < depths.size(); ++i)
+            marks[i] = self.has(depths[i]);
+    }
 
 private:
-    float m_low, m_high, m_background;
+    std::uint32_t has(float depth) const { return std::uint32_t(depth >= m_low) & std::uint32_t(depth <= m_high); }
+
+    float m_low, m_high;
 };
 
-/// Appends floats as PLY's binary_little_endian wants them.
-void appendLittleEndian(std::string &bytes, std::vector<float> &values, std::size_t count)
+/// Floats as PLY's binary_little_endian wants them.
+void makeLittleEndian([[maybe_unused]] std::span<float> values)
 {
-    if constexpr (std::endian::native == std::endian::big) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto bits = std::bit_cast<std::uint32_t>(values[i]);
-            values[i] = std::bit_cast<float>(bits << 24 | (bits & 0xff00) << 8 | (bits >> 8 & 0xff00) | bits >> 24);
-        }
-    }
-    bytes.append(reinterpret_cast<const char *>(values.data()), count * sizeof(float));
+    if constexpr (std::endian::native == std::endian::big)
+        swapBytes(values);
 }
 
 /// The points of one row at a time, so that everything stays in the processor's cache.
 class RowUnprojection {
 public:
-    RowUnprojection(const BatchUnprojection &unprojection, const DepthImage &image, const Surfaces &surfaces)
-        : m_unprojection(unprojection), m_image(image), m_surfaces(surfaces)
+    RowUnprojection(const BatchUnprojection &unprojection, const DepthImage &image, const Surfaces &surfaces,
+                    bool canOverflow)
+        : m_unprojection(unprojection), m_image(image), m_surfaces(surfaces), m_canOverflow(canOverflow)
     {
-        for (auto *column : {&m_px, &m_py, &m_depth, &m_x, &m_y, &m_z})
+        for (auto *column : {&m_px, &m_py, &m_x, &m_y, &m_z})
             column->resize(image.width);
-        m_interleaved.resize(3 * image.width);
+        m_marks.resize(image.width);
+        for (std::size_t i = 0; i < image.width; ++i)
+            m_px[i] = static_cast<float>(i) + 0.5f;
     }
 
-    /// Unprojects the row j.
-    /// @return how many of its points have finite coordinates; `points` holds those, x, y, z one after the other
-    std::size_t unproject(std::size_t j)
+    /// Unprojects the row j, background and all: that costs less than picking the rest out first.
+    /// @param points  room for as many points as the row has pixels; x, y, z one after the other
+    /// @return how many of them are of a surface and have finite coordinates
+    std::size_t operator()(std::size_t j, float *points)
     {
-        const float *depths = m_image.depths.data() + j * m_image.width;
-        std::size_t count = 0, kept = 0;
+        const float *depths = m_image.row(j);
+        std::fill(m_py.begin(), m_py.end(), static_cast<float>(j) + 0.5f);
+        m_unprojection(BatchInput<float>{m_px.data(), m_py.data(), depths},
+                       BatchOutput<float>{m_x.data(), m_y.data(), m_z.data()}, m_image.width);
+        m_surfaces.mark({depths, m_image.width}, m_marks.data());
+        if (m_canOverflow)
+            unmarkInfinite();
+        return gathered(points);
+    }
+
+private:
+    void unmarkInfinite()
+    {
+        for (std::size_t i = 0; i < m_image.width; ++i)
+            m_marks[i] &= std::uint32_t(std::isfinite(m_x[i]) && std::isfinite(m_y[i]) && std::isfinite(m_z[i]));
+    }
+
+    std::size_t gathered(float *points) const
+    {
+        const float *x = m_x.data(), *y = m_y.data(), *z = m_z.data();
+        std::size_t kept = 0;
         for (std::size_t i = 0; i < m_image.width; ++i) {
-            m_px[count] = static_cast<float>(i) + 0.5f;
-            m_py[count] = static_cast<float>(j) + 0.5f;
-            m_depth[count] = depths[i];
-            count += m_surfaces.has(depths[i]) ? 1 : 0;
-        }
-        m_unprojection(BatchInput<float>{m_px.data(), m_py.data(), m_depth.data()},
-                       BatchOutput<float>{m_x.data(), m_y.data(), m_z.data()}, count);
-        for (std::size_t i = 0; i < count; ++i) {
-            m_interleaved[3 * kept] = m_x[i];
-            m_interleaved[3 * kept + 1] = m_y[i];
-            m_interleaved[3 * kept + 2] = m_z[i];
-            kept += std::isfinite(m_x[i]) && std::isfinite(m_y[i]) && std::isfinite(m_z[i]) ? 1 : 0;
+            points[3 * kept] = x[i];
+            points[3 * kept + 1] = y[i];
+            points[3 * kept + 2] = z[i];
+            kept += m_marks[i];
         }
         return kept;
     }
-    std::vector<float> &points() { return m_interleaved; }
 
-private:
     const BatchUnprojection &m_unprojection;
     const DepthImage &m_image;
     const Surfaces &m_surfaces;
-    std::vector<float> m_px, m_py, m_depth, m_x, m_y, m_z, m_interleaved;
+    const bool m_canOverflow;
+    std::vector<float> m_px, m_py, m_x, m_y, m_z;
+    std::vector<std::uint32_t> m_marks;
 };
 
 /// Whether the numbers of some pixel could leave the range of single precision: those in between the window's corners and
@@ -119,23 +150,26 @@ ExitCode runCloud(const CloudOptions &options)
         complain(options.scene + ": " + errorText(unprojection.error()));
         return ExitCode::UnusableInput;
     }
+    // PLY says first how many points there are: they are counted as they come.
     const auto &[dn, df] = g.depthRange;
+    const Surfaces surfaces(g.depthRange);
+    std::size_t seen = 0;
     const std::optional<DepthImage> image =
         readDepthImage(options.depth, options.size, static_cast<std::size_t>(g.surface.widthPixels),
-                       static_cast<std::size_t>(g.surface.heightPixels), std::min(dn, df), std::max(dn, df));
+                       static_cast<std::size_t>(g.surface.heightPixels), std::min(dn, df), std::max(dn, df),
+                       [&](std::span<const float> depths) { seen += surfaces.countIn(depths); });
     if (!image)
         return ExitCode::UnusableInput;
 
-    // PLY says first how many points there are.
-    const Surfaces surfaces(g.depthRange);
-    const auto seen = static_cast<std::size_t>(std::count_if(image->depths.begin(), image->depths.end(),
-                                                             [&](float depth) { return surfaces.has(depth); }));
-    RowUnprojection row(*unprojection, *image, surfaces);
+    RowUnprojection pointsOfRow(*unprojection, *image, surfaces, canOverflow(*unprojection, g));
+    constexpr std::size_t kBufferFloats = std::size_t{1} << 16;
+    const std::size_t rowFloats = 3 * image->width;
+    std::vector<float> buffer(std::max(kBufferFloats, rowFloats));
     std::size_t count = seen;
     if (canOverflow(*unprojection, g)) {
         count = 0;
         for (std::size_t j = 0; j < image->height; ++j)
-            count += row.unproject(j);
+            count += pointsOfRow(j, buffer.data());
     }
 
     ByteSink sink(options.output);
@@ -143,12 +177,14 @@ ExitCode runCloud(const CloudOptions &options)
         return ExitCode::UnusableInput;
     sink.write("ply\nformat binary_little_endian 1.0\ncomment world coordinates\nelement vertex " + std::to_string(count)
                + "\nproperty float x\nproperty float y\nproperty float z\nend_header\n");
-    std::string bytes;
+    std::size_t filled = 0;
     for (std::size_t j = 0; j < image->height && sink.state() == ByteSink::State::Open; ++j) {
-        const std::size_t found = row.unproject(j);
-        bytes.clear();
-        appendLittleEndian(bytes, row.points(), 3 * found);
-        sink.write(bytes);
+        filled += 3 * pointsOfRow(j, buffer.data() + filled);
+        if (filled + rowFloats > buffer.size() || j + 1 == image->height) {
+            makeLittleEndian({buffer.data(), filled});
+            sink.write({reinterpret_cast<const char *>(buffer.data()), filled * sizeof(float)});
+            filled = 0;
+        }
     }
     sink.flush();
     if (sink.state() == ByteSink::State::Failed)

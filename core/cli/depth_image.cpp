@@ -13,6 +13,7 @@ namespace unprojector {
 namespace {
 
 constexpr std::size_t kMostSide = 65536;
+constexpr std::size_t kBlock = std::size_t{1} << 16; ///< depths that are read at a time
 
 struct Size {
     std::size_t width = 0, height = 0;
@@ -96,15 +97,6 @@ private:
     std::size_t m_at = 0;
 };
 
-/// Floats as they lie in a file to this machine's.
-void swapBytes(float *values, std::size_t count)
-{
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto bits = std::bit_cast<std::uint32_t>(values[i]);
-        values[i] = std::bit_cast<float>(bits << 24 | (bits & 0xff00) << 8 | (bits >> 8 & 0xff00) | bits >> 24);
-    }
-}
-
 /// What a header says of the pixels behind it.
 struct Layout {
     enum class Kind { Raw, Pfm, Pgm } kind = Kind::Raw;
@@ -141,29 +133,26 @@ std::optional<Layout> layoutOf(Bytes &bytes)
     return layout;
 }
 
-/// Reads the rows into their places. False at a file that is too short.
-bool readRows(Bytes &bytes, const Layout &layout, double depthLow, double depthHigh, DepthImage &image)
+bool readFloats(Bytes &bytes, const Layout &layout, std::span<float> depths)
 {
-    const std::size_t pixelBytes = layout.greatest > 255.0 ? 2 : 1; // of a PGM
-    std::string row(layout.kind == Layout::Kind::Pgm ? image.width * pixelBytes : 0, '\0');
-    for (std::size_t j = 0; j < image.height; ++j) {
-        const std::size_t place = layout.kind == Layout::Kind::Pfm ? image.height - 1 - j : j;
-        float *depths = image.depths.data() + place * image.width;
-        if (layout.kind != Layout::Kind::Pgm) {
-            if (!bytes.read(reinterpret_cast<char *>(depths), image.width * sizeof(float)))
-                return false;
-            if (layout.isLittleEndian != (std::endian::native == std::endian::little))
-                swapBytes(depths, image.width);
-            continue;
-        }
-        if (!bytes.read(row.data(), row.size()))
-            return false;
-        for (std::size_t i = 0; i < image.width; ++i) {
-            unsigned value = static_cast<unsigned char>(row[i * pixelBytes]);
-            if (pixelBytes == 2)
-                value = value << 8 | static_cast<unsigned char>(row[i * pixelBytes + 1]);
-            depths[i] = static_cast<float>(depthLow + value / layout.greatest * (depthHigh - depthLow));
-        }
+    if (!bytes.read(reinterpret_cast<char *>(depths.data()), depths.size_bytes()))
+        return false;
+    if (layout.isLittleEndian != (std::endian::native == std::endian::little))
+        swapBytes(depths);
+    return true;
+}
+
+bool readIntegers(Bytes &bytes, const Layout &layout, double depthLow, double depthHigh, std::span<float> depths)
+{
+    const std::size_t pixelBytes = layout.greatest > 255.0 ? 2 : 1;
+    std::string pixels(depths.size() * pixelBytes, '\0');
+    if (!bytes.read(pixels.data(), pixels.size()))
+        return false;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        unsigned value = static_cast<unsigned char>(pixels[i * pixelBytes]);
+        if (pixelBytes == 2)
+            value = value << 8 | static_cast<unsigned char>(pixels[i * pixelBytes + 1]);
+        depths[i] = static_cast<float>(depthLow + value / layout.greatest * (depthHigh - depthLow));
     }
     return true;
 }
@@ -175,9 +164,18 @@ std::string shown(const Size &size)
 
 } // namespace
 
+void swapBytes(std::span<float> values)
+{
+    for (float &value : values) {
+        const auto bits = std::bit_cast<std::uint32_t>(value);
+        value = std::bit_cast<float>(bits << 24 | (bits & 0xff00) << 8 | (bits >> 8 & 0xff00) | bits >> 24);
+    }
+}
+
 std::optional<DepthImage> readDepthImage(const std::string &file, const std::string &sizeText,
                                          std::size_t expectedWidth, std::size_t expectedHeight, double depthLow,
-                                         double depthHigh)
+                                         double depthHigh,
+                                         const std::function<void(std::span<const float>)> &onRead)
 {
     std::optional<Size> given;
     if (!sizeText.empty()) {
@@ -209,9 +207,16 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
     if (size.width != expectedWidth || size.height != expectedHeight)
         return refuse("the picture has " + shown(size) + ", the scene's window " + shown({expectedWidth, expectedHeight}));
 
-    DepthImage image{size.width, size.height, std::vector<float>(size.width * size.height)};
-    if (!readRows(bytes, *layout, depthLow, depthHigh, image))
-        return refuse("the file is too short for " + shown(size));
+    DepthImage image{size.width, size.height, std::make_unique_for_overwrite<float[]>(size.width * size.height),
+                     layout->kind == Layout::Kind::Pfm};
+    const std::span<float> all(image.depths.get(), size.width * size.height);
+    for (std::size_t start = 0; start < all.size(); start += kBlock) {
+        const std::span<float> block = all.subspan(start, std::min(kBlock, all.size() - start));
+        if (!(layout->kind == Layout::Kind::Pgm ? readIntegers(bytes, *layout, depthLow, depthHigh, block)
+                                                : readFloats(bytes, *layout, block)))
+            return refuse("the file is too short for " + shown(size));
+        onRead(block);
+    }
     char more = 0;
     if (bytes.read(&more, 1))
         return refuse("the file is too long for " + shown(size));

@@ -5,6 +5,7 @@
 #include "core/unproject_matrix_inverse.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <system_error>
@@ -394,12 +395,14 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
     if (!stream)
         return failed(SceneFileErrorCode::NotReadable, system ? system.message() : std::string());
 
-    // One byte more than there may be: enough to know that the file is too large, whatever it is.
-    std::string text(kMostSceneBytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    std::string text;
+    std::array<char, 65536> block;
+    do { // A block more than there may be is enough to know that the file is too large, whatever it is.
+        stream.read(block.data(), block.size());
+        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    } while (stream && text.size() <= kMostSceneBytes);
     if (stream.bad())
         return failed(SceneFileErrorCode::NotReadable);
-    text.resize(static_cast<std::size_t>(stream.gcount()));
     return parseScene(text, utf8(file));
 }
 
