@@ -288,25 +288,35 @@ Result<BatchUnprojection> BatchUnprojection::byMatrix(const PictureGeometry &geo
     return BatchUnprojection(Kind(constants));
 }
 
+template <class Loops, class Call>
+auto BatchUnprojection::withLoop(const Loops &loops, const Call &call) const
+{
+    if (const auto *perspective = std::get_if<Perspective>(&m_constants))
+        return call(loops.perspective, *perspective);
+    if (const auto *box = std::get_if<Box>(&m_constants))
+        return call(loops.box, *box);
+    return call(loops.matrix, *std::get_if<batch::MatrixConstants>(&m_constants));
+}
+
 template <class Scalar>
 void BatchUnprojection::operator()(const BatchInput<Scalar> &input, const BatchOutput<Scalar> &output,
                                    std::size_t count, InstructionSet set) const
 {
-    const auto run = [&](const batch::KernelsOf<Scalar> &k) {
-        const auto call = [&](auto kernel, const auto &constants) {
-            kernel(constants, input.px, input.py, input.depth, output.x, output.y, output.z, count);
-        };
-        if (const auto *perspective = std::get_if<Perspective>(&m_constants))
-            call(k.perspective, *perspective);
-        else if (const auto *box = std::get_if<Box>(&m_constants))
-            call(k.box, *box);
-        else
-            call(k.matrix, *std::get_if<batch::MatrixConstants>(&m_constants));
+    const auto run = [&](const auto &loops) {
+        withLoop(loops, [&](auto loop, const auto &constants) {
+            loop(constants, input.px, input.py, input.depth, output.x, output.y, output.z, count);
+        });
     };
     if constexpr (std::is_same_v<Scalar, double>)
         run(kernels(set).ofDoubles);
     else
         run(kernels(set).ofFloats);
+}
+
+std::size_t BatchUnprojection::operator()(const batch::DepthRow &row, float *points, InstructionSet set) const
+{
+    return withLoop(kernels(set).ofRows,
+                    [&](auto loop, const auto &constants) { return loop(constants, row, points); });
 }
 
 template void BatchUnprojection::operator()<double>(const BatchInput<double> &, const BatchOutput<double> &,

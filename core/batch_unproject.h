@@ -64,7 +64,17 @@ public:
     void operator()(const BatchInput<Scalar> &input, const BatchOutput<Scalar> &output, std::size_t count,
                     InstructionSet set = availableInstructionSets().back()) const;
 
+    /// The points under the pixels of a row of a depth image, in float; background costs little.
+    /// @param points  room for as many as the row has pixels, x, y, z one after the other; behind those written, scratch
+    /// @return how many were written
+    std::size_t operator()(const batch::DepthRow &row, float *points,
+                           InstructionSet set = availableInstructionSets().back()) const;
+
 private:
+    /// Calls the loop of a table that fits, with its constants.
+    template <class Loops, class Call>
+    auto withLoop(const Loops &loops, const Call &call) const;
+
     struct Perspective : batch::ClosedFormConstants {
     };
     struct Box : batch::ClosedFormConstants {

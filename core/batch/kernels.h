@@ -7,7 +7,7 @@
 /// digits.
 namespace unprojector::batch {
 
-/// Eye to target space of a closed form: p = origin + z (ahead + X across + Y down), or for a box
+/// Eye to target space of a closed form: p = origin + z (X across + Y down + ahead), or for a box
 /// p = origin + X across + Y down + z ahead, with X and Y counted in pixels from the view axis.
 struct ClosedFormConstants {
     double axisX, axisY;         ///< device position that the view axis goes through
@@ -39,10 +39,30 @@ struct KernelsOf {
     Kernel<Scalar, MatrixConstants> matrix;
 };
 
+/// A row of a depth image: the depth i is that of the device position (i + 1/2, py).
+struct DepthRow {
+    const float *depth;
+    std::size_t count;
+    double py;
+    float lowest, highest; ///< depths outside (NaN too) are passed over
+    bool canOverflow;      ///< whether points may leave the range of float; those are passed over, too
+};
+
+/// @param points  room for count of them, x, y, z one after the other; behind those written, scratch
+/// @return how many were written
+template <class Constants>
+using RowKernel = std::size_t (*)(const Constants &, const DepthRow &, float *points);
+
+struct RowKernels {
+    RowKernel<ClosedFormConstants> perspective, box;
+    RowKernel<MatrixConstants> matrix;
+};
+
 /// The loops of one instruction set. They compute in double, whatever the arrays hold.
 struct Kernels {
     KernelsOf<double> ofDoubles;
     KernelsOf<float> ofFloats;
+    RowKernels ofRows;
 };
 
 extern const Kernels kBaselineKernels;

@@ -6,52 +6,82 @@
 #include "core/batch/kernels.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace unprojector::batch {
 namespace {
 
-/// The sum of products that ends both closed forms: origin + ((across X + down Y) + ahead Z).
-inline void place(const ClosedFormConstants &c, Pack across, Pack down, Pack distance, Pack (&p)[3])
-{
-    for (int k = 0; k < 3; ++k) {
-        p[k] = Pack(c.origin[k])
-               + ((Pack(c.across[k]) * across + Pack(c.down[k]) * down) + Pack(c.ahead[k]) * distance);
-    }
-}
+// Each method: what it needs of a row of the picture, which images have in common, and the points on it.
 
-struct Perspective {
+/// p = origin + z (across X + (down Y + ahead))
+class Perspective {
+public:
     using Constants = ClosedFormConstants;
-    static void unproject(const Constants &c, Pack px, Pack py, Pack d, Pack (&p)[3])
+
+    Perspective(const Constants &c, Pack py)
+    {
+        const Pack y = (py - Pack(c.axisY)) - Pack(c.axisYRest);
+        for (int k = 0; k < 3; ++k)
+            m_direction[k] = Pack(c.down[k]) * y + Pack(c.ahead[k]);
+    }
+    void unproject(const Constants &c, Pack px, Pack d, Pack (&p)[3]) const
     {
         const Pack distance =
             Pack(c.nearTerm) / ((Pack(c.depthAtFar) - d) + (d - Pack(c.depthAtNear)) * Pack(c.farTerm));
-        const Pack across = ((px - Pack(c.axisX)) - Pack(c.axisXRest)) * distance;
-        const Pack down = ((py - Pack(c.axisY)) - Pack(c.axisYRest)) * distance;
-        place(c, across, down, distance, p);
+        const Pack x = (px - Pack(c.axisX)) - Pack(c.axisXRest);
+        for (int k = 0; k < 3; ++k)
+            p[k] = Pack(c.origin[k]) + (Pack(c.across[k]) * x + m_direction[k]) * distance;
     }
+
+private:
+    Pack m_direction[3];
 };
 
-struct Box {
+/// p = origin + ((across X + down Y) + z ahead). The origin last: it may be large and cancel.
+class Box {
+public:
     using Constants = ClosedFormConstants;
-    static void unproject(const Constants &c, Pack px, Pack py, Pack d, Pack (&p)[3])
+
+    Box(const Constants &c, Pack py)
+    {
+        const Pack y = (py - Pack(c.axisY)) - Pack(c.axisYRest);
+        for (int k = 0; k < 3; ++k)
+            m_down[k] = Pack(c.down[k]) * y;
+    }
+    void unproject(const Constants &c, Pack px, Pack d, Pack (&p)[3]) const
     {
         const Pack distance =
             (Pack(c.depthAtFar) - d) * Pack(c.nearTerm) + (d - Pack(c.depthAtNear)) * Pack(c.farTerm);
-        place(c, (px - Pack(c.axisX)) - Pack(c.axisXRest), (py - Pack(c.axisY)) - Pack(c.axisYRest), distance, p);
+        const Pack x = (px - Pack(c.axisX)) - Pack(c.axisXRest);
+        for (int k = 0; k < 3; ++k)
+            p[k] = Pack(c.origin[k]) + ((Pack(c.across[k]) * x + m_down[k]) + Pack(c.ahead[k]) * distance);
     }
+
+private:
+    Pack m_down[3];
 };
 
-struct Matrix {
+class Matrix {
+public:
     using Constants = MatrixConstants;
-    static void unproject(const Constants &c, Pack px, Pack py, Pack d, Pack (&p)[3])
+
+    Matrix(const Constants &c, Pack py)
     {
-        const auto row = [&](const double(&r)[4]) {
-            return (Pack(r[0]) * px + Pack(r[1]) * py) + (Pack(r[2]) * d + Pack(r[3]));
-        };
-        const Pack reciprocal = Pack(1.0) / row(c.rows[3]);
-        for (int k = 0; k < 3; ++k)
-            p[k] = row(c.rows[k]) * reciprocal;
+        for (int row = 0; row < 4; ++row)
+            m_constant[row] = Pack(c.rows[row][1]) * py + Pack(c.rows[row][3]);
     }
+    void unproject(const Constants &c, Pack px, Pack d, Pack (&p)[3]) const
+    {
+        const auto product = [&](int row) {
+            return (Pack(c.rows[row][0]) * px + m_constant[row]) + Pack(c.rows[row][2]) * d;
+        };
+        const Pack reciprocal = Pack(1.0) / product(3);
+        for (int k = 0; k < 3; ++k)
+            p[k] = product(k) * reciprocal;
+    }
+
+private:
+    Pack m_constant[4];
 };
 
 template <class Scalar>
@@ -105,7 +135,8 @@ private:
         std::size_t i = begin;
         for (; i + Pack::kLanes <= end; i += Pack::kLanes) {
             Pack p[3];
-            Method::unproject(m_constants, Pack::loaded(m_px + i), Pack::loaded(m_py + i), Pack::loaded(m_depth + i), p);
+            Method(m_constants, Pack::loaded(m_py + i))
+                .unproject(m_constants, Pack::loaded(m_px + i), Pack::loaded(m_depth + i), p);
             if constexpr (streams) {
                 p[0].stream(m_x + i);
                 p[1].stream(m_y + i);
@@ -129,7 +160,7 @@ private:
             in[2][i - begin] = m_depth[i];
         }
         Pack p[3];
-        Method::unproject(m_constants, Pack::loaded(in[0]), Pack::loaded(in[1]), Pack::loaded(in[2]), p);
+        Method(m_constants, Pack::loaded(in[1])).unproject(m_constants, Pack::loaded(in[0]), Pack::loaded(in[2]), p);
         for (int k = 0; k < 3; ++k)
             p[k].store(out[k]);
         for (std::size_t i = begin; i < end; ++i) {
@@ -155,10 +186,72 @@ void unproject(const typename Method::Constants &constants, const Scalar *px, co
         loop.run(0, count);
 }
 
+constexpr unsigned kAllLanes = (1u << Pack::kLanes) - 1;
+
+/// The lanes whose coordinates round to a finite float.
+inline unsigned finiteAsFloats(const Pack (&p)[3])
+{
+    constexpr double kRoundsToInfinity = 0x1.ffffffp127;
+    unsigned lanes = kAllLanes;
+    for (const Pack &coordinates : p)
+        lanes &= coordinates.between(-kRoundsToInfinity, kRoundsToInfinity);
+    return lanes;
+}
+
+/// Appends the points of some lanes.
+inline float *appended(const Pack (&p)[3], unsigned lanes, float *next)
+{
+    if (lanes == kAllLanes) {
+        Pack::storeInterleaved(p, next);
+        return next + 3 * Pack::kLanes;
+    }
+    float of[3][Pack::kLanes];
+    for (int k = 0; k < 3; ++k)
+        p[k].store(of[k]);
+    for (std::size_t i = 0; i < Pack::kLanes; ++i) {
+        for (int k = 0; k < 3; ++k)
+            next[k] = of[k][i];
+        next += 3 * (lanes >> i & 1);
+    }
+    return next;
+}
+
+template <class Method>
+std::size_t unprojectRow(const typename Method::Constants &constants, const DepthRow &row, float *points)
+{
+    const typename Method::Constants c = constants; // no store can change it
+    const Method method(c, Pack(row.py));
+    const auto addPoints = [&](const float *depth, Pack px, float *next) {
+        unsigned lanes = Pack::between(depth, row.lowest, row.highest);
+        if (lanes == 0)
+            return next;
+        Pack p[3];
+        method.unproject(c, px, Pack::loaded(depth), p);
+        if (row.canOverflow)
+            lanes &= finiteAsFloats(p);
+        return appended(p, lanes, next);
+    };
+    float *next = points;
+    Pack px = Pack::counted() + Pack(0.5);
+    std::size_t i = 0;
+    for (; i + Pack::kLanes <= row.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes)))
+        next = addPoints(row.depth + i, px, next);
+    if (i < row.count) {
+        float depth[Pack::kLanes], last[3 * Pack::kLanes];
+        for (std::size_t lane = 0; lane < Pack::kLanes; ++lane)
+            depth[lane] = i + lane < row.count ? row.depth[i + lane] : std::numeric_limits<float>::quiet_NaN();
+        const float *end = addPoints(depth, px, last);
+        for (const float *from = last; from != end; ++from)
+            *next++ = *from;
+    }
+    return static_cast<std::size_t>(next - points) / 3;
+}
+
 } // namespace
 
 const Kernels UNPROJECTOR_KERNELS{
     {unproject<Perspective, double>, unproject<Box, double>, unproject<Matrix, double>},
-    {unproject<Perspective, float>, unproject<Box, float>, unproject<Matrix, float>}};
+    {unproject<Perspective, float>, unproject<Box, float>, unproject<Matrix, float>},
+    {unprojectRow<Perspective>, unprojectRow<Box>, unprojectRow<Matrix>}};
 
 } // namespace unprojector::batch

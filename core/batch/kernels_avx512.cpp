@@ -20,6 +20,30 @@ struct Pack {
     void stream(double *to) const { _mm512_stream_pd(to, lanes); }
     void stream(float *to) const { _mm256_stream_ps(to, asFloats()); }
     static void finishStreaming() { _mm_sfence(); }
+    static Pack counted() { return _mm512_set_pd(7, 6, 5, 4, 3, 2, 1, 0); }
+    /// One bit a lane.
+    unsigned between(double low, double high) const
+    {
+        return _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(low), _CMP_GT_OQ)
+               & _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(high), _CMP_LT_OQ);
+    }
+    /// The ends included.
+    static unsigned between(const float *values, float low, float high)
+    {
+        const __m256 v = _mm256_loadu_ps(values);
+        return _mm256_cmp_ps_mask(v, _mm256_set1_ps(low), _CMP_GE_OQ)
+               & _mm256_cmp_ps_mask(v, _mm256_set1_ps(high), _CMP_LE_OQ);
+    }
+    /// x0 y0 z0 x1 y1 z1 ...
+    static void storeInterleaved(const Pack (&p)[3], float *to)
+    {
+        const __m512 xy = _mm512_insertf32x8(_mm512_castps256_ps512(p[0].asFloats()), p[1].asFloats(), 1);
+        const __m512 z = _mm512_castps256_ps512(p[2].asFloats());
+        const __m512i first = _mm512_set_epi32(5, 20, 12, 4, 19, 11, 3, 18, 10, 2, 17, 9, 1, 16, 8, 0);
+        const __m512i second = _mm512_set_epi32(0, 0, 0, 0, 0, 0, 0, 0, 23, 15, 7, 22, 14, 6, 21, 13);
+        _mm512_storeu_ps(to, _mm512_permutex2var_ps(xy, first, z));
+        _mm512_mask_storeu_ps(to + 16, 0xff, _mm512_permutex2var_ps(xy, second, z));
+    }
     friend Pack operator+(Pack a, Pack b) { return _mm512_add_pd(a.lanes, b.lanes); }
     friend Pack operator-(Pack a, Pack b) { return _mm512_sub_pd(a.lanes, b.lanes); }
     friend Pack operator*(Pack a, Pack b) { return _mm512_mul_pd(a.lanes, b.lanes); }

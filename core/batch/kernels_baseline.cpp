@@ -26,6 +26,27 @@ struct Pack {
     void stream(double *to) const { _mm_stream_pd(to, lanes); }
     void stream(float *to) const { _mm_stream_si64(reinterpret_cast<long long *>(to), _mm_cvtsi128_si64(asFloats())); }
     static void finishStreaming() { _mm_sfence(); }
+    static Pack counted() { return _mm_set_pd(1, 0); }
+    /// One bit a lane.
+    unsigned between(double low, double high) const
+    {
+        return static_cast<unsigned>(
+            _mm_movemask_pd(_mm_and_pd(_mm_cmpgt_pd(lanes, _mm_set1_pd(low)), _mm_cmplt_pd(lanes, _mm_set1_pd(high)))));
+    }
+    /// The ends included.
+    static unsigned between(const float *values, float low, float high)
+    {
+        return unsigned(values[0] >= low && values[0] <= high) | unsigned(values[1] >= low && values[1] <= high) << 1;
+    }
+    /// x0 y0 z0 x1 y1 z1
+    static void storeInterleaved(const Pack (&p)[3], float *to)
+    {
+        float of[3][2];
+        for (int k = 0; k < 3; ++k)
+            p[k].store(of[k]);
+        for (int i = 0; i < 6; ++i)
+            to[i] = of[i % 3][i / 3];
+    }
     friend Pack operator+(Pack a, Pack b) { return _mm_add_pd(a.lanes, b.lanes); }
     friend Pack operator-(Pack a, Pack b) { return _mm_sub_pd(a.lanes, b.lanes); }
     friend Pack operator*(Pack a, Pack b) { return _mm_mul_pd(a.lanes, b.lanes); }
@@ -60,6 +81,14 @@ struct Pack {
         store(to);
     }
     static void finishStreaming() {}
+    static Pack counted() { return Pack(0.0); }
+    unsigned between(double low, double high) const { return lane > low && lane < high; }
+    static unsigned between(const float *value, float low, float high) { return *value >= low && *value <= high; }
+    static void storeInterleaved(const Pack (&p)[3], float *to)
+    {
+        for (int k = 0; k < 3; ++k)
+            p[k].store(to + k);
+    }
     friend Pack operator+(Pack a, Pack b) { return Pack(a.lane + b.lane); }
     friend Pack operator-(Pack a, Pack b) { return Pack(a.lane - b.lane); }
     friend Pack operator*(Pack a, Pack b) { return Pack(a.lane * b.lane); }

@@ -174,8 +174,7 @@ void swapBytes(std::span<float> values)
 
 std::optional<DepthImage> readDepthImage(const std::string &file, const std::string &sizeText,
                                          std::size_t expectedWidth, std::size_t expectedHeight, double depthLow,
-                                         double depthHigh,
-                                         const std::function<void(std::span<const float>)> &onRead)
+                                         double depthHigh, const std::function<void(std::span<const float>)> &onRead)
 {
     std::optional<Size> given;
     if (!sizeText.empty()) {

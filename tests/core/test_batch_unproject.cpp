@@ -123,6 +123,9 @@ private slots:
     void everyInstructionSetGivesTheSameDigits();
     void manyPointsAreThoseOfFew_data();
     void manyPointsAreThoseOfFew();
+    void rowsAreTheSurfacesOfABatch_data() { addKinds(); }
+    void rowsAreTheSurfacesOfABatch();
+    void rowsLeaveOutWhatNoFloatHolds();
     void matrixAgreesWithTheFormula_data() { addKinds(); }
     void matrixAgreesWithTheFormula();
     void matricesOfOtherPrograms_data();
@@ -285,6 +288,63 @@ void TestBatchUnproject::manyPointsAreThoseOfFew()
     for (const InstructionSet set : availableInstructionSets()) {
         checkManyAgainstFew<double>(*unprojection, starts, set);
         checkManyAgainstFew<float>(*unprojection, starts, set);
+    }
+}
+
+/// Surfaces everywhere, nowhere and here and there, over more than some packs and a rest.
+void TestBatchUnproject::rowsAreTheSurfacesOfABatch()
+{
+    QFETCH(RandomKind, kind);
+    constexpr std::size_t kWidth = 83;
+    oracle::Random random(8);
+    for (int count = 0; count < 20; ++count) {
+        SceneLimits limits;
+        limits.plainTarget = true;
+        const oracle::Scene s = oracle::randomScene(random, kind, limits);
+        Triples<float> pixels(kWidth);
+        for (std::size_t i = 0; i < kWidth; ++i) {
+            pixels.of[0][i] = static_cast<float>(i) + 0.5f;
+            pixels.of[1][i] = 7.5f;
+            pixels.of[2][i] = static_cast<float>(i * 37 % kWidth) / float(kWidth);
+        }
+        pixels.of[2][3] = std::numeric_limits<float>::quiet_NaN();
+        for (const auto &[lowest, highest] : {std::pair(0.0f, 1.0f), std::pair(0.25f, 0.5f), std::pair(2.0f, 3.0f)}) {
+            for (const auto &unprojection :
+                 {BatchUnprojection::byFormula(geometryOf(s), {}), BatchUnprojection::byMatrix(geometryOf(s), {})}) {
+                const Triples<float> all = unprojected(*unprojection, pixels, InstructionSet::Baseline);
+                std::vector<float> expected;
+                for (std::size_t i = 0; i < kWidth; ++i) {
+                    const float depth = pixels.of[2][i];
+                    if (depth >= lowest && depth <= highest)
+                        expected.insert(expected.end(), {all.of[0][i], all.of[1][i], all.of[2][i]});
+                }
+                for (const InstructionSet set : availableInstructionSets()) {
+                    std::vector<float> points(3 * kWidth);
+                    const batch::DepthRow row{pixels.of[2].data(), kWidth, 7.5, lowest, highest, false};
+                    points.resize(3 * (*unprojection)(row, points.data(), set));
+                    QCOMPARE(points, expected);
+                }
+            }
+        }
+    }
+}
+
+void TestBatchUnproject::rowsLeaveOutWhatNoFloatHolds()
+{
+    PictureGeometry g;
+    g.surface = {40, 1, 1.0};
+    g.viewport = wholeSurface(g.surface);
+    g.projection = Ortho{0.0, 4e39, -1.0, 1.0, 1.0, 3.0}; // pixel i at x = (i + 1/2) 1e38; floats end at 3.4e38
+    g.view = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
+    const std::vector<float> depths(40, 0.5f);
+    const auto unprojection = BatchUnprojection::byFormula(g, {});
+    for (const InstructionSet set : availableInstructionSets()) {
+        std::vector<float> points(120);
+        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.0f, 1.0f, true}, points.data(), set), std::size_t(3));
+        QCOMPARE(points[0], 0.5e38f);
+        QCOMPARE(points[6], 2.5e38f);
+        QCOMPARE(points[8], -2.0f);
+        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.0f, 1.0f, false}, points.data(), set), std::size_t(40));
     }
 }
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/batch_unproject.h"
+#include "core/cli/depth_image.h"
+
+#include <span>
+
+namespace unprojector {
+
+/// Which depths are of a surface: inside the range, and not the one that the buffer was cleared to, the far end's.
+class Surfaces {
+public:
+    explicit Surfaces(const DepthRange &range);
+
+    float lowest() const { return m_low; }
+    float highest() const { return m_high; }
+    std::size_t countIn(std::span<const float> depths) const;
+
+private:
+    float m_low, m_high;
+};
+
+/// The points under the pixels of a depth image in single precision, a row at a time, so that everything stays in the
+/// processor's cache.
+class DepthCloud {
+public:
+    /// @param image  kept by reference; as large as the picture's surface
+    DepthCloud(const BatchUnprojection &unprojection, const PictureGeometry &picture, const DepthImage &image);
+
+    /// Whether the numbers of some pixel could leave the range of single precision.
+    bool canOverflow() const { return m_canOverflow; }
+
+    /// @param j  from the top
+    /// @param points  room for as many points as the row has pixels: x, y, z one after the other. Those behind the
+    ///        last one kept are scratch.
+    /// @return how many points of the row are of a surface and have finite coordinates
+    std::size_t row(std::size_t j, float *points) const;
+
+private:
+    BatchUnprojection m_unprojection;
+    const DepthImage &m_image;
+    Surfaces m_surfaces;
+    bool m_canOverflow;
+};
+
+} // namespace unprojector
