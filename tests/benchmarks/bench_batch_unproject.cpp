@@ -5,6 +5,9 @@
 
 #include <benchmark/benchmark.h>
 #include <glm/gtc/matrix_transform.hpp>
+#ifdef UNPROJECTOR_GLU
+#include <GL/glu.h>
+#endif
 
 #include <cstring>
 #include <random>
@@ -105,6 +108,24 @@ void glmUnProject(benchmark::State &state)
     finish(state);
 }
 
+#ifdef UNPROJECTOR_GLU
+void gluUnProjectEach(benchmark::State &state)
+{
+    const PictureGeometry g = geometry();
+    Arrays<double> &a = arrays<double>();
+    const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
+    const GLint viewport[4] = {0, 0, GLint(g.viewport.width), GLint(g.viewport.height)};
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            gluUnProject(a.in[0][i], 2160.0 - a.in[1][i], a.in[2][i], &view[0][0], &projection[0][0], viewport,
+                         &a.out[0][i], &a.out[1][i], &a.out[2][i]);
+        }
+        benchmark::ClobberMemory();
+    }
+    finish(state);
+}
+#endif
+
 void glmInverseOnce(benchmark::State &state)
 {
     const PictureGeometry g = geometry();
@@ -159,6 +180,9 @@ int main(int argc, char **argv)
     registerBatches<float>("float");
     benchmark::RegisterBenchmark("glm::unProject/double", glmUnProject);
     benchmark::RegisterBenchmark("glm inverse once/double", glmInverseOnce);
+#ifdef UNPROJECTOR_GLU
+    benchmark::RegisterBenchmark("gluUnProject/double", gluUnProjectEach);
+#endif
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 1;

@@ -149,14 +149,7 @@ void TestBatchUnproject::unitsInTheLastPlace()
 {
     QFETCH(double, nearDistance);
     QFETCH(double, farDistance);
-    SceneLimits limits;
-    limits.fixedClipDistances = true;
-    limits.nearLow = nearDistance;
-    limits.farHigh = farDistance;
-    limits.eyeHigh = farDistance;
-    limits.leastUpSine = 0.1;
-    limits.largestTangent = 2.0;
-    limits.plainTarget = true;
+    const SceneLimits limits = oracle::everydayScenes(nearDistance, farDistance);
 
     oracle::Random random(7);
     std::vector<double> errors;

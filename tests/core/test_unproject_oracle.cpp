@@ -417,20 +417,12 @@ void TestUnprojectOracle::unitsInTheLastPlace_data()
     QTest::newRow("1 : 100") << 1.0 << 100.0;
 }
 
-/// Errors in units in the last place of the exact point's largest world component, for scenes as people have them:
-/// the eye within the far distance of the origin, edges within 63 degrees (a frustum's), up 6 degrees off the view.
+/// Errors in units in the last place of the exact point's largest world component, for scenes as people have them.
 void TestUnprojectOracle::unitsInTheLastPlace()
 {
     QFETCH(double, nearDistance);
     QFETCH(double, farDistance);
-    SceneLimits limits;
-    limits.fixedClipDistances = true;
-    limits.nearLow = nearDistance;
-    limits.farHigh = farDistance;
-    limits.eyeHigh = farDistance;
-    limits.leastUpSine = 0.1;
-    limits.largestTangent = 2.0;
-    limits.plainTarget = true;
+    const SceneLimits limits = oracle::everydayScenes(nearDistance, farDistance);
 
     constexpr quint64 kSeed = 7;
     oracle::Random random(kSeed);

@@ -141,6 +141,19 @@ double Random::logUniform(double low, double high)
     }
 }
 
+SceneLimits everydayScenes(double nearDistance, double farDistance)
+{
+    SceneLimits limits;
+    limits.fixedClipDistances = true;
+    limits.nearLow = nearDistance;
+    limits.farHigh = farDistance;
+    limits.eyeHigh = farDistance;
+    limits.leastUpSine = 0.1;
+    limits.largestTangent = 2.0;
+    limits.plainTarget = true;
+    return limits;
+}
+
 Scene randomScene(Random &random, RandomKind kind, const SceneLimits &limits)
 {
     Scene scene;

@@ -34,6 +34,10 @@ struct SceneLimits {
     bool plainTarget = false;     ///< viewport at the origin, depth range [0, 1]
 };
 
+/// Scenes as people have them: the eye within the far distance of the origin, edges within 63 degrees (a frustum's), up
+/// 6 degrees off the view or more, the viewport the window.
+SceneLimits everydayScenes(double nearDistance, double farDistance);
+
 struct Scene {
     View view;
     Projection projection;
