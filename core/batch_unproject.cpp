@@ -117,7 +117,7 @@ void setAxis(batch::ClosedFormConstants &c, const PictureGeometry &g, const Doub
              const DoubleDouble &fromBottom)
 {
     const DoubleDouble axisX = g.viewport.x + fromLeft;
-    const DoubleDouble axisY = g.surface.heightPixels - (g.viewport.y + fromBottom); // from the top: y down
+    const DoubleDouble axisY = flippedY(g.surface, g.viewport.y + fromBottom);
     c.axisX = axisX.value;
     c.axisXRest = axisX.rest;
     c.axisY = axisY.value;
@@ -266,7 +266,7 @@ Result<BatchUnprojection> BatchUnprojection::byMatrix(const PictureGeometry &geo
     // NDC of a device position: the viewport's inverse, exact where the window's numbers are whole.
     const Viewport &v = geometry.viewport;
     const double centreX = v.x + v.width / 2.0;
-    const double centreY = geometry.surface.heightPixels - (v.y + v.height / 2.0);
+    const double centreY = flippedY(geometry.surface, v.y + v.height / 2.0);
     const double thickness = geometry.depthRange.atFar - geometry.depthRange.atNear;
     const bool zeroToOne = ndcDepthOf(geometry) == NdcDepth::ZeroToOne;
     const glm::dvec3 scale(2.0 / v.width, -2.0 / v.height, (zeroToOne ? 1.0 : 2.0) / thickness);

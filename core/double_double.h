@@ -16,10 +16,28 @@ inline double lostBySum(double a, double b)
     return (a - (sum - bOfSum)) + (b - bOfSum);
 }
 
-/// What the double nearest to a b leaves out, exactly.
+/// A double as the sum of two of 26 bits each, whose products are exact (Veltkamp).
+struct Halves {
+    double high, low;
+
+    explicit Halves(double number)
+    {
+        constexpr double kLarge = 0x1p996, kShrink = 0x1p-28, kGrow = 0x1p28, kSplitter = 0x1p27 + 1.0;
+        const bool isLarge = std::abs(number) > kLarge; // the product with the splitter would overflow
+        const double scaled = isLarge ? number * kShrink : number;
+        const double product = kSplitter * scaled;
+        const double top = product - (product - scaled);
+        high = isLarge ? top * kGrow : top;
+        low = isLarge ? (scaled - top) * kGrow : scaled - top;
+    }
+};
+
+/// What the double nearest to a b leaves out, exactly unless it underflows (Dekker). std::fma would do it in one step, but
+/// not every library rounds it as it should: that of MinGW goes through 64 bits.
 inline double lostByProduct(double a, double b)
 {
-    return std::fma(a, b, -(a * b));
+    const Halves x(a), y(b);
+    return x.low * y.low - (((a * b - x.high * y.high) - x.low * y.high) - x.high * y.low);
 }
 
 /// A number as the unevaluated sum of the double nearest to it and of what that double leaves out: about 32 digits, at the

@@ -96,12 +96,12 @@ int framebufferRow(const Surface &surface, const DevicePixel &pixel)
 
 WindowPoint windowFromDevice(const Surface &surface, const DevicePoint &position, double depth)
 {
-    return WindowPoint(position.x, surface.heightPixels - position.y, depth);
+    return WindowPoint(position.x, flippedY(surface, position.y), depth);
 }
 
 DevicePoint deviceFromWindow(const Surface &surface, const WindowPoint &point)
 {
-    return DevicePoint(point.x, surface.heightPixels - point.y);
+    return DevicePoint(point.x, flippedY(surface, point.y));
 }
 
 WindowPoint windowFromNdc(const Viewport &v, const DepthRange &range, const NdcPoint &point, NdcDepth ndcDepth)

@@ -66,6 +66,13 @@ DevicePoint pixelCenter(const DevicePixel &pixel);
 /// The framebuffer row, counted from the bottom as glReadPixels counts, of a pixel: H - 1 - j.
 int framebufferRow(const Surface &surface, const DevicePixel &pixel);
 
+/// The y flip, from window to device or back: H - y. Everything that turns one into the other goes through it.
+template <class Number>
+Number flippedY(const Surface &surface, const Number &y)
+{
+    return Number(static_cast<double>(surface.heightPixels)) - y;
+}
+
 /// (7) x_v = px and (8) y_v = rect.bottom - py, with rect.bottom = H, the framebuffer's height.
 /// The paper and `zhangci` put an integer py into (8) and so name the pixel's upper edge; here py is continuous and
 /// a pixel's centre has its half.

@@ -175,7 +175,7 @@ QRectF ViewportDrawing::paintWindow(QPainter &painter, const QRectF &area) const
 
     // The viewport may reach over the window's edge: both are shown.
     const QRectF window(0.0, 0.0, s.widthPixels, s.heightPixels);
-    const QRectF viewport(v.x, s.heightPixels - v.y - v.height, v.width, v.height);
+    const QRectF viewport(v.x, flippedY(s, v.y + v.height), v.width, v.height);
     const QRectF both = window.united(viewport);
     const QRectF drawn = fitted(both.size(), area.adjusted(1.0, captionHeight(), -1.0, -captionHeight()));
     const double scale = drawn.width() / both.width();

@@ -78,7 +78,8 @@ glm::dvec3 byUsualFormula(const PictureGeometry &g, const WindowPoint &window)
 glm::dvec3 byGlu(const PictureGeometry &g, const WindowPoint &window)
 {
     const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
-    const GLint viewport[4] = {GLint(g.viewport.x), GLint(g.viewport.y), GLint(g.viewport.width), GLint(g.viewport.height)};
+    const GLint viewport[4] = {GLint(g.viewport.x), GLint(g.viewport.y), GLint(g.viewport.width),
+                               GLint(g.viewport.height)};
     glm::dvec3 p;
     gluUnProject(window.x, window.y, window.z, &view[0][0], &projection[0][0], viewport, &p.x, &p.y, &p.z);
     return p;
@@ -133,8 +134,8 @@ void printRow(double nearDistance, double farDistance)
     std::printf("\n%-38s%12s%12s%12s%12s\n", title, "median", "99 %", "99.99 %", "worst");
     for (auto &[name, errors] : methods) {
         std::sort(errors.begin(), errors.end());
-        std::printf("  %-36s%12.2g%12.2g%12.2g%12.2g\n", name.c_str(), percentile(errors, 0.5), percentile(errors, 0.99),
-                    percentile(errors, 0.9999), errors.back());
+        std::printf("  %-36s%12.2g%12.2g%12.2g%12.2g\n", name.c_str(), percentile(errors, 0.5),
+                    percentile(errors, 0.99), percentile(errors, 0.9999), errors.back());
     }
 }
 
