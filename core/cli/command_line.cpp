@@ -34,24 +34,32 @@ void addChoice(CLI::App &command, const std::string &name, Choice &target, const
         });
 }
 
+/// The options of commands that take rows.
+void addRowOptions(CLI::App &command, RowOptions &options, const std::string &columns, const std::string &spaces)
+{
+    command.add_option("SCENE", options.scene, "Scene file (JSON)")->required();
+    command.add_option("POINTS", options.input, "CSV with the columns " + columns);
+    command.add_option("--space", options.space, "Where the points lie: " + spaces)->default_str("world");
+    addChoice<RowFormat>(command, "--format", options.format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},
+                         "How to write");
+    command.add_flag("--no-header", options.isHeaderless, "Write rows only, to put several results behind each other");
+    command.add_option("--threads", options.threads, "How many threads compute")
+        ->check(CLI::Range(1, 64))->default_str("2");
+}
+
 void addPoints(CLI::App &app, Run &run)
 {
     CLI::App *command = app.add_subcommand("points", "Pixels and depths to points, by the formulas and by the inverted matrix");
     auto options = std::make_shared<PointsOptions>();
-    command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
-    command->add_option("POINTS", options->input,
-                        "CSV with the columns px,py,depth; - or nothing: standard input. px and py are device pixels from "
-                        "the top left corner, the centre of the first pixel is 0.5,0.5");
-    command->add_option("--space", options->space, "Where the points lie: eye, world or object:NAME")->default_str("world");
+    addRowOptions(*command, options->rows,
+                  "px,py,depth; - or nothing: standard input. px and py are device pixels from the top left corner, the "
+                  "centre of the first pixel is 0.5,0.5",
+                  "eye, world or object:NAME");
     addChoice<Methods>(*command, "--method", options->methods,
                        {{"both", Methods::Both}, {"formula", Methods::Formula}, {"matrix", Methods::Matrix}},
                        "How to compute");
-    addChoice<RowFormat>(*command, "--format", options->format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},
-                         "How to write");
     command->add_flag("--pixel", options->isPixel,
                       "px and py are whole indices of pixels; their centres are meant (1/2 is added)");
-    command->add_option("--threads", options->threads, "How many threads compute")
-        ->check(CLI::Range(1, 64))->default_str("2");
     command->footer("Examples:\n"
                     "  unproject points scene.json clicks.csv > points.csv\n"
                     "  printf 'px,py,depth\\n400,300,0.5\\n' | unproject points scene.json -\n"
@@ -64,14 +72,8 @@ void addPoints(CLI::App &app, Run &run)
 void addProject(CLI::App &app, Run &run)
 {
     CLI::App *command = app.add_subcommand("project", "Points to the window, every stage on the way");
-    auto options = std::make_shared<ProjectOptions>();
-    command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
-    command->add_option("POINTS", options->input, "CSV with the columns x,y,z; - or nothing: standard input");
-    command->add_option("--space", options->space, "Where the points lie: world or object:NAME")->default_str("world");
-    addChoice<RowFormat>(*command, "--format", options->format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},
-                         "How to write");
-    command->add_option("--threads", options->threads, "How many threads compute")
-        ->check(CLI::Range(1, 64))->default_str("2");
+    auto options = std::make_shared<RowOptions>();
+    addRowOptions(*command, *options, "x,y,z; - or nothing: standard input", "world or object:NAME");
     command->footer("The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical pixels\n"
                     "from the top left corner); px,py,depth are what 'unproject points' takes.\n"
                     "\n"
@@ -163,7 +165,7 @@ void addScene(CLI::App &app, Run &run)
 
 } // namespace
 
-ExitCode runCommandLine(int argc, char **argv)
+ExitCode runCommandLine(const std::vector<std::string> &arguments)
 {
     CLI::App app("The world coordinates under pixels, computed twice: by formulas in closed form and by the inverted matrix.",
                  "unproject");
@@ -177,7 +179,10 @@ ExitCode runCommandLine(int argc, char **argv)
     addCompare(app, run);
     addMatrices(app, run);
     try {
-        app.parse(argc, argv);
+        std::vector<const char *> words;
+        for (const std::string &argument : arguments)
+            words.push_back(argument.c_str());
+        app.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::ParseError &error) {
         return app.exit(error) == 0 ? ExitCode::Done : ExitCode::UnusableInput;
     }
