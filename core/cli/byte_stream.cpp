@@ -117,14 +117,15 @@ void ByteSink::flush()
 
 void ByteSink::fail()
 {
+    const int error = errno;
+    bool isReaderGone = error == EPIPE;
 #ifdef _WIN32
-    const bool isReaderGone = errno == EPIPE || errno == EINVAL;
-#else
-    const bool isReaderGone = errno == EPIPE;
+    // The C library knows some of the system's words for a closed pipe, and calls the others invalid.
+    isReaderGone = isReaderGone || (error == EINVAL && !regularFileSize(m_file.get()));
 #endif
     m_state = isReaderGone ? State::ReaderGone : State::Failed;
     if (!isReaderGone)
-        complain("the results cannot be written: " + std::generic_category().message(errno));
+        complain("the results cannot be written: " + std::generic_category().message(error));
 }
 
 } // namespace unprojector
