@@ -15,8 +15,8 @@ namespace {
 class Pipeline {
 public:
     Pipeline(LineBlocks &blocks, const ByteSource &source, ByteSink &sink)
-        : m_blocks(blocks), m_sink(sink), m_progress(source.size(), ProgressBar::Unit::Bytes,
-                                                     sink.isTerminal() ? ProgressScreen{} : errorTerminal())
+        : m_blocks(blocks), m_sink(sink),
+          m_progress(source.size(), ProgressBar::Unit::Bytes, sink.isTerminal() ? ProgressScreen{} : errorTerminal())
     {
     }
 

@@ -120,10 +120,10 @@ std::size_t terminalColumns(std::FILE *stream)
 std::optional<std::uint64_t> regularFileSize(std::FILE *stream)
 {
 #ifdef _WIN32
-    struct _stat64 status{};
+    struct _stat64 status {};
     const bool isKnown = _fstat64(_fileno(stream), &status) == 0 && (status.st_mode & _S_IFMT) == _S_IFREG;
 #else
-    struct stat status{};
+    struct stat status {};
     const bool isKnown = fstat(fileno(stream), &status) == 0 && S_ISREG(status.st_mode);
 #endif
     return isKnown ? std::optional(static_cast<std::uint64_t>(status.st_size)) : std::nullopt;

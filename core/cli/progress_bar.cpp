@@ -29,7 +29,7 @@ std::string bytesText(double bytes)
     for (; bytes >= 999.5 && unit + 1 < kUnits.size(); ++unit)
         bytes /= 1000.0;
     std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%.*f %s", bytes < 9.995 && unit > 0 ? 1 : 0, bytes, kUnits[unit]);
+    std::snprintf(text.data(), text.size(), "%.*f %s", bytes < 9.95 && unit > 0 ? 1 : 0, bytes, kUnits[unit]);
     return text.data();
 }
 
@@ -46,7 +46,7 @@ std::string amountText(double amount, ProgressBar::Unit unit)
 std::string timeText(double seconds)
 {
     constexpr double kMost = 359999.0; // 99:59:59
-    const auto whole = static_cast<int>(std::min(std::ceil(seconds), kMost));
+    const auto whole = static_cast<int>(std::min(std::round(seconds), kMost));
     std::array<char, 32> text;
     if (whole >= 3600)
         std::snprintf(text.data(), text.size(), "%d:%02d:%02d", whole / 3600, whole / 60 % 60, whole % 60);
