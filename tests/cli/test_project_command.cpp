@@ -2,6 +2,7 @@
 
 #include "tests/cli/command.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -20,6 +21,10 @@ private slots:
     void literalStages();
     void aPixelRatioDividesTheWidget();
     void backwardOfForwardIsThePoint();
+    void pointsOnThePlanesComeBack_data();
+    void pointsOnThePlanesComeBack();
+    void pointsOutsideStayOutside_data();
+    void pointsOutsideStayOutside();
     void badRowsAreNamed_data();
     void badRowsAreNamed();
     void objectsOwnCoordinates();
@@ -74,6 +79,73 @@ void TestProjectCommand::backwardOfForwardIsThePoint()
     const double expected[] = {0.25, -0.5, 2.0};
     for (int k = 0; k < 3; ++k)
         QVERIFY(std::abs(cells[3 + k].toDouble() - expected[k]) <= 1e-14);
+}
+
+void TestProjectCommand::pointsOnThePlanesComeBack_data()
+{
+    QTest::addColumn<QByteArray>("projection");
+    QTest::addColumn<QByteArray>("depthRange");
+    const char *const frustum =
+        R"({"type": "frustum", "left": -0.1, "right": 0.13, "bottom": -0.07, "top": 0.11, "near": 0.1, "far": 1234.5})";
+    QTest::newRow("frustum") << QByteArray(frustum) << QByteArray("[0, 1]");
+    QTest::newRow("frustum, reversed depths") << QByteArray(frustum) << QByteArray("[1, 0]");
+    QTest::newRow("frustum, part of the depths") << QByteArray(frustum) << QByteArray("[0.1, 0.3]");
+    QTest::newRow("thin box") << QByteArray(
+        R"({"type": "ortho", "left": -1, "right": 1.3, "bottom": -0.7, "top": 1.1, "near": 54.3, "far": 56.1})")
+                              << QByteArray("[0, 1]");
+}
+
+/// Points of a camera that looks askew, on its planes as exactly as doubles can say it: rounding puts many depths outside.
+void TestProjectCommand::pointsOnThePlanesComeBack()
+{
+    QFETCH(QByteArray, projection);
+    QFETCH(QByteArray, depthRange);
+    const QString scene = m_folder.write(
+        "askew.json", R"({"unprojector": 1, "window": {"width": 801, "height": 599},
+        "depthRange": )" + depthRange
+                          + ", \"projection\": " + projection
+                          + R"(, "view": {"eye": [31.7, -12.3, 55.1], "center": [1, 2, 3], "up": [0.1, 1, 0.3]}})");
+    const QByteArray ends = depthRange.mid(1, depthRange.size() - 2);
+    QByteArray pixels("px,py,depth\n");
+    for (const QByteArray &end : {ends.split(',').first(), ends.split(',').last()}) {
+        for (int i = 0; i < 500; ++i)
+            pixels += QByteArray::number(i * 1.61) + ',' + QByteArray::number(i * 1.17) + ',' + end + '\n';
+    }
+    const Run planes = runCommand({"points", "--method", "formula", scene}, pixels);
+    QCOMPARE(planes.exitCode, 0);
+    const Run forward = runCommand({"project", scene}, QByteArray(planes.output).replace("formula_", ""));
+    QCOMPARE(forward.exitCode, 0);
+    const double low = std::min(ends.split(',').first().toDouble(), ends.split(',').last().toDouble());
+    const double high = std::max(ends.split(',').first().toDouble(), ends.split(',').last().toDouble());
+    int outside = 0; // by window_z, which is as it was computed
+    for (const QByteArray &line : forward.lines().mid(1)) {
+        const double windowDepth = line.split(',').at(15).toDouble();
+        outside += windowDepth < low || windowDepth > high ? 1 : 0;
+    }
+    QVERIFY2(outside > 10, QByteArray::number(outside));
+    const Run back = runCommand({"points", scene}, forward.output);
+    QCOMPARE(back.errors, QByteArray());
+    QCOMPARE(back.exitCode, 0);
+}
+
+void TestProjectCommand::pointsOutsideStayOutside_data()
+{
+    QTest::addColumn<QByteArray>("row");
+    QTest::newRow("before the near plane") << QByteArray("0,0,4.000000001");
+    QTest::newRow("before the near plane, by little") << QByteArray("0,0,4.0000000000001");
+    QTest::newRow("behind the far plane") << QByteArray("0,0,0.999999999");
+    QTest::newRow("behind the far plane, by little") << QByteArray("0.5,0.25,0.9999999999995");
+    QTest::newRow("behind the eye") << QByteArray("0,0,6");
+}
+
+void TestProjectCommand::pointsOutsideStayOutside()
+{
+    QFETCH(QByteArray, row);
+    const Run forward = runCommand({"project", m_scene}, "x,y,z\n" + row + '\n');
+    QCOMPARE(forward.exitCode, 0);
+    const Run back = runCommand({"points", m_scene}, forward.output);
+    QCOMPARE(back.exitCode, 1);
+    QVERIFY2(back.errors.contains("lies outside the depth range 0 to 1"), back.errors.constData());
 }
 
 void TestProjectCommand::badRowsAreNamed_data()
