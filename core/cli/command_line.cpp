@@ -44,17 +44,19 @@ void addRowOptions(CLI::App &command, RowOptions &options, const std::string &co
                          "How to write");
     command.add_flag("--no-header", options.isHeaderless, "Write rows only, to put several results behind each other");
     command.add_option("--threads", options.threads, "How many threads compute")
-        ->check(CLI::Range(1, 64))->default_str("2");
+        ->check(CLI::Range(1, 64))
+        ->default_str("2");
 }
 
 void addPoints(CLI::App &app, Run &run)
 {
     CLI::App *command = app.add_subcommand("points", "Pixels and depths to points, by the formulas and by the inverted matrix");
     auto options = std::make_shared<PointsOptions>();
-    addRowOptions(*command, options->rows,
-                  "px,py,depth; - or nothing: standard input. px and py are device pixels from the top left corner, the "
-                  "centre of the first pixel is 0.5,0.5",
-                  "eye, world or object:NAME");
+    addRowOptions(
+        *command, options->rows,
+        "px,py,depth; - or nothing: standard input. px and py are device pixels from the top left corner, the "
+        "centre of the first pixel is 0.5,0.5",
+        "eye, world or object:NAME");
     addChoice<Methods>(*command, "--method", options->methods,
                        {{"both", Methods::Both}, {"formula", Methods::Formula}, {"matrix", Methods::Matrix}},
                        "How to compute");

@@ -126,7 +126,8 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
     if (!blocks.firstLine(first))
         return refuse(source.hasFailed() ? ": cannot be read" : ": is empty; its first line must be " + wanted);
     if (first.isOverlong)
-        return refuse(":1: the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes; it must be " + wanted);
+        return refuse(":1: the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes; it must be "
+                      + wanted);
     const std::string_view header = std::string_view(first.text).substr(0, first.text.find_last_not_of("\r\n") + 1);
     std::vector<std::string_view> found;
     for (std::size_t start = 0; start <= header.size();) {

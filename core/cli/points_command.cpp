@@ -43,12 +43,14 @@ private:
         const double depth = m_rows.values[2][row];
         if (!(depth >= low && depth <= high)) {
             column = 2;
-            return "depth: " + shortestText(depth) + " lies outside the depth range " + shortestText(low) + " to " + shortestText(high);
+            return "depth: " + shortestText(depth) + " lies outside the depth range " + shortestText(low) + " to "
+                   + shortestText(high);
         }
         for (column = 0; m_task.options.isPixel && column < 2; ++column) {
             const double index = m_rows.values[column][row];
             if (index != std::floor(index))
-                return (column == 0 ? "px: " : "py: ") + shortestText(index) + " is not the index of a pixel: it has a fraction";
+                return (column == 0 ? "px: " : "py: ") + shortestText(index)
+                       + " is not the index of a pixel: it has a fraction";
         }
         return {};
     }
@@ -67,7 +69,9 @@ private:
             if (what.empty())
                 continue;
             m_task.reader.complainOf(block, m_rows.lines[i], column, what, messages);
-            m_bad.push_back({i, {shortestText(m_rows.values[0][i]), shortestText(m_rows.values[1][i]), shortestText(m_rows.values[2][i])}});
+            m_bad.push_back({i,
+                             {shortestText(m_rows.values[0][i]), shortestText(m_rows.values[1][i]),
+                              shortestText(m_rows.values[2][i])}});
         }
     }
 
@@ -198,7 +202,11 @@ ExitCode runPoints(const PointsOptions &options)
     if (!rows)
         return ExitCode::UnusableInput;
     const PictureGeometry &geometry = rows->scene.geometry;
-    Task task{options, NumberReader(rows->source.name(), rows->columns), geometry.depthRange, {}, {},
+    Task task{options,
+              NumberReader(rows->source.name(), rows->columns),
+              geometry.depthRange,
+              {},
+              {},
               columnNames(options.methods)};
     prepare(task.formula, options.methods != Methods::Matrix, "formula",
             BatchUnprojection::byFormula(geometry, rows->space), options.rows.scene);

@@ -53,7 +53,8 @@ std::string causeText(const Error &error)
     case ErrorCode::LeftEqualsRight: return value + " must differ from right";
     case ErrorCode::BottomEqualsTop: return value + " must differ from top";
     case ErrorCode::FieldOfViewOutOfRange:
-    case ErrorCode::ShearAngleOutOfRange: return shortestText(degreesFromRadians(error.value)) + " must lie between 0 and 180 degrees";
+    case ErrorCode::ShearAngleOutOfRange:
+        return shortestText(degreesFromRadians(error.value)) + " must lie between 0 and 180 degrees";
     case ErrorCode::AspectNotPositive:
     case ErrorCode::PixelRatioNotPositive: return value + " must be greater than 0";
     case ErrorCode::EyeEqualsCenter: return "must be another point than the eye";
@@ -100,7 +101,8 @@ std::string sentence(const SceneFileError &e)
     case SceneFileErrorCode::NotWhole: return shortestText(e.value) + " must be a whole number";
     case SceneFileErrorCode::OutOfRange:
         return shortestText(e.value) + " must lie between " + shortestText(e.lowest) + " and " + shortestText(e.limit);
-    case SceneFileErrorCode::WrongCount: return "has " + shortestText(e.value) + " elements; it must have " + shortestText(e.limit);
+    case SceneFileErrorCode::WrongCount:
+        return "has " + shortestText(e.value) + " elements; it must have " + shortestText(e.limit);
     case SceneFileErrorCode::TooMany:
         return "has " + shortestText(e.value) + " elements; there may be at most " + shortestText(e.limit);
     case SceneFileErrorCode::UnknownChoice:
