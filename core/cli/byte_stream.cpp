@@ -82,7 +82,7 @@ void ByteSink::Close::operator()(std::FILE *file) const
         std::fclose(file);
 }
 
-ByteSink::ByteSink(const std::string &file)
+ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : file)
 {
     if (file != "-") {
         errno = 0;
@@ -125,7 +125,7 @@ void ByteSink::fail()
 #endif
     m_state = isReaderGone ? State::ReaderGone : State::Failed;
     if (!isReaderGone)
-        complain("the results cannot be written: " + std::generic_category().message(error));
+        complain(m_name + ": cannot be written: " + std::generic_category().message(error));
 }
 
 } // namespace unprojector

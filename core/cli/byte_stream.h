@@ -67,6 +67,7 @@ private:
     void fail();
 
     std::unique_ptr<std::FILE, Close> m_file;
+    std::string m_name;
     State m_state = State::Open;
 };
 

@@ -42,7 +42,6 @@ private slots:
     void everyDigitReadsBack();
     void manyRowsKeepTheirOrder_data();
     void manyRowsKeepTheirOrder();
-    void helpHasExamples();
 
 private:
     Run points(const QByteArray &input, const QStringList &options = {}) const
@@ -234,8 +233,8 @@ void TestPointsCommand::unusableInput_data()
                                    << QByteArray("eye, world or object:NAME");
     QTest::newRow("no such method") << QStringList{"points", "--method", "guess", m_scene, "-"} << good
                                     << QByteArray("both, formula, matrix");
-    QTest::newRow("no such option") << QStringList{"points", "--colour", m_scene, "-"} << good << QByteArray("--colour");
-    QTest::newRow("no command") << QStringList{} << good << QByteArray("subcommand");
+    QTest::newRow("no such option") << QStringList{"points", "--colour", m_scene, "-"} << good
+                                    << QByteArray("--colour");
 }
 
 void TestPointsCommand::unusableInput()
@@ -291,13 +290,6 @@ void TestPointsCommand::manyRowsKeepTheirOrder()
     QCOMPARE(run.errors.count('\n'), 2);
     QVERIFY(run.errors.contains("stdin:70002:9: depth: \"deep\" is not a number"));
     QVERIFY(run.errors.contains("stdin:80002: the line is longer than"));
-}
-
-void TestPointsCommand::helpHasExamples()
-{
-    const Run run = runCommand({"points", "--help"});
-    QCOMPARE(run.exitCode, 0);
-    QVERIFY(run.output.contains("Examples:") && run.output.contains("unproject points scene.json"));
 }
 
 QTEST_GUILESS_MAIN(TestPointsCommand)
