@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
+#include <QSet>
 
 namespace {
 
@@ -161,19 +162,23 @@ void TestSceneInput::everyValueHasItsType_data()
     const QList<std::pair<const char *, QJsonValue>> values{{"null", QJsonValue()},   {"true", true},
                                                             {"a number", 7},          {"a text", "seven"},
                                                             {"a list", QJsonArray{}}, {"an object", QJsonObject{}}};
+    QSet<QByteArray> known; // what one scene has is not tried with the next
     for (const QByteArray &scene : {kScene, kMatrixScene, kPerspectiveScene}) {
         const QJsonValue root = QJsonDocument::fromJson(scene).object();
         QList<Steps> all;
         collect(root, {}, all);
         for (const Steps &steps : std::as_const(all)) {
             const QByteArray path = pathOf(steps).toUtf8();
+            // Of a matrix the last number stands for all.
+            const bool isOneOfMany =
+                valueAt(root, steps.mid(0, steps.size() - 1)).toArray().size() == 16 && steps.last() != 15;
+            if (isOneOfMany || known.contains(path))
+                continue;
+            known.insert(path);
             for (const auto &[name, value] : values) {
                 if (valueAt(root, steps).type() == value.type())
                     continue;
-                QTest::addRow("%s: %s%s", path.constData(), name,
-                              scene == kScene         ? ""
-                              : scene == kMatrixScene ? " (matrix)"
-                                                      : " (perspective)")
+                QTest::addRow("%s: %s", path.constData(), name)
                     << QJsonDocument(replaced(root, steps, value).toObject()).toJson() << ": " + path + ": expected ";
             }
         }
