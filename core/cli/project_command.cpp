@@ -142,8 +142,8 @@ private:
 
 ExitCode runProject(const RowOptions &options)
 {
-    if (options.space == "eye") {
-        complain("--space eye: give world or object:NAME");
+    if (options.space != "world" && !options.space.starts_with("object:")) {
+        complain("--space " + options.space + ": give world or object:NAME");
         return ExitCode::UnusableInput;
     }
     const std::unique_ptr<RowStream> rows = openRows(options, {"x", "y", "z"});
