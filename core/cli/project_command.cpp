@@ -42,12 +42,15 @@ glm::dmat4 viewMagnitudes(const glm::dmat4 &eyeFromWorld)
 }
 
 /// How far rounding can have moved the depth of a point: a few units in the last place of everything that was added up on
-/// the way, carried through the rest of the way.
+/// the way, carried through the rest of the way. 0 in the plane of the eye, where rounding decides everything: the planes are
+/// elsewhere.
 double depthUncertainty(const Task &task, const glm::dvec4 &point, const glm::dvec4 &eye, const glm::dvec4 &clip)
 {
     constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
     const glm::dvec4 ofEye = kRounding * (task.eyeMagnitudes * glm::abs(point));
     const glm::dvec4 ofClip = magnitudes(task.clipFromEye) * (kRounding * glm::abs(eye) + ofEye);
+    if (!(1000.0 * ofClip.w <= std::abs(clip.w)))
+        return 0.0;
     const double ofNdc = (ofClip.z + std::abs(clip.z / clip.w) * ofClip.w) / std::abs(clip.w);
     const auto &[atNear, atFar] = task.geometry.depthRange;
     return ofNdc * std::abs(atFar - atNear) + kRounding * std::max(std::abs(atNear), std::abs(atFar));
