@@ -151,26 +151,23 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
     return columns;
 }
 
-void NumberReader::complainAt(const LineBlock &block, std::uint32_t line, std::size_t cell, std::string_view what,
+void NumberReader::complainAt(const LineBlock &block, const RowPlace &place, std::size_t cell, std::string_view what,
                               std::vector<LineMessage> &messages) const
 {
-    std::string message = m_fileName + ':' + std::to_string(block.firstLine + line);
+    std::string message = m_fileName + ':' + std::to_string(block.firstLine + place.line);
     if (cell != kNoColumn) {
-        std::size_t start = 0;
-        for (std::uint32_t n = 0; n < line; ++n)
-            start = block.text.find('\n', start) + 1;
-        const std::string_view rest = std::string_view(block.text).substr(start);
-        const std::string_view text = rest.substr(0, std::min(rest.find('\n'), rest.size()));
-        message += ':' + std::to_string(placeOf(text, cell) + 1);
+        const std::string_view rest = std::string_view(block.text).substr(place.start);
+        const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
+        message += ':' + std::to_string(placeOf(line, cell) + 1);
     }
     message.append(": ").append(what);
-    messages.push_back({line, std::move(message)});
+    messages.push_back({place.line, std::move(message)});
 }
 
-void NumberReader::complainOf(const LineBlock &block, std::uint32_t line, std::size_t column, std::string_view what,
+void NumberReader::complainOf(const LineBlock &block, const RowPlace &place, std::size_t column, std::string_view what,
                               std::vector<LineMessage> &messages) const
 {
-    complainAt(block, line, column < 3 ? m_columns.places[column] : kNoColumn, what, messages);
+    complainAt(block, place, column < 3 ? m_columns.places[column] : kNoColumn, what, messages);
 }
 
 NumberReader::Cells NumberReader::cellsOf(std::string_view line, std::size_t &surplus) const
@@ -192,7 +189,7 @@ NumberReader::Cells NumberReader::cellsOf(std::string_view line, std::size_t &su
     return cells;
 }
 
-void NumberReader::readRow(const LineBlock &block, std::string_view line, std::uint32_t number, NumberRows &rows,
+void NumberReader::readRow(const LineBlock &block, std::string_view line, const RowPlace &place, NumberRows &rows,
                            std::vector<LineMessage> &messages) const
 {
     std::size_t surplus = 0, fault = kNoColumn;
@@ -211,7 +208,7 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, std::u
         reason = "the row has " + std::to_string(surplus) + " cells, the header " + std::to_string(m_columns.count);
     }
     if (fault != kNoColumn) {
-        complainAt(block, number, fault, reason, messages);
+        complainAt(block, place, fault, reason, messages);
         BadRow bad{rows.count(), {}};
         std::transform(cells.begin(), cells.end(), bad.cells.begin(),
                        [](std::string_view text) { return std::string(trimmed(text)); });
@@ -220,29 +217,32 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, std::u
     }
     for (std::size_t k = 0; k < 3; ++k)
         rows.values[k].push_back(numbers[k]);
-    rows.lines.push_back(number);
+    rows.places.push_back(place);
 }
 
 void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<LineMessage> &messages) const
 {
     for (auto &column : rows.values)
         column.clear();
-    rows.lines.clear();
+    rows.places.clear();
     rows.bad.clear();
     if (block.isOverlong) {
-        complainOf(block, 0, kNoColumn, "the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes", messages);
+        complainOf(block, {}, kNoColumn, "the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes",
+                   messages);
         rows.bad.push_back({0, {}});
         for (auto &column : rows.values)
             column.push_back(0.0);
-        rows.lines.push_back(0);
+        rows.places.push_back({});
         return;
     }
     const std::string_view text = block.text;
     std::uint32_t number = 0;
-    for (std::size_t start = 0; start < text.size(); ++number) {
+    std::size_t next = 0;
+    for (std::size_t start = 0; start < text.size(); start = next, ++number) {
+        const RowPlace place{number, static_cast<std::uint32_t>(start)};
         const std::size_t end = std::min(text.find('\n', start), text.size());
         std::string_view line = text.substr(start, end - start);
-        start = end + 1;
+        next = end + 1;
         if (!line.empty() && line.back() == '\r')
             line.remove_suffix(1);
         // Nearly all rows are three plain numbers and nothing else. What this cannot read, readRow can, or explains.
@@ -251,19 +251,20 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
             const char *at = line.data(), *stop = line.data() + line.size();
             bool isPlain = true;
             for (std::size_t k = 0; k < 3 && isPlain; ++k) {
-                const auto [next, error] = std::from_chars(at, stop, numbers[k]);
-                isPlain = error == std::errc{} && std::isfinite(numbers[k]) && (k == 2 || (next != stop && *next == ','));
-                at = k == 2 ? next : next + 1;
+                const auto [behind, error] = std::from_chars(at, stop, numbers[k]);
+                isPlain =
+                    error == std::errc{} && std::isfinite(numbers[k]) && (k == 2 || (behind != stop && *behind == ','));
+                at = k == 2 ? behind : behind + 1;
             }
             if (isPlain && at == stop) {
                 for (std::size_t k = 0; k < 3; ++k)
                     rows.values[k].push_back(numbers[k]);
-                rows.lines.push_back(number);
+                rows.places.push_back(place);
                 continue;
             }
         }
         if (!trimmed(line).empty())
-            readRow(block, line, number, rows, messages);
+            readRow(block, line, place, rows, messages);
     }
 }
 

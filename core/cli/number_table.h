@@ -30,13 +30,19 @@ struct BadRow {
     std::array<std::string, 3> cells; ///< as written, without blanks; empty where there are none
 };
 
+/// Where a row stands in its block.
+struct RowPlace {
+    std::uint32_t line = 0;  ///< counted from the block's first
+    std::uint32_t start = 0; ///< of its text
+};
+
 /// Rows of three numbers, one array a column. A bad row has zeros and is named in `bad`.
 struct NumberRows {
     std::array<std::vector<double>, 3> values;
-    std::vector<std::uint32_t> lines; ///< of each row, counted from the block's first
-    std::vector<BadRow> bad;          ///< by row, ascending
+    std::vector<RowPlace> places; ///< of each row
+    std::vector<BadRow> bad;      ///< by row, ascending
 
-    std::size_t count() const { return lines.size(); }
+    std::size_t count() const { return places.size(); }
 };
 
 /// Reads the rows of a block. Empty lines are none. Numbers may have quotes and blanks around them, a sign and an exponent;
@@ -52,17 +58,16 @@ public:
 
     static constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
     /// Adds "file:line:column: what" to the messages.
-    /// @param line    in the block, counted from 0
-    /// @param column  which of the three is at fault
-    void complainOf(const LineBlock &block, std::uint32_t line, std::size_t column, std::string_view what,
+    /// @param column  which of the three is at fault, or kNoColumn
+    void complainOf(const LineBlock &block, const RowPlace &place, std::size_t column, std::string_view what,
                     std::vector<LineMessage> &messages) const;
 
 private:
     using Cells = std::array<std::string_view, 3>;
     /// @param cell  counted from the line's start
-    void complainAt(const LineBlock &block, std::uint32_t line, std::size_t cell, std::string_view what,
+    void complainAt(const LineBlock &block, const RowPlace &place, std::size_t cell, std::string_view what,
                     std::vector<LineMessage> &messages) const;
-    void readRow(const LineBlock &block, std::string_view line, std::uint32_t number, NumberRows &rows,
+    void readRow(const LineBlock &block, std::string_view line, const RowPlace &place, NumberRows &rows,
                  std::vector<LineMessage> &messages) const;
     /// @param surplus  how many cells there are if those are more than the header has, blank ones aside; else 0
     Cells cellsOf(std::string_view line, std::size_t &surplus) const;

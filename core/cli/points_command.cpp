@@ -68,7 +68,7 @@ private:
             const std::string what = fault(i, column);
             if (what.empty())
                 continue;
-            m_task.reader.complainOf(block, m_rows.lines[i], column, what, messages);
+            m_task.reader.complainOf(block, m_rows.places[i], column, what, messages);
             m_bad.push_back({i,
                              {shortestText(m_rows.values[0][i]), shortestText(m_rows.values[1][i]),
                               shortestText(m_rows.values[2][i])}});
@@ -114,7 +114,7 @@ private:
                 writer.number(column[i]);
             if (!writeResults(i, writer)) {
                 ++result.badRows;
-                m_task.reader.complainOf(block, m_rows.lines[i], NumberReader::kNoColumn,
+                m_task.reader.complainOf(block, m_rows.places[i], NumberReader::kNoColumn,
                                          errorText(Error{ErrorCode::PointAtInfinity}), result.messages);
             }
             writer.endRow();

@@ -120,10 +120,11 @@ public:
                     writer.number(column[i]);
                 if (!project(m_task, {m_rows.values[0][i], m_rows.values[1][i], m_rows.values[2][i]}, stages)) {
                     ++result.badRows;
-                    m_task.reader.complainOf(block, m_rows.lines[i], NumberReader::kNoColumn,
-                                             "the point has no place in the window: it lies in the plane of the eye, or "
-                                             "too far away",
-                                             result.messages);
+                    m_task.reader.complainOf(
+                        block, m_rows.places[i], NumberReader::kNoColumn,
+                        "the point has no place in the window: it lies in the plane of the eye, or "
+                        "too far away",
+                        result.messages);
                 }
             }
             for (std::size_t k = 0; k < stages.numbers.size(); ++k) {
