@@ -46,7 +46,7 @@ public:
 
     /// So much more is done. Any thread may say so; without a screen it costs nothing.
     void advance(std::uint64_t amount);
-    /// Takes the bar away for good, before results are written to the same terminal.
+    /// Takes the bar away for good, before results are written to the same terminal. Nobody advances any more.
     void finish();
 
 private:
