@@ -1,8 +1,11 @@
 #include "core/cli/block_pipeline.h"
 
+#include "core/cli/progress_bar.h"
+
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -11,7 +14,11 @@ namespace {
 
 class Pipeline {
 public:
-    Pipeline(LineBlocks &blocks, ByteSink &sink) : m_blocks(blocks), m_sink(sink) {}
+    Pipeline(LineBlocks &blocks, const ByteSource &source, ByteSink &sink)
+        : m_blocks(blocks), m_sink(sink),
+          m_progress(source.size(), ProgressBar::Unit::Bytes, sink.isTerminal() ? ProgressScreen{} : errorTerminal())
+    {
+    }
 
     void work(const BlockWorker &worker)
     {
@@ -28,6 +35,8 @@ public:
         }
     }
 
+    /// After all work.
+    void finish() { m_progress.finish(); }
     bool hasBadRows() const { return m_badRows > 0; }
 
 private:
@@ -38,6 +47,8 @@ private:
             m_isDone = true;
             return false;
         }
+        m_progress.advance(m_blocks.bytesRead() - m_bytesKnown);
+        m_bytesKnown = m_blocks.bytesRead();
         ticket = m_nextRead++;
         return true;
     }
@@ -48,6 +59,7 @@ private:
         m_turn.wait(lock, [&] { return m_nextWritten == ticket; });
         m_badRows += result.badRows;
         m_sink.write(result.output);
+        m_sink.flush(); // whoever reads need not wait for a buffer to fill, and that he is gone is seen now
         const bool isOver = m_sink.state() != ByteSink::State::Open;
         for (std::size_t i = 0; i < result.messages.size() && !isOver; ++i)
             complain(result.messages[i].text);
@@ -62,9 +74,11 @@ private:
 
     LineBlocks &m_blocks;
     ByteSink &m_sink;
+    ProgressBar m_progress;
     std::mutex m_reading, m_writing;
     std::condition_variable m_turn;
     std::size_t m_nextRead = 0, m_nextWritten = 0, m_badRows = 0;
+    std::uint64_t m_bytesKnown = 0; ///< to the progress bar
     bool m_isDone = false;
 };
 
@@ -73,13 +87,17 @@ private:
 ExitCode runBlocks(LineBlocks &blocks, ByteSource &source, ByteSink &sink, unsigned threads,
                    const std::function<BlockWorker()> &worker)
 {
-    Pipeline pipeline(blocks, sink);
+    Pipeline pipeline(blocks, source, sink);
     std::vector<std::thread> others;
-    for (unsigned i = 1; i < threads; ++i)
-        others.emplace_back([&] { pipeline.work(worker()); });
+    try {
+        for (unsigned i = 1; i < threads; ++i)
+            others.emplace_back([&] { pipeline.work(worker()); });
+    } catch (const std::system_error &) { // the system gives no more threads: fewer do the work as well
+    }
     pipeline.work(worker());
     for (std::thread &thread : others)
         thread.join();
+    pipeline.finish();
     sink.flush();
     if (source.hasFailed()) {
         complain(source.name() + ": reading stopped at an error; the results are not complete");

@@ -1,23 +1,14 @@
 #include "core/cli/byte_stream.h"
 
+#include "core/cli/console.h"
+#include "core/cli/progress_bar.h"
+
 #include <cerrno>
 #include <csignal>
 #include <system_error>
 
-#ifdef _WIN32
-#include <fcntl.h>
-#include <io.h>
-#endif
-
 namespace unprojector {
 namespace {
-
-void setBinary([[maybe_unused]] std::FILE *stream)
-{
-#ifdef _WIN32
-    _setmode(_fileno(stream), _O_BINARY);
-#endif
-}
 
 std::FILE *opened(const std::string &file, bool isWriting)
 {
@@ -39,7 +30,7 @@ void complain(std::string_view line)
 {
     std::string text(line);
     text += '\n';
-    std::fwrite(text.data(), 1, text.size(), stderr);
+    withoutProgressBar([&text] { std::fwrite(text.data(), 1, text.size(), stderr); });
 }
 
 void ByteSource::Close::operator()(std::FILE *file) const
@@ -68,7 +59,21 @@ ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" :
 
 std::size_t ByteSource::read(char *buffer, std::size_t size)
 {
-    return std::fread(buffer, 1, size, m_file.get());
+    const std::size_t count = std::fread(buffer, 1, size, m_file.get());
+    m_hasFailed = std::ferror(m_file.get()) != 0;
+    return count;
+}
+
+std::size_t ByteSource::readSome(char *buffer, std::size_t size)
+{
+    const std::optional<std::size_t> count = readAvailable(m_file.get(), buffer, size);
+    m_hasFailed = !count;
+    return count.value_or(0);
+}
+
+std::optional<std::uint64_t> ByteSource::size() const
+{
+    return regularFileSize(m_file.get());
 }
 
 void ByteSink::Close::operator()(std::FILE *file) const
@@ -77,7 +82,7 @@ void ByteSink::Close::operator()(std::FILE *file) const
         std::fclose(file);
 }
 
-ByteSink::ByteSink(const std::string &file)
+ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : file)
 {
     if (file != "-") {
         errno = 0;
@@ -91,6 +96,11 @@ ByteSink::ByteSink(const std::string &file)
 #ifdef SIGPIPE
     std::signal(SIGPIPE, SIG_IGN); // writing to a closed pipe then fails, and is seen here
 #endif
+}
+
+bool ByteSink::isTerminal() const
+{
+    return unprojector::isTerminal(m_file.get());
 }
 
 void ByteSink::write(std::string_view bytes)
@@ -107,14 +117,15 @@ void ByteSink::flush()
 
 void ByteSink::fail()
 {
+    const int error = errno;
+    bool isReaderGone = error == EPIPE;
 #ifdef _WIN32
-    const bool isReaderGone = errno == EPIPE || errno == EINVAL;
-#else
-    const bool isReaderGone = errno == EPIPE;
+    // The C library knows some of the system's words for a closed pipe, and calls the others invalid.
+    isReaderGone = isReaderGone || (error == EINVAL && !regularFileSize(m_file.get()));
 #endif
     m_state = isReaderGone ? State::ReaderGone : State::Failed;
     if (!isReaderGone)
-        complain("the results cannot be written: " + std::generic_category().message(errno));
+        complain(m_name + ": cannot be written: " + std::generic_category().message(error));
 }
 
 } // namespace unprojector

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,7 +14,7 @@ namespace unprojector {
 /// A path given in UTF-8, as the command's arguments are.
 std::filesystem::path pathOf(const std::string &utf8);
 
-/// A line on stderr.
+/// A line on stderr. A progress bar makes way for it.
 void complain(std::string_view line);
 
 /// Bytes as they are (no line ends translated) from a file, or from stdin for "-".
@@ -24,10 +26,15 @@ public:
     bool isOpen() const { return m_file != nullptr; }
     /// The name for messages: the file's, or "stdin".
     const std::string &name() const { return m_name; }
+    /// How many bytes there are, where that is known: of a regular file, also as stdin.
+    std::optional<std::uint64_t> size() const;
     /// Fills the buffer as far as there is something; fewer bytes than asked for only at the end.
     std::size_t read(char *buffer, std::size_t size);
+    /// Gives what there is and waits only while there is nothing, so that results come as soon as their input; 0 only at
+    /// the end. A source is read in one of these two ways.
+    std::size_t readSome(char *buffer, std::size_t size);
     /// Whether reading stopped at an error, not at the end.
-    bool hasFailed() const { return std::ferror(m_file.get()) != 0; }
+    bool hasFailed() const { return m_hasFailed; }
 
 private:
     struct Close {
@@ -35,6 +42,7 @@ private:
     };
     std::unique_ptr<std::FILE, Close> m_file;
     std::string m_name;
+    bool m_hasFailed = false;
 };
 
 /// Bytes as they are to stdout, or to a file. Whoever reads may go away at any time, as `head` does: that is no error.
@@ -49,6 +57,8 @@ public:
     void write(std::string_view bytes);
     void flush();
     State state() const { return m_state; }
+    /// Whether somebody reads along.
+    bool isTerminal() const;
 
 private:
     struct Close {
@@ -57,6 +67,7 @@ private:
     void fail();
 
     std::unique_ptr<std::FILE, Close> m_file;
+    std::string m_name;
     State m_state = State::Open;
 };
 

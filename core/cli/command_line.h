@@ -2,9 +2,13 @@
 
 #include "core/cli/exit_code.h"
 
+#include <string>
+#include <vector>
+
 namespace unprojector {
 
 /// The `unproject` command.
-ExitCode runCommandLine(int argc, char **argv);
+/// @param arguments  UTF-8, the program's name first
+ExitCode runCommandLine(const std::vector<std::string> &arguments);
 
 } // namespace unprojector

@@ -2,62 +2,64 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/cli/core_error_text.h"
+#include "core/cli/distribution.h"
 #include "core/cli/exact_unprojection.h"
 #include "core/cli/number_writer.h"
+#include "core/cli/progress_bar.h"
 #include "core/cli/scene_input.h"
 #include "core/unproject_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace unprojector {
 namespace {
 
-/// Distances from the truth, gathered.
-struct Distribution {
-    std::vector<double> values;
-
-    double largest() const { return values.back(); }
-    double mean() const
-    {
-        double sum = 0.0;
-        for (const double value : values)
-            sum += value;
-        return sum / static_cast<double>(values.size());
-    }
-    double percentile(double share) const
-    {
-        const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size()));
-        return values[std::min(at, values.size() - 1)];
-    }
-};
+constexpr double kShare = 0.9999;
 
 /// One way to compute, and how it did.
 struct Way {
     const char *method, *precision;
     bool isFloat = false;
-    std::array<Distribution, 4> of; ///< x, y, z in world units; units in the last place of the largest coordinate
+    std::vector<Distribution> of; ///< x, y, z in world units; units in the last place of the largest coordinate
     std::size_t withoutAnswer = 0;
     std::string reason; ///< of the first point without an answer
 
+    Way(const char *methodName, const char *precisionName, bool isInFloat, std::size_t points)
+        : method(methodName), precision(precisionName), isFloat(isInFloat), of(4, Distribution(kShare, points))
+    {
+    }
+
     void add(const std::array<Extended, 3> &exact, const Result<WorldPoint> &point)
     {
-        if (!point) {
-            if (withoutAnswer++ == 0)
-                reason = errorText(point.error());
-            return;
-        }
+        if (!point)
+            return addNoAnswer(errorText(point.error()));
+        std::array<double, 3> differences{};
         double largest = 0.0, farthest = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const double difference = std::abs(static_cast<double>((*point)[static_cast<int>(k)] - exact[k]));
-            of[k].values.push_back(difference);
-            farthest = std::max(farthest, difference);
+            differences[k] = std::abs(static_cast<double>((*point)[static_cast<int>(k)] - exact[k]));
+            if (!std::isfinite(differences[k]))
+                return addNoAnswer(std::string("the numbers leave the range of ") + precision);
+            farthest = std::max(farthest, differences[k]);
             largest = std::max(largest, std::abs(static_cast<double>(exact[k])));
         }
-        of[3].values.push_back(farthest / unitInTheLastPlace(largest));
+        const double ulps = farthest / unitInTheLastPlace(largest);
+        if (!std::isfinite(ulps))
+            return addNoAnswer(std::string("the numbers leave the range of ") + precision);
+        for (std::size_t k = 0; k < 3; ++k)
+            of[k].add(differences[k]);
+        of[3].add(ulps);
+    }
+
+    void addNoAnswer(const std::string &why)
+    {
+        if (withoutAnswer++ == 0)
+            reason = why;
     }
 
     double unitInTheLastPlace(double value) const
@@ -66,12 +68,6 @@ struct Way {
             return std::nextafter(value, std::numeric_limits<double>::infinity()) - value;
         const auto rounded = static_cast<float>(value);
         return static_cast<double>(std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded);
-    }
-
-    void sort()
-    {
-        for (Distribution &distribution : of)
-            std::sort(distribution.values.begin(), distribution.values.end());
     }
 };
 
@@ -147,7 +143,6 @@ void forEachPoint(const PictureGeometry &g, const CompareOptions &options, Funct
     }
 }
 
-constexpr double kShare = 0.9999;
 constexpr const char *kQuantities[] = {"x", "y", "z", "ulps"};
 
 std::string table(const std::vector<Way> &ways, std::size_t points)
@@ -170,10 +165,10 @@ std::string table(const std::vector<Way> &ways, std::size_t points)
     for (const Way &way : ways) {
         for (std::size_t k = 0; k < 4; ++k) {
             const Distribution &d = way.of[k];
-            const bool isThere = !d.values.empty();
+            const bool isThere = !d.isEmpty();
             line(k == 0 ? way.method : "", k == 0 ? way.precision : "", kQuantities[k],
                  isThere ? number(d.largest()) : "-", isThere ? number(d.mean()) : "-",
-                 isThere ? number(d.percentile(kShare)) : "-");
+                 isThere ? number(d.percentile()) : "-");
         }
         if (way.withoutAnswer > 0)
             text += "         " + std::to_string(way.withoutAnswer) + " points without an answer: " + way.reason + '\n';
@@ -191,7 +186,7 @@ std::string json(const std::vector<Way> &ways, std::size_t points)
         for (std::size_t k = 0; k < 4; ++k) {
             const Distribution &d = way.of[k];
             text += std::string(",\n     \"") + kQuantities[k] + "\": ";
-            if (d.values.empty()) {
+            if (d.isEmpty()) {
                 text += "null";
                 continue;
             }
@@ -200,7 +195,7 @@ std::string json(const std::vector<Way> &ways, std::size_t points)
             text += ", \"mean\": ";
             appendNumber(text, d.mean());
             text += ", \"percentile99.99\": ";
-            appendNumber(text, d.percentile(kShare));
+            appendNumber(text, d.percentile());
             text += '}';
         }
         text += '}';
@@ -221,12 +216,16 @@ ExitCode runCompare(const CompareOptions &options)
         return ExitCode::UnusableInput;
     }
     const FormulaInFloat formulaInFloat(scene->geometry);
-    std::vector<Way> ways{{"formula", "double", false, {}, 0, {}},
-                          {"matrix", "double", false, {}, 0, {}},
-                          {"formula", "float", true, {}, 0, {}},
-                          {"matrix", "float", true, {}, 0, {}}};
+    const std::size_t most = static_cast<std::size_t>(options.pixels) * static_cast<std::size_t>(options.pixels)
+                             * static_cast<std::size_t>(options.depths);
+    std::vector<Way> ways{{"formula", "double", false, most},
+                          {"matrix", "double", false, most},
+                          {"formula", "float", true, most},
+                          {"matrix", "float", true, most}};
+    ProgressBar progress(most, ProgressBar::Unit::Points);
     std::size_t points = 0;
     forEachPoint(scene->geometry, options, [&](const WindowPoint &window) {
+        progress.advance(1);
         const std::optional<std::array<Extended, 3>> world = exact->world(window);
         if (!world)
             return; // a far plane at infinity
@@ -237,8 +236,7 @@ ExitCode runCompare(const CompareOptions &options)
         ways[2].add(*world, formulaInFloat(window));
         ways[3].add(*world, computed.matrixInFloat);
     });
-    for (Way &way : ways)
-        way.sort();
+    progress.finish();
     ByteSink sink;
     sink.write(options.isJson ? json(ways, points) : table(ways, points));
     sink.flush();

@@ -1,27 +1,13 @@
 #include "core/cli/core_error_text.h"
 
+#include "core/angle.h"
 #include "core/cli/number_writer.h"
 
 namespace unprojector {
-namespace {
-
-std::string shortest(double value)
-{
-    std::string text;
-    appendNumber(text, value);
-    return text;
-}
-
-std::string degrees(double radians)
-{
-    return shortest(static_cast<float>(radians * 57.29577951308232));
-}
-
-} // namespace
 
 std::string errorText(const Error &error)
 {
-    const std::string value = shortest(error.value), other = shortest(error.other);
+    const std::string value = shortestText(error.value), other = shortestText(error.other);
     switch (error.code) {
     case ErrorCode::NotFinite: return value + " is not a finite number; give a number";
     case ErrorCode::NearNotPositive: return "near is " + value + "; it must be greater than 0 and smaller than far";
@@ -29,10 +15,12 @@ std::string errorText(const Error &error)
     case ErrorCode::LeftEqualsRight: return "left and right are both " + value + "; they must differ";
     case ErrorCode::BottomEqualsTop: return "bottom and top are both " + value + "; they must differ";
     case ErrorCode::FieldOfViewOutOfRange:
-        return "the vertical field of view is " + degrees(error.value) + " degrees; it must lie between 0 and 180";
+        return "the vertical field of view is " + shortestText(degreesFromRadians(error.value))
+               + " degrees; it must lie between 0 and 180";
     case ErrorCode::AspectNotPositive: return "the aspect is " + value + "; it must be greater than 0";
     case ErrorCode::ShearAngleOutOfRange:
-        return "the angle is " + degrees(error.value) + " degrees; it must lie between 0 and 180";
+        return "the angle is " + shortestText(degreesFromRadians(error.value))
+               + " degrees; it must lie between 0 and 180";
     case ErrorCode::EyeEqualsCenter: return "eye and center are the same point; move one of them";
     case ErrorCode::UpIsZero: return "up is (0, 0, 0); give it a length";
     case ErrorCode::UpParallelToView: return "up points along the view direction; choose another one";

@@ -4,18 +4,33 @@
 
 namespace unprojector {
 
-void LineBlocks::fill()
+void LineBlocks::read()
 {
     const std::size_t before = m_pending.size();
-    if (m_isAtEnd || before >= kMostBytes)
-        return;
     m_pending.resize(kMostBytes);
-    const std::size_t count = m_source.read(m_pending.data() + before, kMostBytes - before);
+    const std::size_t count = m_source.readSome(m_pending.data() + before, kMostBytes - before);
     m_pending.resize(before + count);
-    m_isAtEnd = before + count < kMostBytes;
-    if (!m_hasStarted && m_pending.starts_with("\xEF\xBB\xBF"))
+    m_bytesRead += count;
+    m_isAtEnd = count == 0;
+}
+
+/// Reads until there is a whole line.
+/// @return how many bytes the whole lines have: at the end, everything; 0 where a line is too long or nothing is left
+std::size_t LineBlocks::lineEnds()
+{
+    std::size_t end = m_pending.rfind('\n');
+    while (end == std::string::npos && !m_isAtEnd && m_pending.size() < kMostBytes) {
+        read();
+        end = m_pending.rfind('\n');
+    }
+    if (!m_hasStarted && m_pending.starts_with("\xEF\xBB\xBF")) {
         m_pending.erase(0, 3);
+        end -= end == std::string::npos ? 0 : 3;
+    }
     m_hasStarted = true;
+    if (end != std::string::npos)
+        return end + 1;
+    return m_isAtEnd ? m_pending.size() : 0;
 }
 
 void LineBlocks::take(LineBlock &block, std::size_t size)
@@ -27,50 +42,37 @@ void LineBlocks::take(LineBlock &block, std::size_t size)
     m_line += static_cast<std::size_t>(std::count(block.text.begin(), block.text.end(), '\n'));
 }
 
-void LineBlocks::skipToLineEnd()
+void LineBlocks::skipLine(LineBlock &block)
 {
-    for (;;) {
-        const std::size_t end = m_pending.find('\n');
-        if (end != std::string::npos) {
-            m_pending.erase(0, end + 1);
-            break;
-        }
+    block = {{}, m_line++, true};
+    std::size_t end = std::string::npos;
+    while (end == std::string::npos && !m_isAtEnd) {
         m_pending.clear();
-        fill();
-        if (m_pending.empty())
-            break;
+        read();
+        end = m_pending.find('\n');
     }
-    ++m_line;
+    m_pending.erase(0, end == std::string::npos ? end : end + 1);
 }
 
-bool LineBlocks::firstLine(std::string &line)
+bool LineBlocks::firstLine(LineBlock &line)
 {
-    fill();
-    if (m_pending.empty())
+    if (lineEnds() > 0)
+        take(line, std::min(m_pending.find('\n'), m_pending.size() - 1) + 1);
+    else if (!m_pending.empty())
+        skipLine(line);
+    else
         return false;
-    LineBlock block;
-    const std::size_t end = m_pending.find('\n');
-    take(block, end == std::string::npos ? m_pending.size() : end + 1);
-    line = block.text;
-    while (!line.empty() && (line.back() == '\n' || line.back() == '\r'))
-        line.pop_back();
     return true;
 }
 
 bool LineBlocks::next(LineBlock &block)
 {
-    fill();
-    if (m_pending.empty())
+    if (const std::size_t size = lineEnds(); size > 0)
+        take(block, size);
+    else if (!m_pending.empty())
+        skipLine(block);
+    else
         return false;
-    const std::size_t end = m_pending.rfind('\n');
-    if (m_isAtEnd) {
-        take(block, m_pending.size());
-    } else if (end != std::string::npos) {
-        take(block, end + 1);
-    } else {
-        block = {{}, m_line, true};
-        skipToLineEnd();
-    }
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include "core/cli/byte_stream.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace unprojector {
@@ -20,8 +21,8 @@ struct LineMessage {
     std::string text;
 };
 
-/// Cuts a stream of bytes into blocks of whole lines with a memory that does not grow with the stream. A byte order mark
-/// at the start is skipped.
+/// Cuts a stream of bytes into blocks of whole lines with a memory that does not grow with the stream. Lines are handed out
+/// as soon as they are there: a slow stream comes in small blocks. A byte order mark at the start is skipped.
 class LineBlocks {
 public:
     /// A longer line is passed over as a whole.
@@ -29,19 +30,23 @@ public:
 
     explicit LineBlocks(ByteSource &source) : m_source(source) {}
 
-    /// The first line alone, without its line end; false when there is nothing at all.
-    bool firstLine(std::string &line);
+    /// The first line alone; false when there is nothing at all.
+    bool firstLine(LineBlock &line);
     /// The next lines; false at the end.
     bool next(LineBlock &block);
+    /// How much of the stream was taken.
+    std::uint64_t bytesRead() const { return m_bytesRead; }
 
 private:
-    void fill();
+    void read();
+    std::size_t lineEnds();
     void take(LineBlock &block, std::size_t size);
-    void skipToLineEnd();
+    void skipLine(LineBlock &block);
 
     ByteSource &m_source;
     std::string m_pending; ///< read, not yet handed out
     std::size_t m_line = 1;
+    std::uint64_t m_bytesRead = 0;
     bool m_isAtEnd = false;
     bool m_hasStarted = false;
 };

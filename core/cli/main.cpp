@@ -1,13 +1,15 @@
 #include "core/cli/command_line.h"
+#include "core/cli/console.h"
 
-#include <exception>
 #include <cstdio>
+#include <exception>
 
 int main(int argc, char **argv)
 {
+    const unprojector::Utf8Console console;
     try {
-        return static_cast<int>(unprojector::runCommandLine(argc, argv));
-    } catch (const std::exception &error) { // out of memory, no thread to be had
+        return static_cast<int>(unprojector::runCommandLine(unprojector::utf8Arguments(argc, argv)));
+    } catch (const std::exception &error) { // out of memory
         std::fprintf(stderr, "unproject: %s\n", error.what());
     }
     return static_cast<int>(unprojector::ExitCode::UnusableInput);

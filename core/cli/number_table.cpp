@@ -64,18 +64,52 @@ std::optional<double> numberOf(std::string_view cell, const std::string &column,
     return std::nullopt;
 }
 
+/// Where a cell ends: at the next comma that is in no quotes, or with its line.
+std::size_t cellEnd(std::string_view line, std::size_t start)
+{
+    const std::size_t text = line.find_first_not_of(" \t", start);
+    if (text != std::string_view::npos && line[text] == '"') {
+        std::size_t quote = line.find('"', text + 1);
+        while (quote != std::string_view::npos && quote + 1 < line.size() && line[quote + 1] == '"')
+            quote = line.find('"', quote + 2); // a doubled quote is one of the text
+        if (quote != std::string_view::npos)
+            start = quote;
+    }
+    return std::min(line.find(',', start), line.size());
+}
+
 /// Where a cell's text starts in its line; the line's end where it has no such cell.
 std::size_t placeOf(std::string_view line, std::size_t cell)
 {
     std::size_t start = 0;
     for (std::size_t n = 0; n < cell; ++n) {
-        const std::size_t comma = line.find(',', start);
-        if (comma == std::string_view::npos)
+        const std::size_t end = cellEnd(line, start);
+        if (end == line.size())
             return trimmed(line).empty() ? 0 : line.find_last_not_of(" \t\r") + 1;
-        start = comma + 1;
+        start = end + 1;
     }
     const std::size_t text = line.find_first_not_of(" \t\r", start);
     return text == std::string_view::npos ? start : text;
+}
+
+/// Why a header may lack a column that it seems to have.
+std::string hintFor(std::string_view header, std::string_view column, const std::vector<std::string_view> &found)
+{
+    if (header.starts_with("\xFF\xFE") || header.starts_with("\xFE\xFF"))
+        return "; the file is UTF-16, save it as UTF-8";
+    if (header.find(column) != std::string_view::npos) {
+        for (const char *separator : {";", "\t"}) {
+            if (header.find(separator) != std::string_view::npos)
+                return std::string("; columns are separated by commas here, not by ")
+                       + (*separator == ';' ? "semicolons" : "tabs");
+        }
+    }
+    for (const std::string_view name : found) {
+        if (std::equal(name.begin(), name.end(), column.begin(), column.end(),
+                       [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; }))
+            return "; " + shown(name) + " is written in small letters";
+    }
+    return {};
 }
 
 } // namespace
@@ -84,107 +118,131 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
                                         const std::array<std::string, 3> &names)
 {
     const std::string wanted = names[0] + ',' + names[1] + ',' + names[2];
-    std::string header;
-    if (!blocks.firstLine(header)) {
-        complain(source.name() + (source.hasFailed() ? ": cannot be read" : ": is empty; its first line must be " + wanted));
+    const auto refuse = [&source](const std::string &what) {
+        complain(source.name() + what);
         return std::nullopt;
-    }
+    };
+    LineBlock first;
+    if (!blocks.firstLine(first))
+        return refuse(source.hasFailed() ? ": cannot be read" : ": is empty; its first line must be " + wanted);
+    if (first.isOverlong)
+        return refuse(":1: the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes; it must be "
+                      + wanted);
+    const std::string_view header = std::string_view(first.text).substr(0, first.text.find_last_not_of("\r\n") + 1);
     std::vector<std::string_view> found;
     for (std::size_t start = 0; start <= header.size();) {
-        const std::size_t comma = std::min(header.find(',', start), header.size());
-        found.push_back(unquoted(std::string_view(header).substr(start, comma - start)));
-        start = comma + 1;
+        const std::size_t end = cellEnd(header, start);
+        found.push_back(unquoted(header.substr(start, end - start)));
+        start = end + 1;
     }
-    NumberColumns columns{names, {}};
+    NumberColumns columns{names, {}, found.size()};
     for (std::size_t k = 0; k < 3; ++k) {
         const auto place = std::find(found.begin(), found.end(), names[k]);
-        const bool isThere = place != found.end();
-        if (!isThere || std::find(place + 1, found.end(), names[k]) != found.end()) {
-            complain(source.name() + ":1:1: the header " + (isThere ? "names the column " : "has no column ") + names[k]
-                     + (isThere ? " twice" : "; the first line must be " + wanted));
-            return std::nullopt;
-        }
+        if (place == found.end())
+            return refuse(":1:1: the header has no column " + names[k] + "; the first line must be " + wanted
+                          + hintFor(header, names[k], found));
         columns.places[k] = static_cast<std::size_t>(place - found.begin());
+        const auto again = std::find(place + 1, found.end(), names[k]);
+        if (again != found.end()) {
+            const std::size_t column = placeOf(header, static_cast<std::size_t>(again - found.begin()));
+            return refuse(":1:" + std::to_string(column + 1) + ": the header names the column " + names[k] + " twice");
+        }
     }
     return columns;
 }
 
-void NumberReader::complainOf(const LineBlock &block, std::uint32_t line, std::size_t column, std::string_view what,
+void NumberReader::complainAt(const LineBlock &block, const RowPlace &place, std::size_t cell, std::string_view what,
                               std::vector<LineMessage> &messages) const
 {
-    std::string message = m_fileName + ':' + std::to_string(block.firstLine + line);
-    if (column < 3) {
-        std::size_t start = 0;
-        for (std::uint32_t n = 0; n < line; ++n)
-            start = block.text.find('\n', start) + 1;
-        const std::string_view rest = std::string_view(block.text).substr(start);
-        const std::string_view text = rest.substr(0, std::min(rest.find('\n'), rest.size()));
-        message += ':' + std::to_string(placeOf(text, m_columns.places[column]) + 1);
+    std::string message = m_fileName + ':' + std::to_string(block.firstLine + place.line);
+    if (cell != kNoColumn) {
+        const std::string_view rest = std::string_view(block.text).substr(place.start);
+        const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
+        message += ':' + std::to_string(placeOf(line, cell) + 1);
     }
     message.append(": ").append(what);
-    messages.push_back({line, std::move(message)});
+    messages.push_back({place.line, std::move(message)});
 }
 
-NumberReader::Cells NumberReader::cellsOf(std::string_view line) const
+void NumberReader::complainOf(const LineBlock &block, const RowPlace &place, std::size_t column, std::string_view what,
+                              std::vector<LineMessage> &messages) const
+{
+    complainAt(block, place, column < 3 ? m_columns.places[column] : kNoColumn, what, messages);
+}
+
+NumberReader::Cells NumberReader::cellsOf(std::string_view line, std::size_t &surplus) const
 {
     Cells cells;
-    const std::size_t last = *std::max_element(m_columns.places.begin(), m_columns.places.end());
+    surplus = 0;
     std::size_t start = 0;
-    for (std::size_t place = 0; start <= line.size() && place <= last; ++place) {
-        const std::size_t comma = std::min(line.find(',', start), line.size());
+    for (std::size_t place = 0; start <= line.size(); ++place) {
+        const std::size_t end = cellEnd(line, start);
+        const std::string_view cell = line.substr(start, end - start);
         for (std::size_t k = 0; k < 3; ++k) {
             if (m_columns.places[k] == place)
-                cells[k] = line.substr(start, comma - start);
+                cells[k] = cell;
         }
-        start = comma + 1;
+        if (place >= m_columns.count && !trimmed(cell).empty())
+            surplus = place + 1;
+        start = end + 1;
     }
     return cells;
 }
 
-void NumberReader::readRow(const LineBlock &block, std::string_view line, std::uint32_t number, NumberRows &rows,
+void NumberReader::readRow(const LineBlock &block, std::string_view line, const RowPlace &place, NumberRows &rows,
                            std::vector<LineMessage> &messages) const
 {
-    const Cells cells = cellsOf(line);
+    std::size_t surplus = 0, fault = kNoColumn;
+    const Cells cells = cellsOf(line, surplus);
     std::array<double, 3> numbers{};
     std::string reason;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (const std::optional<double> value = numberOf(cells[k], m_columns.names[k], reason)) {
+    for (std::size_t k = 0; k < 3 && fault == kNoColumn; ++k) {
+        if (const std::optional<double> value = numberOf(cells[k], m_columns.names[k], reason))
             numbers[k] = *value;
-            continue;
-        }
-        complainOf(block, number, k, reason, messages);
+        else
+            fault = m_columns.places[k];
+    }
+    // Numbers with decimal commas would otherwise pass for others.
+    if (fault == kNoColumn && surplus > 0) {
+        fault = m_columns.count;
+        reason = "the row has " + std::to_string(surplus) + " cells, the header " + std::to_string(m_columns.count);
+    }
+    if (fault != kNoColumn) {
+        complainAt(block, place, fault, reason, messages);
         BadRow bad{rows.count(), {}};
         std::transform(cells.begin(), cells.end(), bad.cells.begin(),
                        [](std::string_view text) { return std::string(trimmed(text)); });
         rows.bad.push_back(std::move(bad));
         numbers = {};
-        break;
     }
     for (std::size_t k = 0; k < 3; ++k)
         rows.values[k].push_back(numbers[k]);
-    rows.lines.push_back(number);
+    rows.places.push_back(place);
 }
 
 void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<LineMessage> &messages) const
 {
     for (auto &column : rows.values)
         column.clear();
-    rows.lines.clear();
+    rows.places.clear();
     rows.bad.clear();
     if (block.isOverlong) {
-        complainOf(block, 0, kNoColumn, "the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes", messages);
+        complainOf(block, {}, kNoColumn, "the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes",
+                   messages);
         rows.bad.push_back({0, {}});
         for (auto &column : rows.values)
             column.push_back(0.0);
-        rows.lines.push_back(0);
+        rows.places.push_back({});
         return;
     }
     const std::string_view text = block.text;
     std::uint32_t number = 0;
-    for (std::size_t start = 0; start < text.size(); ++number) {
+    std::size_t next = 0;
+    for (std::size_t start = 0; start < text.size(); start = next, ++number) {
+        const RowPlace place{number, static_cast<std::uint32_t>(start)};
         const std::size_t end = std::min(text.find('\n', start), text.size());
         std::string_view line = text.substr(start, end - start);
-        start = end + 1;
+        next = end + 1;
         if (!line.empty() && line.back() == '\r')
             line.remove_suffix(1);
         // Nearly all rows are three plain numbers and nothing else. What this cannot read, readRow can, or explains.
@@ -193,19 +251,20 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
             const char *at = line.data(), *stop = line.data() + line.size();
             bool isPlain = true;
             for (std::size_t k = 0; k < 3 && isPlain; ++k) {
-                const auto [next, error] = std::from_chars(at, stop, numbers[k]);
-                isPlain = error == std::errc{} && std::isfinite(numbers[k]) && (k == 2 || (next != stop && *next == ','));
-                at = k == 2 ? next : next + 1;
+                const auto [behind, error] = std::from_chars(at, stop, numbers[k]);
+                isPlain =
+                    error == std::errc{} && std::isfinite(numbers[k]) && (k == 2 || (behind != stop && *behind == ','));
+                at = k == 2 ? behind : behind + 1;
             }
             if (isPlain && at == stop) {
                 for (std::size_t k = 0; k < 3; ++k)
                     rows.values[k].push_back(numbers[k]);
-                rows.lines.push_back(number);
+                rows.places.push_back(place);
                 continue;
             }
         }
         if (!trimmed(line).empty())
-            readRow(block, line, number, rows, messages);
+            readRow(block, line, place, rows, messages);
     }
 }
 

@@ -16,10 +16,11 @@ namespace unprojector {
 struct NumberColumns {
     std::array<std::string, 3> names;
     std::array<std::size_t, 3> places{};
+    std::size_t count = 3; ///< of all columns that the header names
 };
 
 /// Reads the first line and finds the columns by their names; others are passed over. Blanks around names and quotes around
-/// them are taken off. What is wrong is said on stderr.
+/// them are taken off; a comma in quotes separates nothing. What is wrong is said on stderr.
 std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &source,
                                         const std::array<std::string, 3> &names);
 
@@ -29,17 +30,23 @@ struct BadRow {
     std::array<std::string, 3> cells; ///< as written, without blanks; empty where there are none
 };
 
+/// Where a row stands in its block.
+struct RowPlace {
+    std::uint32_t line = 0;  ///< counted from the block's first
+    std::uint32_t start = 0; ///< of its text
+};
+
 /// Rows of three numbers, one array a column. A bad row has zeros and is named in `bad`.
 struct NumberRows {
     std::array<std::vector<double>, 3> values;
-    std::vector<std::uint32_t> lines; ///< of each row, counted from the block's first
-    std::vector<BadRow> bad;          ///< by row, ascending
+    std::vector<RowPlace> places; ///< of each row
+    std::vector<BadRow> bad;      ///< by row, ascending
 
-    std::size_t count() const { return lines.size(); }
+    std::size_t count() const { return places.size(); }
 };
 
-/// Reads the rows of a block. Empty lines are none. Numbers may have blanks around them, a sign and an exponent; anything
-/// else, NaN and infinity make a row bad and are said in `messages`.
+/// Reads the rows of a block. Empty lines are none. Numbers may have quotes and blanks around them, a sign and an exponent;
+/// anything else, NaN, infinity and more cells than the header has make a row bad and are said in `messages`.
 class NumberReader {
 public:
     NumberReader(std::string fileName, NumberColumns columns)
@@ -51,16 +58,19 @@ public:
 
     static constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
     /// Adds "file:line:column: what" to the messages.
-    /// @param line    in the block, counted from 0
-    /// @param column  which of the three is at fault
-    void complainOf(const LineBlock &block, std::uint32_t line, std::size_t column, std::string_view what,
+    /// @param column  which of the three is at fault, or kNoColumn
+    void complainOf(const LineBlock &block, const RowPlace &place, std::size_t column, std::string_view what,
                     std::vector<LineMessage> &messages) const;
 
 private:
     using Cells = std::array<std::string_view, 3>;
-    void readRow(const LineBlock &block, std::string_view line, std::uint32_t number, NumberRows &rows,
+    /// @param cell  counted from the line's start
+    void complainAt(const LineBlock &block, const RowPlace &place, std::size_t cell, std::string_view what,
+                    std::vector<LineMessage> &messages) const;
+    void readRow(const LineBlock &block, std::string_view line, const RowPlace &place, NumberRows &rows,
                  std::vector<LineMessage> &messages) const;
-    Cells cellsOf(std::string_view line) const;
+    /// @param surplus  how many cells there are if those are more than the header has, blank ones aside; else 0
+    Cells cellsOf(std::string_view line, std::size_t &surplus) const;
 
     std::string m_fileName;
     NumberColumns m_columns;

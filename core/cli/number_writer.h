@@ -14,4 +14,11 @@ inline void appendNumber(std::string &text, double value)
     text.append(digits.data(), written.ptr);
 }
 
+inline std::string shortestText(double value)
+{
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
 } // namespace unprojector

@@ -1,11 +1,7 @@
 #include "core/cli/points_command.h"
 
 #include "core/batch_unproject.h"
-#include "core/cli/block_pipeline.h"
 #include "core/cli/core_error_text.h"
-#include "core/cli/number_table.h"
-#include "core/cli/row_writer.h"
-#include "core/cli/scene_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +18,6 @@ struct Task {
     std::optional<BatchUnprojection> formula, matrix;
     std::vector<std::string> names; ///< of the columns written
 };
-
-std::string digits(double value)
-{
-    std::string text;
-    appendNumber(text, value);
-    return text;
-}
 
 /// The scratch memory of a thread.
 class Worker {
@@ -54,12 +43,14 @@ private:
         const double depth = m_rows.values[2][row];
         if (!(depth >= low && depth <= high)) {
             column = 2;
-            return "depth: " + digits(depth) + " lies outside the depth range " + digits(low) + " to " + digits(high);
+            return "depth: " + shortestText(depth) + " lies outside the depth range " + shortestText(low) + " to "
+                   + shortestText(high);
         }
         for (column = 0; m_task.options.isPixel && column < 2; ++column) {
             const double index = m_rows.values[column][row];
             if (index != std::floor(index))
-                return (column == 0 ? "px: " : "py: ") + digits(index) + " is not the index of a pixel: it has a fraction";
+                return (column == 0 ? "px: " : "py: ") + shortestText(index)
+                       + " is not the index of a pixel: it has a fraction";
         }
         return {};
     }
@@ -77,8 +68,10 @@ private:
             const std::string what = fault(i, column);
             if (what.empty())
                 continue;
-            m_task.reader.complainOf(block, m_rows.lines[i], column, what, messages);
-            m_bad.push_back({i, {digits(m_rows.values[0][i]), digits(m_rows.values[1][i]), digits(m_rows.values[2][i])}});
+            m_task.reader.complainOf(block, m_rows.places[i], column, what, messages);
+            m_bad.push_back({i,
+                             {shortestText(m_rows.values[0][i]), shortestText(m_rows.values[1][i]),
+                              shortestText(m_rows.values[2][i])}});
         }
     }
 
@@ -109,7 +102,7 @@ private:
 
     void write(const LineBlock &block, BlockResult &result)
     {
-        RowWriter writer(m_task.options.format, m_task.names, result.output);
+        RowWriter writer(m_task.options.rows.format, m_task.names, result.output);
         result.badRows = m_bad.size();
         auto bad = m_bad.begin();
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
@@ -121,7 +114,7 @@ private:
                 writer.number(column[i]);
             if (!writeResults(i, writer)) {
                 ++result.badRows;
-                m_task.reader.complainOf(block, m_rows.lines[i], NumberReader::kNoColumn,
+                m_task.reader.complainOf(block, m_rows.places[i], NumberReader::kNoColumn,
                                          errorText(Error{ErrorCode::PointAtInfinity}), result.messages);
             }
             writer.endRow();
@@ -205,34 +198,24 @@ void prepare(std::optional<BatchUnprojection> &target, bool isWanted, const char
 
 ExitCode runPoints(const PointsOptions &options)
 {
-    const std::optional<SceneInput> scene = sceneInput(options.scene);
-    if (!scene)
+    const std::unique_ptr<RowStream> rows = openRows(options.rows, {"px", "py", "depth"});
+    if (!rows)
         return ExitCode::UnusableInput;
-    const std::optional<BatchSpace> space = batchSpace(options.space, *scene);
-    if (!space)
-        return ExitCode::UnusableInput;
-    ByteSource source(options.input);
-    if (!source.isOpen())
-        return ExitCode::UnusableInput;
-    LineBlocks blocks(source);
-    const std::optional<NumberColumns> columns = readHeader(blocks, source, {"px", "py", "depth"});
-    if (!columns)
-        return ExitCode::UnusableInput;
-
-    Task task{options, NumberReader(source.name(), *columns), scene->geometry.depthRange, {}, {},
+    const PictureGeometry &geometry = rows->scene.geometry;
+    Task task{options,
+              NumberReader(rows->source.name(), rows->columns),
+              geometry.depthRange,
+              {},
+              {},
               columnNames(options.methods)};
     prepare(task.formula, options.methods != Methods::Matrix, "formula",
-            BatchUnprojection::byFormula(scene->geometry, *space), options.scene);
+            BatchUnprojection::byFormula(geometry, rows->space), options.rows.scene);
     prepare(task.matrix, options.methods != Methods::Formula, "matrix",
-            BatchUnprojection::byMatrix(scene->geometry, *space), options.scene);
+            BatchUnprojection::byMatrix(geometry, rows->space), options.rows.scene);
     if (!task.formula && !task.matrix)
         return ExitCode::UnusableInput;
 
-    ByteSink sink;
-    std::string header;
-    RowWriter(options.format, task.names, header).header();
-    sink.write(header);
-    return runBlocks(blocks, source, sink, options.threads, [&] { return BlockWorker(Worker(task)); });
+    return runRows(*rows, options.rows, task.names, [&] { return BlockWorker(Worker(task)); });
 }
 
 } // namespace unprojector

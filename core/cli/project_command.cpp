@@ -1,11 +1,13 @@
 #include "core/cli/project_command.h"
 
-#include "core/cli/block_pipeline.h"
 #include "core/cli/core_error_text.h"
-#include "core/cli/number_table.h"
-#include "core/cli/scene_input.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace unprojector {
 namespace {
@@ -21,7 +23,45 @@ struct Task {
     PictureGeometry geometry;
     NdcDepth ndcDepth;
     glm::dmat4 eyeFromSource, clipFromEye;
+    glm::dmat4 eyeMagnitudes; ///< of what each entry of eyeFromSource was added up from
 };
+
+glm::dmat4 magnitudes(glm::dmat4 m)
+{
+    for (int column = 0; column < 4; ++column)
+        m[column] = glm::abs(m[column]);
+    return m;
+}
+
+/// Of a view matrix: the entries of its translation are sums of products as large as it is long.
+glm::dmat4 viewMagnitudes(const glm::dmat4 &eyeFromWorld)
+{
+    glm::dmat4 m = magnitudes(eyeFromWorld);
+    m[3] = glm::dvec4(glm::dvec3(glm::length(glm::dvec3(m[3]))), m[3].w);
+    return m;
+}
+
+/// How far rounding can have moved the depth of a point: a few units in the last place of everything that was added up on
+/// the way, carried through the rest of the way. 0 in the plane of the eye, where rounding decides everything: the planes are
+/// elsewhere.
+double depthUncertainty(const Task &task, const glm::dvec4 &point, const glm::dvec4 &eye, const glm::dvec4 &clip)
+{
+    constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+    const glm::dvec4 ofEye = kRounding * (task.eyeMagnitudes * glm::abs(point));
+    const glm::dvec4 ofClip = magnitudes(task.clipFromEye) * (kRounding * glm::abs(eye) + ofEye);
+    if (!(1000.0 * ofClip.w <= std::abs(clip.w)))
+        return 0.0;
+    const double ofNdc = (ofClip.z + std::abs(clip.z / clip.w) * ofClip.w) / std::abs(clip.w);
+    const auto &[atNear, atFar] = task.geometry.depthRange;
+    return ofNdc * std::abs(atFar - atNear) + kRounding * std::max(std::abs(atNear), std::abs(atFar));
+}
+
+/// The depth, or the end of the depth range where it is outside by no more than the uncertainty.
+double depthWithin(const DepthRange &range, double depth, double uncertainty)
+{
+    const double nearest = std::clamp(depth, std::min(range.atNear, range.atFar), std::max(range.atNear, range.atFar));
+    return std::abs(depth - nearest) <= uncertainty ? nearest : depth;
+}
 
 /// The cells of a point, as many as there are: behind a stage without an answer there is nothing.
 struct Stages {
@@ -45,7 +85,8 @@ struct Stages {
 bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
 {
     const PictureGeometry &g = task.geometry;
-    const glm::dvec4 eye = task.eyeFromSource * glm::dvec4(point, 1.0);
+    const glm::dvec4 source(point, 1.0);
+    const glm::dvec4 eye = task.eyeFromSource * source;
     const glm::dvec4 clip = task.clipFromEye * eye;
     if (!stages.add(glm::dvec3(eye)) || !stages.add(clip) || clip.w == 0.0)
         return false;
@@ -53,8 +94,9 @@ bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
     const WindowPoint window = windowFromNdc(g.viewport, g.depthRange, ndc, task.ndcDepth);
     const DevicePoint device = deviceFromWindow(g.surface, window);
     const WidgetPoint widget = widgetFromDevice(g.surface, device);
+    const double depth = depthWithin(g.depthRange, window.z, depthUncertainty(task, source, eye, clip));
     return stages.add(ndc.coordinates()) && stages.add(window.coordinates()) && stages.add(widget.coordinates())
-           && stages.add(glm::dvec3(device.coordinates(), window.z));
+           && stages.add(glm::dvec3(device.coordinates(), depth));
 }
 
 class Worker {
@@ -78,10 +120,11 @@ public:
                     writer.number(column[i]);
                 if (!project(m_task, {m_rows.values[0][i], m_rows.values[1][i], m_rows.values[2][i]}, stages)) {
                     ++result.badRows;
-                    m_task.reader.complainOf(block, m_rows.lines[i], NumberReader::kNoColumn,
-                                             "the point has no place in the window: it lies in the plane of the eye, or "
-                                             "too far away",
-                                             result.messages);
+                    m_task.reader.complainOf(
+                        block, m_rows.places[i], NumberReader::kNoColumn,
+                        "the point has no place in the window: it lies in the plane of the eye, or "
+                        "too far away",
+                        result.messages);
                 }
             }
             for (std::size_t k = 0; k < stages.numbers.size(); ++k) {
@@ -101,44 +144,33 @@ private:
 
 } // namespace
 
-ExitCode runProject(const ProjectOptions &options)
+ExitCode runProject(const RowOptions &options)
 {
-    const std::optional<SceneInput> scene = sceneInput(options.scene);
-    if (!scene)
-        return ExitCode::UnusableInput;
-    const std::optional<BatchSpace> space = batchSpace(options.space, *scene);
-    if (!space)
-        return ExitCode::UnusableInput;
-    if (space->kind == BatchSpace::Kind::Eye) {
-        complain("--space eye: give world or object:NAME");
+    if (options.space != "world" && !options.space.starts_with("object:")) {
+        complain("--space " + options.space + ": give world or object:NAME");
         return ExitCode::UnusableInput;
     }
-    const Result<glm::dmat4> view = eyeFromWorld(scene->geometry), projection = clipFromEye(scene->geometry);
+    const std::unique_ptr<RowStream> rows = openRows(options, {"x", "y", "z"});
+    if (!rows)
+        return ExitCode::UnusableInput;
+    const PictureGeometry &geometry = rows->scene.geometry;
+    const Result<glm::dmat4> view = eyeFromWorld(geometry), projection = clipFromEye(geometry);
     for (const auto *matrix : {&view, &projection}) {
         if (!*matrix) {
             complain(options.scene + ": " + errorText(matrix->error()));
             return ExitCode::UnusableInput;
         }
     }
-    ByteSource source(options.input);
-    if (!source.isOpen())
-        return ExitCode::UnusableInput;
-    LineBlocks blocks(source);
-    const std::optional<NumberColumns> columns = readHeader(blocks, source, {"x", "y", "z"});
-    if (!columns)
-        return ExitCode::UnusableInput;
-
+    // Of points in the world the identity.
+    const glm::dmat4 &worldFromSource = rows->space.worldFromObject;
     const Task task{options.format,
-                    NumberReader(source.name(), *columns),
-                    scene->geometry,
-                    ndcDepthOf(scene->geometry),
-                    space->kind == BatchSpace::Kind::Object ? *view * space->worldFromObject : *view,
-                    *projection};
-    ByteSink sink;
-    std::string header;
-    RowWriter(options.format, kNames, header).header();
-    sink.write(header);
-    return runBlocks(blocks, source, sink, options.threads, [&] { return BlockWorker(Worker(task)); });
+                    NumberReader(rows->source.name(), rows->columns),
+                    geometry,
+                    ndcDepthOf(geometry),
+                    *view * worldFromSource,
+                    *projection,
+                    viewMagnitudes(*view) * magnitudes(worldFromSource)};
+    return runRows(*rows, options, kNames, [&] { return BlockWorker(Worker(task)); });
 }
 
 } // namespace unprojector

@@ -1,21 +1,14 @@
 #pragma once
 
 #include "core/cli/exit_code.h"
-#include "core/cli/row_writer.h"
-
-#include <string>
+#include "core/cli/row_stream.h"
 
 namespace unprojector {
 
-/// `unproject project`: points in, every stage on their way to the window out.
-struct ProjectOptions {
-    std::string scene;
-    std::string input = "-";     ///< a CSV file, "-" for stdin
-    std::string space = "world"; ///< of the points: "world" or "object:NAME"
-    RowFormat format = RowFormat::Csv;
-    unsigned threads = 2;
-};
-
-ExitCode runProject(const ProjectOptions &options);
+/// `unproject project`: points in, every stage on their way to the window out, and what `unproject points` takes: px, py and
+/// the depth. That depth is window_z, but for a point that lies on the near or far plane as far as can be told: there it is
+/// the plane's, though rounding may have put window_z a little outside the depth range.
+/// @param options  space: world or object:NAME
+ExitCode runProject(const RowOptions &options);
 
 } // namespace unprojector

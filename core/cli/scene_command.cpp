@@ -52,8 +52,9 @@ std::optional<double> numberOf(std::string_view word)
 
 /// Sorts the numbers of a text into the parts: those behind a part's name are that part's; those behind none go to the
 /// first part that is not yet full. Brackets, commas and other words are passed over.
+/// @param name  of the text, for the message
 /// @return what is wrong, or nothing
-std::string sortNumbers(const std::string &text, Parts &parts)
+std::string sortNumbers(const std::string &text, const std::string &name, Parts &parts)
 {
     Part *named = nullptr;
     for (std::size_t at = 0; at < text.size();) {
@@ -75,8 +76,12 @@ std::string sortNumbers(const std::string &text, Parts &parts)
                 named = &*part;
             continue;
         }
-        if (!std::isfinite(*value))
-            return '"' + word + "\" is not a finite number";
+        if (!std::isfinite(*value)) {
+            const std::string_view before = std::string_view(text).substr(0, end - word.size());
+            return name + ':' + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) + ':'
+                   + std::to_string(before.size() - (before.rfind('\n') + 1) + 1) + ": \"" + word
+                   + "\" is not a finite number";
+        }
         Part *target = named;
         if (target == nullptr) {
             const auto open =
@@ -87,7 +92,7 @@ std::string sortNumbers(const std::string &text, Parts &parts)
     }
     for (const Part &part : parts) {
         if (part.numbers.size() != part.wanted)
-            return std::string(part.name) + ": " + std::to_string(part.numbers.size()) + " numbers found, "
+            return name + ": " + part.name + ": " + std::to_string(part.numbers.size()) + " numbers found, "
                    + std::to_string(part.wanted) + " are needed";
     }
     return {};
@@ -103,28 +108,31 @@ glm::dmat4 matrixOf(const std::vector<double> &numbers, bool isRowByRow)
     return m;
 }
 
-/// What was pasted: the words themselves, or a file's text.
-std::optional<std::string> pasted(const std::vector<std::string> &words)
+struct Pasted {
+    std::string text, name;
+};
+
+/// What was pasted: the words themselves, or a file's text. What is wrong is said on stderr.
+std::optional<Pasted> pasted(const std::vector<std::string> &words)
 {
+    std::string text;
+    for (const std::string &word : words)
+        text += word + ' ';
     std::error_code ignored;
-    const bool isFile = words.size() == 1 && (words[0] == "-" || std::filesystem::is_regular_file(pathOf(words[0]), ignored));
-    if (!isFile) {
-        std::string text;
-        for (const std::string &word : words)
-            text += word + ' ';
-        return text;
-    }
+    const bool isFile = words.size() == 1 && (words[0] == "-" || std::filesystem::exists(pathOf(words[0]), ignored));
+    if (!isFile)
+        return Pasted{text, "--from-matrices"};
     ByteSource source(words[0]);
     if (!source.isOpen())
         return std::nullopt;
     constexpr std::size_t kMost = 1 << 20;
-    std::string text(kMost, '\0');
+    text.resize(kMost);
     text.resize(source.read(text.data(), kMost));
     if (text.size() == kMost || source.hasFailed()) {
         complain(source.name() + (source.hasFailed() ? ": cannot be read" : ": too long for two matrices and a viewport"));
         return std::nullopt;
     }
-    return text;
+    return Pasted{text, source.name()};
 }
 
 /// The window's size: asked for, or up to where the viewport reaches.
@@ -154,12 +162,15 @@ bool setWindow(const SceneOptions &options, const Viewport &viewport, SceneFile 
 
 ExitCode runScene(const SceneOptions &options)
 {
-    const std::optional<std::string> text = pasted(options.fromMatrices);
-    if (!text)
+    const std::optional<Pasted> given = pasted(options.fromMatrices);
+    if (!given)
         return ExitCode::UnusableInput;
     Parts parts{{{"modelview", 16}, {"projection", 16}, {"viewport", 4}}};
-    if (const std::string problem = sortNumbers(*text, parts); !problem.empty()) {
-        complain("--from-matrices: " + problem);
+    if (const std::string problem = sortNumbers(given->text, given->name, parts); !problem.empty()) {
+        const bool hasNumbers =
+            std::any_of(parts.begin(), parts.end(), [](const Part &p) { return !p.numbers.empty(); });
+        const bool isFileMeant = !hasNumbers && given->name == "--from-matrices" && options.fromMatrices.size() == 1;
+        complain(isFileMeant ? options.fromMatrices[0] + ": there is no such file" : problem);
         return ExitCode::UnusableInput;
     }
 

@@ -1,29 +1,16 @@
 #include "core/cli/scene_error_text.h"
 
-#include <charconv>
+#include "core/angle.h"
+#include "core/cli/number_writer.h"
+
 #include <cmath>
 
 namespace unprojector {
 namespace {
 
-std::string text(double value)
-{
-    char buffer[32];
-    const auto written = std::to_chars(buffer, buffer + sizeof buffer, value);
-    return std::string(buffer, written.ptr);
-}
-
-std::string degreesText(double radians)
-{
-    char buffer[32];
-    const auto written =
-        std::to_chars(buffer, buffer + sizeof buffer, radians * 57.29577951308232, std::chars_format::general, 6);
-    return std::string(buffer, written.ptr);
-}
-
 std::string bytesText(double bytes)
 {
-    return text(bytes / (1 << 20)) + " MiB";
+    return shortestText(bytes / (1 << 20)) + " MiB";
 }
 
 const char *kindText(JsonKind kind)
@@ -58,7 +45,7 @@ std::string withDetail(std::string sentence, const std::string &detail)
 /// Of a value under its key: the value comes first, the key is named before.
 std::string causeText(const Error &error)
 {
-    const std::string value = text(error.value), other = text(error.other);
+    const std::string value = shortestText(error.value), other = shortestText(error.other);
     switch (error.code) {
     case ErrorCode::NotFinite: return value + " is not a finite number";
     case ErrorCode::NearNotPositive: return value + " must be greater than 0";
@@ -66,7 +53,8 @@ std::string causeText(const Error &error)
     case ErrorCode::LeftEqualsRight: return value + " must differ from right";
     case ErrorCode::BottomEqualsTop: return value + " must differ from top";
     case ErrorCode::FieldOfViewOutOfRange:
-    case ErrorCode::ShearAngleOutOfRange: return degreesText(error.value) + " must lie between 0 and 180 degrees";
+    case ErrorCode::ShearAngleOutOfRange:
+        return shortestText(degreesFromRadians(error.value)) + " must lie between 0 and 180 degrees";
     case ErrorCode::AspectNotPositive:
     case ErrorCode::PixelRatioNotPositive: return value + " must be greater than 0";
     case ErrorCode::EyeEqualsCenter: return "must be another point than the eye";
@@ -102,20 +90,21 @@ std::string sentence(const SceneFileError &e)
     case SceneFileErrorCode::TooLarge: return "a scene may have at most " + bytesText(e.limit);
     case SceneFileErrorCode::Syntax: return e.detail;
     case SceneFileErrorCode::NumberTooLarge: return e.found + " is too large for a number";
-    case SceneFileErrorCode::TooDeep: return "brackets are nested deeper than " + text(e.limit) + " levels";
+    case SceneFileErrorCode::TooDeep: return "brackets are nested deeper than " + shortestText(e.limit) + " levels";
     case SceneFileErrorCode::DuplicateKey: return "the key \"" + e.found + "\" stands here for the second time";
     case SceneFileErrorCode::UnknownVersion:
-        return "version " + text(e.value) + " cannot be read, only version " + text(e.limit);
+        return "version " + shortestText(e.value) + " cannot be read, only version " + shortestText(e.limit);
     case SceneFileErrorCode::Missing: return "is missing";
     case SceneFileErrorCode::WrongType:
         return "expected " + std::string(kindText(e.expectedKind)) + ", found "
                + (e.found.empty() ? kindText(e.foundKind) : "\"" + e.found + "\"");
-    case SceneFileErrorCode::NotWhole: return text(e.value) + " must be a whole number";
+    case SceneFileErrorCode::NotWhole: return shortestText(e.value) + " must be a whole number";
     case SceneFileErrorCode::OutOfRange:
-        return text(e.value) + " must lie between " + text(e.lowest) + " and " + text(e.limit);
-    case SceneFileErrorCode::WrongCount: return "has " + text(e.value) + " elements; it must have " + text(e.limit);
+        return shortestText(e.value) + " must lie between " + shortestText(e.lowest) + " and " + shortestText(e.limit);
+    case SceneFileErrorCode::WrongCount:
+        return "has " + shortestText(e.value) + " elements; it must have " + shortestText(e.limit);
     case SceneFileErrorCode::TooMany:
-        return "has " + text(e.value) + " elements; there may be at most " + text(e.limit);
+        return "has " + shortestText(e.value) + " elements; there may be at most " + shortestText(e.limit);
     case SceneFileErrorCode::UnknownChoice:
         return (e.foundKind == JsonKind::Array ? e.found : "\"" + e.found + "\"") + " must be "
                + choicesText(e.choices);

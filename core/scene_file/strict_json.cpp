@@ -215,6 +215,10 @@ Result<Json, SceneFileError> parseStrictJson(std::string_view text)
         return error;
     }
     Builder builder(text);
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        builder.failSyntax(0, "the file is UTF-16; save it as UTF-8");
+        return *builder.error();
+    }
     // The library takes a zero byte for the end and would not look at what comes behind it.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
         builder.failSyntax(zero, "unexpected zero byte");

@@ -32,8 +32,10 @@ inline Run runCommand(const QStringList &arguments, const QByteArray &input = {}
     process.closeWriteChannel();
     if (!process.waitForFinished(120000))
         qFatal("the command does not end");
+    QByteArray errors = process.readAllStandardError();
+    errors.replace("\r\n", "\n"); // stderr is a text on Windows
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
-            process.readAllStandardError()};
+            errors};
 }
 
 /// A folder of files that a test makes.

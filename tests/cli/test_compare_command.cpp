@@ -2,9 +2,15 @@
 
 #include "tests/cli/command.h"
 
+#include "core/cli/distribution.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 class TestCompareCommand : public QObject {
     Q_OBJECT
@@ -14,6 +20,9 @@ private slots:
     void formulaHoldsItsPromise();
     void theGridIsAskedFor();
     void aMatrixOfNoKnownFormHasOneAnswer();
+    void numbersBeyondFloatAreNoAnswer();
+    void thePercentileIsThatOfAllNumbers_data();
+    void thePercentileIsThatOfAllNumbers();
     void theTableIsForPeople();
     void unusableInput();
 
@@ -94,6 +103,51 @@ void TestCompareCommand::aMatrixOfNoKnownFormHasOneAnswer()
     QVERIFY(found["formula double"]["ulps"].isNull());
     QCOMPARE(found["formula double"]["withoutAnswer"].toInt(), QJsonDocument::fromJson(run.output).object()["points"].toInt());
     QVERIFY(largestUlps(found["matrix double"]) < 1e3);
+}
+
+void TestCompareCommand::numbersBeyondFloatAreNoAnswer()
+{
+    const QByteArray scene = R"({"unprojector": 1, "window": {"width": 8, "height": 6},
+        "projection": {"type": "ortho", "left": -1e60, "right": 1e60, "bottom": -1e60, "top": 1e60, "near": 1, "far": 9},
+        "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}})";
+    const Run run = runCommand({"compare", "--json", "--pixels", "4", m_folder.write("scene.json", scene)});
+    QCOMPARE(run.exitCode, 0);
+    const QHash<QString, QJsonObject> found = ways(run.output);
+    QCOMPARE(found.size(), 4); // JSON has no infinity: it would be none
+    QCOMPARE(found["formula float"]["withoutAnswer"].toInt(), 16 * 17);
+    QVERIFY(found["formula float"]["ulps"].isNull());
+    QVERIFY(largestUlps(found["formula double"]) < 10.0);
+}
+
+void TestCompareCommand::thePercentileIsThatOfAllNumbers_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::addColumn<int>("most");
+    QTest::newRow("one") << 1 << 1;
+    QTest::newRow("one of many") << 1 << 100000;
+    QTest::newRow("fewer than a share") << 99 << 99;
+    QTest::newRow("many") << 100000 << 100000;
+    QTest::newRow("fewer than there might be") << 54321 << 100000;
+}
+
+/// Only the largest are kept; the answers are those of all.
+void TestCompareCommand::thePercentileIsThatOfAllNumbers()
+{
+    QFETCH(int, count);
+    QFETCH(int, most);
+    unprojector::Distribution distribution(0.999, std::size_t(most));
+    QVERIFY(distribution.isEmpty());
+    std::vector<double> all;
+    double sum = 0.0;
+    for (int i = 0; i < count; ++i) {
+        all.push_back(std::fmod(i * 0.6180339887498949, 1.0));
+        sum += all.back();
+        distribution.add(all.back());
+    }
+    std::sort(all.begin(), all.end());
+    QCOMPARE(distribution.largest(), all.back());
+    QCOMPARE(distribution.mean(), sum / count);
+    QCOMPARE(distribution.percentile(), all[std::min(std::size_t(0.999 * count), all.size() - 1)]);
 }
 
 void TestCompareCommand::theTableIsForPeople()

@@ -42,8 +42,6 @@ private slots:
     void everyDigitReadsBack();
     void manyRowsKeepTheirOrder_data();
     void manyRowsKeepTheirOrder();
-    void aClosedPipeEndsQuietly();
-    void helpHasExamples();
 
 private:
     Run points(const QByteArray &input, const QStringList &options = {}) const
@@ -235,8 +233,8 @@ void TestPointsCommand::unusableInput_data()
                                    << QByteArray("eye, world or object:NAME");
     QTest::newRow("no such method") << QStringList{"points", "--method", "guess", m_scene, "-"} << good
                                     << QByteArray("both, formula, matrix");
-    QTest::newRow("no such option") << QStringList{"points", "--colour", m_scene, "-"} << good << QByteArray("--colour");
-    QTest::newRow("no command") << QStringList{} << good << QByteArray("subcommand");
+    QTest::newRow("no such option") << QStringList{"points", "--colour", m_scene, "-"} << good
+                                    << QByteArray("--colour");
 }
 
 void TestPointsCommand::unusableInput()
@@ -292,30 +290,6 @@ void TestPointsCommand::manyRowsKeepTheirOrder()
     QCOMPARE(run.errors.count('\n'), 2);
     QVERIFY(run.errors.contains("stdin:70002:9: depth: \"deep\" is not a number"));
     QVERIFY(run.errors.contains("stdin:80002: the line is longer than"));
-}
-
-void TestPointsCommand::aClosedPipeEndsQuietly()
-{
-    QByteArray input("px,py,depth\n");
-    for (int i = 0; i < 200000; ++i)
-        input += "1,2,0.5\n";
-    const QString file = m_folder.write("many.csv", input);
-    // The reader is one that ends without reading anything.
-    QProcess process, reader;
-    process.setStandardOutputProcess(&reader);
-    process.start(QStringLiteral(UNPROJECT_COMMAND), {"points", m_scene, file});
-    reader.start(QStringLiteral(UNPROJECT_COMMAND), {"--help"});
-    QVERIFY(process.waitForStarted() && reader.waitForFinished() && process.waitForFinished());
-    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-    QCOMPARE(process.exitCode(), 0);
-    QCOMPARE(process.readAllStandardError(), QByteArray());
-}
-
-void TestPointsCommand::helpHasExamples()
-{
-    const Run run = runCommand({"points", "--help"});
-    QCOMPARE(run.exitCode, 0);
-    QVERIFY(run.output.contains("Examples:") && run.output.contains("unproject points scene.json"));
 }
 
 QTEST_GUILESS_MAIN(TestPointsCommand)

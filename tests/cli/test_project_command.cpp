@@ -2,12 +2,24 @@
 
 #include "tests/cli/command.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
 
 const QByteArray kHeader = "x,y,z,eye_x,eye_y,eye_z,clip_x,clip_y,clip_z,clip_w,ndc_x,ndc_y,ndc_z,window_x,window_y,"
                            "window_z,widget_x,widget_y,px,py,depth";
+
+/// A camera that looks askew from (31.7, -12.3, 55.1).
+QByteArray askew(const QByteArray &projection, const QByteArray &depthRange)
+{
+    return R"({"unprojector": 1, "window": {"width": 801, "height": 599}, "depthRange": )" + depthRange
+           + ", \"projection\": " + projection
+           + R"(, "view": {"eye": [31.7, -12.3, 55.1], "center": [1, 2, 3], "up": [0.1, 1, 0.3]}})";
+}
+
+const char *const kFrustum =
+    R"({"type": "frustum", "left": -0.1, "right": 0.13, "bottom": -0.07, "top": 0.11, "near": 0.1, "far": 1234.5})";
 
 } // namespace
 
@@ -20,6 +32,10 @@ private slots:
     void literalStages();
     void aPixelRatioDividesTheWidget();
     void backwardOfForwardIsThePoint();
+    void pointsOnThePlanesComeBack_data();
+    void pointsOnThePlanesComeBack();
+    void pointsOutsideStayOutside_data();
+    void pointsOutsideStayOutside();
     void badRowsAreNamed_data();
     void badRowsAreNamed();
     void objectsOwnCoordinates();
@@ -76,6 +92,73 @@ void TestProjectCommand::backwardOfForwardIsThePoint()
         QVERIFY(std::abs(cells[3 + k].toDouble() - expected[k]) <= 1e-14);
 }
 
+void TestProjectCommand::pointsOnThePlanesComeBack_data()
+{
+    QTest::addColumn<QByteArray>("projection");
+    QTest::addColumn<QByteArray>("depthRange");
+    QTest::newRow("frustum") << QByteArray(kFrustum) << QByteArray("[0, 1]");
+    QTest::newRow("frustum, reversed depths") << QByteArray(kFrustum) << QByteArray("[1, 0]");
+    QTest::newRow("frustum, part of the depths") << QByteArray(kFrustum) << QByteArray("[0.1, 0.3]");
+    QTest::newRow("thin box") << QByteArray(
+        R"({"type": "ortho", "left": -1, "right": 1.3, "bottom": -0.7, "top": 1.1, "near": 54.3, "far": 56.1})")
+                              << QByteArray("[0, 1]");
+}
+
+/// Points of a camera that looks askew, on its planes as exactly as doubles can say it: rounding puts many depths outside.
+void TestProjectCommand::pointsOnThePlanesComeBack()
+{
+    QFETCH(QByteArray, projection);
+    QFETCH(QByteArray, depthRange);
+    const QString scene = m_folder.write("askew.json", askew(projection, depthRange));
+    const QByteArray ends = depthRange.mid(1, depthRange.size() - 2);
+    QByteArray pixels("px,py,depth\n");
+    for (const QByteArray &end : {ends.split(',').first(), ends.split(',').last()}) {
+        for (int i = 0; i < 500; ++i)
+            pixels += QByteArray::number(i * 1.61) + ',' + QByteArray::number(i * 1.17) + ',' + end + '\n';
+    }
+    const Run planes = runCommand({"points", "--method", "formula", scene}, pixels);
+    QCOMPARE(planes.exitCode, 0);
+    const Run forward = runCommand({"project", scene}, QByteArray(planes.output).replace("formula_", ""));
+    QCOMPARE(forward.exitCode, 0);
+    const double low = std::min(ends.split(',').first().toDouble(), ends.split(',').last().toDouble());
+    const double high = std::max(ends.split(',').first().toDouble(), ends.split(',').last().toDouble());
+    int outside = 0; // by window_z, which is as it was computed
+    for (const QByteArray &line : forward.lines().mid(1)) {
+        const double windowDepth = line.split(',').at(15).toDouble();
+        outside += windowDepth < low || windowDepth > high ? 1 : 0;
+    }
+    QVERIFY2(outside > 10, QByteArray::number(outside));
+    const Run back = runCommand({"points", scene}, forward.output);
+    QCOMPARE(back.errors, QByteArray());
+    QCOMPARE(back.exitCode, 0);
+}
+
+void TestProjectCommand::pointsOutsideStayOutside_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    QTest::addColumn<QByteArray>("row");
+    QTest::newRow("before the near plane") << kFrustumScene << QByteArray("0,0,4.000000001");
+    QTest::newRow("before the near plane, by little") << kFrustumScene << QByteArray("0,0,4.0000000000001");
+    QTest::newRow("behind the far plane") << kFrustumScene << QByteArray("0,0,0.999999999");
+    QTest::newRow("behind the far plane, by little") << kFrustumScene << QByteArray("0.5,0.25,0.9999999999995");
+    QTest::newRow("behind the eye") << kFrustumScene << QByteArray("0,0,6");
+    // w is what rounding left of it, the depth anything.
+    QTest::newRow("in the plane of the eye") << askew(kFrustum, "[0, 1]") << QByteArray("46,18.4,55.1");
+    QTest::newRow("in the plane of the eye, elsewhere") << askew(kFrustum, "[0, 1]") << QByteArray("31.7,39.8,69.4");
+}
+
+void TestProjectCommand::pointsOutsideStayOutside()
+{
+    QFETCH(QByteArray, scene);
+    QFETCH(QByteArray, row);
+    const QString file = m_folder.write("outside.json", scene);
+    const Run forward = runCommand({"project", file}, "x,y,z\n" + row + '\n');
+    const Run back = runCommand({"points", file}, forward.output);
+    QCOMPARE(back.exitCode, 1);
+    QVERIFY2(back.errors.contains("lies outside the depth range 0 to 1") || forward.exitCode == 1,
+             back.errors.constData());
+}
+
 void TestProjectCommand::badRowsAreNamed_data()
 {
     QTest::addColumn<QByteArray>("row");
@@ -106,7 +189,11 @@ void TestProjectCommand::objectsOwnCoordinates()
     const Run object = runCommand({"project", "--space", "object:face", m_scene}, "x,y,z\n0.5,0.375,0.5\n");
     const Run world = runCommand({"project", m_scene}, "x,y,z\n1,0.75,4\n");
     QCOMPARE(object.lines().at(1).mid(sizeof("0.5,0.375,0.5,") - 1), world.lines().at(1).mid(sizeof("1,0.75,4,") - 1));
-    QCOMPARE(runCommand({"project", "--space", "eye", m_scene}, "x,y,z\n").exitCode, 2);
+    for (const QString &space : {QStringLiteral("eye"), QStringLiteral("clip")}) {
+        const Run run = runCommand({"project", "--space", space, m_scene}, "x,y,z\n");
+        QCOMPARE(run.errors, "--space " + space.toUtf8() + ": give world or object:NAME\n");
+        QCOMPARE(run.exitCode, 2);
+    }
 }
 
 void TestProjectCommand::jsonLines()

@@ -24,6 +24,8 @@ private slots:
     void fileAndWindow();
     void badMatricesAreRefused_data();
     void badMatricesAreRefused();
+    void badArgumentsAreNamed_data();
+    void badArgumentsAreNamed();
 
 private:
     Folder m_folder;
@@ -110,7 +112,11 @@ void TestSceneCommand::badMatricesAreRefused_data()
                                << QByteArray("viewport: 3 numbers found, 4 are needed");
     QTest::newRow("one too many") << "viewport " + kViewport + " modelview 1 " + kModelview + " projection " + kProjection
                                   << QByteArray("modelview: 17 numbers found, 16 are needed");
-    QTest::newRow("NaN") << "nan " + kModelview + ' ' + kProjection + ' ' + kViewport << QByteArray("not a finite number");
+    QTest::newRow("NaN") << "nan " + kModelview + ' ' + kProjection + ' ' + kViewport
+                         << QByteArray("stdin:1:1: \"nan\" is not a finite number");
+    QTest::newRow("infinity on another line")
+        << QByteArray(kModelview).replace(" 0 0 1 0", "\n  inf 0 1 0") + kProjection
+        << QByteArray("stdin:2:3: \"inf\" is not a finite number");
     QTest::newRow("empty viewport") << kModelview + ' ' + kProjection + " 0 0 0 300" << QByteArray("viewport");
     QTest::newRow("enormous viewport") << kModelview + ' ' + kProjection + " 0 0 1e300 300" << QByteArray("viewport");
 }
@@ -123,6 +129,39 @@ void TestSceneCommand::badMatricesAreRefused()
     QCOMPARE(run.exitCode, 2);
     QCOMPARE(run.output, QByteArray());
     QVERIFY2(run.errors.contains(message), run.errors.constData());
+    QVERIFY2(run.errors.startsWith("stdin:") || run.errors.startsWith("scene:") || run.errors.startsWith("viewport:"),
+             run.errors.constData());
+}
+
+void TestSceneCommand::badArgumentsAreNamed_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QByteArray>("message");
+    const QString numbers = QString::fromUtf8(kModelview + ' ' + kProjection + ' ' + kViewport);
+    const QString missing = m_folder.path("none/matrices2.txt");
+    QTest::newRow("no such file") << QStringList{missing} << missing.toUtf8() + ": there is no such file\n";
+    QTest::newRow("a folder") << QStringList{m_folder.path(".")}
+                              << m_folder.path(".").toUtf8() + ": this is a folder; give a file\n";
+    QTest::newRow("too few words") << QStringList{"1", "2"}
+                                   << QByteArray("--from-matrices: modelview: 2 numbers found, 16 are needed\n");
+    QTest::newRow("no size") << QStringList{numbers, "--window", "3by4"}
+                             << QByteArray("--window 3by4: give width and height in pixels, as in 800x600\n");
+    QTest::newRow("empty size") << QStringList{numbers, "--window", "0x4"}
+                                << QByteArray("scene: window.width: 0 must lie between 1 and 65536\n");
+    QTest::newRow("nowhere to write") << QStringList{numbers, "-o", m_folder.path("none/scene.json")}
+                                      << m_folder.path("none/scene.json").toUtf8() + ": the file cannot be written";
+    QTest::newRow("no order") << QStringList{numbers, "--order", "rows"}
+                              << QByteArray("--order: \"rows\" is none of column, row\n");
+}
+
+void TestSceneCommand::badArgumentsAreNamed()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QByteArray, message);
+    const Run run = runCommand(QStringList{"scene", "--from-matrices"} + arguments);
+    QVERIFY2(run.errors.startsWith(message), run.errors.constData());
+    QCOMPARE(run.exitCode, 2);
+    QCOMPARE(run.output, QByteArray());
 }
 
 QTEST_GUILESS_MAIN(TestSceneCommand)

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the command asks of the system beyond standard C++; the only place where systems differ, besides the opening of
+// files in byte_stream.
+
+namespace unprojector {
+
+/// The program's arguments in UTF-8, its own name first. Windows hands main() those that its code page has letters for;
+/// there the command line is asked for instead.
+std::vector<std::string> utf8Arguments(int argc, char **argv);
+
+/// While it lives, what the program writes to a Windows console is taken for UTF-8. Elsewhere it is anyway.
+class Utf8Console {
+public:
+    Utf8Console();
+    ~Utf8Console();
+    Utf8Console(const Utf8Console &) = delete;
+    Utf8Console &operator=(const Utf8Console &) = delete;
+
+private:
+    unsigned m_before = 0; ///< 0: nothing to put back
+};
+
+/// Whether somebody sees at once what is written to a stream.
+bool isTerminal(std::FILE *stream);
+
+/// Characters to a line of the terminal that a stream goes to; 80 where it does not tell, unless COLUMNS does.
+std::size_t terminalColumns(std::FILE *stream);
+
+/// The size of the file behind a stream; nothing for a pipe, a terminal or a device.
+std::optional<std::uint64_t> regularFileSize(std::FILE *stream);
+
+/// Bytes as they are, no line ends translated.
+void setBinary(std::FILE *stream);
+
+/// Reads what there is, waiting only while there is nothing: fewer bytes than asked for mean no end. Goes past the stream's
+/// own buffer, so that a stream is read this way or with fread, not both.
+/// @return 0 at the end, nothing at an error
+std::optional<std::size_t> readAvailable(std::FILE *stream, char *buffer, std::size_t size);
+
+} // namespace unprojector

@@ -1,0 +1,43 @@
+#include "core/cli/row_stream.h"
+
+#include <optional>
+#include <utility>
+
+namespace unprojector {
+
+RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const std::string &input)
+    : scene(std::move(sceneRead)), space(spaceInIt), source(input)
+{
+}
+
+std::unique_ptr<RowStream> openRows(const RowOptions &options, const std::array<std::string, 3> &columns)
+{
+    std::optional<SceneInput> scene = sceneInput(options.scene);
+    if (!scene)
+        return nullptr;
+    const std::optional<BatchSpace> space = batchSpace(options.space, *scene);
+    if (!space)
+        return nullptr;
+    auto rows = std::make_unique<RowStream>(std::move(*scene), *space, options.input);
+    if (!rows->source.isOpen())
+        return nullptr;
+    const std::optional<NumberColumns> found = readHeader(rows->blocks, rows->source, columns);
+    if (!found)
+        return nullptr;
+    rows->columns = *found;
+    return rows;
+}
+
+ExitCode runRows(RowStream &rows, const RowOptions &options, const std::vector<std::string> &names,
+                 const std::function<BlockWorker()> &worker)
+{
+    ByteSink sink;
+    if (!options.isHeaderless) {
+        std::string header;
+        RowWriter(options.format, names, header).header();
+        sink.write(header);
+    }
+    return runBlocks(rows.blocks, rows.source, sink, options.threads, worker);
+}
+
+} // namespace unprojector

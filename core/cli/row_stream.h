@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/cli/block_pipeline.h"
+#include "core/cli/number_table.h"
+#include "core/cli/row_writer.h"
+#include "core/cli/scene_input.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace unprojector {
+
+/// What all commands that take rows of numbers through a scene are told.
+struct RowOptions {
+    std::string scene;
+    std::string input = "-";     ///< a CSV file, "-" for stdin
+    std::string space = "world"; ///< of the points: "eye", "world" or "object:NAME"
+    RowFormat format = RowFormat::Csv;
+    bool isHeaderless = false; ///< no header is written, so that results can be put behind each other
+    unsigned threads = 2;
+};
+
+/// The scene, the space in it, and the rows behind a header that has the columns.
+struct RowStream {
+    RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const std::string &input);
+
+    SceneInput scene;
+    BatchSpace space;
+    ByteSource source;
+    LineBlocks blocks{source};
+    NumberColumns columns;
+};
+
+/// Opens all of it; null, with the reason on stderr, where something is unusable.
+std::unique_ptr<RowStream> openRows(const RowOptions &options, const std::array<std::string, 3> &columns);
+
+/// Takes all rows through workers to stdout.
+/// @param names   of the columns written
+/// @param worker  makes the worker of a thread
+ExitCode runRows(RowStream &rows, const RowOptions &options, const std::vector<std::string> &names,
+                 const std::function<BlockWorker()> &worker);
+
+} // namespace unprojector

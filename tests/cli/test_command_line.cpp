@@ -1,0 +1,127 @@
+// The words of the command line: what every command says of itself, and of words that it does not know.
+
+#include "tests/cli/command.h"
+
+class TestCommandLine : public QObject {
+    Q_OBJECT
+
+private slots:
+    void helpHasExamplesThatWork_data();
+    void helpHasExamplesThatWork();
+    void helpNamesAllCommandsAndExitCodes();
+    void wordsAreChecked_data();
+    void wordsAreChecked();
+    void resultsThatCannotBeWritten();
+
+private:
+    Folder m_folder;
+};
+
+void TestCommandLine::helpHasExamplesThatWork_data()
+{
+    QTest::addColumn<QString>("command");
+    for (const char *command : {"points", "project", "cloud", "compare", "matrices", "scene"})
+        QTest::newRow(command) << command;
+}
+
+/// The examples are taken out of the help and run as they stand there.
+void TestCommandLine::helpHasExamplesThatWork()
+{
+    QFETCH(QString, command);
+    const Run help = runCommand({command, "--help"});
+    QCOMPARE(help.exitCode, 0);
+    QCOMPARE(help.errors, QByteArray());
+    const qsizetype at = help.output.indexOf("\nExample");
+    QVERIFY(at > 0);
+    QByteArray examples = help.output.mid(help.output.indexOf('\n', at + 1) + 1);
+    examples.truncate(examples.contains("\n\n") ? examples.indexOf("\n\n") : examples.size());
+    QVERIFY(examples.contains("unproject " + command.toUtf8()));
+#ifdef Q_OS_UNIX
+    m_folder.write("scene.json", kFrustumScene);
+    m_folder.write("clicks.csv", "px,py,depth\n1.5,2.5,0.5\n");
+    m_folder.write("pixels.csv", "px,py,depth\n1,2,0.5\n");
+    m_folder.write("many.csv", "px,py,depth\n1,2,0.5\n");
+    m_folder.write("points.csv", "x,y,z\n0,0,2\n");
+    m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(800 * 600 * 4, '\0'));
+    m_folder.write("depth.raw", QByteArray(1920 * 1080 * 4, '\0'));
+    m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
+    examples.replace("\n      ", " "); // a long one goes on in the next line
+    for (const QByteArray &line : examples.trimmed().split('\n')) {
+        const QByteArray example = line.trimmed();
+        if (example.startsWith("parallel ") || example.contains("1920x1080"))
+            continue; // another program's; another window's
+        QProcess shell;
+        shell.setWorkingDirectory(m_folder.path("."));
+        shell.start("sh", {"-c", "unproject() { '" UNPROJECT_COMMAND "' \"$@\"; }; " + QString::fromUtf8(example)});
+        QVERIFY(shell.waitForFinished(60000));
+        QVERIFY2(shell.readAllStandardError().isEmpty() && shell.exitCode() == 0, example.constData());
+        // The examples of `scene` write the scene of the others.
+        m_folder.write("scene.json", kFrustumScene);
+    }
+#endif
+}
+
+void TestCommandLine::helpNamesAllCommandsAndExitCodes()
+{
+    const Run run = runCommand({"--help"});
+    QCOMPARE(run.exitCode, 0);
+    for (const char *word : {"points", "project", "cloud", "compare", "matrices", "scene", "0 done", "1 some rows bad",
+                             "2 unusable input"})
+        QVERIFY2(run.output.contains(word), word);
+    QVERIFY(runCommand({"--version"}).output.startsWith("unproject "));
+}
+
+void TestCommandLine::wordsAreChecked_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("message");
+    const auto row = [](const char *name, const QStringList &words, const char *message) {
+        QTest::newRow(name) << words << QByteArray(message);
+    };
+    row("no command", {}, "A subcommand is required");
+    row("no such command", {"pionts", "scene.json"},
+        "\"pionts\" is no command; give one of points, project, scene, cloud, compare, matrices\n");
+    row("an empty word", {""}, "\"\" is no command");
+    row("no scene", {"points"}, "SCENE is required");
+    row("an empty name", {"points", ""}, "SCENE: give the name of a file");
+    row("a file too many", {"points", "scene.json", "a.csv", "b.csv"},
+        "The following argument was not expected: b.csv");
+    row("no such option", {"project", "--pixel", "scene.json"}, "The following argument was not expected: --pixel");
+    row("no threads", {"points", "--threads", "0", "scene.json"}, "--threads: Value 0 not in range 1 to 64");
+    row("a word for a number", {"compare", "--pixels", "many", "scene.json"},
+        "--pixels: Value many not in range 1 to 1000");
+    row("no such format", {"matrices", "--format", "xml", "scene.json"},
+        "--format: \"xml\" is none of c, json, latex, numpy, text");
+    row("no output", {"cloud", "scene.json", "depth"}, "--output is required");
+    row("an option without its word", {"points", "scene.json", "--space"}, "--space: 1 required");
+}
+
+void TestCommandLine::wordsAreChecked()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, message);
+    const Run run = runCommand(words);
+    QVERIFY2(run.errors.startsWith(message), run.errors.constData());
+    QCOMPARE(run.output, QByteArray());
+    QCOMPARE(run.exitCode, 2);
+}
+
+void TestCommandLine::resultsThatCannotBeWritten()
+{
+    if (!QFile::exists("/dev/full"))
+        QSKIP("no device that is always full");
+    const QString scene = m_folder.write("scene.json", kFrustumScene);
+    const QString rows = m_folder.write("rows.csv", "px,py,depth\n" + QByteArray("1,2,0.5\n").repeated(100000));
+    for (const QStringList &words :
+         {QStringList{"points", scene, rows}, {"matrices", scene}, {"compare", "--pixels", "2", scene}}) {
+        QProcess process;
+        process.setStandardOutputFile("/dev/full");
+        process.start(QStringLiteral(UNPROJECT_COMMAND), words);
+        QVERIFY(process.waitForFinished());
+        QCOMPARE(process.readAllStandardError(), QByteArray("stdout: cannot be written: No space left on device\n"));
+        QCOMPARE(process.exitCode(), 2);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestCommandLine)
+#include "test_command_line.moc"

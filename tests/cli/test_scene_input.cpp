@@ -1,0 +1,366 @@
+// Scenes that are none, through the executable: a message with the file and the place, exit code 2, never a crash.
+
+#include "tests/cli/command.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QSet>
+
+namespace {
+
+/// Every key that the command reads.
+const QByteArray kScene = R"({"unprojector": 1,
+ "window": {"width": 8, "height": 6, "devicePixelRatio": 1},
+ "viewport": {"x": 0, "y": 0, "width": 8, "height": 6},
+ "depthRange": [0, 1],
+ "projection": {"type": "oblique", "left": -2, "right": 2, "bottom": -1, "top": 1, "near": 1, "far": 4, "theta": 45, "phi": 60},
+ "view": {"eye": [0, 0, 5], "center": [0, 0, 1], "up": [0, 1, 0]},
+ "objects": [{"name": "face", "file": "f.obj", "transform": [{"translate": [0, 0, 3]}, {"rotate": [9, 0, 1, 0]}, {"scale": [2, 3, 4]}]}],
+ "clipPlanes": [[0, 1, 0, 0]]})";
+
+/// Those that only other scenes have.
+const QByteArray kMatrixScene = R"({"unprojector": 1, "window": {"width": 8, "height": 6},
+ "projection": {"type": "matrix", "matrix": [1,0,0,0, 0,1,0,0, 0,0,-2,-1, 0,0,-3,0], "ndcDepth": [-1, 1]},
+ "view": {"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5,1]},
+ "objects": [{"bundled": "Teapot"}]})";
+const QByteArray kPerspectiveScene = R"({"unprojector": 1, "window": {"width": 8, "height": 6},
+ "projection": {"type": "perspective", "fovy": 45, "aspect": 1.5, "near": 1, "far": 4},
+ "view": {"eye": [0, 0, 5], "center": [0, 0, 1], "up": [0, 1, 0]}})";
+
+using Steps = QList<QVariant>; ///< keys and places
+
+QString pathOf(const Steps &steps)
+{
+    QString path;
+    for (const QVariant &step : steps) {
+        if (step.typeId() == QMetaType::QString)
+            path += (path.isEmpty() ? "" : ".") + step.toString();
+        else
+            path += '[' + step.toString() + ']';
+    }
+    return path;
+}
+
+/// All values below a value.
+void collect(const QJsonValue &value, const Steps &steps, QList<Steps> &all)
+{
+    if (!steps.isEmpty())
+        all.append(steps);
+    const QJsonObject object = value.toObject();
+    for (auto it = object.begin(); it != object.end(); ++it)
+        collect(it.value(), steps + Steps{it.key()}, all);
+    const QJsonArray array = value.toArray();
+    for (int i = 0; i < array.size(); ++i)
+        collect(array[i], steps + Steps{i}, all);
+}
+
+QJsonValue valueAt(QJsonValue value, const Steps &steps)
+{
+    for (const QVariant &step : steps)
+        value = step.typeId() == QMetaType::QString ? value[step.toString()] : value[step.toInt()];
+    return value;
+}
+
+QJsonValue replaced(const QJsonValue &value, const Steps &steps, const QJsonValue &by)
+{
+    if (steps.isEmpty())
+        return by;
+    const QJsonValue inner = replaced(valueAt(value, {steps[0]}), steps.mid(1), by);
+    if (steps[0].typeId() == QMetaType::QString) {
+        QJsonObject object = value.toObject();
+        object[steps[0].toString()] = inner;
+        return object;
+    }
+    QJsonArray array = value.toArray();
+    array[steps[0].toInt()] = inner;
+    return array;
+}
+
+/// "LINE:COLUMN" of a place in a text, both counted from 1.
+QByteArray lineAndColumn(const QByteArray &text, qsizetype at)
+{
+    const QByteArray before = text.left(at);
+    return QByteArray::number(before.count('\n') + 1) + ':' + QByteArray::number(at - before.lastIndexOf('\n'));
+}
+
+QByteArray utf16(const QByteArray &text, bool isLittleEndian)
+{
+    QByteArray bytes;
+    for (const char c : text)
+        bytes += isLittleEndian ? QByteArray(1, c) + '\0' : QByteArray(1, '\0') + c;
+    return bytes;
+}
+
+} // namespace
+
+class TestSceneInput : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theScenesThemselvesAreRead();
+    void noTruncationIsRead();
+    void everyValueHasItsType_data();
+    void everyValueHasItsType();
+    void noKeyStandsTwice_data();
+    void noKeyStandsTwice();
+    void noNumberIsTooLarge_data();
+    void noNumberIsTooLarge();
+    void brokenFiles_data();
+    void brokenFiles();
+    void hugeFiles_data();
+    void hugeFiles();
+    void noSuchFile();
+    void otherEncodingsOfTheSameScene_data();
+    void otherEncodingsOfTheSameScene();
+    void everyCommandSaysTheSame();
+
+private:
+    /// Runs a command that reads the scene; its points are in order.
+    Run with(const QByteArray &scene) const
+    {
+        return runCommand({"points", m_folder.write("scene.json", scene)}, "px,py,depth\n4,3,0.5\n");
+    }
+    /// @param message  what stands behind the file's name
+    void verifyRefused(const QByteArray &scene, const QByteArray &message) const
+    {
+        const Run run = with(scene);
+        const QByteArray expected = m_folder.path("scene.json").toUtf8() + message;
+        QVERIFY2(run.errors.startsWith(expected), "expected\n" + expected + "\nfound\n" + run.errors);
+        QCOMPARE(run.errors.count('\n'), 1);
+        QCOMPARE(run.output, QByteArray());
+        QCOMPARE(run.exitCode, 2);
+    }
+
+    Folder m_folder;
+};
+
+void TestSceneInput::theScenesThemselvesAreRead()
+{
+    for (const QByteArray &scene : {kScene, kMatrixScene, kPerspectiveScene}) {
+        const Run run = with(scene);
+        QCOMPARE(run.errors, QByteArray());
+        QCOMPARE(run.exitCode, 0);
+        QCOMPARE(run.lines().size(), 2);
+    }
+}
+
+void TestSceneInput::noTruncationIsRead()
+{
+    for (qsizetype length = 0; length < kPerspectiveScene.size(); ++length) {
+        verifyRefused(kPerspectiveScene.left(length), length == 0 ? ": the file is empty" : ":");
+        if (QTest::currentTestFailed())
+            return;
+    }
+}
+
+void TestSceneInput::everyValueHasItsType_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    QTest::addColumn<QByteArray>("message");
+    const QList<std::pair<const char *, QJsonValue>> values{{"null", QJsonValue()},   {"true", true},
+                                                            {"a number", 7},          {"a text", "seven"},
+                                                            {"a list", QJsonArray{}}, {"an object", QJsonObject{}}};
+    QSet<QByteArray> known; // what one scene has is not tried with the next
+    for (const QByteArray &scene : {kScene, kMatrixScene, kPerspectiveScene}) {
+        const QJsonValue root = QJsonDocument::fromJson(scene).object();
+        QList<Steps> all;
+        collect(root, {}, all);
+        for (const Steps &steps : std::as_const(all)) {
+            const QByteArray path = pathOf(steps).toUtf8();
+            // Of a matrix the last number stands for all.
+            const bool isOneOfMany =
+                valueAt(root, steps.mid(0, steps.size() - 1)).toArray().size() == 16 && steps.last() != 15;
+            if (isOneOfMany || known.contains(path))
+                continue;
+            known.insert(path);
+            for (const auto &[name, value] : values) {
+                if (valueAt(root, steps).type() == value.type())
+                    continue;
+                QTest::addRow("%s: %s", path.constData(), name)
+                    << QJsonDocument(replaced(root, steps, value).toObject()).toJson() << ": " + path + ": expected ";
+            }
+        }
+    }
+}
+
+void TestSceneInput::everyValueHasItsType()
+{
+    QFETCH(QByteArray, scene);
+    QFETCH(QByteArray, message);
+    verifyRefused(scene, message);
+}
+
+void TestSceneInput::noKeyStandsTwice_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    QTest::addColumn<QByteArray>("message");
+    QRegularExpressionMatchIterator keys = QRegularExpression("\"(\\w+)\":").globalMatch(QString::fromUtf8(kScene));
+    while (keys.hasNext()) {
+        const QRegularExpressionMatch key = keys.next();
+        const QByteArray name = key.captured(1).toUtf8(), once = '"' + name + "\": [], ";
+        const QByteArray scene = QByteArray(kScene).insert(key.capturedStart(), once);
+        QTest::addRow("%s at %d", name.constData(), int(key.capturedStart()))
+            << scene
+            << ':' + lineAndColumn(scene, key.capturedStart() + once.size()) + ": the key \"" + name
+                   + "\" stands here for the second time\n";
+    }
+}
+
+void TestSceneInput::noKeyStandsTwice()
+{
+    QFETCH(QByteArray, scene);
+    QFETCH(QByteArray, message);
+    verifyRefused(scene, message);
+}
+
+void TestSceneInput::noNumberIsTooLarge_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    QTest::addColumn<QByteArray>("message");
+    QRegularExpressionMatchIterator numbers =
+        QRegularExpression("(?<=[ \\[,])-?[0-9.]+(?=[,\\]}])").globalMatch(QString::fromUtf8(kScene));
+    while (numbers.hasNext()) {
+        const QRegularExpressionMatch number = numbers.next();
+        const QByteArray scene = QByteArray(kScene).replace(number.capturedStart(), number.capturedLength(), "-1e400");
+        QTest::addRow("at %d", int(number.capturedStart()))
+            << scene << ':' + lineAndColumn(scene, number.capturedStart()) + ": -1e400 is too large for a number\n";
+    }
+}
+
+void TestSceneInput::noNumberIsTooLarge()
+{
+    QFETCH(QByteArray, scene);
+    QFETCH(QByteArray, message);
+    verifyRefused(scene, message);
+}
+
+void TestSceneInput::brokenFiles_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    QTest::addColumn<QByteArray>("message");
+    const auto row = [](const char *name, const QByteArray &scene, const char *message) {
+        QTest::newRow(name) << scene << QByteArray(message);
+    };
+    const auto changed = [](const char *from, const char *to) { return QByteArray(kScene).replace(from, to); };
+    row("empty", "", ": the file is empty");
+    row("blanks", " \t\r\n\n", ": the file is empty");
+    row("byte order mark alone", "\xEF\xBB\xBF", ": the file is empty");
+    row("UTF-16, little-endian", "\xFF\xFE" + utf16(kScene, true), ":1:1: the file is UTF-16; save it as UTF-8");
+    row("UTF-16, big-endian", "\xFE\xFF" + utf16(kScene, false), ":1:1: the file is UTF-16; save it as UTF-8");
+    row("UTF-16 without a mark", utf16(kScene, true), ":1:2: unexpected zero byte");
+    row("Latin-1", changed("face", "Gr\xFCn"), ":7:26: while parsing value - invalid string: ill-formed UTF-8 byte");
+    row("a picture", QByteArray("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), ":");
+    row("a CSV", "px,py,depth\n1,2,3\n", ":1:1: ");
+    row("10 000 brackets", QByteArray(10000, '['), ":1:65: brackets are nested deeper than 64 levels");
+    row("10 000 brackets, closed", QByteArray(10000, '[') + QByteArray(10000, ']'),
+        ":1:65: brackets are nested deeper");
+    row("10 000 objects", QByteArray("{\"a\":").repeated(10000), ":1:321: brackets are nested deeper than 64 levels");
+    row("10 000 brackets under an unknown key",
+        changed("\"window\"", "\"x\": " + QByteArray(10000, '[') + ", \"window\""), ":2:");
+    row("projection of an unknown type", changed("oblique", "fisheye"),
+        ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique or matrix\n");
+    row("a step of an unknown type", changed("rotate", "shear"),
+        ": objects[0].transform[1]: must have exactly one of translate, rotate or scale\n");
+    row("near 0", QByteArray(kPerspectiveScene).replace("\"near\": 1", "\"near\": 0"),
+        ": projection.near: 0 must be greater than 0\n");
+    row("an angle of 200.1 degrees", changed("45", "200.1"),
+        ": projection.theta: 200.1 must lie between 0 and 180 degrees\n");
+    row("comment", "// a scene\n" + kScene, ":1:1: ");
+    row("comma at the end", changed("[0, 1],", "[0, 1,],"), ":4:");
+    row("two scenes", kScene + kScene, ":8:31: ");
+}
+
+void TestSceneInput::brokenFiles()
+{
+    QFETCH(QByteArray, scene);
+    QFETCH(QByteArray, message);
+    verifyRefused(scene, message);
+}
+
+void TestSceneInput::hugeFiles_data()
+{
+    QTest::addColumn<QByteArray>("before");
+    QTest::addColumn<QByteArray>("repeated");
+    QTest::addColumn<QByteArray>("after");
+    QTest::newRow("blanks") << QByteArray() << QByteArray(" ") << QByteArray(kScene);
+    QTest::newRow("one text") << QByteArray("{\"note\": \"") << QByteArray("a") << "\", " + kScene.mid(1);
+    QTest::newRow("a list of numbers") << QByteArray("{\"list\": [0") << QByteArray(",1e5") << "], " + kScene.mid(1);
+    QTest::newRow("brackets") << QByteArray() << QByteArray("[") << QByteArray();
+    QTest::newRow("zeros") << QByteArray() << QByteArray(1, '\0') << QByteArray();
+}
+
+void TestSceneInput::hugeFiles()
+{
+    QFETCH(QByteArray, before);
+    QFETCH(QByteArray, repeated);
+    QFETCH(QByteArray, after);
+    const QString path = m_folder.path("huge.json");
+    {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(before);
+        const QByteArray piece = repeated.repeated(1000000 / repeated.size());
+        for (int i = 0; i < 100; ++i)
+            QCOMPARE(file.write(piece), piece.size());
+        file.write(after);
+    }
+    const Run run = runCommand({"points", path}, "px,py,depth\n4,3,0.5\n");
+    QFile::remove(path);
+    QCOMPARE(run.errors, path.toUtf8() + ": a scene may have at most 8 MiB\n");
+    QCOMPARE(run.output, QByteArray());
+    QCOMPARE(run.exitCode, 2);
+}
+
+void TestSceneInput::noSuchFile()
+{
+    for (const QString &path : {m_folder.path("none.json"), m_folder.path("none/scene.json")}) {
+        const Run run = runCommand({"points", path});
+        QCOMPARE(run.errors, path.toUtf8() + ": there is no such file\n");
+        QCOMPARE(run.exitCode, 2);
+    }
+    const Run folder = runCommand({"points", m_folder.path(".")});
+    QCOMPARE(folder.errors, m_folder.path(".").toUtf8() + ": this is a folder, not a scene file\n");
+    QCOMPARE(folder.exitCode, 2);
+}
+
+void TestSceneInput::otherEncodingsOfTheSameScene_data()
+{
+    QTest::addColumn<QByteArray>("scene");
+    QTest::newRow("byte order mark") << "\xEF\xBB\xBF" + kScene;
+    QTest::newRow("CRLF") << QByteArray(kScene).replace("\n", "\r\n");
+    QTest::newRow("on one line") << QByteArray(kScene).replace("\n", "");
+    QTest::newRow("tabs and blanks around") << "\n\t " + QByteArray(kScene).replace(" ", "\t \t") + "\n\n";
+    QTest::newRow("exponents")
+        << QByteArray(kScene).replace("45", "4.5e+1").replace("60", "0.6E2").replace("[0, 1]", "[0e0, 100e-2]");
+}
+
+void TestSceneInput::otherEncodingsOfTheSameScene()
+{
+    QFETCH(QByteArray, scene);
+    const Run run = with(scene);
+    QCOMPARE(run.errors, QByteArray());
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.output, with(kScene).output);
+}
+
+void TestSceneInput::everyCommandSaysTheSame()
+{
+    const QString scene = m_folder.write("scene.json", QByteArray(kScene).replace("\"near\": 1", "\"near\": null"));
+    const QString depth = m_folder.write("depth", QByteArray(8 * 6 * 4, '\0'));
+    const QList<QStringList> commands{{"points", scene},
+                                      {"project", scene},
+                                      {"matrices", scene},
+                                      {"compare", scene},
+                                      {"cloud", "--size", "8x6", scene, depth, "-o", "-"}};
+    for (const QStringList &command : commands) {
+        const Run run = runCommand(command, "px,py,depth,x,y,z\n");
+        QCOMPARE(run.errors, scene.toUtf8() + ": projection.near: expected a number, found null\n");
+        QCOMPARE(run.output, QByteArray());
+        QCOMPARE(run.exitCode, 2);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestSceneInput)
+#include "test_scene_input.moc"
