@@ -32,8 +32,7 @@ SceneFile saved(const Scene &scene, const SceneFile &before)
 
 const char *const kFrustum =
     R"({"type": "matrix", "matrix": [1.1,0,0,0, 0,1.3333333333333333,0,0, 0.1,-0.3,-1.25,-1, 0,0,-2.25,0]})";
-const char *const kTurned =
-    R"({"matrix": [0.6,0,0.8,0, 0,1,0,0, -0.8,0,0.6,0, 0.3333333333333333,-2.7,-5.1,1]})";
+const char *const kTurned = R"({"matrix": [0.6,0,0.8,0, 0,1,0,0, -0.8,0,0.6,0, 0.3333333333333333,-2.7,-5.1,1]})";
 
 bool hasMatrixOf(const SceneFile &file, const SceneFile &other)
 {
