@@ -1305,7 +1305,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
     <message>
         <source>Discard Unsaved Changes</source>
-        <translation>放弃未保存的更改</translation>
+        <translation>丢弃未保存的更改</translation>
     </message>
     <message>
         <source>Delete the unsaved changes to %1 for good?</source>
@@ -2166,7 +2166,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
     <message>
         <source>&amp;Discard</source>
-        <translation>放弃(&amp;D)</translation>
+        <translation>丢弃(&amp;D)</translation>
     </message>
     <message>
         <source>Delete these changes for good</source>
