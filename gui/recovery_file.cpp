@@ -106,21 +106,12 @@ bool RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
     return file.commit(); // fails where a write did
 }
 
-std::optional<std::pair<QByteArray, QByteArray>> RecoveryFile::parts() const
-{
-    QFile file(path());
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostInfoBytes + static_cast<qint64>(kMostSceneBytes))
-        return std::nullopt;
-    QByteArray line = file.readLine(kMostInfoBytes);
-    return std::pair(std::move(line), file.readAll());
-}
-
 std::optional<RecoveryInfo> RecoveryFile::info() const
 {
-    const auto read = parts();
-    if (!read)
+    QFile file(path());
+    if (!file.open(QIODevice::ReadOnly))
         return std::nullopt;
-    const QJsonObject json = QJsonDocument::fromJson(read->first).object();
+    const QJsonObject json = QJsonDocument::fromJson(file.readLine(kMostInfoBytes)).object();
     if (json.value(versionKey()).toInt() != kVersion)
         return std::nullopt;
     RecoveryInfo info;
@@ -135,12 +126,16 @@ std::optional<RecoveryInfo> RecoveryFile::info() const
 Result<SceneFile, SceneFileError> RecoveryFile::scene() const
 {
     const std::string name = QFileInfo(path()).fileName().toStdString();
-    if (const auto read = parts())
-        return parseScene({read->second.constData(), static_cast<std::size_t>(read->second.size())}, name);
-    SceneFileError error;
-    error.code = SceneFileErrorCode::NotReadable;
-    error.file = name;
-    return error;
+    QFile file(path());
+    if (!file.open(QIODevice::ReadOnly)) {
+        SceneFileError error;
+        error.code = SceneFileErrorCode::NotReadable;
+        error.file = name;
+        return error;
+    }
+    file.readLine(kMostInfoBytes);
+    const QByteArray text = file.read(static_cast<qint64>(kMostSceneBytes) + 1); // enough to be refused as too large
+    return parseScene({text.constData(), static_cast<std::size_t>(text.size())}, name);
 }
 
 void RecoveryFile::remove()

@@ -49,7 +49,7 @@ public:
     bool write(const RecoveryInfo &info, const std::string &sceneText);
     /// @return nothing where the file is damaged
     std::optional<RecoveryInfo> info() const;
-    /// @return NotReadable, TooLarge; the errors of parseScene, with lines counted from the scene's first
+    /// @return NotReadable; the errors of parseScene, with lines counted from the scene's first
     Result<SceneFile, SceneFileError> scene() const;
 
     QString path() const;
@@ -62,8 +62,6 @@ private:
     RecoveryFile(const QString &folder, const QString &id);
     /// Removes what a dead program may have left of this file besides its content.
     void clearRests() const;
-    /// The line of the RecoveryInfo and all after it.
-    std::optional<std::pair<QByteArray, QByteArray>> parts() const;
 
     QString m_folder;
     QString m_id;

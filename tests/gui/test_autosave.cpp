@@ -368,7 +368,6 @@ void TestAutosave::aKilledProgramsChangesAreOfferedAndRecovered()
     QVERIFY(program.waitForFinished());
     QCOMPARE(program.exitStatus(), QProcess::CrashExit);
 
-    // Relative paths were relative to the folder of the program that is gone.
     const auto window = windowKeepingIn(recovery());
     window->openBundledScene();
     window->offerRecovery();
