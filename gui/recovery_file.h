@@ -21,8 +21,8 @@ struct RecoveryInfo {
     QDateTime time;                  ///< when it was kept
 };
 
-/// One scene with unsaved changes, kept in the recovery folder in case the program ends unexpectedly. Whoever has such an
-/// object holds the file's lock: no other window and no other running program offers it or writes it.
+/// One scene with unsaved changes, kept in the recovery folder in case the program ends unexpectedly. Whoever has such
+/// an object holds the file's lock: no other window and no other running program offers it or writes it.
 ///
 /// The file is one line of JSON with the RecoveryInfo, then the scene as File > Save would write it beside the scene
 /// file, so that its models are found from there. A scene without a file has them by absolute paths. Both parts are in

@@ -14,7 +14,6 @@
 #include <QTimer>
 
 #include <cstdio>
-#include <cstring>
 
 using namespace keeping;
 
@@ -363,11 +362,10 @@ void TestRecovery::whatDeadProgramsLeaveIsCleared()
 
 int main(int argc, char **argv)
 {
-    const bool isChild = argc == 4 && std::strcmp(argv[1], "--until-killed") == 0;
     QApplication application(argc, argv);
-    if (isChild) {
+    if (const QStringList words = QCoreApplication::arguments(); words.value(1) == QStringLiteral("--until-killed")) {
         guitest::redirectSettings();
-        return runUntilKilled(QString::fromLocal8Bit(argv[2]), QString::fromLocal8Bit(argv[3]));
+        return runUntilKilled(words.at(2), words.at(3));
     }
     TestRecovery test;
     return QTest::qExec(&test, argc, argv);
