@@ -104,7 +104,8 @@ Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path 
 /// @param geometry   of the scene, in the window that shows it
 /// @param sceneFile  to be written; the objects' files are given relative to its folder
 /// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its name
-///                   and file)
+///                   and file); a matrix as well, to the last digit, while the scene has just the projection or the camera
+///                   that was read from it. Otherwise their parameters are written
 SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const std::filesystem::path &sceneFile,
                         const SceneFile &before = {});
 

@@ -129,6 +129,7 @@ int main(int argc, char **argv)
         window.openBundledScene();
     else
         window.openFiles(std::move(files));
+    window.offerRecovery();
     window.show();
     return application.exec();
 }

@@ -24,6 +24,7 @@
 #include <QSplitter>
 #include <QStatusBar>
 #include <QUrl>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -40,7 +41,8 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     : QMainWindow(parent), m_options(options), m_document(new SceneDocument(this)), m_loader(new ModelLoader(this)),
       m_lifecycle(new LifecycleLog(this))
 {
-    setWindowTitle(tr("Unprojector"));
+    m_sceneName = tr("the scene"); // until one is opened
+    setWindowTitle(tr("Unprojector") + QStringLiteral("[*]"));
     resize(1280, 800);
     const bool smooth = options.remembers && QSettings().value(QStringLiteral("view/smoothEdges"), false).toBool();
     m_samples = options.samples >= 0 ? options.samples : smooth ? kSmoothSamples : 0;
@@ -58,21 +60,21 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     connect(m_loader, &ModelLoader::progressed, m_loading, &LoadingBar::setProgress);
     connect(m_loader, &ModelLoader::finished, this, &MainWindow::takeLoaded);
     connect(m_loader, &ModelLoader::cancelled, this, [this] {
+        m_pendingScene.reset();
         m_loading->finish();
         emit loadingEnded();
     });
     connect(m_loading, &LoadingBar::cancelRequested, m_loader, &ModelLoader::cancel);
 
-    connect(&m_document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
-        setWindowModified(!isClean && !m_scenePath.empty());
-    });
-
+    createAutosave();
     restoreLayout();
     showCamera();
 }
 
 MainWindow::~MainWindow()
 {
+    // Its end empties the undo stack, which is no reason to forget the unsaved changes.
+    m_document->disconnect(this);
     // The view tells the log of its end, so it goes while the log is there.
     delete m_view;
 }
@@ -82,7 +84,14 @@ void MainWindow::createCenter()
     auto *frame = new QWidget;
     m_center = new QGridLayout(frame);
     m_center->setContentsMargins(0, 0, 0, 0);
+    m_recovery = new RecoveryBar;
     m_message = new MessageBar;
+    m_topBars = new QWidget;
+    auto *bars = new QVBoxLayout(m_topBars);
+    bars->setContentsMargins(0, 0, 0, 0);
+    bars->setSpacing(0);
+    bars->addWidget(m_recovery);
+    bars->addWidget(m_message);
     m_loading = new LoadingBar;
     m_splitter = new QSplitter(Qt::Horizontal);
     m_splitter->setChildrenCollapsible(false);
@@ -96,9 +105,9 @@ void MainWindow::createView(int samples)
     delete m_view;
     m_view = new SceneView(*m_document, samples);
     m_center->addWidget(m_view, 0, 0);
-    m_center->addWidget(m_message, 0, 0, Qt::AlignTop);
+    m_center->addWidget(m_topBars, 0, 0, Qt::AlignTop);
     m_center->addWidget(m_loading, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
-    m_message->raise();
+    m_topBars->raise();
     m_loading->raise();
     connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
     connect(m_view, &SceneView::clicked, m_document, &SceneDocument::pickAt);
@@ -286,6 +295,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         return;
     }
+    if (m_autosave)
+        m_autosave->discard();
     if (m_options.remembers) {
         QSettings settings;
         settings.setValue(QStringLiteral("window/geometry"), saveGeometry());

@@ -16,8 +16,10 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <QStatusBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace unprojector {
 namespace {
@@ -31,6 +33,14 @@ bool isSceneFile(const std::filesystem::path &file)
 QString openFileFilter()
 {
     return modelFileFilter() + QStringLiteral(";;") + MainWindow::tr("Scenes (*.json)") + QStringLiteral(";;") + MainWindow::tr("All files (*)");
+}
+
+/// From now on the working folder does not matter.
+std::filesystem::path absolutePath(const std::filesystem::path &file)
+{
+    std::error_code error;
+    std::filesystem::path absolute = std::filesystem::absolute(file, error);
+    return error ? file : absolute;
 }
 
 /// A model that the program brings along, by its name.
@@ -54,9 +64,8 @@ void MainWindow::openBundledScene()
         return;
     m_loader->cancel();
     leaveExample();
-    setSceneFile({}, {});
-    setWindowTitle(tr("Bundled scene – Unprojector"));
     m_document->setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    setSceneFile({}, {}, tr("Bundled scene"));
 }
 
 void MainWindow::askForFiles()
@@ -91,15 +100,15 @@ void MainWindow::takeLoaded(const std::vector<LoadedModel> &models, const std::v
     } else if (!models.empty() && mayLeaveScene()) {
         std::vector<SceneObject> objects;
         for (const LoadedModel &loaded : models) {
-            objects.push_back({pathText(loaded.file.filename()).toStdString(), loaded.file, loaded.model, {}});
+            objects.push_back(
+                {pathText(loaded.file.filename()).toStdString(), absolutePath(loaded.file), loaded.model, {}});
             rememberRecent(loaded.file);
         }
         const QString first = QString::fromStdString(objects.front().name);
         const int others = static_cast<int>(models.size()) - 1;
-        setWindowTitle(others == 0 ? tr("%1 – Unprojector").arg(first) : tr("%1 and %n more – Unprojector", nullptr, others).arg(first));
         leaveExample();
-        setSceneFile({}, {});
         m_document->setObjects(std::move(objects));
+        setSceneFile({}, {}, others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first));
     }
     if (!errors.empty()) {
         QStringList reasons;
@@ -124,87 +133,126 @@ void MainWindow::openScene(const std::filesystem::path &file)
         emit loadingEnded();
         return;
     }
+    load({absolutePath(file), std::move(scene).value(), pathText(file.filename())});
+}
+
+void MainWindow::load(PendingScene scene)
+{
+    m_loader->cancel(); // it would take the scene to come with it
     std::vector<std::filesystem::path> models;
-    for (const SceneFileObject &object : scene->objects) {
+    for (const SceneFileObject &object : scene.contents.objects) {
         if (object.bundled.empty())
-            models.push_back(objectFile(object, file));
+            models.push_back(objectFile(object, scene.path));
     }
-    m_pendingScene.emplace(file, std::move(scene).value());
+    m_pendingScene = std::move(scene);
     m_loader->load(std::move(models)); // none is none, and ends like any other
 }
 
 void MainWindow::takeScene(const std::vector<LoadedModel> &models)
 {
-    const auto &[path, contents] = *m_pendingScene;
+    PendingScene &pending = *m_pendingScene;
     std::vector<std::shared_ptr<const Model>> inOrder;
     std::size_t next = 0;
-    for (const SceneFileObject &object : contents.objects) {
+    for (const SceneFileObject &object : pending.contents.objects) {
         std::shared_ptr<const Model> model = object.bundled.empty() ? models.at(next++).model : bundledModel(object.bundled);
         if (!model) {
-            showFailure(tr("%1: there is no bundled model \"%2\".").arg(pathText(path), QString::fromStdString(object.bundled)));
+            showFailure(
+                tr("%1: there is no bundled model \"%2\".").arg(pending.name, QString::fromStdString(object.bundled)));
             return;
         }
         inOrder.push_back(std::move(model));
     }
-    Result<Scene> scene = sceneFromFile(contents, path, inOrder);
+    Result<Scene> scene = sceneFromFile(pending.contents, pending.path, inOrder);
     const Check opened = scene ? m_document->open(std::move(scene).value()) : Check(scene.error());
     if (!opened) {
-        showFailure(tr("%1: %2").arg(pathText(path), errorText(opened.error())));
+        showFailure(tr("%1: %2").arg(pending.name, errorText(opened.error())));
         return;
     }
     leaveExample();
-    rememberRecent(path);
-    setSceneFile(path, contents);
+    setSceneFile(pending.path, std::move(pending.contents), pending.name);
+    if (pending.recovered)
+        takeRecovered(*pending.recovered);
+    else
+        rememberRecent(pending.path);
 }
 
-void MainWindow::setSceneFile(const std::filesystem::path &file, SceneFile contents)
+void MainWindow::setSceneFile(const std::filesystem::path &file, SceneFile contents, const QString &name)
 {
     m_scenePath = file;
     m_sceneFile = std::move(contents);
-    m_document->undoStack().setClean();
-    setWindowModified(false);
-    if (!file.empty())
-        setWindowTitle(tr("%1[*] – Unprojector").arg(pathText(file.filename())));
+    nameScene(name);
+    m_document->markSaved();
+}
+
+void MainWindow::nameScene(const QString &name)
+{
+    m_sceneName = name;
+    setWindowTitle(tr("%1[*] – Unprojector").arg(name));
 }
 
 bool MainWindow::saveScene(const std::filesystem::path &file)
 {
-    SceneFile contents = sceneFileFrom(m_document->scene(), m_document->geometry(), file, m_sceneFile);
-    const Result<std::monostate, SceneFileError> written = writeSceneFile(file, contents);
+    const std::filesystem::path path = absolutePath(file);
+    SceneFile contents = sceneFileFrom(m_document->scene(), m_document->geometry(), path, m_sceneFile);
+    const Result<std::monostate, SceneFileError> written = writeSceneFile(path, contents);
     if (!written) {
         showFailure(QString::fromStdString(sceneErrorText(written.error())));
         return false;
     }
     m_message->hide();
-    rememberRecent(file);
-    setSceneFile(file, std::move(contents));
+    rememberRecent(path);
+    if (const QString dropped = droppedMatrices(contents); !dropped.isEmpty())
+        statusBar()->showMessage(dropped, kNoticeMilliseconds);
+    m_scenePath = path;
+    // Its matrices stay known: undoing what was done to them brings them back into the file.
+    m_sceneFile.objects = std::move(contents.objects);
+    nameScene(pathText(path.filename()));
+    m_document->markSaved();
     return true;
 }
 
-void MainWindow::save()
+QString MainWindow::droppedMatrices(const SceneFile &written) const
 {
-    if (m_scenePath.empty())
-        saveAs();
-    else
-        saveScene(m_scenePath);
+    const bool projection = std::holds_alternative<MatrixProjection>(m_sceneFile.projection)
+                            && !std::holds_alternative<MatrixProjection>(written.projection);
+    const bool view =
+        std::holds_alternative<glm::dmat4>(m_sceneFile.view) && !std::holds_alternative<glm::dmat4>(written.view);
+    if (projection && view)
+        return tr("Saved. The projection and the view have changed since they came as matrices; they are written by "
+                  "their arguments.");
+    if (projection)
+        return tr("Saved. The projection has changed since it came as a matrix; it is written by its arguments.");
+    if (view)
+        return tr("Saved. The view has changed since it came as a matrix; it is written as eye, center and up.");
+    return {};
 }
 
-void MainWindow::saveAs()
+bool MainWindow::save()
+{
+    return m_scenePath.empty() ? saveAs() : saveScene(m_scenePath);
+}
+
+bool MainWindow::saveAs()
 {
     const QString name = QFileDialog::getSaveFileName(this, tr("Save Scene"), m_scenePath.empty() ? tr("scene.json") : pathText(m_scenePath), tr("Scenes (*.json)"));
-    if (!name.isEmpty())
-        saveScene(std::filesystem::path(name.toStdU16String()));
+    return !name.isEmpty() && saveScene(std::filesystem::path(name.toStdU16String()));
+}
+
+bool MainWindow::hasUnsavedChanges() const
+{
+    // Who only looks at a model from all sides has nothing to save; a scene with a file has an owner.
+    return m_scenePath.empty() ? m_document->isEdited() : m_document->isModified();
 }
 
 bool MainWindow::mayLeaveScene()
 {
-    // Who only looks at a model from all sides has nothing to save; a scene with a file has an owner.
-    if (!isWindowModified() || !m_options.remembers)
+    if (!hasUnsavedChanges() || !m_options.remembers)
         return true;
-    const auto answer = QMessageBox::question(this, tr("Unsaved Changes"), tr("Save the changes to %1?").arg(pathText(m_scenePath.filename())),
-                                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    const auto answer =
+        QMessageBox::question(this, tr("Unsaved Changes"), tr("Save the changes to %1?").arg(m_sceneName),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save)
-        return saveScene(m_scenePath);
+        return save();
     return answer == QMessageBox::Discard;
 }
 
@@ -217,9 +265,7 @@ void MainWindow::rememberRecent(const std::filesystem::path &file)
 {
     if (!m_options.remembers)
         return;
-    std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::absolute(file, error);
-    addRecentFile(QString::fromStdU16String((error ? file : absolute).u16string()));
+    addRecentFile(QString::fromStdU16String(absolutePath(file).u16string()));
     updateRecentMenu();
 }
 
@@ -262,12 +308,11 @@ void MainWindow::openExample(const std::string &id)
     if (!mayLeaveScene())
         return;
     m_loader->cancel();
-    setSceneFile({}, {});
     if (const Check opened = m_document->open(found->scene); !opened) {
         m_message->showMessage(errorText(opened.error()));
         return;
     }
-    setWindowTitle(tr("%1 – Unprojector").arg(exampleText(id)->name));
+    setSceneFile({}, {}, exampleText(id)->name);
     m_exampleNote->showExample(id);
     m_exampleDock->show();
     m_exampleDock->raise();

@@ -1,7 +1,13 @@
 #include "gui/overlay_bars.h"
 
+#include "gui/error_text.h"
+#include "gui/recovery_file.h"
+
+#include <QAccessible>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStyle>
@@ -21,6 +27,11 @@ void makeOverlay(QFrame *frame, const char *background, const char *border)
                                         "#overlay QLabel { color: #2b2b2b; }")
                              .arg(QLatin1String(background), QLatin1String(border)));
     frame->hide();
+}
+
+QString dateText(const QDateTime &time)
+{
+    return QLocale().toString(time, QLocale::ShortFormat);
 }
 
 } // namespace
@@ -53,6 +64,70 @@ void MessageBar::showMessage(const QString &text)
 QString MessageBar::text() const
 {
     return m_text->text();
+}
+
+RecoveryBar::RecoveryBar(QWidget *parent) : QFrame(parent), m_text(new QLabel), m_choice(new QComboBox)
+{
+    makeOverlay(this, "#e9f1fa", "#7f9fc4");
+    setAccessibleName(tr("Unsaved changes of an earlier session"));
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_choice->setAccessibleName(tr("Kept scene"));
+    m_choice->setToolTip(tr("The kept scenes, the last one first"));
+    // A long name shall not hold the window open.
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_choice->setMinimumContentsLength(16);
+    const auto button = [](const QString &text, const QString &tip) {
+        auto *widget = new QPushButton(text);
+        widget->setToolTip(tip);
+        return widget;
+    };
+    QPushButton *recover =
+        button(tr("&Recover"), tr("Open the scene with these changes; its file stays as it is until you save"));
+    QPushButton *discard = button(tr("&Discard"), tr("Delete these changes for good"));
+    QPushButton *later = button(tr("&Later"), tr("Keep the changes and ask again at the next start"));
+
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_choice, 1);
+    buttons->addStretch();
+    for (QPushButton *each : {recover, discard, later})
+        buttons->addWidget(each);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(10, 8, 8, 8);
+    layout->addWidget(m_text);
+    layout->addLayout(buttons);
+    connect(recover, &QPushButton::clicked, this, [this] { emit recoverRequested(m_choice->currentIndex()); });
+    connect(discard, &QPushButton::clicked, this, [this] { emit discardRequested(m_choice->currentIndex()); });
+    connect(later, &QPushButton::clicked, this, &RecoveryBar::laterRequested);
+}
+
+void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
+{
+    m_choice->clear();
+    for (const RecoveryInfo &info : kept) {
+        m_choice->addItem(tr("%1, %2").arg(info.name, dateText(info.time)));
+        m_choice->setItemData(m_choice->count() - 1, pathText(info.sceneFile), Qt::ToolTipRole);
+    }
+    if (kept.empty()) {
+        hide();
+        return;
+    }
+    m_choice->setVisible(kept.size() > 1);
+    if (kept.size() == 1) {
+        const QString name =
+            fontMetrics().elidedText(kept.front().name, Qt::ElideMiddle, 40 * fontMetrics().averageCharWidth());
+        m_text->setText(tr("The program ended unexpectedly on %1. The unsaved changes to %2 were kept.")
+                            .arg(dateText(kept.front().time), name));
+        m_text->setToolTip(pathText(kept.front().sceneFile));
+    } else {
+        m_text->setText(tr("The program ended unexpectedly. The unsaved changes to %n scenes were kept:", nullptr,
+                           static_cast<int>(kept.size())));
+        m_text->setToolTip({});
+    }
+    show();
+    // It takes no focus from the view; who cannot see it hears of it.
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
 }
 
 LoadingBar::LoadingBar(QWidget *parent)

@@ -6,7 +6,8 @@
 
 namespace unprojector {
 
-SceneChange::SceneChange(SceneDocument &document, Scene before, Scene after, const QString &text, QString mergeKey)
+SceneChange::SceneChange(SceneDocument &document, SceneState before, SceneState after, const QString &text,
+                         QString mergeKey)
     : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)),
       m_mergeKey(std::move(mergeKey))
 {
@@ -14,7 +15,7 @@ SceneChange::SceneChange(SceneDocument &document, Scene before, Scene after, con
 
 void SceneChange::undo()
 {
-    const Check applied = m_document.apply(m_before);
+    const Check applied = m_document.restore(m_before);
     Q_ASSERT(applied.hasValue());
 }
 
@@ -22,14 +23,14 @@ void SceneChange::redo()
 {
     if (std::exchange(m_isApplied, false))
         return;
-    const Check applied = m_document.apply(m_after);
+    const Check applied = m_document.restore(m_after);
     Q_ASSERT(applied.hasValue());
 }
 
 bool SceneChange::mergeWith(const QUndoCommand *next)
 {
     const auto *change = static_cast<const SceneChange *>(next);
-    if (change->m_mergeKey != m_mergeKey)
+    if (change->m_mergeKey != m_mergeKey || change->isEdit() != isEdit())
         return false;
     m_after = change->m_after;
     return true;

@@ -5,14 +5,23 @@
 #include <QString>
 #include <QUndoCommand>
 
+#include <cstdint>
+
 namespace unprojector {
 
 class SceneDocument;
 
+/// A scene and the number of the edit that made it: looking around leaves that as it is. Two states of the same number
+/// differ in the view at most.
+struct SceneState {
+    Scene scene;
+    std::uint64_t edit = 0;
+};
+
 /// One undoable change: the scene before and after it. Scenes are small; the models in them are shared.
 class SceneChange : public QUndoCommand {
 public:
-    SceneChange(SceneDocument &document, Scene before, Scene after, const QString &text, QString mergeKey);
+    SceneChange(SceneDocument &document, SceneState before, SceneState after, const QString &text, QString mergeKey);
 
     void undo() override;
     void redo() override;
@@ -20,9 +29,11 @@ public:
     bool mergeWith(const QUndoCommand *next) override;
 
 private:
+    bool isEdit() const { return m_before.edit != m_after.edit; }
+
     SceneDocument &m_document;
-    Scene m_before;
-    Scene m_after;
+    SceneState m_before;
+    SceneState m_after;
     QString m_mergeKey;
     bool m_isApplied = true; ///< the document made the change before it pushed this command
 };

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -34,6 +35,8 @@ Projection initialProjection()
 SceneDocument::SceneDocument(QObject *parent) : QObject(parent)
 {
     m_undoStack.setUndoLimit(200);
+    connect(&m_undoStack, &QUndoStack::indexChanged, this, &SceneDocument::stateChanged);
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, &SceneDocument::stateChanged);
     m_scene.projection = initialProjection();
     const Check opened = open(m_scene);
     Q_ASSERT(opened.hasValue());
@@ -64,6 +67,7 @@ Check SceneDocument::open(Scene scene)
 {
     if (const Result<ViewGeometry> geometry = viewGeometry(scene, m_surface, {}); !geometry)
         return geometry.error();
+    m_savedEdit = m_edit = ++m_lastEdit;
     m_undoStack.clear();
     const bool hadPick = m_pick.has_value();
     m_pick.reset();
@@ -98,11 +102,45 @@ void SceneDocument::setObjects(std::vector<SceneObject> objects)
 
 Check SceneDocument::change(Scene scene, const QString &text, const QString &mergeKey)
 {
-    Scene before = m_scene;
-    if (const Check applied = apply(scene); !applied)
-        return applied;
-    m_undoStack.push(new SceneChange(*this, std::move(before), std::move(scene), text, mergeKey));
+    return record(std::move(scene), m_lastEdit + 1, text, mergeKey);
+}
+
+Check SceneDocument::look(Scene scene, const QString &text, const QString &mergeKey)
+{
+    return record(std::move(scene), m_edit, text, mergeKey);
+}
+
+Check SceneDocument::record(Scene scene, std::uint64_t edit, const QString &text, const QString &mergeKey)
+{
+    SceneState before{m_scene, m_edit};
+    SceneState after{std::move(scene), edit};
+    if (const Check restored = restore(after); !restored)
+        return restored;
+    m_lastEdit = std::max(m_lastEdit, edit);
+    m_undoStack.push(new SceneChange(*this, std::move(before), std::move(after), text, mergeKey));
     return std::monostate{};
+}
+
+Check SceneDocument::restore(const SceneState &state)
+{
+    const Check applied = apply(state.scene);
+    if (applied)
+        m_edit = state.edit;
+    return applied;
+}
+
+void SceneDocument::markSaved()
+{
+    m_savedEdit = m_edit;
+    m_undoStack.setClean();
+    emit stateChanged();
+}
+
+void SceneDocument::markUnsaved()
+{
+    m_savedEdit.reset();
+    m_undoStack.resetClean();
+    emit stateChanged();
 }
 
 void SceneDocument::updateGround()
@@ -147,7 +185,7 @@ void SceneDocument::setView(const LookAt &camera, const Projection &projection, 
     scene.camera = camera;
     scene.projection = projection;
     // A step that would leave no valid picture (a zoom past the smallest number, say) is not taken.
-    static_cast<void>(change(std::move(scene), tr("Camera"), mergeKey));
+    static_cast<void>(look(std::move(scene), tr("Camera"), mergeKey));
 }
 
 void SceneDocument::fit()
@@ -162,7 +200,7 @@ void SceneDocument::goHome()
     scene.camera = scene.home;
     if (scene.projectionFollowsViewport)
         scene.projection = initialProjection();
-    static_cast<void>(change(std::move(scene), tr("Home")));
+    static_cast<void>(look(std::move(scene), tr("Home")));
 }
 
 double SceneDocument::pivotDistance() const
@@ -182,7 +220,7 @@ void SceneDocument::switchProjection()
     const bool perspective = isPerspective(m_scene.projection);
     Scene scene = m_scene;
     scene.projection = converted(scene.projection, perspective ? ProjectionKind::Ortho : ProjectionKind::Perspective, pivotDistance());
-    static_cast<void>(change(std::move(scene), perspective ? tr("Orthographic") : tr("Perspective")));
+    static_cast<void>(look(std::move(scene), perspective ? tr("Orthographic") : tr("Perspective")));
 }
 
 Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const DepthSample &sample) const

@@ -8,10 +8,13 @@
 #include <QString>
 #include <QUndoStack>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace unprojector {
+
+struct SceneState;
 
 /// The one owner of the scene, the undo stack and the picked point. Widgets show it and ask it to change; it unprojects.
 class SceneDocument : public QObject {
@@ -27,6 +30,16 @@ public:
     const std::optional<Pick> &pick() const { return m_pick; }
     QUndoStack &undoStack() { return m_undoStack; }
 
+    /// Whether anything, the camera included, is other than when the scene was opened or marked as saved. What was undone
+    /// is not.
+    bool isModified() const { return !m_undoStack.isClean(); }
+    /// Whether there is more than a look around: a number, a transform, a clip plane was changed by the user.
+    bool isEdited() const { return m_edit != m_savedEdit; }
+    /// The scene as it is now is on the disk.
+    void markSaved();
+    /// The scene as it is now is nowhere else: it was recovered.
+    void markUnsaved();
+
     /// Around all objects, world space.
     const Box &bounds() const { return m_bounds; }
     /// The drawn ground: a square at the lowest height of the objects, world space.
@@ -41,7 +54,7 @@ public:
     void setObjects(std::vector<SceneObject> objects);
     void setObjects(std::vector<SceneObject> objects, const LookAt &home);
 
-    /// Makes the scene another one, undoably.
+    /// Makes the scene another one, undoably. It is an edit: the user's work, not only a look around.
     /// @param text      what the user did, for the undo menu: "Near"
     /// @param mergeKey  changes with the same key, one right after the other, are undone as one; empty: never merged
     /// @return the errors of viewGeometry; then nothing changed: the last good view stays
@@ -50,7 +63,7 @@ public:
     /// The view's size changed. Not undoable.
     void setSurface(const Surface &surface);
 
-    // What a hand does; each is undoable, and ignored where it would leave no valid picture.
+    // Looking around. Each is undoable, and ignored where it would leave no valid picture.
     void setCamera(const LookAt &camera, const QString &mergeKey = {});
     void setProjection(const Projection &projection, const QString &mergeKey = {});
     void setView(const LookAt &camera, const Projection &projection, const QString &mergeKey = {});
@@ -76,6 +89,8 @@ signals:
     void objectsChanged();
     /// The scene or the picture of it changed in any way.
     void geometryChanged();
+    /// The scene was changed, undone, redone, opened, or marked: isModified and isEdited may be other than before.
+    void stateChanged();
     void pickChanged();
     /// A click that could not be unprojected, with the reason; the last pick stays.
     void pickFailed(const unprojector::Error &error);
@@ -85,6 +100,10 @@ private:
 
     /// Takes a scene as it is, if its picture is valid.
     Check apply(Scene scene);
+    /// Takes a scene undoably, as made by the edit of that number.
+    Check record(Scene scene, std::uint64_t edit, const QString &text, const QString &mergeKey);
+    Check look(Scene scene, const QString &text, const QString &mergeKey = {});
+    Check restore(const SceneState &state);
     void updateGround();
 
     Scene m_scene;
@@ -95,6 +114,9 @@ private:
     Box m_ground;
     double m_groundSpacing = 1.0;
     QUndoStack m_undoStack;
+    std::uint64_t m_edit = 0; ///< the number of the edit that made the scene
+    std::uint64_t m_lastEdit = 0;
+    std::optional<std::uint64_t> m_savedEdit = 0; ///< none: no state of the scene is on the disk
 };
 
 } // namespace unprojector

@@ -2,8 +2,38 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace unprojector {
+namespace {
+
+bool isSame(const LookAt &a, const LookAt &b)
+{
+    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates()
+           && a.up == b.up;
+}
+
+/// Puts the matrices of `before` in place of the parameters that were read from them and are still the same.
+void keepMatrices(SceneFile &file, const SceneFile &before)
+{
+    const auto *projection = std::get_if<MatrixProjection>(&before.projection);
+    const auto *view = std::get_if<glm::dmat4>(&before.view);
+    if (!projection && !view)
+        return;
+    const Result<ViewGeometry> read = viewGeometry(pictureGeometry(before));
+    if (!read)
+        return;
+    if (projection && std::get<Projection>(file.projection) == read->projection) {
+        file.projection = *projection;
+        // Of a reversed matrix the window has turned the depth range round.
+        if (const auto form = recognised(*projection); form && form->reversed)
+            std::swap(file.depthRange.atNear, file.depthRange.atFar);
+    }
+    if (view && isSame(std::get<LookAt>(file.view), read->camera))
+        file.view = *view;
+}
+
+} // namespace
 
 PictureGeometry pictureGeometry(const SceneFile &scene)
 {
@@ -66,6 +96,7 @@ SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const 
     file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home,
                scene.clipPlanesOff};
     file.extra = before.extra;
+    keepMatrices(file, before);
 
     std::vector<SceneFileObject> known = before.objects;
     for (const SceneObject &object : scene.objects) {

@@ -1208,22 +1208,8 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>&lt;p&gt;&lt;b&gt;Unprojector %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;点击三维视图中的一个像素，用两种方法求出它的世界坐标：Weng、Huang 和 Cai (2008) 的封闭形式逆变换公式，以及逆矩阵；同时给出两者的差、差异的原因和坐标的可靠程度。&lt;/p&gt;&lt;p&gt;MIT 许可证。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Bundled scene – Unprojector</source>
-        <translation>自带场景 – Unprojector</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>%1 – Unprojector</source>
-        <translation>%1 – Unprojector</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 and %n more – Unprojector</source>
-        <translation>
-            <numerusform>%1 及另外 %n 个 – Unprojector</numerusform>
-        </translation>
     </message>
     <message>
         <source>&amp;Clear This List</source>
@@ -1258,10 +1244,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>打开模型或场景</translation>
     </message>
     <message>
-        <source>%1: there is no bundled model &quot;%2&quot;.</source>
-        <translation>%1：没有名为“%2”的自带模型。</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
@@ -1284,6 +1266,58 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>Save the changes to %1?</source>
         <translation>要保存对 %1 的更改吗？</translation>
+    </message>
+    <message>
+        <source>the scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Bundled scene</source>
+        <translation>自带场景</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved. The projection and the view have changed since they came as matrices; they are written by their arguments.</source>
+        <translation>已保存。投影和视图原为矩阵，读入后有改动，现按参数写出。</translation>
+    </message>
+    <message>
+        <source>Saved. The projection has changed since it came as a matrix; it is written by its arguments.</source>
+        <translation>已保存。投影原为矩阵，读入后有改动，现按参数写出。</translation>
+    </message>
+    <message>
+        <source>Saved. The view has changed since it came as a matrix; it is written as eye, center and up.</source>
+        <translation>已保存。视图原为矩阵，读入后有改动，现以 eye、center 和 up 写出。</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of an earlier session are damaged and cannot be recovered. The file was put aside as %1.</source>
+        <translation>先前未保存的更改已损坏，无法恢复。该文件已移开，现为 %1。</translation>
+    </message>
+    <message>
+        <source>The unsaved changes are damaged and cannot be recovered. The file was put aside as %1.
+%2</source>
+        <translation>未保存的更改已损坏，无法恢复。该文件已移开，现为 %1。
+%2</translation>
+    </message>
+    <message>
+        <source>Discard Unsaved Changes</source>
+        <translation>丢弃未保存的更改</translation>
+    </message>
+    <message>
+        <source>Delete the unsaved changes to %1 for good?</source>
+        <translation>要永久删除对 %1 的未保存更改吗？</translation>
+    </message>
+    <message>
+        <source>%1: there is no bundled model &quot;%2&quot;.</source>
+        <translation>%1：没有名为“%2”的自带模型。</translation>
+    </message>
+    <message>
+        <source>In case of a crash unsaved changes would be lost: %1 cannot be written.</source>
+        <translation>无法写入 %1：如果程序意外退出，未保存的更改将会丢失。</translation>
     </message>
 </context>
 <context>
@@ -2106,6 +2140,59 @@ in logical pixels from the top-left corner, y down</source>
     <message>
         <source>Keep proportions</source>
         <translation>保持比例</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::RecoveryBar</name>
+    <message>
+        <source>Unsaved changes of an earlier session</source>
+        <translation>先前未保存的更改</translation>
+    </message>
+    <message>
+        <source>Kept scene</source>
+        <translation>保留的场景</translation>
+    </message>
+    <message>
+        <source>The kept scenes, the last one first</source>
+        <translation>保留的场景，最近的在最前</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>恢复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open the scene with these changes; its file stays as it is until you save</source>
+        <translation>打开带有这些更改的场景；在您保存之前，原文件保持不变</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>丢弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete these changes for good</source>
+        <translation>永久删除这些更改</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>以后再说(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Keep the changes and ask again at the next start</source>
+        <translation>保留这些更改，下次启动时再询问</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly on %1. The unsaved changes to %2 were kept.</source>
+        <translation>程序于 %1 意外退出。对 %2 的未保存更改已保留。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The program ended unexpectedly. The unsaved changes to %n scenes were kept:</source>
+        <translation>
+            <numerusform>程序意外退出。对 %n 个场景的未保存更改已保留：</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -4,8 +4,10 @@
 
 #include "gui/scene_view.h"
 
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -19,6 +21,8 @@ private slots:
     void initTestCase() { redirectSettings(); }
     void whatIsSavedOpensAgainAsItWas();
     void modelsAreFoundBesideTheScene();
+    void matricesStayUntilTheyAreChanged();
+    void modelsOpenedByARelativeNameAreFoundAgain();
     void aSceneThatCannotBeOpenedChangesNothing_data();
     void aSceneThatCannotBeOpenedChangesNothing();
     void aFolderThatIsNotThereIsTold();
@@ -91,6 +95,60 @@ void TestSceneFiles::modelsAreFoundBesideTheScene()
     QVERIFY(window->document().objects()[0].transform == (std::vector<TransformStep>{Translate{{0.25, 0.0, 0.0}}}));
     const auto *ortho = std::get_if<Ortho>(&window->document().scene().projection);
     QVERIFY(ortho && *ortho == (Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0}));
+}
+
+void TestSceneFiles::matricesStayUntilTheyAreChanged()
+{
+    const QByteArray projection = "[1.1, 0, 0, 0, 0, 1.3333333333333333, 0, 0, 0.1, -0.3, -1.25, -1, 0, 0, -2.25, 0]";
+    const QByteArray view = "[0.6, 0, 0.8, 0, 0, 1, 0, 0, -0.8, 0, 0.6, 0, 0.3333333333333333, -2.7, -5.1, 1]";
+    write("matrices.json", R"({"unprojector": 1, "window": {"width": 300, "height": 200},
+        "projection": {"type": "matrix", "matrix": )"
+                               + projection + R"(}, "view": {"matrix": )" + view + "}}");
+    const auto window = shownWindow(0, {640, 480});
+    openAndWait(*window, path("matrices.json"));
+    QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    const auto saved = [&] {
+        window->statusBar()->clearMessage();
+        if (!window->saveScene(path("matrices.json")))
+            return QByteArray();
+        QFile file(m_folder.filePath("matrices.json"));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    QVERIFY(resized(*window, {700, 500}));
+    QByteArray text = saved();
+    QVERIFY2(text.contains(projection) && text.contains(view), text.constData());
+    QVERIFY(window->statusBar()->currentMessage().isEmpty());
+
+    window->document().setCamera({WorldPoint(1.0, 2.0, 7.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    text = saved();
+    QVERIFY2(text.contains(projection) && !text.contains(view), text.constData());
+    QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("view")),
+             qPrintable(window->statusBar()->currentMessage()));
+    window->document().undoStack().undo();
+    text = saved();
+    QVERIFY2(text.contains(projection) && text.contains(view), text.constData());
+
+    window->document().setProjection(Frustum{-1.0, 1.0, -0.5, 0.5, 1.0, 10.0});
+    text = saved();
+    QVERIFY2(!text.contains(projection) && text.contains(view), text.constData());
+    QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("projection")),
+             qPrintable(window->statusBar()->currentMessage()));
+}
+
+void TestSceneFiles::modelsOpenedByARelativeNameAreFoundAgain()
+{
+    write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("elsewhere")));
+    const QString before = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(m_folder.path()));
+    const auto window = shownWindow(0, {640, 480});
+    openAndWait(*window, "triangle.obj");
+    QVERIFY(QDir::setCurrent(before));
+    QVERIFY(window->saveScene(path("elsewhere/scene.json")));
+    window->openBundledScene();
+    openAndWait(*window, path("elsewhere/scene.json"));
+    QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    QCOMPARE(window->document().objects().size(), std::size_t(1));
 }
 
 void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing_data()

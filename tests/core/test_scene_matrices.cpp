@@ -1,0 +1,142 @@
+// Scenes whose projection or view came as a matrix, and what the window writes of them.
+
+#include "core/scene_file.h"
+
+#include <QTest>
+
+using namespace unprojector;
+
+namespace {
+
+constexpr Surface kSurface{640, 480, 1.0};
+
+SceneFile parsed(const QByteArray &projection, const QByteArray &view)
+{
+    const QByteArray text = R"({"unprojector": 1, "window": {"width": 300, "height": 200}, "depthRange": [0.125, 0.75],
+        "projection": )" + projection
+                            + ", \"view\": " + view + "}";
+    return parseScene(text.toStdString(), "matrices.json").value();
+}
+
+/// What the window holds after opening a file, and what it writes.
+Scene opened(const SceneFile &file)
+{
+    return sceneFromFile(file, "/there/matrices.json", {}).value();
+}
+
+SceneFile saved(const Scene &scene, const SceneFile &before)
+{
+    const SceneFile file = sceneFileFrom(scene, viewGeometry(scene, kSurface, {}).value(), "/there/saved.json", before);
+    return parseScene(sceneText(file).value(), "saved.json").value();
+}
+
+const char *const kFrustum =
+    R"({"type": "matrix", "matrix": [1.1,0,0,0, 0,1.3333333333333333,0,0, 0.1,-0.3,-1.25,-1, 0,0,-2.25,0]})";
+const char *const kTurned = R"({"matrix": [0.6,0,0.8,0, 0,1,0,0, -0.8,0,0.6,0, 0.3333333333333333,-2.7,-5.1,1]})";
+
+bool hasMatrixOf(const SceneFile &file, const SceneFile &other)
+{
+    const auto *a = std::get_if<MatrixProjection>(&file.projection);
+    const auto *b = std::get_if<MatrixProjection>(&other.projection);
+    return a && b && a->clipFromEye == b->clipFromEye && a->ndcDepth == b->ndcDepth
+           && file.depthRange == other.depthRange;
+}
+
+bool hasViewOf(const SceneFile &file, const SceneFile &other)
+{
+    const auto *a = std::get_if<glm::dmat4>(&file.view);
+    const auto *b = std::get_if<glm::dmat4>(&other.view);
+    return a && b && *a == *b;
+}
+
+} // namespace
+
+class TestSceneMatrices : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anUntouchedMatrixIsWrittenToTheLastDigit_data();
+    void anUntouchedMatrixIsWrittenToTheLastDigit();
+    void aMovedCameraIsWrittenByItsArguments();
+    void anEditedProjectionIsWrittenByItsArguments();
+    void theDepthRangeOfAReversedMatrixStaysEditable();
+    void projectionsThatFollowTheWindowAreWrittenAsShown();
+};
+
+void TestSceneMatrices::anUntouchedMatrixIsWrittenToTheLastDigit_data()
+{
+    QTest::addColumn<QByteArray>("projection");
+    const auto row = [](const char *name, const char *matrix, const char *rest = "") {
+        QTest::newRow(name) << QByteArray(R"({"type": "matrix", "matrix": [)") + matrix + "]" + rest + "}";
+    };
+    row("frustum", "1.1,0,0,0, 0,1.3333333333333333,0,0, 0.1,-0.3,-1.25,-1, 0,0,-2.25,0");
+    row("single precision", "1.7320507764816284,0,0,0, 0,2.4142136573791504,0,0, 0,0,-1.0020020008087158,-1, "
+                            "0,0,-0.20020020008087158,0");
+    row("box", "0.3333333333333333,0,0,0, 0,0.7,0,0, 0,0,-0.25,0, 0.1,0.2,-1.3,1");
+    row("sheared box", "0.5,0,0,0, 0,0.5,0,0, 0.13,0.07,-0.25,0, 0,0,-1.25,1");
+    row("depth of [0, 1]", "1.1,0,0,0, 0,1.3,0,0, 0,0,-1.125,-1, 0,0,-1.125,0", R"(, "ndcDepth": [0, 1])");
+    row("reversed", "1.1,0,0,0, 0,1.3,0,0, 0,0,0.125,-1, 0,0,1.125,0", R"(, "ndcDepth": [0, 1])");
+    row("far plane at infinity", "1.1,0,0,0, 0,1.3,0,0, 0,0,-1,-1, 0,0,-0.2,0");
+    row("three times itself", "3.3,0,0,0, 0,4,0,0, 0,0,-3.75,-3, 0,0,-6.75,0");
+}
+
+void TestSceneMatrices::anUntouchedMatrixIsWrittenToTheLastDigit()
+{
+    QFETCH(QByteArray, projection);
+    const SceneFile file = parsed(projection, kTurned);
+    const SceneFile again = saved(opened(file), file);
+    QVERIFY(hasMatrixOf(again, file));
+    QVERIFY(hasViewOf(again, file));
+    const SceneFile third = saved(opened(again), again);
+    QVERIFY(hasMatrixOf(third, file) && hasViewOf(third, file));
+    QVERIFY(opened(third).projection == opened(file).projection);
+}
+
+void TestSceneMatrices::aMovedCameraIsWrittenByItsArguments()
+{
+    const SceneFile file = parsed(kFrustum, kTurned);
+    Scene scene = opened(file);
+    scene.camera.eye.x += 0.125;
+    const SceneFile again = saved(scene, file);
+    QVERIFY(hasMatrixOf(again, file));
+    QVERIFY(std::get<LookAt>(again.view).eye.coordinates() == scene.camera.eye.coordinates());
+    scene.camera.eye.x = opened(file).camera.eye.x;
+    QVERIFY(hasViewOf(saved(scene, file), file));
+}
+
+void TestSceneMatrices::anEditedProjectionIsWrittenByItsArguments()
+{
+    const SceneFile file = parsed(kFrustum, kTurned);
+    Scene scene = opened(file);
+    // Near and far also tell how far before the eye the window puts the center: the view's matrix stays all the same.
+    std::get<Frustum>(scene.projection).farDistance *= 2.0;
+    const SceneFile again = saved(scene, file);
+    QVERIFY(std::get<Projection>(again.projection) == scene.projection);
+    QVERIFY(hasViewOf(again, file));
+    QVERIFY(again.depthRange == file.depthRange);
+}
+
+void TestSceneMatrices::theDepthRangeOfAReversedMatrixStaysEditable()
+{
+    const SceneFile file =
+        parsed(R"({"type": "matrix", "ndcDepth": [0, 1], "matrix": [1.1,0,0,0, 0,1.3,0,0, 0,0,0.125,-1, 0,0,1.125,0]})",
+               kTurned);
+    Scene scene = opened(file);
+    QVERIFY(scene.depthRange == (DepthRange{0.75, 0.125})); // the near plane has the greater depth
+    scene.depthRange.atNear = 0.5;
+    const SceneFile again = saved(scene, file);
+    QVERIFY(again.depthRange == (DepthRange{0.125, 0.5}));
+    QVERIFY(opened(again).depthRange == scene.depthRange);
+}
+
+void TestSceneMatrices::projectionsThatFollowTheWindowAreWrittenAsShown()
+{
+    const SceneFile file = parsed(kFrustum, kTurned);
+    Scene scene = opened(file);
+    scene.projectionFollowsViewport = true;
+    const SceneFile again = saved(scene, file);
+    QVERIFY(std::get<Projection>(again.projection) == viewGeometry(scene, kSurface, {}).value().projection);
+}
+
+QTEST_GUILESS_MAIN(TestSceneMatrices)
+#include "test_scene_matrices.moc"

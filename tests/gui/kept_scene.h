@@ -1,0 +1,59 @@
+#pragma once
+
+#include "gui/autosave.h"
+#include "gui/main_window.h"
+
+#include "gui_scene.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+/// What the tests of autosave and recovery share: a scene with a model beside it in a folder of the test's own, windows
+/// that keep unsaved changes there, and a change that a person would not like to lose.
+namespace keeping {
+
+using namespace unprojector;
+
+/// How long to wait for what must come.
+constexpr int kMostMilliseconds = 20000;
+
+/// Has a key of somebody else's and a model by a relative name.
+inline const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 300, "height": 200},
+    "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
+    "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
+    "objects": [{"name": "t", "file": "models/triangle.obj", "transform": []}], "author": "somebody"})";
+inline const QByteArray kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+std::filesystem::path pathOf(const QString &name);
+void write(const QString &file, const QByteArray &text);
+QByteArray read(const QString &file);
+
+/// The folder of one test: scene.json, models/triangle.obj, and recovery/, once something is kept.
+class Folder {
+public:
+    Folder();
+    QString path() const { return m_folder.path(); }
+    QString file(const QString &name) const { return m_folder.filePath(name); }
+    QString sceneFile() const { return file(QStringLiteral("scene.json")); }
+    QString triangleFile() const { return file(QStringLiteral("models/triangle.obj")); }
+    QString recovery() const { return file(QStringLiteral("recovery")); }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// Not on the screen: nothing here needs the view. Asks nothing when it is left.
+std::unique_ptr<MainWindow> windowKeepingIn(const QString &folder);
+bool openAndWait(MainWindow &window, const QString &file);
+/// A clip plane at height `d`.
+void edit(MainWindow &window, double d = 0.3333333333333333);
+/// The recovery files in a folder.
+QStringList keptIn(const QString &folder);
+bool becomesKept(const QString &folder, int count = 1);
+
+} // namespace keeping

@@ -1,0 +1,156 @@
+// Unsaved changes are kept in case of a crash, for as long as they are unsaved.
+
+#include "tests/gui/kept_scene.h"
+
+#include "gui/scene_document.h"
+
+#include <QStatusBar>
+
+using namespace keeping;
+using namespace std::chrono_literals;
+
+class TestAutosave : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { guitest::redirectSettings(); }
+    void init() { m_folder = std::make_unique<Folder>(); }
+
+    void manyChangesAreWrittenOnceAfterAPause();
+    void changesWithoutAPauseAreWrittenAllTheSame();
+    void aFolderThatCannotBeWrittenIsToldOnce();
+
+    void changesAreKeptUntilTheyAreSaved();
+    void undoneChangesAreNotKept();
+    void changesAreNotKeptOnceTheWindowIsClosed();
+    void changesAreNotKeptOnceAnotherSceneIsOpened();
+    void whoOnlyLooksAroundLeavesNothing();
+    void aWindowThatRemembersNothingKeepsNothing();
+
+private:
+    std::unique_ptr<Folder> m_folder;
+};
+
+// ---- when and where ----------------------------------------------------------------------------------------------
+
+void TestAutosave::manyChangesAreWrittenOnceAfterAPause()
+{
+    int asked = 0;
+    Autosave autosave(m_folder->recovery(), {50ms, 10s}, [&asked] {
+        ++asked;
+        return Autosave::Content{{QStringLiteral("a"), {}, QDateTime::currentDateTime()}, "scene"};
+    });
+    for (int i = 0; i < 20; ++i)
+        autosave.follow(true);
+    QCOMPARE(asked, 0);
+    QVERIFY(becomesKept(m_folder->recovery()));
+    QTest::qWait(200);
+    QCOMPARE(asked, 1);
+    autosave.follow(false);
+    QVERIFY(QDir(m_folder->recovery()).isEmpty());
+}
+
+void TestAutosave::changesWithoutAPauseAreWrittenAllTheSame()
+{
+    Autosave autosave(m_folder->recovery(), {60s, 300ms}, [] {
+        return Autosave::Content{{QStringLiteral("a"), {}, QDateTime::currentDateTime()}, "scene"};
+    });
+    for (int i = 0; i < 200 && keptIn(m_folder->recovery()).isEmpty(); ++i) {
+        autosave.follow(true);
+        QTest::qWait(20);
+    }
+    QCOMPARE(keptIn(m_folder->recovery()).size(), 1);
+}
+
+void TestAutosave::aFolderThatCannotBeWrittenIsToldOnce()
+{
+    const QString folder = m_folder->sceneFile() + QStringLiteral("/recovery"); // below a file there is no folder
+    const auto window = windowKeepingIn(folder);
+    QSignalSpy failed(window->findChild<Autosave *>(), &Autosave::failed);
+    window->openBundledScene();
+    edit(*window, 1.0);
+    QVERIFY(failed.wait(kMostMilliseconds));
+    QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("scene.json")),
+             qPrintable(window->statusBar()->currentMessage()));
+    QVERIFY(window->message().isEmpty());
+    edit(*window, 2.0);
+    QTest::qWait(300);
+    QCOMPARE(failed.size(), 1);
+    QVERIFY(window->isWindowModified());
+}
+
+// ---- the window --------------------------------------------------------------------------------------------------
+
+void TestAutosave::changesAreKeptUntilTheyAreSaved()
+{
+    const auto window = windowKeepingIn(m_folder->recovery());
+    QVERIFY(openAndWait(*window, m_folder->sceneFile()));
+    QVERIFY(!QFile::exists(m_folder->recovery()));
+    edit(*window);
+    QVERIFY(becomesKept(m_folder->recovery()));
+    QCOMPARE(read(m_folder->sceneFile()), kScene);
+    QVERIFY(window->saveScene(pathOf(m_folder->sceneFile())));
+    QVERIFY(QDir(m_folder->recovery()).isEmpty());
+    window->document().setCamera({WorldPoint(0.0, 0.0, 4.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    QVERIFY2(becomesKept(m_folder->recovery()), "of a scene that has a file the view is a part");
+}
+
+void TestAutosave::undoneChangesAreNotKept()
+{
+    const auto window = windowKeepingIn(m_folder->recovery());
+    window->openBundledScene();
+    edit(*window, 1.0);
+    edit(*window, 2.0);
+    QVERIFY(becomesKept(m_folder->recovery()));
+    window->document().undoStack().undo();
+    window->document().undoStack().undo();
+    QVERIFY(keptIn(m_folder->recovery()).isEmpty());
+    window->document().undoStack().redo();
+    QVERIFY(becomesKept(m_folder->recovery()));
+}
+
+void TestAutosave::changesAreNotKeptOnceTheWindowIsClosed()
+{
+    {
+        const auto window = windowKeepingIn(m_folder->recovery());
+        window->openBundledScene();
+        edit(*window);
+        QVERIFY(becomesKept(m_folder->recovery()));
+        QVERIFY(window->close());
+    }
+    QVERIFY(QDir(m_folder->recovery()).isEmpty());
+}
+
+void TestAutosave::changesAreNotKeptOnceAnotherSceneIsOpened()
+{
+    const auto window = windowKeepingIn(m_folder->recovery());
+    window->openBundledScene();
+    edit(*window);
+    QVERIFY(becomesKept(m_folder->recovery()));
+    QVERIFY(openAndWait(*window, m_folder->file(QStringLiteral("nowhere.json"))));
+    QCOMPARE(keptIn(m_folder->recovery()).size(), 1);
+    QVERIFY(openAndWait(*window, m_folder->sceneFile()));
+    QVERIFY(QDir(m_folder->recovery()).isEmpty());
+}
+
+void TestAutosave::whoOnlyLooksAroundLeavesNothing()
+{
+    const auto window = windowKeepingIn(m_folder->recovery());
+    window->openBundledScene();
+    window->document().fit();
+    window->document().switchProjection();
+    QTest::qWait(300);
+    QVERIFY(!QFile::exists(m_folder->recovery()));
+}
+
+void TestAutosave::aWindowThatRemembersNothingKeepsNothing()
+{
+    const auto window = windowKeepingIn({});
+    window->openBundledScene();
+    edit(*window);
+    window->offerRecovery();
+    QVERIFY(!window->findChild<Autosave *>());
+}
+
+QTEST_MAIN(TestAutosave)
+#include "test_autosave.moc"

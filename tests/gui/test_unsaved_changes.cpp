@@ -1,0 +1,304 @@
+// What counts as an unsaved change, what is asked about, and what the answers do.
+
+#include "gui/main_window.h"
+#include "gui/scene_document.h"
+
+#include "gui_scene.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <functional>
+
+using namespace unprojector;
+using namespace guitest;
+
+namespace {
+
+using Deed = std::function<void(MainWindow &)>;
+
+void setCamera(MainWindow &window, double z)
+{
+    window.document().setCamera({WorldPoint(0.0, 0.0, z), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+}
+
+void change(MainWindow &window, const std::function<void(Scene &)> &how)
+{
+    Scene scene = window.document().scene();
+    how(scene);
+    if (!window.document().change(scene, QStringLiteral("change")))
+        qFatal("the change is refused");
+}
+
+void type(MainWindow &window, const char *field, const QString &text)
+{
+    auto *line = window.findChild<QLineEdit *>(QLatin1String(field));
+    if (!line)
+        qFatal("no such field");
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    QTest::keyClick(line, Qt::Key_Return);
+}
+
+/// A window that asks, as the user's does, and keeps its settings where the test is.
+std::unique_ptr<MainWindow> askingWindow(const QString &recoveryFolder)
+{
+    MainWindow::Options options;
+    options.samples = 0;
+    options.recoveryFolder = recoveryFolder;
+    return std::make_unique<MainWindow>(options);
+}
+
+/// What happens to the dialogs that come up while a deed is done. None may be left without an answer.
+class Answers {
+public:
+    explicit Answers(std::optional<QMessageBox::StandardButton> answer)
+    {
+        QObject::connect(&m_timer, &QTimer::timeout, qApp, [this, answer] {
+            QWidget *dialog = QApplication::activeModalWidget();
+            if (auto *box = qobject_cast<QMessageBox *>(dialog)) {
+                m_questions << box->text();
+                box->button(answer.value_or(QMessageBox::Cancel))->click();
+            } else if (auto *files = qobject_cast<QFileDialog *>(dialog)) {
+                m_questions << QStringLiteral("file");
+                files->reject();
+            }
+        });
+        m_timer.start(10);
+    }
+    const QStringList &questions() const { return m_questions; }
+
+private:
+    QStringList m_questions;
+    QTimer m_timer;
+};
+
+} // namespace
+
+Q_DECLARE_METATYPE(Deed)
+
+class TestUnsavedChanges : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        redirectSettings();
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    }
+    void cleanup() { QFile::remove(file()); }
+    void onlyWorkIsAskedAbout_data();
+    void onlyWorkIsAskedAbout();
+    void theWindowsSizeIsNoChange();
+    void undoingAllOfItClearsTheMark_data();
+    void undoingAllOfItClearsTheMark();
+    void undoingPastASaveSetsTheMark();
+    void workOlderThanTheUndoStackIsStillWork();
+    void aLookBetweenEditsKeepsThemApart();
+    void theAnswerIsObeyed();
+    void aSceneWithoutAFileIsSavedUnderAName();
+
+private:
+    QString file() const { return m_folder.filePath(QStringLiteral("scene.json")); }
+    std::filesystem::path path() const { return std::filesystem::path(file().toStdU16String()); }
+    std::unique_ptr<MainWindow> window() const { return askingWindow(m_folder.filePath(QStringLiteral("recovery"))); }
+
+    QTemporaryDir m_folder;
+};
+
+void TestUnsavedChanges::onlyWorkIsAskedAbout_data()
+{
+    QTest::addColumn<Deed>("deed");
+    QTest::addColumn<bool>("isWork");
+    const auto row = [](const char *name, bool isWork, Deed deed) { QTest::newRow(name) << deed << isWork; };
+    row("nothing", false, [](MainWindow &) {});
+    row("camera moved", false, [](MainWindow &w) { setCamera(w, 7.0); });
+    row("camera moved and fitted", false, [](MainWindow &w) {
+        setCamera(w, 7.0);
+        w.document().fit();
+    });
+    row("home", false, [](MainWindow &w) {
+        setCamera(w, 7.0);
+        w.document().goHome();
+    });
+    row("perspective and box", false, [](MainWindow &w) { w.document().switchProjection(); });
+    row("zoomed a box", false, [](MainWindow &w) { w.document().setProjection(Ortho{-2, 2, -2, 2, 1, 50}); });
+    row("near typed", true, [](MainWindow &w) { type(w, "nearDistance", QStringLiteral("0.75")); });
+    row("eye typed", true, [](MainWindow &w) { type(w, "eyeX", QStringLiteral("3.5")); });
+    row("check box", true, [](MainWindow &w) { w.findChild<QCheckBox *>(QStringLiteral("fitsObjects"))->click(); });
+    row("transform", true, [](MainWindow &w) {
+        change(w, [](Scene &s) { s.objects[0].transform.push_back(Translate{{1.0, 0.0, 0.0}}); });
+    });
+    row("clip plane", true, [](MainWindow &w) { change(w, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; }); });
+    row("clip plane, then camera", true, [](MainWindow &w) {
+        change(w, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+        setCamera(w, 7.0);
+    });
+    row("clip plane undone, then camera", false, [](MainWindow &w) {
+        change(w, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+        w.document().undoStack().undo();
+        setCamera(w, 7.0);
+    });
+    row("clip plane redone", true, [](MainWindow &w) {
+        change(w, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+        w.document().undoStack().undo();
+        w.document().undoStack().redo();
+    });
+}
+
+void TestUnsavedChanges::onlyWorkIsAskedAbout()
+{
+    QFETCH(Deed, deed);
+    QFETCH(bool, isWork);
+    {
+        const auto untitled = window();
+        untitled->openBundledScene();
+        deed(*untitled);
+        QCOMPARE(untitled->isWindowModified(), isWork);
+        const Answers answers(QMessageBox::Cancel);
+        QCOMPARE(untitled->close(), !isWork);
+        QCOMPARE(answers.questions(),
+                 isWork ? QStringList(QStringLiteral("Save the changes to Bundled scene?")) : QStringList());
+    }
+    // Of a scene that has a file, the view is a part.
+    const auto titled = window();
+    titled->openBundledScene();
+    QVERIFY(titled->saveScene(path()));
+    const int steps = titled->document().undoStack().index();
+    deed(*titled);
+    const bool isChanged = titled->document().undoStack().index() != steps;
+    QCOMPARE(titled->isWindowModified(), isChanged);
+    const Answers answers(QMessageBox::Discard);
+    QVERIFY(titled->close());
+    QCOMPARE(answers.questions(),
+             isChanged ? QStringList(QStringLiteral("Save the changes to scene.json?")) : QStringList());
+}
+
+void TestUnsavedChanges::theWindowsSizeIsNoChange()
+{
+    const auto titled = shownWindow(0, {640, 480});
+    titled->openBundledScene();
+    QVERIFY(titled->saveScene(path()));
+    QVERIFY(resized(*titled, {700, 500}));
+    QVERIFY(!titled->hasUnsavedChanges() && !titled->isWindowModified());
+}
+
+void TestUnsavedChanges::undoingAllOfItClearsTheMark_data()
+{
+    QTest::addColumn<bool>("hasFile");
+    QTest::newRow("with a file") << true;
+    QTest::newRow("without one") << false;
+}
+
+void TestUnsavedChanges::undoingAllOfItClearsTheMark()
+{
+    QFETCH(bool, hasFile);
+    const auto window = this->window();
+    window->openBundledScene();
+    if (hasFile)
+        QVERIFY(window->saveScene(path()));
+    setCamera(*window, 7.0);
+    type(*window, "nearDistance", QStringLiteral("0.75"));
+    type(*window, "nearDistance", QStringLiteral("0.5"));
+    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    setCamera(*window, 8.0);
+    QVERIFY(window->isWindowModified());
+    while (window->document().undoStack().canUndo()) {
+        QVERIFY(window->isWindowModified() || !hasFile);
+        window->document().undoStack().undo();
+    }
+    QVERIFY(!window->isWindowModified());
+}
+
+void TestUnsavedChanges::undoingPastASaveSetsTheMark()
+{
+    const auto window = this->window();
+    window->openBundledScene();
+    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    QVERIFY(window->saveScene(path()));
+    QVERIFY(!window->isWindowModified());
+    window->document().undoStack().undo();
+    QVERIFY(window->isWindowModified());
+    window->document().undoStack().redo();
+    QVERIFY(!window->isWindowModified());
+}
+
+void TestUnsavedChanges::workOlderThanTheUndoStackIsStillWork()
+{
+    const auto window = this->window();
+    window->openBundledScene();
+    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    for (int i = 0; i < window->document().undoStack().undoLimit() + 5; ++i)
+        setCamera(*window, 7.0 + i);
+    while (window->document().undoStack().canUndo())
+        window->document().undoStack().undo();
+    QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(1));
+    QVERIFY(window->isWindowModified());
+}
+
+void TestUnsavedChanges::aLookBetweenEditsKeepsThemApart()
+{
+    const auto window = this->window();
+    window->openBundledScene();
+    SceneDocument &document = window->document();
+    Scene scene = document.scene();
+    scene.clipPlanes = {{0.0, 1.0, 0.0, 0.0}};
+    QVERIFY(document.change(scene, QStringLiteral("Plane"), QStringLiteral("key")));
+    document.setCamera({WorldPoint(0.0, 0.0, 7.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}, QStringLiteral("key"));
+    document.undoStack().undo();
+    QVERIFY(document.isEdited());
+    document.undoStack().undo();
+    QVERIFY(!document.isEdited());
+}
+
+void TestUnsavedChanges::theAnswerIsObeyed()
+{
+    const auto window = this->window();
+    window->openBundledScene();
+    QVERIFY(window->saveScene(path()));
+    const auto planesInFile = [this] { return readSceneFile(path())->clipPlanes.size(); };
+    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    {
+        const Answers answers(QMessageBox::Cancel);
+        window->openExample("zhangci-perspective");
+        window->openBundledScene();
+        QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(1));
+        QVERIFY(!answers.questions().isEmpty());
+        QCOMPARE(planesInFile(), std::size_t(0));
+    }
+    {
+        const Answers answers(QMessageBox::Save);
+        window->openBundledScene();
+        QCOMPARE(answers.questions().size(), 1);
+        QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(0));
+        QCOMPARE(planesInFile(), std::size_t(1));
+    }
+    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}; });
+    const Answers answers(QMessageBox::Discard);
+    QVERIFY(window->close());
+    QCOMPARE(answers.questions().size(), 1);
+    QCOMPARE(planesInFile(), std::size_t(1));
+}
+
+void TestUnsavedChanges::aSceneWithoutAFileIsSavedUnderAName()
+{
+    const auto window = this->window();
+    window->openBundledScene();
+    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    const Answers answers(QMessageBox::Save);
+    QVERIFY2(!window->close(), "no name was given, so the scene is not saved, and the window stays");
+    QCOMPARE(answers.questions().size(), 2);
+    QCOMPARE(answers.questions().constLast(), QStringLiteral("file"));
+    QVERIFY(window->isWindowModified());
+}
+
+QTEST_MAIN(TestUnsavedChanges)
+#include "test_unsaved_changes.moc"
