@@ -313,15 +313,23 @@ void BatchUnprojection::operator()(const BatchInput<Scalar> &input, const BatchO
         run(kernels(set).ofFloats);
 }
 
-std::size_t BatchUnprojection::operator()(const batch::DepthRow &row, float *points, InstructionSet set) const
+template <class Scalar>
+std::size_t BatchUnprojection::operator()(const batch::DepthRow &row, Scalar *points, InstructionSet set) const
 {
-    return withLoop(kernels(set).ofRows,
-                    [&](auto loop, const auto &constants) { return loop(constants, row, points); });
+    const auto run = [&](const auto &loops) {
+        return withLoop(loops, [&](auto loop, const auto &constants) { return loop(constants, row, points); });
+    };
+    if constexpr (std::is_same_v<Scalar, double>)
+        return run(kernels(set).rowsOfDoubles);
+    else
+        return run(kernels(set).rowsOfFloats);
 }
 
 template void BatchUnprojection::operator()<double>(const BatchInput<double> &, const BatchOutput<double> &,
                                                     std::size_t, InstructionSet) const;
 template void BatchUnprojection::operator()<float>(const BatchInput<float> &, const BatchOutput<float> &, std::size_t,
                                                    InstructionSet) const;
+template std::size_t BatchUnprojection::operator()<double>(const batch::DepthRow &, double *, InstructionSet) const;
+template std::size_t BatchUnprojection::operator()<float>(const batch::DepthRow &, float *, InstructionSet) const;
 
 } // namespace unprojector

@@ -64,10 +64,11 @@ public:
     void operator()(const BatchInput<Scalar> &input, const BatchOutput<Scalar> &output, std::size_t count,
                     InstructionSet set = availableInstructionSets().back()) const;
 
-    /// The points under the pixels of a row of a depth image, in float; background costs little.
+    /// The points under the pixels of a row of a depth image; background costs little.
     /// @param points  room for as many as the row has pixels, x, y, z one after the other; behind those written, scratch
     /// @return how many were written
-    std::size_t operator()(const batch::DepthRow &row, float *points,
+    template <class Scalar>
+    std::size_t operator()(const batch::DepthRow &row, Scalar *points,
                            InstructionSet set = availableInstructionSets().back()) const;
 
 private:

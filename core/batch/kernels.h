@@ -45,24 +45,26 @@ struct DepthRow {
     std::size_t count;
     double py;
     float lowest, highest; ///< depths outside (NaN too) are passed over
-    bool canOverflow;      ///< whether points may leave the range of float; those are passed over, too
+    bool canOverflow;      ///< whether points may leave the range of their numbers; those are passed over, too
 };
 
 /// @param points  room for count of them, x, y, z one after the other; behind those written, scratch
 /// @return how many were written
-template <class Constants>
-using RowKernel = std::size_t (*)(const Constants &, const DepthRow &, float *points);
+template <class Scalar, class Constants>
+using RowKernel = std::size_t (*)(const Constants &, const DepthRow &, Scalar *points);
 
-struct RowKernels {
-    RowKernel<ClosedFormConstants> perspective, box;
-    RowKernel<MatrixConstants> matrix;
+template <class Scalar>
+struct RowKernelsOf {
+    RowKernel<Scalar, ClosedFormConstants> perspective, box;
+    RowKernel<Scalar, MatrixConstants> matrix;
 };
 
 /// The loops of one instruction set. They compute in double, whatever the arrays hold.
 struct Kernels {
     KernelsOf<double> ofDoubles;
     KernelsOf<float> ofFloats;
-    RowKernels ofRows;
+    RowKernelsOf<double> rowsOfDoubles;
+    RowKernelsOf<float> rowsOfFloats;
 };
 
 extern const Kernels kBaselineKernels;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace unprojector::batch {
 namespace {
@@ -188,24 +189,32 @@ void unproject(const typename Method::Constants &constants, const Scalar *px, co
 
 constexpr unsigned kAllLanes = (1u << Pack::kLanes) - 1;
 
-/// The lanes whose coordinates round to a finite float.
-inline unsigned finiteAsFloats(const Pack (&p)[3])
+/// What a coordinate in double must stay below for a finite one of another kind of number.
+template <class Scalar>
+constexpr double kTooLarge = std::numeric_limits<double>::infinity();
+template <>
+constexpr double kTooLarge<float> = 0x1.ffffffp127; // the first that rounds to infinity
+
+template <class Scalar>
+unsigned finiteLanes(const Pack (&p)[3])
 {
-    constexpr double kRoundsToInfinity = 0x1.ffffffp127;
     unsigned lanes = kAllLanes;
     for (const Pack &coordinates : p)
-        lanes &= coordinates.between(-kRoundsToInfinity, kRoundsToInfinity);
+        lanes &= coordinates.between(-kTooLarge<Scalar>, kTooLarge<Scalar>);
     return lanes;
 }
 
 /// Appends the points of some lanes.
-inline float *appended(const Pack (&p)[3], unsigned lanes, float *next)
+template <class Scalar>
+Scalar *appended(const Pack (&p)[3], unsigned lanes, Scalar *next)
 {
-    if (lanes == kAllLanes) {
-        Pack::storeInterleaved(p, next);
-        return next + 3 * Pack::kLanes;
+    if constexpr (std::is_same_v<Scalar, float>) {
+        if (lanes == kAllLanes) {
+            Pack::storeInterleaved(p, next);
+            return next + 3 * Pack::kLanes;
+        }
     }
-    float of[3][Pack::kLanes];
+    Scalar of[3][Pack::kLanes];
     for (int k = 0; k < 3; ++k)
         p[k].store(of[k]);
     for (std::size_t i = 0; i < Pack::kLanes; ++i) {
@@ -216,32 +225,33 @@ inline float *appended(const Pack (&p)[3], unsigned lanes, float *next)
     return next;
 }
 
-template <class Method>
-std::size_t unprojectRow(const typename Method::Constants &constants, const DepthRow &row, float *points)
+template <class Method, class Scalar>
+std::size_t unprojectRow(const typename Method::Constants &constants, const DepthRow &row, Scalar *points)
 {
     const typename Method::Constants c = constants; // no store can change it
     const Method method(c, Pack(row.py));
-    const auto addPoints = [&](const float *depth, Pack px, float *next) {
+    const auto addPoints = [&](const float *depth, Pack px, Scalar *next) {
         unsigned lanes = Pack::between(depth, row.lowest, row.highest);
         if (lanes == 0)
             return next;
         Pack p[3];
         method.unproject(c, px, Pack::loaded(depth), p);
         if (row.canOverflow)
-            lanes &= finiteAsFloats(p);
+            lanes &= finiteLanes<Scalar>(p);
         return appended(p, lanes, next);
     };
-    float *next = points;
+    Scalar *next = points;
     Pack px = Pack::counted() + Pack(0.5);
     std::size_t i = 0;
     for (; i + Pack::kLanes <= row.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes)))
         next = addPoints(row.depth + i, px, next);
     if (i < row.count) {
-        float depth[Pack::kLanes], last[3 * Pack::kLanes];
+        float depth[Pack::kLanes];
+        Scalar last[3 * Pack::kLanes];
         for (std::size_t lane = 0; lane < Pack::kLanes; ++lane)
             depth[lane] = i + lane < row.count ? row.depth[i + lane] : std::numeric_limits<float>::quiet_NaN();
-        const float *end = addPoints(depth, px, last);
-        for (const float *from = last; from != end; ++from)
+        const Scalar *end = addPoints(depth, px, last);
+        for (const Scalar *from = last; from != end; ++from)
             *next++ = *from;
     }
     return static_cast<std::size_t>(next - points) / 3;
@@ -252,6 +262,7 @@ std::size_t unprojectRow(const typename Method::Constants &constants, const Dept
 const Kernels UNPROJECTOR_KERNELS{
     {unproject<Perspective, double>, unproject<Box, double>, unproject<Matrix, double>},
     {unproject<Perspective, float>, unproject<Box, float>, unproject<Matrix, float>},
-    {unprojectRow<Perspective>, unprojectRow<Box>, unprojectRow<Matrix>}};
+    {unprojectRow<Perspective, double>, unprojectRow<Box, double>, unprojectRow<Matrix, double>},
+    {unprojectRow<Perspective, float>, unprojectRow<Box, float>, unprojectRow<Matrix, float>}};
 
 } // namespace unprojector::batch

@@ -31,8 +31,8 @@ struct Pack {
     static unsigned between(const float *values, float low, float high)
     {
         const __m256 v = _mm256_loadu_ps(values);
-        return _mm256_cmp_ps_mask(v, _mm256_set1_ps(low), _CMP_GE_OQ)
-               & _mm256_cmp_ps_mask(v, _mm256_set1_ps(high), _CMP_LE_OQ);
+        const __mmask8 above = _mm256_cmp_ps_mask(v, _mm256_set1_ps(low), _CMP_GE_OQ);
+        return _mm256_mask_cmp_ps_mask(above, v, _mm256_set1_ps(high), _CMP_LE_OQ);
     }
     /// x0 y0 z0 x1 y1 z1 ...
     static void storeInterleaved(const Pack (&p)[3], float *to)

@@ -7,6 +7,9 @@
 
 namespace unprojector {
 
+/// What the file holds. Computed in double either way.
+enum class PointPrecision { Float, Double };
+
 /// `unproject cloud`: a whole depth image to a point cloud in world space.
 struct CloudOptions {
     std::string scene;
@@ -14,6 +17,7 @@ struct CloudOptions {
     std::string size;   ///< "WxH", for raw floats
     std::string output; ///< a PLY file, "-" for stdout
     Methods method = Methods::Formula;
+    PointPrecision precision = PointPrecision::Float;
 };
 
 ExitCode runCloud(const CloudOptions &options);

@@ -165,11 +165,16 @@ void addCloud(CLI::App &app, Run &run)
     command->add_option("--size", options->size, "Of raw floats, in pixels")->type_name("WxH");
     addChoice<Methods>(*command, "--method", options->method,
                        {{"formula", Methods::Formula}, {"matrix", Methods::Matrix}}, "How to compute");
-    command->footer("Pixels at the far end of the depth range are background and left out, and so are depths outside it.\n"
-                    "\n"
-                    "Examples:\n"
-                    "  unproject cloud scene.json depth.pfm -o cloud.ply\n"
-                    "  unproject cloud --size 1920x1080 scene.json depth.raw -o cloud.ply");
+    addChoice<PointPrecision>(*command, "--precision", options->precision,
+                              {{"float", PointPrecision::Float}, {"double", PointPrecision::Double}},
+                              "Of the numbers written");
+    command->footer(
+        "Pixels at the far end of the depth range are background and left out, and so are depths outside it.\n"
+        "Floats have 7 digits: where coordinates are large, as on maps, take --precision double.\n"
+        "\n"
+        "Examples:\n"
+        "  unproject cloud scene.json depth.pfm -o cloud.ply\n"
+        "  unproject cloud --size 1920x1080 scene.json depth.raw -o cloud.ply");
     command->callback([options, &run] { run = [options] { return runCloud(*options); }; });
 }
 

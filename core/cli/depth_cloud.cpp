@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace unprojector {
 namespace {
 
 /// The pixels in between the window's corners and the ends of the depth range have numbers between theirs.
+template <class Scalar>
 bool someCornerIsHuge(const BatchUnprojection &unprojection, const PictureGeometry &g)
 {
     const double w = g.surface.widthPixels, h = g.surface.heightPixels, n = g.depthRange.atNear, f = g.depthRange.atFar;
@@ -16,7 +18,7 @@ bool someCornerIsHuge(const BatchUnprojection &unprojection, const PictureGeomet
     std::array<double, 8> x, y, z;
     unprojection(BatchInput<double>{px.data(), py.data(), depth.data()},
                  BatchOutput<double>{x.data(), y.data(), z.data()}, px.size());
-    constexpr double kSafe = 1e38;
+    constexpr double kSafe = std::numeric_limits<Scalar>::max() / 4.0;
     for (const auto &column : {x, y, z}) {
         for (const double value : column) {
             if (!(std::abs(value) < kSafe))
@@ -45,17 +47,23 @@ std::size_t Surfaces::countIn(std::span<const float> depths) const
     return count;
 }
 
-DepthCloud::DepthCloud(const BatchUnprojection &unprojection, const PictureGeometry &picture, const DepthImage &image)
+template <class Scalar>
+DepthCloud<Scalar>::DepthCloud(const BatchUnprojection &unprojection, const PictureGeometry &picture,
+                               const DepthImage &image)
     : m_unprojection(unprojection), m_image(image), m_surfaces(picture.depthRange),
-      m_canOverflow(someCornerIsHuge(unprojection, picture))
+      m_canOverflow(someCornerIsHuge<Scalar>(unprojection, picture))
 {
 }
 
-std::size_t DepthCloud::row(std::size_t j, float *points) const
+template <class Scalar>
+std::size_t DepthCloud<Scalar>::row(std::size_t j, Scalar *points) const
 {
     return m_unprojection(batch::DepthRow{m_image.row(j), m_image.width, static_cast<double>(j) + 0.5,
                                           m_surfaces.lowest(), m_surfaces.highest(), m_canOverflow},
                           points);
 }
+
+template class DepthCloud<float>;
+template class DepthCloud<double>;
 
 } // namespace unprojector

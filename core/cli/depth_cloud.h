@@ -20,21 +20,22 @@ private:
     float m_low, m_high;
 };
 
-/// The points under the pixels of a depth image in single precision, a row at a time, so that everything stays in the
-/// processor's cache.
+/// The points under the pixels of a depth image, a row at a time, so that everything stays in the processor's cache.
+/// @tparam Scalar  float or double
+template <class Scalar>
 class DepthCloud {
 public:
     /// @param image  kept by reference; as large as the picture's surface
     DepthCloud(const BatchUnprojection &unprojection, const PictureGeometry &picture, const DepthImage &image);
 
-    /// Whether the numbers of some pixel could leave the range of single precision.
+    /// Whether the numbers of some pixel could leave the range of Scalar.
     bool canOverflow() const { return m_canOverflow; }
 
     /// @param j  from the top
     /// @param points  room for as many points as the row has pixels: x, y, z one after the other. Those behind the
     ///        last one kept are scratch.
     /// @return how many points of the row are of a surface and have finite coordinates
-    std::size_t row(std::size_t j, float *points) const;
+    std::size_t row(std::size_t j, Scalar *points) const;
 
 private:
     BatchUnprojection m_unprojection;

@@ -3,6 +3,7 @@
 #include "core/cli/byte_stream.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -133,6 +134,16 @@ std::optional<Layout> layoutOf(Bytes &bytes)
     return layout;
 }
 
+template <class Number>
+void swapEach(std::span<Number> values)
+{
+    for (Number &value : values) {
+        auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+        std::ranges::reverse(bytes);
+        value = std::bit_cast<Number>(bytes);
+    }
+}
+
 bool readFloats(Bytes &bytes, const Layout &layout, std::span<float> depths)
 {
     if (!bytes.read(reinterpret_cast<char *>(depths.data()), depths.size_bytes()))
@@ -166,10 +177,12 @@ std::string shown(const Size &size)
 
 void swapBytes(std::span<float> values)
 {
-    for (float &value : values) {
-        const auto bits = std::bit_cast<std::uint32_t>(value);
-        value = std::bit_cast<float>(bits << 24 | (bits & 0xff00) << 8 | (bits >> 8 & 0xff00) | bits >> 24);
-    }
+    swapEach(values);
+}
+
+void swapBytes(std::span<double> values)
+{
+    swapEach(values);
 }
 
 std::optional<DepthImage> readDepthImage(const std::string &file, const std::string &sizeText,

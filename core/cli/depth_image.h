@@ -21,6 +21,7 @@ struct DepthImage {
 
 /// From one byte order to the other.
 void swapBytes(std::span<float> values);
+void swapBytes(std::span<double> values);
 
 /// Reads a depth image; what is wrong is said on stderr.
 ///

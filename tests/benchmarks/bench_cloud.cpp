@@ -55,7 +55,7 @@ void finish(benchmark::State &state)
 void computing(benchmark::State &state, const Result<BatchUnprojection> &unprojection, std::size_t bufferRows)
 {
     const DepthImage image = waves();
-    const DepthCloud cloud(*unprojection, picture(), image);
+    const DepthCloud<float> cloud(*unprojection, picture(), image);
     std::vector<float> points(3 * kWidth * bufferRows);
     for (auto _ : state) {
         std::size_t count = 0;

@@ -31,11 +31,12 @@ QByteArray bytesOf(const QVector<float> &values)
 }
 
 /// The points of a PLY as x, y, z after each other.
-QVector<float> pointsOf(const QByteArray &ply)
+template <class Number = float>
+QVector<Number> pointsOf(const QByteArray &ply)
 {
     const QByteArray end("end_header\n");
     const QByteArray body = ply.mid(ply.indexOf(end) + end.size());
-    QVector<float> values(body.size() / qsizetype(sizeof(float)));
+    QVector<Number> values(body.size() / qsizetype(sizeof(Number)));
     std::memcpy(values.data(), body.constData(), std::size_t(body.size()));
     return values;
 }
@@ -89,6 +90,8 @@ private slots:
     void everyFormatGivesTheSamePoints_data();
     void everyFormatGivesTheSamePoints();
     void backgroundAndNonsenseAreLeftOut();
+    void aLargeWorldNeedsDoubles();
+    void whatIsBeyondFloatsIsSaid();
     void standardStreams();
     void unusableInput_data();
     void unusableInput();
@@ -142,6 +145,35 @@ void TestCloudCommand::backgroundAndNonsenseAreLeftOut()
     const Run run = runCommand({"cloud", "--size", "4x3", m_scene, image, "-o", "-"});
     QCOMPARE(run.exitCode, 0);
     QVERIFY(isClose(pointsOf(run.output), kPoints));
+}
+
+/// Floats of the size of a map's coordinates are half a metre apart.
+void TestCloudCommand::aLargeWorldNeedsDoubles()
+{
+    QByteArray scene = kScene;
+    scene.replace("[0, 0, 5]", "[5000000, 0, 5]").replace("[0, 0, 0]", "[5000000, 0, 0]");
+    const QString file = m_folder.write("map.json", scene), image = m_folder.write("depth", pfm(depths(), true));
+    const Run run = runCommand({"cloud", "--precision", "double", file, image, "-o", "-"});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(run.output.contains("\nproperty double x\nproperty double y\nproperty double z\n"));
+    const QVector<double> points = pointsOf<double>(run.output);
+    QCOMPARE(points.size(), qsizetype(6));
+    QCOMPARE(points[0], 5000000.0 - 0.5);
+    QVERIFY(std::abs(points[3] - 5000003.0) < 1e-6 && std::abs(points[5] - 3.0) < 1e-6); // the depth is a float's 2/3
+}
+
+void TestCloudCommand::whatIsBeyondFloatsIsSaid()
+{
+    QByteArray scene = kScene;
+    scene.replace("\"left\": -2, \"right\": 2", "\"left\": -2e39, \"right\": 2e39");
+    const QString file = m_folder.write("wide.json", scene), image = m_folder.write("depth", pfm(depths(), true));
+    const Run run = runCommand({"cloud", file, image, "-o", "-"});
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY(run.errors.contains("2 points lie beyond the range of single precision"));
+    QVERIFY(run.output.contains("element vertex 0\n"));
+    const Run inDouble = runCommand({"cloud", "--precision", "double", file, image, "-o", "-"});
+    QCOMPARE(inDouble.exitCode, 0);
+    QCOMPARE(pointsOf<double>(inDouble.output).value(0), -5e38);
 }
 
 void TestCloudCommand::standardStreams()
