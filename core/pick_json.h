@@ -13,7 +13,8 @@ namespace unprojector {
 nlohmann::ordered_json toJson(const Pick &pick);
 
 /// "window" (logical pixels), "viewport" (device pixels, origin bottom-left), "projection", "view"; "depthRange"
-/// where it is not [0, 1]. A Perspective is written as its frustum.
+/// where it is not [0, 1]. A Perspective is written as its frustum, whose edges are
+/// rounded to doubles: the formulas with those edges may differ by units in the last place.
 nlohmann::ordered_json toJson(const ViewGeometry &geometry);
 
 } // namespace unprojector

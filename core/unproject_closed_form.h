@@ -51,7 +51,7 @@ Result<EyePoint> unprojectOrtho(const Ortho &ortho, const Viewport &viewport, co
 Result<EyePoint> unprojectOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
                                   const WindowPoint &window);
 
-/// The one of the three that fits the projection; a Perspective is taken as its frustum.
+/// The one of the three that fits the projection; a Perspective is taken as its frustum, the edges not rounded.
 Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
                                      const WindowPoint &window);
 
