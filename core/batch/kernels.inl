@@ -91,6 +91,15 @@ std::size_t offsetInLine(const Scalar *p)
     return reinterpret_cast<std::uintptr_t>(p) % kCacheLine;
 }
 
+/// What will be needed soon: far enough that memory can answer in time, and perhaps behind the array's end, where a
+/// prefetch does no harm.
+template <class Scalar>
+const char *ahead(const Scalar *p)
+{
+    constexpr std::uintptr_t kPrefetchBytes = 1024;
+    return reinterpret_cast<const char *>(reinterpret_cast<std::uintptr_t>(p) + kPrefetchBytes);
+}
+
 /// The loops over the points of six arrays.
 template <class Method, class Scalar>
 class Loop {
@@ -135,6 +144,11 @@ private:
     {
         std::size_t i = begin;
         for (; i + Pack::kLanes <= end; i += Pack::kLanes) {
+            if constexpr (streams) {
+                Pack::prefetch(ahead(m_px + i));
+                Pack::prefetch(ahead(m_py + i));
+                Pack::prefetch(ahead(m_depth + i));
+            }
             Pack p[3];
             Method(m_constants, Pack::loaded(m_py + i))
                 .unproject(m_constants, Pack::loaded(m_px + i), Pack::loaded(m_depth + i), p);

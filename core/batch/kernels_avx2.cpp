@@ -19,6 +19,7 @@ struct Pack {
     void store(float *to) const { _mm_storeu_ps(to, _mm256_cvtpd_ps(lanes)); }
     void stream(double *to) const { _mm256_stream_pd(to, lanes); }
     void stream(float *to) const { _mm_stream_ps(to, _mm256_cvtpd_ps(lanes)); }
+    static void prefetch(const char *from) { _mm_prefetch(from, _MM_HINT_T0); }
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return _mm256_set_pd(3, 2, 1, 0); }
     /// One bit a lane.

@@ -19,6 +19,7 @@ struct Pack {
     void store(float *to) const { _mm256_storeu_ps(to, asFloats()); }
     void stream(double *to) const { _mm512_stream_pd(to, lanes); }
     void stream(float *to) const { _mm256_stream_ps(to, asFloats()); }
+    static void prefetch(const char *from) { _mm_prefetch(from, _MM_HINT_T0); }
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return _mm512_set_pd(7, 6, 5, 4, 3, 2, 1, 0); }
     /// One bit a lane.

@@ -25,6 +25,7 @@ struct Pack {
     void store(float *to) const { _mm_storel_epi64(reinterpret_cast<__m128i *>(to), asFloats()); }
     void stream(double *to) const { _mm_stream_pd(to, lanes); }
     void stream(float *to) const { _mm_stream_si64(reinterpret_cast<long long *>(to), _mm_cvtsi128_si64(asFloats())); }
+    static void prefetch(const char *from) { _mm_prefetch(from, _MM_HINT_T0); }
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return _mm_set_pd(1, 0); }
     /// One bit a lane.
@@ -80,6 +81,7 @@ struct Pack {
     {
         store(to);
     }
+    static void prefetch(const char *) {}
     static void finishStreaming() {}
     static Pack counted() { return Pack(0.0); }
     unsigned between(double low, double high) const { return lane > low && lane < high; }

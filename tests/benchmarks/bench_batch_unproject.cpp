@@ -187,9 +187,10 @@ void registerBatches(const std::string &scalar)
         add("matrix", BatchUnprojection::byMatrix(geometry(), {}), set);
     }
     const InstructionSet best = availableInstructionSets().back();
-    benchmark::RegisterBenchmark(
-        ("closed form, perspective/" + scalar + '/' + name(best) + ", in cache").c_str(),
-        [=](benchmark::State &state) { batchInCache<Scalar>(state, BatchUnprojection::byFormula(geometry(), {}), best); });
+    benchmark::RegisterBenchmark(("closed form, perspective/" + scalar + '/' + name(best) + ", in cache").c_str(),
+                                 [=](benchmark::State &state) {
+                                     batchInCache<Scalar>(state, BatchUnprojection::byFormula(geometry(), {}), best);
+                                 });
 }
 
 } // namespace
