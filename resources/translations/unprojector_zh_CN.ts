@@ -377,8 +377,8 @@ far = %2</source>
 远 = %2</translation>
     </message>
     <message>
-        <source>The two agree to the last places: each rounds a few times, and that is all.</source>
-        <translation>两者直到最末几位都一致：各自只有几次舍入，仅此而已。</translation>
+        <source>The two agree to the last places: the matrix rounds at every step, the formula once at the end.</source>
+        <translation>两者直到最末几位都一致：矩阵每一步都舍入，公式只在最后舍入一次。</translation>
     </message>
     <message>
         <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
