@@ -130,7 +130,8 @@ QString differenceCauseText(const Pick &pick)
     const glm::dvec3 d = world.difference();
     const double ulps = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(world.formula->coordinates());
     if (ulps <= 4.0)
-        return Formulas::tr("The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
+        return Formulas::tr(
+            "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
     const Result<EyePoint> &eye = pick.hit ? pick.point.eye.formula : pick.rayFar.eye.formula;
     if (!eye)
         return {};

@@ -25,17 +25,6 @@ namespace {
 
 constexpr int kCamerasPerKind = 1500, kClicksPerCamera = 4;
 
-PictureGeometry pictureOf(const oracle::Scene &s)
-{
-    PictureGeometry g;
-    g.surface = {static_cast<int>(s.target.width), static_cast<int>(s.target.height), 1.0};
-    g.viewport = oracle::coreViewport(s.target);
-    g.depthRange = oracle::coreDepthRange(s.target);
-    g.projection = oracle::coreProjection(s.projection);
-    g.view = oracle::coreView(s.view);
-    return g;
-}
-
 glm::dvec3 byBatch(const Result<BatchUnprojection> &unprojection, const PictureGeometry &g, const WindowPoint &window)
 {
     const DevicePoint device = deviceFromWindow(g.surface, window);
@@ -105,7 +94,7 @@ void printRow(double nearDistance, double farDistance)
         for (int camera = 0; camera < kCamerasPerKind; ++camera) {
             const oracle::Scene s = oracle::randomScene(random, kind, limits);
             const oracle::Oracle exact(s.view, s.projection, s.target);
-            const PictureGeometry g = pictureOf(s);
+            const PictureGeometry g = oracle::corePicture(s);
             const auto formula = BatchUnprojection::byFormula(g, {}), matrix = BatchUnprojection::byMatrix(g, {});
             for (int click = 0; click < kClicksPerCamera; ++click) {
                 const std::array<double, 3> at = oracle::randomClick(random, s.target);

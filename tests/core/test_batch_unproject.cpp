@@ -2,6 +2,7 @@
 
 #include "core/batch_unproject.h"
 #include "core/transform.h"
+#include "tests/support/batch_arrays.h"
 #include "tests/support/core_scene.h"
 
 #include <QTest>
@@ -27,29 +28,6 @@ constexpr double kMostUlps = 8.0;
 constexpr double kAllUlps = 20.0;
 constexpr double kCloseToOrigin = 1.0 / 16.0;
 
-/// Three arrays of numbers.
-template <class Scalar>
-struct Triples {
-    std::array<std::vector<Scalar>, 3> of;
-    explicit Triples(std::size_t count = 0) : of{std::vector<Scalar>(count), std::vector<Scalar>(count), std::vector<Scalar>(count)} {}
-
-    std::size_t count() const { return of[0].size(); }
-    BatchInput<Scalar> input() const { return {of[0].data(), of[1].data(), of[2].data()}; }
-    BatchOutput<Scalar> output() { return {of[0].data(), of[1].data(), of[2].data()}; }
-    glm::dvec3 at(std::size_t i) const { return {of[0][i], of[1][i], of[2][i]}; }
-};
-
-PictureGeometry geometryOf(const oracle::Scene &s)
-{
-    PictureGeometry g;
-    g.surface = {static_cast<int>(s.target.width), static_cast<int>(s.target.height), 1.0};
-    g.viewport = oracle::coreViewport(s.target);
-    g.depthRange = oracle::coreDepthRange(s.target);
-    g.projection = oracle::coreProjection(s.projection);
-    g.view = oracle::coreView(s.view);
-    return g;
-}
-
 /// Clicks as arrays of device positions; the window positions that they mean are exact, for these are of few bits.
 Triples<double> randomClicks(oracle::Random &random, const oracle::Scene &s, std::size_t count)
 {
@@ -66,15 +44,6 @@ Triples<double> randomClicks(oracle::Random &random, const oracle::Scene &s, std
 std::array<double, 3> windowAt(const Triples<double> &clicks, const oracle::Scene &s, std::size_t i)
 {
     return {clicks.of[0][i], s.target.height - clicks.of[1][i], clicks.of[2][i]};
-}
-
-template <class Scalar>
-Triples<Scalar> unprojected(const BatchUnprojection &unprojection, const Triples<Scalar> &clicks,
-                            InstructionSet set = availableInstructionSets().back())
-{
-    Triples<Scalar> points(clicks.count());
-    unprojection(clicks.input(), points.output(), clicks.count(), set);
-    return points;
 }
 
 template <class Scalar>
@@ -123,9 +92,6 @@ private slots:
     void everyInstructionSetGivesTheSameDigits();
     void manyPointsAreThoseOfFew_data();
     void manyPointsAreThoseOfFew();
-    void rowsAreTheSurfacesOfABatch_data() { addKinds(); }
-    void rowsAreTheSurfacesOfABatch();
-    void rowsLeaveOutWhatNoFloatHolds();
     void matrixAgreesWithTheFormula_data() { addKinds(); }
     void matrixAgreesWithTheFormula();
     void matricesOfOtherPrograms_data();
@@ -159,7 +125,7 @@ void TestBatchUnproject::unitsInTheLastPlace()
             const oracle::Scene s = oracle::randomScene(random, kind, limits);
             const oracle::Oracle exact(s.view, s.projection, s.target);
             const Triples<double> clicks = randomClicks(random, s, 4);
-            const auto unprojection = BatchUnprojection::byFormula(geometryOf(s), {});
+            const auto unprojection = BatchUnprojection::byFormula(oracle::corePicture(s), {});
             QVERIFY(unprojection);
             const Triples<double> points = unprojected(*unprojection, clicks);
             const oracle::Vector3 eye = oracle::extended(oracle::coreView(s.view).eye);
@@ -194,7 +160,7 @@ void TestBatchUnproject::eyePointsAreRight()
         const oracle::Oracle exact(s.view, s.projection, s.target);
         const Triples<double> clicks = randomClicks(random, s, 8);
         const auto unprojection =
-            BatchUnprojection::byFormula(geometryOf(s), {BatchSpace::Kind::Eye, glm::dmat4(1.0)});
+            BatchUnprojection::byFormula(oracle::corePicture(s), {BatchSpace::Kind::Eye, glm::dmat4(1.0)});
         QVERIFY(unprojection);
         const Triples<double> points = unprojected(*unprojection, clicks);
         for (std::size_t i = 0; i < clicks.count(); ++i) {
@@ -217,8 +183,8 @@ void TestBatchUnproject::everyInstructionSetGivesTheSameDigits()
         for (std::size_t k = 0; k < 3; ++k)
             std::transform(clicks.of[k].begin(), clicks.of[k].end(), floats.of[k].begin(),
                            [](double value) { return static_cast<float>(value); });
-        for (const auto &unprojection : {BatchUnprojection::byFormula(geometryOf(s), {}),
-                                         BatchUnprojection::byMatrix(geometryOf(s), {})}) {
+        for (const auto &unprojection : {BatchUnprojection::byFormula(oracle::corePicture(s), {}),
+                                         BatchUnprojection::byMatrix(oracle::corePicture(s), {})}) {
             QVERIFY(unprojection);
             const auto plain = unprojected(*unprojection, clicks, InstructionSet::Baseline);
             const auto plainFloats = unprojected(*unprojection, floats, InstructionSet::Baseline);
@@ -277,67 +243,10 @@ void TestBatchUnproject::manyPointsAreThoseOfFew()
     QFETCH(Starts, starts);
     oracle::Random random(6);
     const oracle::Scene s = oracle::randomScene(random, RandomKind::Perspective, SceneLimits{});
-    const auto unprojection = BatchUnprojection::byFormula(geometryOf(s), {});
+    const auto unprojection = BatchUnprojection::byFormula(oracle::corePicture(s), {});
     for (const InstructionSet set : availableInstructionSets()) {
         checkManyAgainstFew<double>(*unprojection, starts, set);
         checkManyAgainstFew<float>(*unprojection, starts, set);
-    }
-}
-
-/// Surfaces everywhere, nowhere and here and there, over more than some packs and a rest.
-void TestBatchUnproject::rowsAreTheSurfacesOfABatch()
-{
-    QFETCH(RandomKind, kind);
-    constexpr std::size_t kWidth = 83;
-    oracle::Random random(8);
-    for (int count = 0; count < 20; ++count) {
-        SceneLimits limits;
-        limits.plainTarget = true;
-        const oracle::Scene s = oracle::randomScene(random, kind, limits);
-        Triples<float> pixels(kWidth);
-        for (std::size_t i = 0; i < kWidth; ++i) {
-            pixels.of[0][i] = static_cast<float>(i) + 0.5f;
-            pixels.of[1][i] = 7.5f;
-            pixels.of[2][i] = static_cast<float>(i * 37 % kWidth) / float(kWidth);
-        }
-        pixels.of[2][3] = std::numeric_limits<float>::quiet_NaN();
-        for (const auto &[lowest, highest] : {std::pair(0.0f, 1.0f), std::pair(0.25f, 0.5f), std::pair(2.0f, 3.0f)}) {
-            for (const auto &unprojection :
-                 {BatchUnprojection::byFormula(geometryOf(s), {}), BatchUnprojection::byMatrix(geometryOf(s), {})}) {
-                const Triples<float> all = unprojected(*unprojection, pixels, InstructionSet::Baseline);
-                std::vector<float> expected;
-                for (std::size_t i = 0; i < kWidth; ++i) {
-                    const float depth = pixels.of[2][i];
-                    if (depth >= lowest && depth <= highest)
-                        expected.insert(expected.end(), {all.of[0][i], all.of[1][i], all.of[2][i]});
-                }
-                for (const InstructionSet set : availableInstructionSets()) {
-                    std::vector<float> points(3 * kWidth);
-                    const batch::DepthRow row{pixels.of[2].data(), kWidth, 7.5, lowest, highest, false};
-                    points.resize(3 * (*unprojection)(row, points.data(), set));
-                    QCOMPARE(points, expected);
-                }
-            }
-        }
-    }
-}
-
-void TestBatchUnproject::rowsLeaveOutWhatNoFloatHolds()
-{
-    PictureGeometry g;
-    g.surface = {40, 1, 1.0};
-    g.viewport = wholeSurface(g.surface);
-    g.projection = Ortho{0.0, 4e39, -1.0, 1.0, 1.0, 3.0}; // pixel i at x = (i + 1/2) 1e38; floats end at 3.4e38
-    g.view = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
-    const std::vector<float> depths(40, 0.5f);
-    const auto unprojection = BatchUnprojection::byFormula(g, {});
-    for (const InstructionSet set : availableInstructionSets()) {
-        std::vector<float> points(120);
-        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.0f, 1.0f, true}, points.data(), set), std::size_t(3));
-        QCOMPARE(points[0], 0.5e38f);
-        QCOMPARE(points[6], 2.5e38f);
-        QCOMPARE(points[8], -2.0f);
-        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.0f, 1.0f, false}, points.data(), set), std::size_t(40));
     }
 }
 
@@ -356,8 +265,8 @@ void TestBatchUnproject::matrixAgreesWithTheFormula()
         const oracle::Scene s = oracle::randomScene(random, kind, limits);
         const Triples<double> clicks = randomClicks(random, s, 16);
         for (const auto space : {BatchSpace::Kind::Eye, BatchSpace::Kind::World}) {
-            const auto formula = BatchUnprojection::byFormula(geometryOf(s), {space, glm::dmat4(1.0)});
-            const auto matrix = BatchUnprojection::byMatrix(geometryOf(s), {space, glm::dmat4(1.0)});
+            const auto formula = BatchUnprojection::byFormula(oracle::corePicture(s), {space, glm::dmat4(1.0)});
+            const auto matrix = BatchUnprojection::byMatrix(oracle::corePicture(s), {space, glm::dmat4(1.0)});
             const Triples<double> a = unprojected(*formula, clicks), b = unprojected(*matrix, clicks);
             const ProjectionWindow w = projectionWindow(oracle::coreProjection(s.projection));
             const double size = 100.0 + std::abs(w.left) + std::abs(w.right) + std::abs(w.bottom) + std::abs(w.top);
@@ -447,9 +356,9 @@ void TestBatchUnproject::objectSpaceIsTheWorldMovedBack()
     const oracle::Scene s = oracle::randomScene(random, RandomKind::Frustum, limits);
     const Triples<double> clicks = randomClicks(random, s, 50);
     const BatchSpace object{BatchSpace::Kind::Object, worldFromObject};
-    const Triples<double> world = unprojected(*BatchUnprojection::byFormula(geometryOf(s), {}), clicks);
-    for (const auto &unprojection :
-         {BatchUnprojection::byFormula(geometryOf(s), object), BatchUnprojection::byMatrix(geometryOf(s), object)}) {
+    const Triples<double> world = unprojected(*BatchUnprojection::byFormula(oracle::corePicture(s), {}), clicks);
+    for (const auto &unprojection : {BatchUnprojection::byFormula(oracle::corePicture(s), object),
+                                     BatchUnprojection::byMatrix(oracle::corePicture(s), object)}) {
         QVERIFY(unprojection);
         const Triples<double> points = unprojected(*unprojection, clicks);
         for (std::size_t i = 0; i < clicks.count(); ++i)
@@ -469,7 +378,7 @@ void TestBatchUnproject::floatsAreTheDoublesRounded()
             clicks.of[k][i] = floats.of[k][i];
         }
     }
-    const auto unprojection = BatchUnprojection::byFormula(geometryOf(s), {});
+    const auto unprojection = BatchUnprojection::byFormula(oracle::corePicture(s), {});
     const Triples<double> exact = unprojected(*unprojection, clicks);
     const Triples<float> points = unprojected(*unprojection, floats);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -482,7 +391,7 @@ void TestBatchUnproject::noPointsTouchNothing()
 {
     oracle::Random random(4);
     const auto unprojection = BatchUnprojection::byFormula(
-        geometryOf(oracle::randomScene(random, RandomKind::Ortho, SceneLimits{})), {});
+        oracle::corePicture(oracle::randomScene(random, RandomKind::Ortho, SceneLimits{})), {});
     for (const InstructionSet set : availableInstructionSets())
         (*unprojection)(BatchInput<double>{}, BatchOutput<double>{}, 0, set);
 }

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/camera.h"
-#include "core/projection.h"
-#include "core/viewport.h"
+#include "core/picture_geometry.h"
 #include "tests/support/random_scene.h"
 
 /// The oracle's plain structs as core's. This is the only place where the two meet.
@@ -42,6 +40,17 @@ inline unprojector::DepthRange coreDepthRange(const Target &t)
 inline Vector3 extended(const glm::dvec3 &v)
 {
     return {Extended(v.x), Extended(v.y), Extended(v.z)};
+}
+
+inline unprojector::PictureGeometry corePicture(const Scene &s)
+{
+    unprojector::PictureGeometry g;
+    g.surface = {static_cast<int>(s.target.width), static_cast<int>(s.target.height), 1.0};
+    g.viewport = coreViewport(s.target);
+    g.depthRange = coreDepthRange(s.target);
+    g.projection = coreProjection(s.projection);
+    g.view = coreView(s.view);
+    return g;
 }
 
 } // namespace oracle

@@ -1,0 +1,97 @@
+// Rows of a depth image: the points of a batch, one after the other, where there is a surface.
+
+#include "core/batch_unproject.h"
+#include "tests/support/batch_arrays.h"
+#include "tests/support/core_scene.h"
+
+#include <QTest>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+using namespace unprojector;
+using oracle::RandomKind;
+using oracle::SceneLimits;
+
+namespace {
+
+void addKinds()
+{
+    QTest::addColumn<RandomKind>("kind");
+    QTest::newRow("frustum, off-centre and mirrored too") << RandomKind::Frustum;
+    QTest::newRow("perspective") << RandomKind::Perspective;
+    QTest::newRow("ortho, around the eye too") << RandomKind::Ortho;
+    QTest::newRow("oblique") << RandomKind::Oblique;
+}
+
+} // namespace
+
+class TestDepthRows : public QObject {
+    Q_OBJECT
+
+private slots:
+    void rowsAreTheSurfacesOfABatch_data() { addKinds(); }
+    void rowsAreTheSurfacesOfABatch();
+    void rowsLeaveOutWhatNoFloatHolds();
+};
+
+/// Surfaces everywhere, nowhere and here and there, over more than some packs and a rest.
+void TestDepthRows::rowsAreTheSurfacesOfABatch()
+{
+    QFETCH(RandomKind, kind);
+    constexpr std::size_t kWidth = 83;
+    oracle::Random random(8);
+    for (int count = 0; count < 20; ++count) {
+        SceneLimits limits;
+        limits.plainTarget = true;
+        const oracle::Scene s = oracle::randomScene(random, kind, limits);
+        Triples<float> pixels(kWidth);
+        for (std::size_t i = 0; i < kWidth; ++i) {
+            pixels.of[0][i] = static_cast<float>(i) + 0.5f;
+            pixels.of[1][i] = 7.5f;
+            pixels.of[2][i] = static_cast<float>(i * 37 % kWidth) / float(kWidth);
+        }
+        pixels.of[2][3] = std::numeric_limits<float>::quiet_NaN();
+        for (const auto &[lowest, highest] : {std::pair(0.0f, 1.0f), std::pair(0.25f, 0.5f), std::pair(2.0f, 3.0f)}) {
+            for (const auto &unprojection :
+                 {BatchUnprojection::byFormula(oracle::corePicture(s), {}), BatchUnprojection::byMatrix(oracle::corePicture(s), {})}) {
+                const Triples<float> all = unprojected(*unprojection, pixels, InstructionSet::Baseline);
+                std::vector<float> expected;
+                for (std::size_t i = 0; i < kWidth; ++i) {
+                    const float depth = pixels.of[2][i];
+                    if (depth >= lowest && depth <= highest)
+                        expected.insert(expected.end(), {all.of[0][i], all.of[1][i], all.of[2][i]});
+                }
+                for (const InstructionSet set : availableInstructionSets()) {
+                    std::vector<float> points(3 * kWidth);
+                    const batch::DepthRow row{pixels.of[2].data(), kWidth, 7.5, lowest, highest, false};
+                    points.resize(3 * (*unprojection)(row, points.data(), set));
+                    QCOMPARE(points, expected);
+                }
+            }
+        }
+    }
+}
+
+void TestDepthRows::rowsLeaveOutWhatNoFloatHolds()
+{
+    PictureGeometry g;
+    g.surface = {40, 1, 1.0};
+    g.viewport = wholeSurface(g.surface);
+    g.projection = Ortho{0.0, 4e39, -1.0, 1.0, 1.0, 3.0}; // pixel i at x = (i + 1/2) 1e38; floats end at 3.4e38
+    g.view = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
+    const std::vector<float> depths(40, 0.5f);
+    const auto unprojection = BatchUnprojection::byFormula(g, {});
+    for (const InstructionSet set : availableInstructionSets()) {
+        std::vector<float> points(120);
+        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.0f, 1.0f, true}, points.data(), set), std::size_t(3));
+        QCOMPARE(points[0], 0.5e38f);
+        QCOMPARE(points[6], 2.5e38f);
+        QCOMPARE(points[8], -2.0f);
+        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.0f, 1.0f, false}, points.data(), set), std::size_t(40));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestDepthRows)
+#include "test_depth_rows.moc"
