@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QByteArray>
+
+#include <cstring>
+
+/// Scenes as files have them, and the least of them with one piece changed.
+namespace scene_texts {
+
+/// Every key, with numbers that no key has by default and that no other key has.
+inline const char *const kFullScene = R"({
+  "unprojector": 1,
+  "window": {"width": 641, "height": 479, "devicePixelRatio": 1.25},
+  "viewport": {"x": 3, "y": 5.5, "width": 640, "height": 480},
+  "depthRange": [0.9, 0.1],
+  "projection": {"type": "frustum", "left": -1.1, "right": 1.2, "bottom": -0.75, "top": 0.8, "near": 0.1, "far": 1e5},
+  "view": {"eye": [0.1, 0.2, 5.3], "center": [1, 2, 3], "up": [0, 1, 0.5]},
+  "objects": [
+    {"name": "face", "file": "models/face.obj",
+     "transform": [{"translate": [0, 0, -3]}, {"rotate": [30, 0, 1, 0]}, {"scale": [1, 2, -1]}]},
+    {"name": "Gr\u00fcn", "bundled": "Teapot", "transform": []}
+  ],
+  "clipPlanes": [[0, 1, 0, 0], [1, 0, 0, -0.25]],
+  "ui": {
+    "viewportRule": {"kind": "keepAspect", "aspect": 1.5, "fixed": {"x": 1, "y": 2, "width": 3, "height": 4}},
+    "projectionFollowsViewport": true,
+    "clipDistancesFitObjects": false,
+    "home": {"eye": [9, 8, 7], "center": [0, 0, 0], "up": [0, 1, 0]},
+    "clipPlanesOff": [{"place": 1, "plane": [0, 0, 1, 2]}]
+  }
+})";
+
+inline const char *const kLeastScene = R"({
+  "unprojector": 1,
+  "window": {"width": 800, "height": 600},
+  "projection": {"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 100},
+  "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}
+})";
+
+/// The least scene with one piece of it replaced.
+inline QByteArray changed(const char *from, const char *to)
+{
+    QByteArray text(kLeastScene);
+    const qsizetype at = text.indexOf(from);
+    if (at < 0)
+        qFatal("the scene has no %s", from);
+    return text.replace(at, qsizetype(strlen(from)), to);
+}
+
+inline QByteArray withProjection(const char *projection)
+{
+    return changed(R"({"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 100})",
+                   projection);
+}
+
+inline QByteArray withView(const char *view)
+{
+    return changed(R"({"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})", view);
+}
+
+/// Of no form that the formulas know: its near plane is tilted.
+inline const char *const kMatrix =
+    R"({"type": "matrix", "matrix": [1.5,0,0.1,0, 0,2,0.3,0, 0,0,-1.25,-1, 0,0,-2.25,0]})";
+
+inline QByteArray withMember(const QByteArray &member)
+{
+    return changed("\"unprojector\": 1,", ("\"unprojector\": 1, " + member + ",").constData());
+}
+
+} // namespace scene_texts

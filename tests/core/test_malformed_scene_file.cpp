@@ -1,0 +1,232 @@
+// Whatever is wrong with a scene file is told with its place, and soon.
+
+#include "core/cli/scene_error_text.h"
+#include "core/scene_file.h"
+
+#include "scene_texts.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace unprojector;
+using namespace scene_texts;
+
+namespace {
+
+QByteArray messageFor(const QByteArray &text)
+{
+    const auto scene = parseScene(std::string_view(text.constData(), std::size_t(text.size())), "scene.json");
+    return scene ? QByteArray("it was read") : QByteArray::fromStdString(sceneErrorText(scene.error()));
+}
+
+} // namespace
+
+class TestMalformedSceneFile : public QObject {
+    Q_OBJECT
+
+private slots:
+    void malformedScenesAreRefusedWithTheirPlace_data();
+    void malformedScenesAreRefusedWithTheirPlace();
+    void noTruncationIsAccepted();
+    void noByteBroken();
+    void hugeFilesAreRefusedAtOnce();
+    void manyKeysTakeNoTime();
+};
+
+void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("message");
+    const auto row = [](const char *name, const QByteArray &text, const char *message) {
+        QTest::newRow(name) << text << QByteArray("scene.json") + message;
+    };
+    row("no bytes", "", ": the file is empty");
+    row("blanks only", " \r\n\t", ": the file is empty");
+    row("no JSON", "hello", ":1:1: while parsing value - invalid literal");
+    row("binary", QByteArray("\0\1\2\3", 4), ":1:1: unexpected zero byte");
+    row("zero byte behind", QByteArray(kLeastScene).append('\0').append("x"), ":6:2: unexpected zero byte");
+    row("cut off", "{\n \"unprojector\": 1,\n",
+        ":3:1: while parsing object key - unexpected end of input; expected string literal");
+    row("comma missing", "{\"a\": 1\n \"b\": 2}",
+        ":2:4: while parsing object - unexpected string literal; expected '}'");
+    row("something behind", QByteArray(kLeastScene) + "x",
+        ":6:2: while parsing value - invalid literal; expected end of input");
+    row("not UTF-8", "{\"a\": \"\xFF\"}", ":1:8: while parsing value - invalid string: ill-formed UTF-8 byte");
+    row("NaN", changed("\"near\": 1", "\"near\": NaN"), ":4:91: while parsing value - invalid literal");
+    row("1e400", changed("\"near\": 1", "\"near\": 1e400"), ":4:91: 1e400 is too large for a number");
+    row("-1e400", changed("\"near\": 1", "\"near\": -1e400"), ":4:91: -1e400 is too large for a number");
+    row("10 000 brackets", QByteArray(10000, '['), ":1:65: brackets are nested deeper than 64 levels");
+    row("10 000 objects", QByteArray("{\"a\":").repeated(10000), ":1:321: brackets are nested deeper than 64 levels");
+    row("a key twice", changed("\"near\": 1", "\"near\": 1,\n \"near\": 2"),
+        ":5:2: the key \"near\" stands here for the second time");
+    row("an escaped key twice", "{\"a\\\"\": 1, \"\\u0061\\\"\": 2}",
+        ":1:12: the key \"a\"\" stands here for the second time");
+    row("an unknown key twice", withMember("\"x\": {\"y\": 1, \"y\": 2}"),
+        ":2:35: the key \"y\" stands here for the second time");
+
+    row("a list", "[]", ": expected an object in { }, found a list in [ ]");
+    row("another JSON file", "{\"asset\": {}}", ": unprojector: is missing");
+    row("a later version", changed("\"unprojector\": 1", "\"unprojector\": 2"),
+        ": unprojector: version 2 cannot be read, only version 1");
+    row("no window", changed("\"window\"", "\"widow\""), ": window: is missing");
+    row("width a text", changed("800", "\"800\""), ": window.width: expected a number, found \"800\"");
+    row("width with a fraction", changed("800", "800.5"), ": window.width: 800.5 must be a whole number");
+    row("width 0", changed("800", "0"), ": window.width: 0 must lie between 1 and 65536");
+    row("width huge", changed("800", "1e300"), ": window.width: 1e+300 must lie between 1 and 65536");
+    row("pixel ratio 0", changed("600}", "600, \"devicePixelRatio\": 0}"),
+        ": window.devicePixelRatio: 0 must be greater than 0");
+    row("pixel ratio huge", changed("600}", "600, \"devicePixelRatio\": 1e9}"),
+        ": window.devicePixelRatio: 1e+09 must lie between 0.0008333333333333334 and 81.92");
+    row("viewport a list", withMember("\"viewport\": [0, 0, 8, 6]"),
+        ": viewport: expected an object in { }, found a list in [ ]");
+    row("viewport empty", withMember(R"("viewport": {"x": 0, "y": 0, "width": 8, "height": 0})"),
+        ": viewport.height: the size 8 x 0 is empty; width and height must be greater than 0");
+    row("depth range empty", withMember("\"depthRange\": [1, 1]"), ": depthRange: both ends are 1; they must differ");
+    row("depth range of three", withMember("\"depthRange\": [0, 1, 2]"),
+        ": depthRange: has 3 elements; it must have 2");
+    row("no projection", changed("\"projection\"", "\"Projection\""), ": projection: is missing");
+    row("projection null", withProjection("null"), ": projection: expected an object in { }, found null");
+    row("projection unknown", withProjection("{\"type\": \"fisheye\"}"),
+        ": projection.type: \"fisheye\" must be frustum, ortho, perspective, oblique or matrix");
+    row("near missing", changed("\"near\": 1, ", ""), ": projection.near: is missing");
+    row("near null", changed("\"near\": 1", "\"near\": null"), ": projection.near: expected a number, found null");
+    row("near 0", changed("\"ortho\"", "\"frustum\"").replace("\"near\": 1,", "\"near\": 0,"),
+        ": projection.near: 0 must be greater than 0");
+    row("near behind far", changed("\"near\": 1", "\"near\": 100"),
+        ": projection.near: 100 must be smaller than far (100)");
+    row("left equals right", changed("\"left\": -1", "\"left\": 1"), ": projection.left: 1 must differ from right");
+    row("fovy 180", withProjection(R"({"type": "perspective", "fovy": 180, "near": 1, "far": 9})"),
+        ": projection.fovy: 180 must lie between 0 and 180 degrees");
+    row("aspect negative", withProjection(R"({"type": "perspective", "fovy": 18, "aspect": -1, "near": 1, "far": 9})"),
+        ": projection.aspect: -1 must be greater than 0");
+    row("phi 0",
+        withProjection(
+            R"({"type": "oblique", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "theta": 45, "phi": 0})"),
+        ": projection.phi: 0 must lie between 0 and 180 degrees");
+    row("matrix of 15", withProjection(R"({"type": "matrix", "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0]})"),
+        ": projection.matrix: has 15 elements; it must have 16");
+    row("matrix in rows", withProjection(R"({"type": "matrix", "matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})"),
+        ": projection.matrix: has 4 elements; it must have 16");
+    row("matrix without inverse",
+        withProjection(R"({"type": "matrix", "matrix": [1,0,0,0, 0,1,0,0, 0,0,0,0, 0,0,0,1]})"),
+        ": projection.matrix: the matrix has no inverse");
+    row("NDC depth of another kind",
+        QByteArray(withProjection(kMatrix)).replace("\"matrix\", ", "\"matrix\", \"ndcDepth\": [0, 2], "),
+        ": projection.ndcDepth: [0,2] must be [-1, 1] or [0, 1]");
+    row("view matrix a number", withView("{\"matrix\": 1}"),
+        ": view.matrix: expected a list of 16 numbers, column by column, found a number");
+    row("eye of two numbers", changed("[0, 0, 5]", "[0, 0]"), ": view.eye: has 2 elements; it must have 3");
+    row("eye with a text", changed("[0, 0, 5]", "[0, 0, \"5\"]"), ": view.eye[2]: expected a number, found \"5\"");
+    row("eye at the center", changed("[0, 0, 5]", "[0, 0, 0]"), ": view.center: must be another point than the eye");
+    row("up along the view", changed("[0, 1, 0]", "[0, 0, 2]"), ": view.up: must not point along the view direction");
+    row("object a text", withMember("\"objects\": [\"a.obj\"]"),
+        ": objects[0]: expected an object in { }, found \"a.obj\"");
+    row("object without file", withMember("\"objects\": [{\"file\": \"a\"}, {\"name\": \"b\"}]"),
+        ": objects[1].file: is missing");
+    row("object of two sources", withMember("\"objects\": [{\"file\": \"a\", \"bundled\": \"b\"}]"),
+        ": objects[0]: must have exactly one of file or bundled");
+    row("file name empty", withMember("\"objects\": [{\"file\": \"\"}]"),
+        ": objects[0].file: this is no name of a file");
+    row("file name with a zero byte", withMember("\"objects\": [{\"file\": \"a\\u0000b\"}]"),
+        ": objects[0].file: this is no name of a file");
+    row("step unknown", withMember(R"("objects": [{"file": "a", "transform": [{"shear": [1]}]}])"),
+        ": objects[0].transform[0]: must have exactly one of translate, rotate or scale");
+    row("step of two",
+        withMember(R"("objects": [{"file": "a", "transform": [{"scale": [1, 1, 1], "translate": [1, 1, 1]}]}])"),
+        ": objects[0].transform[0]: must have exactly one of translate, rotate or scale");
+    row("rotation of three",
+        withMember(R"("objects": [{"file": "a", "transform": [{"translate": [0, 0, 0]}, {"rotate": [30, 0, 1]}]}])"),
+        ": objects[0].transform[1].rotate: has 3 elements; it must have 4");
+    row("axis without length", withMember(R"("objects": [{"file": "a", "transform": [{"rotate": [30, 0, 0, 0]}]}])"),
+        ": objects[0].transform[0].rotate: the axis (0, 0, 0) has no direction");
+    row("scale 0", withMember(R"("objects": [{"file": "a", "transform": [{"scale": [1, 0, 1]}]}])"),
+        ": objects[0].transform[0].scale: a factor is 0; it must differ from 0");
+    row("clip plane of three", withMember("\"clipPlanes\": [[0, 1, 0]]"),
+        ": clipPlanes[0]: has 3 elements; it must have 4");
+    row("clip plane without normal", withMember("\"clipPlanes\": [[0, 1, 0, 0], [0, 0, 0, 1]]"),
+        ": clipPlanes[1]: the first three numbers are all 0; one of them must differ from 0");
+    row("seven clip planes",
+        withMember("\"clipPlanes\": [[0,1,0,0],[0,1,0,0],[0,1,0,0],[0,1,0,0],[0,1,0,0],[0,1,0,0],[0,1,0,0]]"),
+        ": clipPlanes: has 7 elements; there may be at most 6");
+    row("ui a number", withMember("\"ui\": 1"), ": ui: expected an object in { }, found a number");
+    row("rule unknown", withMember("\"ui\": {\"viewportRule\": {\"kind\": \"half\"}}"),
+        ": ui.viewportRule.kind: \"half\" must be wholeWindow, fixed, keepAspect or quarter");
+    row("rule's aspect 0", withMember("\"ui\": {\"viewportRule\": {\"kind\": \"keepAspect\", \"aspect\": 0}}"),
+        ": ui.viewportRule.aspect: 0 must be greater than 0");
+    row("flag a number", withMember("\"ui\": {\"clipDistancesFitObjects\": 1}"),
+        ": ui.clipDistancesFitObjects: expected true or false, found a number");
+    row("place of a plane", withMember("\"ui\": {\"clipPlanesOff\": [{\"place\": 7, \"plane\": [0, 1, 0, 0]}]}"),
+        ": ui.clipPlanesOff[0].place: 7 must lie between 0 and 0");
+}
+
+void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, message);
+    const QByteArray found = messageFor(text);
+    // The parser's own words are not ours to fix: its sentence may go on.
+    if (message.contains("while parsing"))
+        QVERIFY2(found.startsWith(message), found);
+    else
+        QCOMPARE(found, message);
+}
+
+void TestMalformedSceneFile::noTruncationIsAccepted()
+{
+    const QByteArray text(kFullScene);
+    for (qsizetype length = 0; length < text.size(); ++length) {
+        const QByteArray message = messageFor(text.left(length));
+        QVERIFY2(message.startsWith("scene.json:"), message);
+    }
+}
+
+void TestMalformedSceneFile::noByteBroken()
+{
+    // Any byte replaced by any of these: the file is read or refused, whatever else it says.
+    const QByteArray text(kFullScene);
+    for (qsizetype at = 0; at < text.size(); ++at) {
+        for (const char byte : {'\0', '"', '{', ']', ',', '9', '-', 'e', '\xFF', '\\', '\n'}) {
+            QByteArray broken = text;
+            broken[at] = byte;
+            QVERIFY(!messageFor(broken).isEmpty());
+        }
+    }
+}
+
+void TestMalformedSceneFile::hugeFilesAreRefusedAtOnce()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath("huge.json");
+    {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        const QByteArray line = QByteArray(1 << 20, ' ');
+        for (int i = 0; i < 100; ++i)
+            QCOMPARE(file.write(line), line.size());
+    }
+    QElapsedTimer timer;
+    timer.start();
+    const auto scene = readSceneFile(path.toStdString());
+    QVERIFY(!scene && scene.error().code == SceneFileErrorCode::TooLarge);
+    QCOMPARE(QByteArray::fromStdString(sceneErrorText(scene.error())),
+             path.toUtf8() + ": a scene may have at most 8 MiB");
+    QVERIFY(timer.elapsed() < 2000);
+}
+
+void TestMalformedSceneFile::manyKeysTakeNoTime()
+{
+    QByteArray members;
+    for (int i = 0; i < 300000; ++i)
+        members += "\"k" + QByteArray::number(i) + "\": 0,";
+    members.chop(1);
+    QElapsedTimer timer;
+    timer.start();
+    QCOMPARE(messageFor(withMember("\"many\": {" + members + "}")), QByteArray("it was read"));
+    // A search among the keys before for each key would take minutes.
+    QVERIFY(timer.elapsed() < 10000);
+}
+
+QTEST_GUILESS_MAIN(TestMalformedSceneFile)
+#include "test_malformed_scene_file.moc"

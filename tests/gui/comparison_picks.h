@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/pick.h"
+
+#include <QRegularExpression>
+#include <QString>
+#include <QtGlobal>
+
+/// What the tests of the comparison's panel and of its texts share: picks to show, and a text's look.
+namespace comparing {
+
+using namespace unprojector;
+
+/// 800 x 600, window +-0.828427 x +-0.62132 at n = 2, f = 10, from (0, 0, 5) towards the origin.
+inline ViewGeometry frustumGeometry()
+{
+    return {{800, 600, 1.0},
+            {0.0, 0.0, 800.0, 600.0},
+            {},
+            Frustum{-0.8284271247461901, 0.8284271247461901, -0.6213203435596426, 0.6213203435596426, 2.0, 10.0},
+            {WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+}
+
+inline ViewGeometry boxGeometry(const Projection &projection)
+{
+    return {{600, 400, 1.0},
+            {0.0, 0.0, 600.0, 400.0},
+            {},
+            projection,
+            {WorldPoint(10.0, 20.0, 30.0), WorldPoint(10.0, 20.0, 20.0), {0.0, 1.0, 0.0}}};
+}
+
+inline Pick picked(const ViewGeometry &geometry, double x, double y, double depth, bool hit = true)
+{
+    const Result<Pick> pick = pickAt(geometry, WidgetPoint(x, y), {depth, hit, 24});
+    if (!pick)
+        qFatal("no pick");
+    return *pick;
+}
+
+/// A pick whose world point is what each method is told to have found.
+inline Pick pickWith(const glm::dvec3 &formula, const glm::dvec3 &matrix, const glm::dvec3 &matrixInFloat,
+                     double radius)
+{
+    Pick pick = picked(frustumGeometry(), 412.0, 299.0, 0.75);
+    pick.point.world = {WorldPoint(formula), WorldPoint(matrix), WorldPoint(matrixInFloat)};
+    pick.certainty = {radius, radius, radius / 2.0};
+    return pick;
+}
+
+inline bool hasPlaceholder(const QString &text)
+{
+    return text.contains(QRegularExpression(QStringLiteral("%[0-9n]")));
+}
+
+} // namespace comparing

@@ -1,0 +1,273 @@
+// What is written of a pick: its numbers, the formulas with numbers put in, the cause of a difference, and the wording of
+// every error.
+
+#include "gui/error_text.h"
+#include "gui/formula_text.h"
+#include "gui/number_text.h"
+#include "gui/panels/comparison_panel.h"
+
+#include "comparison_picks.h"
+
+#include <QPlainTextEdit>
+#include <QTest>
+
+#include <limits>
+#include <set>
+
+using namespace comparing;
+
+namespace {
+
+constexpr double kQuarterTurnHalf = 0.7853981633974483; // 45 degrees
+
+/// With spaces that may break for those that may not: which is which is a matter of looks.
+QString withPlainSpaces(QString text)
+{
+    return text.replace(QChar::Nbsp, u' ');
+}
+
+} // namespace
+
+class TestComparisonTexts : public QObject {
+    Q_OBJECT
+
+private slots:
+    void numbersAreWritten_data();
+    void numbersAreWritten();
+    void theFormulaIsWrittenWithItsNumbers_data();
+    void theFormulaIsWrittenWithItsNumbers();
+    void theRayOfABackgroundIsWritten();
+    void theCauseOfADifferenceIsNamed();
+    void theCertaintyIsNamed();
+    void everyErrorHasItsSentence_data();
+    void everyErrorHasItsSentence();
+    void everyImportErrorHasItsSentence_data();
+    void everyImportErrorHasItsSentence();
+};
+
+void TestComparisonTexts::numbersAreWritten_data()
+{
+    QTest::addColumn<QString>("is");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("shortest") << shortestText(0.1) << "0.1";
+    QTest::newRow("shortest, all digits") << shortestText(0.1 + 0.2) << "0.30000000000000004";
+    QTest::newRow("shortest, tiny") << shortestText(1e-17) << "1e-17";
+    QTest::newRow("significant") << significantText(0.82842712, 4) << "0.8284";
+    QTest::newRow("significant, negative zero") << significantText(-0.0, 4) << "0";
+    QTest::newRow("fixed") << fixedText(-1.5, 3) << "-1.500";
+    QTest::newRow("fixed, rounds to zero") << fixedText(-0.0001, 3) << "0.000";
+    QTest::newRow("point") << pointText({1.0, -2.0, 0.25}, 2) << "(1.00, -2.00, 0.25)";
+    QTest::newRow("decimals for 123") << QString::number(decimalsFor({1.0, -123.0, 4.0}, 16)) << "13";
+    QTest::newRow("decimals for nothing") << QString::number(decimalsFor({0.0, 0.0, 0.0}, 16)) << "15";
+    QTest::newRow("certain decimals") << QString::number(certainDecimals(0.002)) << "2";
+    QTest::newRow("certain decimals of infinity")
+        << QString::number(certainDecimals(std::numeric_limits<double>::infinity())) << "15";
+}
+
+void TestComparisonTexts::numbersAreWritten()
+{
+    QFETCH(QString, is);
+    QFETCH(QString, expected);
+    QCOMPARE(is, expected);
+}
+
+void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
+{
+    QTest::addColumn<Pick>("pick");
+    QTest::addColumn<QString>("expected");
+
+    // z = 20 / (2.5 + 1.5) = 5. x = 0.828427 x (2 x 412.5 / 800 - 1) x 5 / 2 = 0.0647209; y the same with 300.5 / 600.
+    QTest::newRow("frustum")
+        << picked(frustumGeometry(), 412.0, 299.0, 0.75)
+        << QStringLiteral(
+               "z = n f / (f (1 − d) + n d)\n"
+               "  = 2 × 10 / (10 × (1 − 0.75) + 2 × 0.75) = 5\n\n"
+               "(9) x = (412.5 − 0) × (0.828427 − (−0.828427)) × 5 / (800 × 2) + (−0.828427) × 5 / 2 = 0.0647209\n\n"
+               "(10) y = (600 − 299.5 − 0) × (0.62132 − (−0.62132)) × 5 / (600 × 2) + (−0.62132) × 5 / 2 = "
+               "0.00258883\n\n"
+               "world = eye + x s + y u + z f\n"
+               "  = (0, 0, 5) + 0.0647209 × (1, 0, 0) + 0.00258883 × (0, 1, 0) + 5 × (0, 0, −1)\n"
+               "  = (0.0647209, 0.00258883, 0)");
+
+    // A viewport of 400 x 300 from (100, 50); window 0.5 .. 1.5 and -0.5 .. 1 at n = 1, f = 4: z = 4 / (2 + 0.5) = 1.6;
+    // x = (200.5 x 1 / 400 + 0.5) x 1.6 = 1.602, y = (100.5 x 1.5 / 300 - 0.5) x 1.6 = 0.004
+    ViewGeometry offset = frustumGeometry();
+    offset.viewport = {100.0, 50.0, 400.0, 300.0};
+    offset.projection = Frustum{0.5, 1.5, -0.5, 1.0, 1.0, 4.0};
+    QTest::newRow("off-centre frustum in an offset viewport")
+        << picked(offset, 300.0, 449.0, 0.5)
+        << QStringLiteral("z = n f / (f (1 − d) + n d)\n"
+                          "  = 1 × 4 / (4 × (1 − 0.5) + 1 × 0.5) = 1.6\n\n"
+                          "(9) x = (300.5 − 100) × (1.5 − 0.5) × 1.6 / (400 × 1) + 0.5 × 1.6 / 1 = 1.602\n\n"
+                          "(10) y = (600 − 449.5 − 50) × (1 − (−0.5)) × 1.6 / (300 × 1) + (−0.5) × 1.6 / 1 = 0.004\n\n"
+                          "world = eye + x s + y u + z f\n"
+                          "  = (0, 0, 5) + 1.602 × (1, 0, 0) + 0.004 × (0, 1, 0) + 1.6 × (0, 0, −1)\n"
+                          "  = (1.602, 0.004, 3.4)");
+
+    // z = 0.75 + 2.25 = 3; x = 350.5 x 6 / 600 - 3 = 0.505; y = 279.5 x 4 / 400 - 2 = 0.795
+    const Ortho box{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
+    QTest::newRow("ortho") << picked(boxGeometry(box), 350.0, 120.0, 0.25)
+                           << QStringLiteral(
+                                  "z = n (1 − d) + f d\n"
+                                  "  = 1 × (1 − 0.25) + 9 × 0.25 = 3\n\n"
+                                  "(11) x = (350.5 − 0) × (3 − (−3)) / 600 + (−3) = 0.505\n\n"
+                                  "(12) y = (400 − 120.5 − 0) × (2 − (−2)) / 400 + (−2) = 0.795\n\n"
+                                  "world = eye + x s + y u + z f\n"
+                                  "  = (10, 20, 30) + 0.505 × (1, 0, 0) + 0.795 × (0, 1, 0) + 3 × (0, 0, −1)\n"
+                                  "  = (10.505, 20.795, 27)");
+
+    // The near plane of a box may lie behind the eye: z = -0.75 + 2.25 = 1.5 with n = -1.
+    QTest::newRow("ortho, negative near")
+        << picked(boxGeometry(Ortho{-3.0, 3.0, -2.0, 2.0, -1.0, 9.0}), 50.0, 120.0, 0.25)
+        << QStringLiteral("z = n (1 − d) + f d\n"
+                          "  = (−1) × (1 − 0.25) + 9 × 0.25 = 1.5\n\n"
+                          "(11) x = (50.5 − 0) × (3 − (−3)) / 600 + (−3) = −2.495\n\n"
+                          "(12) y = (400 − 120.5 − 0) × (2 − (−2)) / 400 + (−2) = 0.795\n\n"
+                          "world = eye + x s + y u + z f\n"
+                          "  = (10, 20, 30) + (−2.495) × (1, 0, 0) + 0.795 × (0, 1, 0) + 1.5 × (0, 0, −1)\n"
+                          "  = (7.505, 20.795, 28.5)");
+
+    QTest::newRow("oblique") << picked(boxGeometry(Oblique{box, kQuarterTurnHalf, 2.0 * kQuarterTurnHalf}), 350.0,
+                                       120.0, 0.25)
+                             << QStringLiteral(
+                                    "z = n (1 − d) + f d\n"
+                                    "  = 1 × (1 − 0.25) + 9 × 0.25 = 3\n\n"
+                                    "(11) x = (350.5 − 0) × (3 − (−3)) / 600 + (−3) = 0.505\n\n"
+                                    "(12) y = (400 − 120.5 − 0) × (2 − (−2)) / 400 + (−2) = 0.795\n\n"
+                                    "x += cot 45° × 3: 0.505 → 3.505\n\n"
+                                    "y += cot 90° × 3: 0.795 → 0.795\n\n"
+                                    "world = eye + x s + y u + z f\n"
+                                    "  = (10, 20, 30) + 3.505 × (1, 0, 0) + 0.795 × (0, 1, 0) + 3 × (0, 0, −1)\n"
+                                    "  = (13.505, 20.795, 27)");
+}
+
+void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers()
+{
+    QFETCH(Pick, pick);
+    QFETCH(QString, expected);
+    QCOMPARE(withPlainSpaces(formulaText(pick)), expected);
+    ComparisonPanel panel;
+    panel.setPick(pick);
+    // The panel may break its lines where it is narrow.
+    QCOMPARE(panel.findChild<QPlainTextEdit *>()->toPlainText().simplified(), expected.simplified());
+}
+
+void TestComparisonTexts::theRayOfABackgroundIsWritten()
+{
+    // The pixel (350, 120) of the box above: x = 0.505, y = 0.795 at both ends, z = 1 and 9.
+    const Pick pick = picked(boxGeometry(Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0}), 350.0, 120.0, 1.0, false);
+    QCOMPARE(rayText(pick),
+             QStringLiteral(
+                 "p(t) = near + t (far − near), 0 ≤ t ≤ 1\nnear = (10.505, 20.795, 29)\nfar = (10.505, 20.795, 21)"));
+}
+
+void TestComparisonTexts::theCauseOfADifferenceIsNamed()
+{
+    QVERIFY(differenceCauseText(pickWith({1.0, 2.0, 4.0}, {1.0, 2.0, 4.0}, {1.0, 2.0, 4.0}, 0.01))
+                .contains(QStringLiteral("agree")));
+    const QString cause =
+        withPlainSpaces(differenceCauseText(pickWith({1.0, 2.0, 4.0}, {1.0, 2.0, 4.0 + 1e-12}, {1.0, 2.0, 4.0}, 0.01)));
+    // z = 4 between 2 and 10 gives 1.6; the largest coordinate is 4.
+    QVERIFY2(cause.contains(QStringLiteral("magnified")) && cause.contains(QStringLiteral("perspective")),
+             qPrintable(cause));
+    QVERIFY(!hasPlaceholder(cause));
+}
+
+void TestComparisonTexts::theCertaintyIsNamed()
+{
+    Pick pick = picked(frustumGeometry(), 412.0, 299.0, 0.75);
+    pick.certainty = {1.26e-6, 0.008, 0.0124};
+    const QString text = withPlainSpaces(certaintyText(pick));
+    QVERIFY2(text.contains(QStringLiteral("± 1.3e-06 along the view")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("± 0.004 × 0.0062 across it")), qPrintable(text));
+}
+
+void TestComparisonTexts::everyErrorHasItsSentence_data()
+{
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QStringList>("named");
+    std::set<int> codes;
+    const auto row = [&codes](const char *name, ErrorCode code, const QStringList &named = {}) {
+        codes.insert(static_cast<int>(code));
+        QTest::newRow(name) << static_cast<int>(code) << named;
+    };
+    // 0.25 and 7.5 are the values; 0.25 radians are 14.3239 degrees.
+    const QString value = QStringLiteral("0.25"), other = QStringLiteral("7.5"), angle = QStringLiteral("14.3239°");
+    row("not finite", ErrorCode::NotFinite, {value});
+    row("near not positive", ErrorCode::NearNotPositive, {value, other});
+    row("near not before far", ErrorCode::NearNotBeforeFar, {value, other});
+    row("left equals right", ErrorCode::LeftEqualsRight, {value});
+    row("bottom equals top", ErrorCode::BottomEqualsTop, {value});
+    row("field of view", ErrorCode::FieldOfViewOutOfRange, {angle});
+    row("aspect", ErrorCode::AspectNotPositive, {value});
+    row("shear angle", ErrorCode::ShearAngleOutOfRange, {angle});
+    row("eye equals center", ErrorCode::EyeEqualsCenter);
+    row("up is zero", ErrorCode::UpIsZero);
+    row("up parallel to view", ErrorCode::UpParallelToView);
+    row("empty viewport", ErrorCode::EmptyViewport, {value, other});
+    row("empty framebuffer", ErrorCode::EmptyFramebuffer, {value, other});
+    row("pixel ratio", ErrorCode::PixelRatioNotPositive, {value});
+    row("empty depth range", ErrorCode::EmptyDepthRange, {value});
+    row("depth outside range", ErrorCode::DepthOutsideRange, {value});
+    row("outside the framebuffer", ErrorCode::OutsideFramebuffer, {value, other});
+    row("singular matrix", ErrorCode::SingularMatrix);
+    row("point at infinity", ErrorCode::PointAtInfinity);
+    row("scale is zero", ErrorCode::ScaleIsZero);
+    row("rotation axis is zero", ErrorCode::RotationAxisIsZero);
+    QCOMPARE(codes.size(), std::size_t(ErrorCode::RotationAxisIsZero) + 1); // none is left out
+}
+
+void TestComparisonTexts::everyErrorHasItsSentence()
+{
+    QFETCH(int, code);
+    QFETCH(QStringList, named);
+    const QString text = errorText(Error{static_cast<ErrorCode>(code), 0.25, 7.5});
+    QVERIFY(text.size() > 15 && text.endsWith(u'.'));
+    QVERIFY2(!hasPlaceholder(text), qPrintable(text));
+    for (const QString &value : named)
+        QVERIFY2(text.contains(value), qPrintable(text));
+    const QString nan = errorText(Error{static_cast<ErrorCode>(code)});
+    QVERIFY2(!hasPlaceholder(nan), qPrintable(nan));
+}
+
+void TestComparisonTexts::everyImportErrorHasItsSentence_data()
+{
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("named");
+    std::set<int> codes;
+    const auto row = [&codes](const char *name, ImportErrorCode code, const char *named) {
+        codes.insert(static_cast<int>(code));
+        QTest::newRow(name) << static_cast<int>(code) << QString::fromLatin1(named);
+    };
+    row("not found", ImportErrorCode::NotFound, "does not exist");
+    row("folder", ImportErrorCode::IsDirectory, "folder");
+    row("not readable", ImportErrorCode::NotReadable, "line 42");
+    row("empty", ImportErrorCode::EmptyFile, "0 bytes");
+    row("unknown format", ImportErrorCode::UnknownFormat, "OBJ, STL, PLY, OFF, glTF or GLB");
+    row("malformed", ImportErrorCode::Malformed, "line 42");
+    row("no triangles", ImportErrorCode::NoTriangles, "no triangles");
+    row("not finite", ImportErrorCode::NotFinite, "vertex 17");
+    row("cancelled", ImportErrorCode::Cancelled, "cancelled");
+    row("out of memory", ImportErrorCode::OutOfMemory, "memory");
+    QCOMPARE(codes.size(), std::size_t(ImportErrorCode::OutOfMemory) + 1);
+}
+
+void TestComparisonTexts::everyImportErrorHasItsSentence()
+{
+    QFETCH(int, code);
+    QFETCH(QString, named);
+    for (const char *detail : {"line 42", ""}) {
+        const QString text =
+            errorText(ImportError{static_cast<ImportErrorCode>(code), "some folder/model.obj", detail, 17});
+        QVERIFY2(text.contains(QStringLiteral("model.obj")), qPrintable(text));
+        QVERIFY2(!hasPlaceholder(text), qPrintable(text));
+        if (*detail || named != QStringLiteral("line 42"))
+            QVERIFY2(text.contains(named), qPrintable(text));
+    }
+    // A name that looks like a placeholder is a name.
+    const QString text = errorText(ImportError{static_cast<ImportErrorCode>(code), "100%1%2.obj", "line 42", 17});
+    QVERIFY2(text.contains(QStringLiteral("100%1%2.obj")), qPrintable(text));
+}
+
+QTEST_MAIN(TestComparisonTexts)
+#include "test_comparison_texts.moc"
