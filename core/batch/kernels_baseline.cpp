@@ -19,7 +19,7 @@ struct Pack {
     static Pack loaded(const double *from) { return _mm_loadu_pd(from); }
     static Pack loaded(const float *from)
     {
-        return _mm_cvtps_pd(_mm_castpd_ps(_mm_load_sd(reinterpret_cast<const double *>(from))));
+        return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i *>(from))));
     }
     void store(double *to) const { _mm_storeu_pd(to, lanes); }
     void store(float *to) const { _mm_storel_epi64(reinterpret_cast<__m128i *>(to), asFloats()); }
