@@ -53,11 +53,10 @@ Json toJson(const Projection &projection)
 
 Json toJson(const ViewGeometry &g)
 {
-    const auto logical = [&g](int pixels) { return std::lround(pixels / g.surface.devicePixelRatio); };
     Json json = {
         {"window",
-         {{"width", logical(g.surface.widthPixels)},
-          {"height", logical(g.surface.heightPixels)},
+         {{"width", logicalFromDevice(g.surface, g.surface.widthPixels)},
+          {"height", logicalFromDevice(g.surface, g.surface.heightPixels)},
           {"devicePixelRatio", g.surface.devicePixelRatio}}},
         {"viewport",
          {{"x", g.viewport.x}, {"y", g.viewport.y}, {"width", g.viewport.width}, {"height", g.viewport.height}}},

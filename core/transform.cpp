@@ -1,5 +1,7 @@
 #include "core/transform.h"
 
+#include "core/angle.h"
+
 #include <cmath>
 
 namespace unprojector {
@@ -30,7 +32,7 @@ CosineSine cosineSine(double degrees)
         return {0.0, -1.0};
     if (std::abs(turn) == 180.0)
         return {-1.0, 0.0};
-    const double radians = turn * 0.017453292519943295;
+    const double radians = radiansFromDegrees(turn);
     return {std::cos(radians), std::sin(radians)};
 }
 

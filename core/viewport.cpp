@@ -22,6 +22,11 @@ Surface surfaceFromWidget(int widthLogical, int heightLogical, double devicePixe
     return {pixels(widthLogical), pixels(heightLogical), devicePixelRatio};
 }
 
+int logicalFromDevice(const Surface &surface, int pixels)
+{
+    return static_cast<int>(std::lround(pixels / surface.devicePixelRatio));
+}
+
 Viewport wholeSurface(const Surface &surface)
 {
     return {0.0, 0.0, static_cast<double>(surface.widthPixels), static_cast<double>(surface.heightPixels)};
@@ -68,6 +73,17 @@ WidgetPoint widgetFromDevice(const Surface &surface, const DevicePoint &position
     return WidgetPoint(position.coordinates() / surface.devicePixelRatio);
 }
 
+WidgetPoint widgetOnSurface(const Surface &surface, const WidgetPoint &position, const WidgetPoint &corner)
+{
+    const double ratio = surface.devicePixelRatio;
+    const auto corrected = [ratio](double logical, double origin, int pixels) {
+        const double device = (logical + origin) * ratio - std::floor(origin * ratio + 0.5);
+        return std::clamp(device, 0.0, pixels - kHalfPixel) / ratio;
+    };
+    return WidgetPoint(corrected(position.x, corner.x, surface.widthPixels),
+                       corrected(position.y, corner.y, surface.heightPixels));
+}
+
 Result<DevicePixel> devicePixelFromWidget(const Surface &surface, const WidgetPoint &position)
 {
     if (const Check valid = check(surface); !valid)
@@ -86,7 +102,7 @@ Result<DevicePixel> devicePixelFromWidget(const Surface &surface, const WidgetPo
 
 DevicePoint pixelCenter(const DevicePixel &pixel)
 {
-    return DevicePoint(pixel.i + 0.5, pixel.j + 0.5);
+    return DevicePoint(pixel.i + kHalfPixel, pixel.j + kHalfPixel);
 }
 
 int framebufferRow(const Surface &surface, const DevicePixel &pixel)

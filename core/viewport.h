@@ -28,6 +28,9 @@ struct Viewport {
     friend bool operator==(const Viewport &, const Viewport &) = default;
 };
 
+/// So many device pixels in logical ones, rounded to whole ones: back from surfaceFromWidget.
+int logicalFromDevice(const Surface &surface, int pixels);
+
 Viewport wholeSurface(const Surface &surface);
 
 /// glDepthRange(atNear, atFar): the window depths of the near and far planes. They may be reversed, not equal.
@@ -54,11 +57,19 @@ Check check(const Surface &surface);
 DevicePoint deviceFromWidget(const Surface &surface, const WidgetPoint &position);
 WidgetPoint widgetFromDevice(const Surface &surface, const DevicePoint &position);
 
+/// A position in a view as one on its surface. Where a ratio is not whole, Qt puts the view's corner on the nearest whole
+/// device pixel, and the surface with it. What that carries over the rim counts as a pixel of the surface.
+/// @param corner  of the view in its window, logical pixels
+WidgetPoint widgetOnSurface(const Surface &surface, const WidgetPoint &position, const WidgetPoint &corner);
+
 /// The pixel that a widget position lies in: floor(widget * ratio). A product within 1e-6 of a whole number counts
 /// as that number: with ratio 1.75 the widget position of device column 61 comes as 61 / 1.75, whose product with
 /// 1.75 rounds to just below 61.
 /// @return OutsideFramebuffer; the errors of check(surface); NotFinite
 Result<DevicePixel> devicePixelFromWidget(const Surface &surface, const WidgetPoint &position);
+
+/// From a pixel's corner to its centre, in pixels.
+constexpr double kHalfPixel = 0.5;
 
 /// (i + 1/2, j + 1/2): where OpenGL samples, and where a click on the pixel is unprojected.
 DevicePoint pixelCenter(const DevicePixel &pixel);

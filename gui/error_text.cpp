@@ -1,5 +1,6 @@
 #include "gui/error_text.h"
 
+#include "core/angle.h"
 #include "gui/number_text.h"
 
 #include <QCoreApplication>
@@ -14,7 +15,7 @@ struct Errors {
 
 QString degrees(double radians)
 {
-    return significantText(radians * 57.29577951308232, 6);
+    return significantText(degreesFromRadians(radians), 6);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "gui/formula_text.h"
 
+#include "core/angle.h"
 #include "core/unproject_closed_form.h"
 #include "gui/number_text.h"
 
@@ -101,7 +102,7 @@ QString formulaText(const Pick &pick)
     if (oblique) {
         const auto shear = [&a](const QString &name, double from, double angle, double to) {
             return QStringLiteral("%1 += cot %2° × %3: %4 → %5")
-                .arg(name, number(angle * 57.29577951308232), number(a.z), number(from), number(to));
+                .arg(name, number(degreesFromRadians(angle)), number(a.z), number(from), number(to));
         };
         lines << shear(QStringLiteral("x"), boxX, oblique->thetaRadians, eye->x)
               << shear(QStringLiteral("y"), boxY, oblique->phiRadians, eye->y);

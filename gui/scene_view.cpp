@@ -248,16 +248,8 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
 
 WidgetPoint SceneView::widgetPosition(const QPointF &local) const
 {
-    const double ratio = devicePixelRatio();
     const QPointF corner = mapTo(window(), QPointF(0.0, 0.0));
-    const Surface surface = currentSurface();
-    // Rounding can carry a position at the rim over it: what lies in the view counts as a pixel of the framebuffer.
-    const auto corrected = [ratio](double position, double origin, int pixels) {
-        const double device = (position + origin) * ratio - std::floor(origin * ratio + 0.5);
-        return std::clamp(device, 0.0, pixels - 0.5) / ratio;
-    };
-    return WidgetPoint(corrected(local.x(), corner.x(), surface.widthPixels),
-                       corrected(local.y(), corner.y(), surface.heightPixels));
+    return widgetOnSurface(currentSurface(), WidgetPoint(local.x(), local.y()), WidgetPoint(corner.x(), corner.y()));
 }
 
 void SceneView::mousePressEvent(QMouseEvent *event)

@@ -39,11 +39,11 @@ struct KernelsOf {
     Kernel<Scalar, MatrixConstants> matrix;
 };
 
-/// A row of a depth image: the depth i is that of the device position (i + 1/2, py).
+/// A row of a depth image: the depth i is that of the device position (px + i, py).
 struct DepthRow {
     const float *depth;
     std::size_t count;
-    double py;
+    double px, py;
     float lowest, highest; ///< depths outside (NaN too) are passed over
     bool canOverflow;      ///< whether points may leave the range of their numbers; those are passed over, too
 };

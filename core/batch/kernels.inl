@@ -255,7 +255,7 @@ std::size_t unprojectRow(const typename Method::Constants &constants, const Dept
         return appended(p, lanes, next);
     };
     Scalar *next = points;
-    Pack px = Pack::counted() + Pack(0.5);
+    Pack px = Pack::counted() + Pack(row.px);
     std::size_t i = 0;
     for (; i + Pack::kLanes <= row.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes)))
         next = addPoints(row.depth + i, px, next);

@@ -128,7 +128,7 @@ template <class Function>
 void forEachPoint(const PictureGeometry &g, const CompareOptions &options, Function function)
 {
     const auto spread = [&](double start, double size, int i) {
-        return start + std::floor((i + 0.5) / options.pixels * size) + 0.5;
+        return start + std::floor((i + 0.5) / options.pixels * size) + kHalfPixel;
     };
     for (int k = 0; k < options.depths; ++k) {
         const double share = options.depths == 1 ? 0.5 : double(k) / (options.depths - 1);

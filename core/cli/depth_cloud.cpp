@@ -58,8 +58,9 @@ DepthCloud<Scalar>::DepthCloud(const BatchUnprojection &unprojection, const Pict
 template <class Scalar>
 std::size_t DepthCloud<Scalar>::row(std::size_t j, Scalar *points) const
 {
-    return m_unprojection(batch::DepthRow{m_image.row(j), m_image.width, static_cast<double>(j) + 0.5,
-                                          m_surfaces.lowest(), m_surfaces.highest(), m_canOverflow},
+    const DevicePoint first = pixelCenter({0, static_cast<int>(j)});
+    return m_unprojection(batch::DepthRow{m_image.row(j), m_image.width, first.x, first.y, m_surfaces.lowest(),
+                                          m_surfaces.highest(), m_canOverflow},
                           points);
 }
 

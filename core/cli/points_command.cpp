@@ -83,7 +83,7 @@ private:
             for (std::size_t k = 0; k < 2; ++k) {
                 m_centres[k].resize(count);
                 std::transform(m_rows.values[k].begin(), m_rows.values[k].end(), m_centres[k].begin(),
-                               [](double index) { return index + 0.5; });
+                               [](double index) { return index + kHalfPixel; });
             }
             px = m_centres[0].data();
             py = m_centres[1].data();

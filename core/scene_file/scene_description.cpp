@@ -79,11 +79,8 @@ SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const 
                         const SceneFile &before)
 {
     SceneFile file;
-    const auto logical = [&geometry](int pixels) {
-        return static_cast<int>(std::lround(pixels / geometry.surface.devicePixelRatio));
-    };
-    file.windowWidth = logical(geometry.surface.widthPixels);
-    file.windowHeight = logical(geometry.surface.heightPixels);
+    file.windowWidth = logicalFromDevice(geometry.surface, geometry.surface.widthPixels);
+    file.windowHeight = logicalFromDevice(geometry.surface, geometry.surface.heightPixels);
     file.devicePixelRatio = geometry.surface.devicePixelRatio;
     if (scene.viewport.kind != ViewportRule::Kind::WholeWindow)
         file.viewport = geometry.viewport;

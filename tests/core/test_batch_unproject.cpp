@@ -4,6 +4,7 @@
 #include "core/transform.h"
 #include "tests/support/batch_arrays.h"
 #include "tests/support/core_scene.h"
+#include "tests/support/random_kinds.h"
 
 #include <QTest>
 #include <glm/matrix.hpp>
@@ -67,15 +68,6 @@ double largestDistance(const oracle::Vector3 &exact, const glm::dvec3 &actual, c
 double percentile(const std::vector<double> &sorted, double share)
 {
     return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * static_cast<double>(sorted.size())))];
-}
-
-void addKinds()
-{
-    QTest::addColumn<RandomKind>("kind");
-    QTest::newRow("frustum, off-centre and mirrored too") << RandomKind::Frustum;
-    QTest::newRow("perspective") << RandomKind::Perspective;
-    QTest::newRow("ortho, around the eye too") << RandomKind::Ortho;
-    QTest::newRow("oblique") << RandomKind::Oblique;
 }
 
 } // namespace
@@ -253,13 +245,8 @@ void TestBatchUnproject::manyPointsAreThoseOfFew()
 void TestBatchUnproject::matrixAgreesWithTheFormula()
 {
     QFETCH(RandomKind, kind);
-    SceneLimits limits;
-    limits.fixedClipDistances = true;
-    limits.nearLow = 1.0;
-    limits.farHigh = 10.0;
-    limits.eyeHigh = 10.0;
-    limits.leastUpSine = 0.1;
-    limits.largestTangent = 2.0;
+    SceneLimits limits = oracle::everydayScenes(1.0, 10.0);
+    limits.plainTarget = false;
     oracle::Random random(5);
     for (int count = 0; count < 200; ++count) {
         const oracle::Scene s = oracle::randomScene(random, kind, limits);
@@ -344,13 +331,8 @@ void TestBatchUnproject::matricesOfOtherPrograms()
 void TestBatchUnproject::objectSpaceIsTheWorldMovedBack()
 {
     oracle::Random random(9);
-    SceneLimits limits;
-    limits.fixedClipDistances = true;
-    limits.nearLow = 1.0;
-    limits.farHigh = 10.0;
-    limits.eyeHigh = 10.0;
-    limits.leastUpSine = 0.1;
-    limits.largestTangent = 2.0;
+    SceneLimits limits = oracle::everydayScenes(1.0, 10.0);
+    limits.plainTarget = false;
     const glm::dmat4 worldFromObject =
         unprojector::worldFromObject({Translate{{1, 2, 3}}, Rotate{30, {1, 1, 0}}, Scale{{2, 3, 0.5}}});
     const oracle::Scene s = oracle::randomScene(random, RandomKind::Frustum, limits);

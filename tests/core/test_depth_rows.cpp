@@ -3,6 +3,7 @@
 #include "core/batch_unproject.h"
 #include "tests/support/batch_arrays.h"
 #include "tests/support/core_scene.h"
+#include "tests/support/random_kinds.h"
 
 #include <QTest>
 
@@ -13,19 +14,6 @@
 using namespace unprojector;
 using oracle::RandomKind;
 using oracle::SceneLimits;
-
-namespace {
-
-void addKinds()
-{
-    QTest::addColumn<RandomKind>("kind");
-    QTest::newRow("frustum, off-centre and mirrored too") << RandomKind::Frustum;
-    QTest::newRow("perspective") << RandomKind::Perspective;
-    QTest::newRow("ortho, around the eye too") << RandomKind::Ortho;
-    QTest::newRow("oblique") << RandomKind::Oblique;
-}
-
-} // namespace
 
 class TestDepthRows : public QObject {
     Q_OBJECT
@@ -65,7 +53,7 @@ void TestDepthRows::rowsAreTheSurfacesOfABatch()
                 }
                 for (const InstructionSet set : availableInstructionSets()) {
                     std::vector<float> points(3 * kWidth);
-                    const batch::DepthRow row{pixels.of[2].data(), kWidth, 7.5, lowest, highest, false};
+                    const batch::DepthRow row{pixels.of[2].data(), kWidth, 0.5, 7.5, lowest, highest, false};
                     points.resize(3 * (*unprojection)(row, points.data(), set));
                     QCOMPARE(points, expected);
                 }
@@ -85,11 +73,12 @@ void TestDepthRows::rowsLeaveOutWhatNoFloatHolds()
     const auto unprojection = BatchUnprojection::byFormula(g, {});
     for (const InstructionSet set : availableInstructionSets()) {
         std::vector<float> points(120);
-        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.0f, 1.0f, true}, points.data(), set), std::size_t(3));
+        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.5, 0.0f, 1.0f, true}, points.data(), set), std::size_t(3));
         QCOMPARE(points[0], 0.5e38f);
         QCOMPARE(points[6], 2.5e38f);
         QCOMPARE(points[8], -2.0f);
-        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.0f, 1.0f, false}, points.data(), set), std::size_t(40));
+        QCOMPARE((*unprojection)({depths.data(), 40, 0.5, 0.5, 0.0f, 1.0f, false}, points.data(), set),
+                 std::size_t(40));
     }
 }
 
