@@ -1,7 +1,7 @@
-#include "gui/error_text.h"
-#include "gui/main_window.h"
-#include "gui/screenshot_run.h"
-#include "gui/translation.h"
+#include "gui/text/error_text.h"
+#include "gui/text/translation.h"
+#include "gui/window/main_window.h"
+#include "gui/window/screenshot_run.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -12,6 +12,7 @@
 namespace {
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 struct CommandLine {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
@@ -23,7 +24,8 @@ std::optional<QSize> parsedSize(const QString &text)
     const QStringList parts = text.split(u'x');
     bool isWidth = false, isHeight = false;
     const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(&isWidth), parts[1].toInt(&isHeight)) : QSize();
-    const bool isSensible = isWidth && isHeight && size.width() >= 200 && size.height() >= 150 && size.width() <= 16384 && size.height() <= 16384;
+    const bool isSensible = isWidth && isHeight && size.width() >= 200 && size.height() >= 150 && size.width() <= 16384
+                            && size.height() <= 16384;
     return isSensible ? std::optional(size) : std::nullopt;
 }
 
@@ -48,7 +50,7 @@ bool hasDisplay()
 {
 #ifdef Q_OS_LINUX
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")
-        || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+           || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 #else
     return true;
 #endif
@@ -67,15 +69,30 @@ int main(int argc, char **argv)
     std::optional<Translation> translation(std::in_place);
 
     QCommandLineParser parser;
-    parser.setApplicationDescription(CommandLine::tr("Click a pixel of a 3-D view and get its world coordinate, computed twice."));
+    parser.setApplicationDescription(
+        CommandLine::tr("Click a pixel of a 3-D view and get its world coordinate, computed twice."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
-    const QCommandLineOption screenshot(QStringLiteral("screenshot"), CommandLine::tr("Open, save a picture of the whole window, print the clicks as JSON, and quit."), QStringLiteral("OUT.png"));
-    const QCommandLineOption size(QStringLiteral("size"), CommandLine::tr("Size of the window in logical pixels (default 1280x800)."), QStringLiteral("WxH"), QStringLiteral("1280x800"));
-    const QCommandLineOption click(QStringLiteral("click"), CommandLine::tr("With --screenshot: press the left button at this position of the view, logical pixels from its top-left corner. May be given several times."), QStringLiteral("X,Y"));
-    const QCommandLineOption samples(QStringLiteral("samples"), CommandLine::tr("Samples a pixel for smooth edges: 0, 2, 4 or 8."), QStringLiteral("N"));
+    const QCommandLineOption screenshot(
+        QStringLiteral("screenshot"),
+        CommandLine::tr("Open, save a picture of the whole window, print the clicks as JSON, and quit."),
+        QStringLiteral("OUT.png"));
+    const QCommandLineOption size(QStringLiteral("size"),
+                                  CommandLine::tr("Size of the window in logical pixels (default 1280x800)."),
+                                  QStringLiteral("WxH"), QStringLiteral("1280x800"));
+    const QCommandLineOption click(
+        QStringLiteral("click"),
+        CommandLine::tr("With --screenshot: press the left button at this position of the view, logical pixels from "
+                        "its top-left corner. May be given several times."),
+        QStringLiteral("X,Y"));
+    const QCommandLineOption samples(QStringLiteral("samples"),
+                                     CommandLine::tr("Samples a pixel for smooth edges: 0, 2, 4 or 8."),
+                                     QStringLiteral("N"));
     parser.addOptions({screenshot, size, click, samples});
-    parser.addPositionalArgument(QStringLiteral("MODEL"), CommandLine::tr("Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."), QStringLiteral("[MODEL …]"));
+    parser.addPositionalArgument(
+        QStringLiteral("MODEL"),
+        CommandLine::tr("Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."),
+        QStringLiteral("[MODEL …]"));
 
     if (!parser.parse(words->arguments()))
         return usageError(CommandLine::tr("%1 See --help.").arg(parser.errorText()));
@@ -85,12 +102,14 @@ int main(int argc, char **argv)
         parser.showVersion();
     const std::optional<QSize> windowSize = parsedSize(parser.value(size));
     if (!windowSize)
-        return usageError(CommandLine::tr("--size is %1; give width x height in pixels, such as 1280x800.").arg(parser.value(size)));
+        return usageError(
+            CommandLine::tr("--size is %1; give width x height in pixels, such as 1280x800.").arg(parser.value(size)));
     std::vector<WidgetPoint> clicks;
     for (const QString &text : parser.values(click)) {
         const std::optional<WidgetPoint> position = parsedPosition(text);
         if (!position)
-            return usageError(CommandLine::tr("--click is %1; give x,y in logical pixels of the view, such as 412,300.").arg(text));
+            return usageError(
+                CommandLine::tr("--click is %1; give x,y in logical pixels of the view, such as 412,300.").arg(text));
         clicks.push_back(*position);
     }
     if (!clicks.empty() && !parser.isSet(screenshot))
@@ -114,7 +133,8 @@ int main(int argc, char **argv)
     translation.emplace();
 
     if (parser.isSet(screenshot)) {
-        ScreenshotRun run({parser.value(screenshot), *windowSize, std::move(clicks), std::move(files), std::max(0, sampleCount)});
+        ScreenshotRun run(
+            {parser.value(screenshot), *windowSize, std::move(clicks), std::move(files), std::max(0, sampleCount)});
         QObject::connect(&run, &ScreenshotRun::ended, &application, &QCoreApplication::exit, Qt::QueuedConnection);
         run.start();
         return application.exec();

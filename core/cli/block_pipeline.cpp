@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
 namespace {
 
 class Pipeline {
@@ -108,4 +108,4 @@ ExitCode runBlocks(LineBlocks &blocks, ByteSource &source, ByteSink &sink, unsig
     return pipeline.hasBadRows() ? ExitCode::SomeRowsBad : ExitCode::Done;
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// What became of a block of lines.
 struct BlockResult {
-    std::string output; ///< for stdout
+    std::string output;                ///< for stdout
     std::vector<LineMessage> messages; ///< for stderr, in any order
     std::size_t badRows = 0;
 };
@@ -26,4 +26,4 @@ using BlockWorker = std::function<void(const LineBlock &, BlockResult &)>;
 ExitCode runBlocks(LineBlocks &blocks, ByteSource &source, ByteSink &sink, unsigned threads,
                    const std::function<BlockWorker()> &worker);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -2,29 +2,26 @@
 
 #include "core/cli/console.h"
 #include "core/cli/progress_bar.h"
+#include "core/files/path_text.h"
 
 #include <cerrno>
 #include <csignal>
 #include <system_error>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace files;
 namespace {
 
 std::FILE *opened(const std::string &file, bool isWriting)
 {
 #ifdef _WIN32
-    return _wfopen(pathOf(file).c_str(), isWriting ? L"wb" : L"rb");
+    return _wfopen(pathFromUtf8(file).c_str(), isWriting ? L"wb" : L"rb");
 #else
     return std::fopen(file.c_str(), isWriting ? "wb" : "rb");
 #endif
 }
 
 } // namespace
-
-std::filesystem::path pathOf(const std::string &utf8)
-{
-    return std::filesystem::path(std::u8string(utf8.begin(), utf8.end()));
-}
 
 void complain(std::string_view line)
 {
@@ -47,7 +44,7 @@ ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" :
         return;
     }
     std::error_code ignored;
-    if (std::filesystem::is_directory(pathOf(file), ignored)) {
+    if (std::filesystem::is_directory(pathFromUtf8(file), ignored)) {
         complain(file + ": this is a folder; give a file");
         return;
     }
@@ -100,7 +97,7 @@ ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : fi
 
 bool ByteSink::isTerminal() const
 {
-    return unprojector::isTerminal(m_file.get());
+    return cli::isTerminal(m_file.get());
 }
 
 void ByteSink::write(std::string_view bytes)
@@ -128,4 +125,4 @@ void ByteSink::fail()
         complain(m_name + ": cannot be written: " + std::generic_category().message(error));
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

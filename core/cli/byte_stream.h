@@ -9,10 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace unprojector {
-
-/// A path given in UTF-8, as the command's arguments are.
-std::filesystem::path pathOf(const std::string &utf8);
+namespace unprojector::cli {
 
 /// A line on stderr. A progress bar makes way for it.
 void complain(std::string_view line);
@@ -71,4 +68,4 @@ private:
     State m_state = State::Open;
 };
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -1,10 +1,10 @@
 #include "core/cli/cloud_command.h"
 
 #include "core/cli/byte_stream.h"
-#include "core/cli/core_error_text.h"
 #include "core/cli/depth_cloud.h"
 #include "core/cli/progress_bar.h"
 #include "core/cli/scene_input.h"
+#include "core/text/error_text.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,7 +15,8 @@
 #include <type_traits>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace text;
 namespace {
 
 /// Numbers as PLY's binary_little_endian wants them.
@@ -116,4 +117,4 @@ ExitCode runCloud(const CloudOptions &options)
                                                        : writeCloud<float>(options, *unprojection, g, *image, seen);
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

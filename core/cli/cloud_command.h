@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// What the file holds. Computed in double either way.
 enum class PointPrecision { Float, Double };
@@ -22,4 +22,4 @@ struct CloudOptions {
 
 ExitCode runCloud(const CloudOptions &options);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -15,7 +15,7 @@
 #include <memory>
 #include <string>
 
-namespace unprojector {
+namespace unprojector::cli {
 namespace {
 
 using Run = std::function<ExitCode()>;
@@ -79,7 +79,8 @@ constexpr const char *kBadRows =
 
 void addPoints(CLI::App &app, Run &run)
 {
-    CLI::App *command = app.add_subcommand("points", "Pixels and depths to points, by the formulas and by the inverted matrix");
+    CLI::App *command =
+        app.add_subcommand("points", "Pixels and depths to points, by the formulas and by the inverted matrix");
     auto options = std::make_shared<PointsOptions>();
     addRowOptions(*command, options->rows,
                   "px,py,depth; - or nothing: standard input.\npx and py are device pixels from the top left corner, "
@@ -146,10 +147,11 @@ void addCompare(CLI::App &app, Run &run)
     command->add_flag("--json", options->isJson, "Write JSON instead of a table");
     addCount(*command, "--pixels", options->pixels, 1000, "Pixels across and down of the grid");
     addCount(*command, "--depths", options->depths, 1000, "Depths of the grid, from one end to the other");
-    command->footer("Formula and matrix, in double and in single precision, against the same picture computed with 50 digits.\n"
-                    "\n"
-                    "Example:\n"
-                    "  unproject compare scene.json");
+    command->footer(
+        "Formula and matrix, in double and in single precision, against the same picture computed with 50 digits.\n"
+        "\n"
+        "Example:\n"
+        "  unproject compare scene.json");
     command->callback([options, &run] { run = [options] { return runCompare(*options); }; });
 }
 
@@ -207,8 +209,9 @@ void addScene(CLI::App &app, Run &run)
 
 ExitCode runCommandLine(const std::vector<std::string> &arguments)
 {
-    CLI::App app("The world coordinates under pixels, computed twice: by formulas in closed form and by the inverted matrix.",
-                 "unproject");
+    CLI::App app(
+        "The world coordinates under pixels, computed twice: by formulas in closed form and by the inverted matrix.",
+        "unproject");
     app.require_subcommand(1);
     app.set_version_flag("--version", "unproject " UNPROJECTOR_VERSION);
     app.footer("unproject COMMAND --help says more.\n\nExit code: 0 done, 1 some rows bad, 2 unusable input.");
@@ -243,4 +246,4 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
     return run();
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

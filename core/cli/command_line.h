@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// The `unproject` command.
 /// @param arguments  UTF-8, the program's name first
 ExitCode runCommandLine(const std::vector<std::string> &arguments);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -1,13 +1,13 @@
 #include "core/cli/compare_command.h"
 
 #include "core/cli/byte_stream.h"
-#include "core/cli/core_error_text.h"
 #include "core/cli/distribution.h"
 #include "core/cli/exact_unprojection.h"
-#include "core/cli/number_writer.h"
 #include "core/cli/progress_bar.h"
 #include "core/cli/scene_input.h"
-#include "core/unproject_comparison.h"
+#include "core/text/error_text.h"
+#include "core/text/number_text.h"
+#include "core/unproject/comparison.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,9 @@
 #include <string>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace unproject;
+using namespace text;
 namespace {
 
 constexpr double kShare = 0.9999;
@@ -147,13 +149,14 @@ constexpr const char *kQuantities[] = {"x", "y", "z", "ulps"};
 
 std::string table(const std::vector<Way> &ways, std::size_t points)
 {
-    std::string text = "Differences from extended precision over " + std::to_string(points) + " points, world units; ulps of"
-                       " the largest coordinate\n\n";
+    std::string text = "Differences from extended precision over " + std::to_string(points)
+                       + " points, world units; ulps of"
+                         " the largest coordinate\n\n";
     const auto line = [&](const char *method, const char *precision, const char *what, const std::string &a,
                           const std::string &b, const std::string &c) {
         std::array<char, 120> buffer;
-        std::snprintf(buffer.data(), buffer.size(), "%-8s %-7s %-5s %10s %10s %10s\n", method, precision, what, a.c_str(),
-                      b.c_str(), c.c_str());
+        std::snprintf(buffer.data(), buffer.size(), "%-8s %-7s %-5s %10s %10s %10s\n", method, precision, what,
+                      a.c_str(), b.c_str(), c.c_str());
         text += buffer.data();
     };
     const auto number = [](double value) {
@@ -243,4 +246,4 @@ ExitCode runCompare(const CompareOptions &options)
     return sink.state() == ByteSink::State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// `unproject compare`: how far both methods are from the truth, over a grid of pixels and depths.
 struct CompareOptions {
@@ -16,4 +16,4 @@ struct CompareOptions {
 
 ExitCode runCompare(const CompareOptions &options);
 
-} // namespace unprojector
+} // namespace unprojector::cli

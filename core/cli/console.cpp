@@ -25,7 +25,7 @@
 #include <unistd.h>
 #endif
 
-namespace unprojector {
+namespace unprojector::cli {
 namespace {
 
 #ifdef _WIN32
@@ -150,4 +150,4 @@ std::optional<std::size_t> readAvailable(std::FILE *stream, char *buffer, std::s
     return count < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(count));
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -10,7 +10,7 @@
 // What the command asks of the system beyond standard C++; the only place where systems differ, besides the opening of
 // files in byte_stream.
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// The program's arguments in UTF-8, its own name first. Windows hands main() those that its code page has letters for;
 /// there the command line is asked for instead.
@@ -45,4 +45,4 @@ void setBinary(std::FILE *stream);
 /// @return 0 at the end, nothing at an error
 std::optional<std::size_t> readAvailable(std::FILE *stream, char *buffer, std::size_t size);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace unprojector {
+namespace unprojector::cli {
 namespace {
 
 /// The pixels in between the window's corners and the ends of the depth range have numbers between theirs.
@@ -67,4 +67,4 @@ std::size_t DepthCloud<Scalar>::row(std::size_t j, Scalar *points) const
 template class DepthCloud<float>;
 template class DepthCloud<double>;
 
-} // namespace unprojector
+} // namespace unprojector::cli

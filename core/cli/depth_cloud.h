@@ -1,11 +1,12 @@
 #pragma once
 
-#include "core/batch_unproject.h"
 #include "core/cli/depth_image.h"
+#include "core/unproject/batch/batch_unproject.h"
 
 #include <span>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace unproject;
 
 /// Which depths are of a surface: inside the range, and not the one that the buffer was cleared to, the far end's.
 class Surfaces {
@@ -44,4 +45,4 @@ private:
     bool m_canOverflow;
 };
 
-} // namespace unprojector
+} // namespace unprojector::cli

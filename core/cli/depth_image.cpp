@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace unprojector {
+namespace unprojector::cli {
 namespace {
 
 constexpr std::size_t kMostSide = 65536;
@@ -217,7 +217,8 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
     if (given && (given->width != size.width || given->height != size.height))
         return refuse("the picture has " + shown(size) + ", not " + sizeText);
     if (size.width != expectedWidth || size.height != expectedHeight)
-        return refuse("the picture has " + shown(size) + ", the scene's window " + shown({expectedWidth, expectedHeight}));
+        return refuse("the picture has " + shown(size) + ", the scene's window "
+                      + shown({expectedWidth, expectedHeight}));
 
     DepthImage image{size.width, size.height, std::make_unique_for_overwrite<float[]>(size.width * size.height),
                      layout->kind == Layout::Kind::Pfm};
@@ -235,4 +236,4 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
     return image;
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

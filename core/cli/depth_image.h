@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// Depths of a whole picture in the depth range, as read: NaN where the file has one.
 struct DepthImage {
@@ -36,4 +36,4 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
                                          std::size_t expectedHeight, double depthLow, double depthHigh,
                                          const std::function<void(std::span<const float>)> &onRead);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// The largest, the mean and one percentile of many numbers, of which only those above the percentile are kept.
 class Distribution {
@@ -55,4 +55,4 @@ private:
     double m_sum = 0.0;
 };
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::cli {
 namespace {
 
 using Vector = std::array<Extended, 3>;
@@ -154,7 +154,8 @@ std::optional<ExactUnprojection> ExactUnprojection::of(const PictureGeometry &g)
 {
     const auto *projection = std::get_if<MatrixProjection>(&g.projection);
     const auto *view = std::get_if<glm::dmat4>(&g.view);
-    const Matrix clip = projection ? extended(projection->clipFromEye) : clipFromEye(std::get<Projection>(g.projection));
+    const Matrix clip =
+        projection ? extended(projection->clipFromEye) : clipFromEye(std::get<Projection>(g.projection));
     const Matrix eye = view ? extended(*view) : eyeFromWorld(std::get<LookAt>(g.view));
     const std::optional<Matrix> worldFromWindow = inverse(product(windowFromNdc(g), product(clip, eye)));
     if (!worldFromWindow)
@@ -175,4 +176,4 @@ std::optional<std::array<Extended, 3>> ExactUnprojection::world(const WindowPoin
     return Vector{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/picture_geometry.h"
+#include "core/unproject/picture_geometry.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <array>
 #include <optional>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace unproject;
 
 /// 50 digits: beside its own rounding that of a double is enormous.
 using Extended = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
@@ -39,4 +40,4 @@ private:
     Matrix m_worldFromWindow;
 };
 
-} // namespace unprojector
+} // namespace unprojector::cli

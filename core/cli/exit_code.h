@@ -1,6 +1,6 @@
 #pragma once
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// What the command says to the shell.
 enum class ExitCode {
@@ -9,4 +9,4 @@ enum class ExitCode {
     UnusableInput = 2, ///< nothing could be: a scene, a header, an option, an output
 };
 
-} // namespace unprojector
+} // namespace unprojector::cli

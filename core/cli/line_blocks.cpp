@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 void LineBlocks::read()
 {
@@ -76,4 +76,4 @@ bool LineBlocks::next(LineBlock &block)
     return true;
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

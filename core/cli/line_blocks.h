@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// Whole lines of a text, some thousand at a time.
 struct LineBlock {
@@ -51,4 +51,4 @@ private:
     bool m_hasStarted = false;
 };
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -6,11 +6,11 @@
 
 int main(int argc, char **argv)
 {
-    const unprojector::Utf8Console console;
+    const unprojector::cli::Utf8Console console;
     try {
-        return static_cast<int>(unprojector::runCommandLine(unprojector::utf8Arguments(argc, argv)));
+        return static_cast<int>(unprojector::cli::runCommandLine(unprojector::cli::utf8Arguments(argc, argv)));
     } catch (const std::exception &error) { // out of memory
         std::fprintf(stderr, "unproject: %s\n", error.what());
     }
-    return static_cast<int>(unprojector::ExitCode::UnusableInput);
+    return static_cast<int>(unprojector::cli::ExitCode::UnusableInput);
 }

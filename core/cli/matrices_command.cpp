@@ -1,14 +1,15 @@
 #include "core/cli/matrices_command.h"
 
 #include "core/cli/byte_stream.h"
-#include "core/cli/core_error_text.h"
 #include "core/cli/scene_input.h"
+#include "core/text/error_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace text;
 namespace {
 
 struct NamedMatrix {
@@ -34,7 +35,8 @@ std::string identifier(const std::string &name)
 /// A name as a comment can hold it.
 std::string onOneLine(std::string name)
 {
-    std::replace_if(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\\'; }, '_');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\\'; }, '_');
     return name;
 }
 
@@ -69,8 +71,8 @@ std::vector<NamedMatrix> matricesOf(const SceneInput &scene, const glm::dmat4 &v
         matrices.push_back({"model_" + name, "world from object" + of, object.worldFromObject});
         matrices.push_back({"modelview_" + name, "eye from object" + of, modelview});
         matrices.push_back({"mvp_" + name, "clip from object" + of, projection * modelview});
-        matrices.push_back(
-            {"mvpw_" + name, "window from object" + of + ", before the division by w", viewport * projection * modelview});
+        matrices.push_back({"mvpw_" + name, "window from object" + of + ", before the division by w",
+                            viewport * projection * modelview});
     }
     return matrices;
 }
@@ -151,4 +153,4 @@ ExitCode runMatrices(const MatricesOptions &options)
     return sink.state() == ByteSink::State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

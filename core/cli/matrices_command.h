@@ -1,11 +1,12 @@
 #pragma once
 
 #include "core/cli/exit_code.h"
-#include "core/matrix_format.h"
+#include "core/matrices/matrix_format.h"
 
 #include <string>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace matrices;
 
 enum class MatricesFormat { Text, Json, C, NumPy, Latex };
 
@@ -18,4 +19,4 @@ struct MatricesOptions {
 
 ExitCode runMatrices(const MatricesOptions &options);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace unprojector {
+namespace unprojector::cli {
 namespace {
 
 bool isBlank(char c)
@@ -36,7 +36,8 @@ std::string shown(std::string_view cell)
     constexpr std::size_t kMost = 40;
     cell = trimmed(cell);
     std::string text(cell.substr(0, kMost));
-    std::replace_if(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
     return '"' + text + (cell.size() > kMost ? "…\"" : "\"");
 }
 
@@ -268,4 +269,4 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
     }
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

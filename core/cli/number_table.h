@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// Where the three columns that are wanted stand in a row of comma-separated values.
 struct NumberColumns {
@@ -76,4 +76,4 @@ private:
     NumberColumns m_columns;
 };
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -1,13 +1,15 @@
 #include "core/cli/points_command.h"
 
-#include "core/batch_unproject.h"
-#include "core/cli/core_error_text.h"
+#include "core/text/error_text.h"
+#include "core/unproject/batch/batch_unproject.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace unproject;
+using namespace text;
 namespace {
 
 /// Everything that is the same for all rows.
@@ -128,7 +130,8 @@ private:
             isFinite = isFinite && std::isfinite(value);
             writer.numberOrNothing(value);
         };
-        const auto addPoint = [&](bool isWanted, const std::optional<BatchUnprojection> &method, const Columns &points) {
+        const auto addPoint = [&](bool isWanted, const std::optional<BatchUnprojection> &method,
+                                  const Columns &points) {
             for (std::size_t k = 0; isWanted && k < 3; ++k) {
                 if (method)
                     add(points[k][row]);
@@ -218,4 +221,4 @@ ExitCode runPoints(const PointsOptions &options)
     return runRows(*rows, options.rows, task.names, [&] { return BlockWorker(Worker(task)); });
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

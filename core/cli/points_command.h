@@ -3,7 +3,7 @@
 #include "core/cli/exit_code.h"
 #include "core/cli/row_stream.h"
 
-namespace unprojector {
+namespace unprojector::cli {
 
 enum class Methods { Both, Formula, Matrix };
 
@@ -16,4 +16,4 @@ struct PointsOptions {
 
 ExitCode runPoints(const PointsOptions &options);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::cli {
 namespace {
 
 using namespace std::chrono_literals;
@@ -167,4 +167,4 @@ void withoutProgressBar(const std::function<void()> &write)
     write();
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// Where a progress bar is drawn, and by which clock. Tests bring their own.
 struct ProgressScreen {
@@ -68,4 +68,4 @@ private:
 /// Writes something to the terminal while no bar stands there: first takes it away; it comes back as the work goes on.
 void withoutProgressBar(const std::function<void()> &write);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -1,6 +1,6 @@
 #include "core/cli/project_command.h"
 
-#include "core/cli/core_error_text.h"
+#include "core/text/error_text.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -9,12 +9,13 @@
 #include <cmath>
 #include <limits>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace text;
 namespace {
 
-const std::vector<std::string> kNames{"x",     "y",     "z",        "eye_x",    "eye_y",    "eye_z",    "clip_x",
-                                      "clip_y", "clip_z", "clip_w",   "ndc_x",    "ndc_y",    "ndc_z",    "window_x",
-                                      "window_y", "window_z", "widget_x", "widget_y", "px", "py", "depth"};
+const std::vector<std::string> kNames{"x",        "y",        "z",        "eye_x",    "eye_y", "eye_z", "clip_x",
+                                      "clip_y",   "clip_z",   "clip_w",   "ndc_x",    "ndc_y", "ndc_z", "window_x",
+                                      "window_y", "window_z", "widget_x", "widget_y", "px",    "py",    "depth"};
 
 /// Everything that is the same for all rows.
 struct Task {
@@ -173,4 +174,4 @@ ExitCode runProject(const RowOptions &options)
     return runRows(*rows, options, kNames, [&] { return BlockWorker(Worker(task)); });
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -3,7 +3,7 @@
 #include "core/cli/exit_code.h"
 #include "core/cli/row_stream.h"
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// `unproject project`: points in, every stage on their way to the window out, and what `unproject points` takes: px, py and
 /// the depth. That depth is window_z, but for a point that lies on the near or far plane as far as can be told: there it is
@@ -11,4 +11,4 @@ namespace unprojector {
 /// @param options  space: world or object:NAME
 ExitCode runProject(const RowOptions &options);
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const std::string &input)
     : scene(std::move(sceneRead)), space(spaceInIt), source(input)
@@ -40,4 +40,4 @@ ExitCode runRows(RowStream &rows, const RowOptions &options, const std::vector<s
     return runBlocks(rows.blocks, rows.source, sink, options.threads, worker);
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
 
 /// What all commands that take rows of numbers through a scene are told.
 struct RowOptions {
@@ -43,4 +43,4 @@ std::unique_ptr<RowStream> openRows(const RowOptions &options, const std::array<
 ExitCode runRows(RowStream &rows, const RowOptions &options, const std::vector<std::string> &names,
                  const std::function<BlockWorker()> &worker);
 
-} // namespace unprojector
+} // namespace unprojector::cli

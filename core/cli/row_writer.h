@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/cli/number_writer.h"
+#include "core/text/number_text.h"
 
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace text;
 
 enum class RowFormat { Csv, Jsonl };
 
@@ -94,4 +95,4 @@ private:
     std::size_t m_column = 0;
 };
 
-} // namespace unprojector
+} // namespace unprojector::cli

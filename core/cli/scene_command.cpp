@@ -1,8 +1,9 @@
 #include "core/cli/scene_command.h"
 
 #include "core/cli/byte_stream.h"
-#include "core/cli/scene_error_text.h"
-#include "core/scene_file.h"
+#include "core/files/path_text.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,9 @@
 #include <optional>
 #include <system_error>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace scene_file;
+using namespace files;
 namespace {
 
 /// The three things that are asked for, in the order in which they come where nothing is said.
@@ -119,7 +122,8 @@ std::optional<Pasted> pasted(const std::vector<std::string> &words)
     for (const std::string &word : words)
         text += word + ' ';
     std::error_code ignored;
-    const bool isFile = words.size() == 1 && (words[0] == "-" || std::filesystem::exists(pathOf(words[0]), ignored));
+    const bool isFile =
+        words.size() == 1 && (words[0] == "-" || std::filesystem::exists(pathFromUtf8(words[0]), ignored));
     if (!isFile)
         return Pasted{text, "--from-matrices"};
     ByteSource source(words[0]);
@@ -129,7 +133,8 @@ std::optional<Pasted> pasted(const std::vector<std::string> &words)
     text.resize(kMost);
     text.resize(source.read(text.data(), kMost));
     if (text.size() == kMost || source.hasFailed()) {
-        complain(source.name() + (source.hasFailed() ? ": cannot be read" : ": too long for two matrices and a viewport"));
+        complain(source.name()
+                 + (source.hasFailed() ? ": cannot be read" : ": too long for two matrices and a viewport"));
         return std::nullopt;
     }
     return Pasted{text, source.name()};
@@ -194,7 +199,7 @@ ExitCode runScene(const SceneOptions &options)
         return ExitCode::UnusableInput;
     }
     if (options.output != "-") {
-        const auto done = writeSceneFile(pathOf(options.output), scene);
+        const auto done = writeSceneFile(pathFromUtf8(options.output), scene);
         if (!done)
             complain(sceneErrorText(done.error()));
         return done ? ExitCode::Done : ExitCode::UnusableInput;
@@ -205,4 +210,4 @@ ExitCode runScene(const SceneOptions &options)
     return sink.state() == ByteSink::State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "core/cli/exit_code.h"
-#include "core/matrix_format.h"
+#include "core/matrices/matrix_format.h"
 
 #include <string>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace matrices;
 
 /// `unproject scene`: makes a scene file from what another program prints of its matrices.
 struct SceneOptions {
@@ -18,4 +19,4 @@ struct SceneOptions {
 
 ExitCode runScene(const SceneOptions &options);
 
-} // namespace unprojector
+} // namespace unprojector::cli

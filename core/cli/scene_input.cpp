@@ -1,16 +1,19 @@
 #include "core/cli/scene_input.h"
 
 #include "core/cli/byte_stream.h"
-#include "core/cli/scene_error_text.h"
-#include "core/scene_file.h"
+#include "core/files/path_text.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
 
 #include <algorithm>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace scene_file;
+using namespace files;
 
 std::optional<SceneInput> sceneInput(const std::string &file)
 {
-    const auto scene = readSceneFile(pathOf(file));
+    const auto scene = readSceneFile(pathFromUtf8(file));
     if (!scene) {
         complain(sceneErrorText(scene.error()));
         return std::nullopt;
@@ -51,4 +54,4 @@ std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput 
     return BatchSpace{BatchSpace::Kind::Object, placed->worldFromObject};
 }
 
-} // namespace unprojector
+} // namespace unprojector::cli

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/batch_unproject.h"
-#include "core/picture_geometry.h"
+#include "core/unproject/batch/batch_unproject.h"
+#include "core/unproject/picture_geometry.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::cli {
+using namespace unproject;
 
 struct PlacedObject {
     std::string name;
@@ -32,4 +33,4 @@ const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name
 /// What --space says: eye, world or object:NAME. What is wrong with it is said on stderr.
 std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput &scene);
 
-} // namespace unprojector
+} // namespace unprojector::cli

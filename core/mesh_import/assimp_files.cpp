@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -107,4 +107,4 @@ void AssimpProgress::UpdateFileRead(int step, int count)
     m_progress.report(count > 0 ? kParsingShare * step / count : 0.0);
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

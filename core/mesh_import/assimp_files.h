@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 /// Bytes in memory as a file of assimp's.
 class MemoryStream : public Assimp::IOStream {
@@ -67,4 +67,4 @@ private:
     int m_lastStep = 0;
 };
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

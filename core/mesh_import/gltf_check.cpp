@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -383,4 +383,4 @@ std::vector<std::uint8_t> checkedGltf(const Source &source)
     return glb;
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

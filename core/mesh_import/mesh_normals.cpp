@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::mesh_import {
 
 namespace {
 
@@ -315,4 +315,4 @@ void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(doub
     }
 }
 
-} // namespace unprojector
+} // namespace unprojector::mesh_import

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "core/mesh.h"
+#include "core/scene/mesh.h"
 
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::mesh_import {
+using namespace scene;
 
 /// Numbers positions so that equal ones share a number; -0 equals 0.
 class PositionIndex {
@@ -37,4 +38,4 @@ void mergeEqualVertices(Mesh &mesh);
 /// @param report  called with the share done in [0, 1]; may throw
 void makeNormals(Mesh &mesh, float cosineOfCrease = 0.5f, const std::function<void(double)> &report = {});
 
-} // namespace unprojector
+} // namespace unprojector::mesh_import

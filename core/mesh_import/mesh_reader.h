@@ -1,7 +1,8 @@
 #pragma once
 
-#include "core/mesh.h"
-#include "core/mesh_import.h"
+#include "core/files/path_text.h"
+#include "core/mesh_import/mesh_import.h"
+#include "core/scene/mesh.h"
 
 #include <cstdint>
 #include <exception>
@@ -13,7 +14,9 @@
 #include <vector>
 
 /// What the format readers behind importModel share. Not for use elsewhere.
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
+using namespace files;
+using namespace scene;
 
 /// Thrown inside the import only; importModel turns it into an ImportError. A std::exception, so that it passes
 /// through assimp's own catch clauses.
@@ -88,7 +91,4 @@ std::filesystem::path resolveReference(const std::filesystem::path &modelFile, c
 /// A regular file's bytes. Throws Failure (NotReadable).
 std::vector<std::uint8_t> readFile(const std::filesystem::path &file, ProgressReporter *progress = nullptr);
 
-std::filesystem::path pathFromUtf8(std::string_view utf8);
-std::string utf8FromPath(const std::filesystem::path &path);
-
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

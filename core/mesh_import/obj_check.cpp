@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -146,4 +146,4 @@ void checkObj(const Source &source)
     ObjChecker(source).check();
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -171,4 +171,4 @@ PlyHeader readPlyHeader(std::string_view file)
     return header;
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

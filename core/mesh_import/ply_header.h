@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
@@ -48,4 +48,4 @@ struct PlyHeader {
 /// Throws Failure (Malformed) with the line; also when the elements declared cannot fit into the file.
 PlyHeader readPlyHeader(std::string_view file);
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

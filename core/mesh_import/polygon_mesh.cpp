@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 std::uint32_t PolygonMesh::checked(std::int64_t vertex, const char *what, std::size_t number) const
 {
@@ -102,4 +102,4 @@ Mesh PolygonMesh::take()
     return split;
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

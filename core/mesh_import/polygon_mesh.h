@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/mesh.h"
+#include "core/scene/mesh.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
+using namespace scene;
 
 /// Builds one mesh out of a file's vertices and polygons. Colours and texture coordinates may belong to vertices, or
 /// to the corners of faces: then vertices are split where the corners around them differ.
@@ -42,4 +43,4 @@ private:
     std::vector<glm::vec2> m_cornerTexcoords;
 };
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

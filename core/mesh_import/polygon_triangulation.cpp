@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace unprojector {
+namespace unprojector::mesh_import {
 
 namespace {
 
@@ -88,4 +88,4 @@ void triangulatePolygon(std::span<const glm::vec3> corners, std::vector<std::uin
         triangles.insert(triangles.end(), {left[0], left[i], left[i + 1]});
 }
 
-} // namespace unprojector
+} // namespace unprojector::mesh_import

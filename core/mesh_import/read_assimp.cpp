@@ -17,7 +17,7 @@
 #include <string>
 #include <utility>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -283,4 +283,4 @@ Model readWithAssimp(const Source &source)
     return SceneConverter(*scene, source).convert();
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

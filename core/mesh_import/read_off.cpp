@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -263,4 +263,4 @@ Model readOff(const Source &source)
     return model;
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

@@ -12,7 +12,7 @@
 #include <limits>
 #include <optional>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -283,4 +283,4 @@ Model readPly(const Source &source)
     return model;
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

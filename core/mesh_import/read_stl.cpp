@@ -8,7 +8,7 @@
 #include <cstring>
 #include <optional>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -205,4 +205,4 @@ Model readStl(const Source &source)
     return model;
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

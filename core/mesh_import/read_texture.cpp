@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-namespace unprojector::mesh_reader {
+namespace unprojector::mesh_import::mesh_reader {
 
 namespace {
 
@@ -68,4 +68,4 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
     return texture;
 }
 
-} // namespace unprojector::mesh_reader
+} // namespace unprojector::mesh_import::mesh_reader

@@ -5,7 +5,7 @@
 #include <limits>
 #include <system_error>
 
-namespace unprojector {
+namespace unprojector::mesh_import {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::string quoted(std::string_view word)
     return text;
 }
 
-} // namespace unprojector
+} // namespace unprojector::mesh_import

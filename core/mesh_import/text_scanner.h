@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace unprojector {
+namespace unprojector::mesh_import {
 
 /// Walks over a text file's words and counts its lines. Line ends: LF, CRLF or CR.
 class TextScanner {
@@ -45,4 +45,4 @@ std::optional<long long> integerFromWord(std::string_view word);
 /// A word for a message: in quotes, cut at 40 characters, what is not printable ASCII shown as "?".
 std::string quoted(std::string_view word);
 
-} // namespace unprojector
+} // namespace unprojector::mesh_import

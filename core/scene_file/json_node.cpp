@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace unprojector {
+namespace unprojector::scene_file {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -243,4 +243,4 @@ JsonNode::Json JsonNode::except(std::initializer_list<const char *> known) const
     return rest;
 }
 
-} // namespace unprojector
+} // namespace unprojector::scene_file

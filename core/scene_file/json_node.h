@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene_file_error.h"
+#include "core/scene_file/scene_file_error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::scene_file {
 
 /// A value of a JSON document and the path to it. What is asked of it and is not so is noted as the document's error,
 /// with the path; only the first is kept. After an error everything reads as a default, so that a reader need not ask
@@ -69,4 +69,4 @@ private:
     std::string m_path;
 };
 
-} // namespace unprojector
+} // namespace unprojector::scene_file

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::scene_file {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -76,4 +76,4 @@ Json jsonNumber(double value)
     return value;
 }
 
-} // namespace unprojector
+} // namespace unprojector::scene_file

@@ -1,8 +1,9 @@
-#include "core/angle.h"
-#include "core/scene_file.h"
+#include "core/files/path_text.h"
+#include "core/geometry/angle.h"
+#include "core/geometry/condition_number.h"
 #include "core/scene_file/json_node.h"
+#include "core/scene_file/scene_file.h"
 #include "core/scene_file/strict_json.h"
-#include "core/unproject_matrix_inverse.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,9 @@
 #include <fstream>
 #include <system_error>
 
-namespace unprojector {
+namespace unprojector::scene_file {
+using namespace geometry;
+using namespace files;
 namespace {
 
 constexpr int kVersion = 1;
@@ -168,7 +171,7 @@ std::filesystem::path fileOf(const JsonNode &node)
         node.fail(SceneFileErrorCode::BadFileName);
         return {};
     }
-    return std::filesystem::path(std::u8string(text.begin(), text.end()));
+    return pathFromUtf8(text);
 }
 
 SceneFileObject objectOf(const JsonNode &node)
@@ -356,12 +359,6 @@ SceneFile sceneOf(const JsonNode &root)
     return scene;
 }
 
-std::string utf8(const std::filesystem::path &path)
-{
-    const std::u8string text = path.u8string();
-    return std::string(text.begin(), text.end());
-}
-
 } // namespace
 
 Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name)
@@ -381,7 +378,7 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
     const auto failed = [&file](SceneFileErrorCode code, std::string detail = {}) {
         SceneFileError error;
         error.code = code;
-        error.file = utf8(file);
+        error.file = utf8FromPath(file);
         error.detail = std::move(detail);
         return error;
     };
@@ -403,7 +400,7 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
     } while (stream && text.size() <= kMostSceneBytes);
     if (stream.bad())
         return failed(SceneFileErrorCode::NotReadable);
-    return parseScene(text, utf8(file));
+    return parseScene(text, utf8FromPath(file));
 }
 
-} // namespace unprojector
+} // namespace unprojector::scene_file

@@ -1,10 +1,10 @@
-#include "core/scene_file.h"
+#include "core/scene_file/scene_file.h"
 
 #include <cassert>
 #include <cmath>
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::scene_file {
 namespace {
 
 bool isSame(const LookAt &a, const LookAt &b)
@@ -116,4 +116,4 @@ SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const 
     return file;
 }
 
-} // namespace unprojector
+} // namespace unprojector::scene_file

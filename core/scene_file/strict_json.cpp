@@ -1,13 +1,13 @@
 #include "core/scene_file/strict_json.h"
 
-#include "core/scene_file.h"
+#include "core/scene_file/scene_file.h"
 
 #include <algorithm>
 #include <iterator>
 #include <unordered_set>
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::scene_file {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -232,4 +232,4 @@ Result<Json, SceneFileError> parseStrictJson(std::string_view text)
     return builder.takeDocument();
 }
 
-} // namespace unprojector
+} // namespace unprojector::scene_file

@@ -1,21 +1,18 @@
-#include "core/angle.h"
-#include "core/scene_file.h"
+#include "core/files/path_text.h"
+#include "core/geometry/angle.h"
 #include "core/scene_file/json_text.h"
+#include "core/scene_file/scene_file.h"
 
 #include <cstdio>
 #include <fstream>
 #include <system_error>
 
-namespace unprojector {
+namespace unprojector::scene_file {
+using namespace geometry;
+using namespace files;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string utf8(const std::filesystem::path &path)
-{
-    const std::u8string text = path.generic_u8string();
-    return std::string(text.begin(), text.end());
-}
 
 template <class Vector>
 Json vectorJson(const Vector &v)
@@ -137,7 +134,7 @@ Json objectJson(const SceneFileObject &object)
     if (object.file.empty())
         json["bundled"] = object.bundled;
     else
-        json["file"] = utf8(object.file);
+        json["file"] = utf8FromPath(object.file);
     json["transform"] = Json::array();
     for (const TransformStep &step : object.transform)
         json["transform"].push_back(stepJson(step));
@@ -211,7 +208,7 @@ std::string keyOfBadName(const SceneFile &scene)
         const std::string object = "objects[" + std::to_string(i) + "]";
         if (!isUtf8(scene.objects[i].name))
             return object + ".name";
-        if (!isUtf8(utf8(scene.objects[i].file)))
+        if (!isUtf8(utf8FromPath(scene.objects[i].file)))
             return object + ".file";
         if (!isUtf8(scene.objects[i].bundled))
             return object + ".bundled";
@@ -240,7 +237,7 @@ Result<std::string, SceneFileError> sceneText(const SceneFile &scene)
 Result<std::monostate, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene)
 {
     const auto failed = [&file](SceneFileError error) {
-        error.file = utf8(file);
+        error.file = utf8FromPath(file);
         return error;
     };
     const Result<std::string, SceneFileError> text = sceneText(scene);
@@ -280,4 +277,4 @@ Result<std::monostate, SceneFileError> writeSceneFile(const std::filesystem::pat
     return std::monostate{};
 }
 
-} // namespace unprojector
+} // namespace unprojector::scene_file

@@ -2,7 +2,7 @@
 
 #include "gui/painters/shader.h"
 
-namespace unprojector {
+namespace unprojector::gui {
 
 void BackgroundPainter::initialize()
 {
@@ -27,4 +27,4 @@ void BackgroundPainter::draw()
     m_program->release();
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// A vertical gradient over the viewport. It leaves the depth buffer as it is.
 class BackgroundPainter : protected QOpenGLExtraFunctions {
@@ -20,4 +20,4 @@ private:
     QOpenGLVertexArrayObject m_vertexArray; ///< empty: the shader makes its three corners; core profile wants one
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

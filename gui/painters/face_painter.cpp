@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 struct Vertex {
@@ -63,4 +63,4 @@ void FacePainter::draw(const std::vector<Face> &faces, const glm::dmat4 &clipFro
     glDisable(GL_BLEND);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

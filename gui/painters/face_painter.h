@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// A flat four-cornered face with one colour (red, green, blue, opacity; 0 to 1), its corners in order around it.
 struct Face {
@@ -36,4 +36,4 @@ private:
     QOpenGLBuffer m_buffer{QOpenGLBuffer::VertexBuffer};
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

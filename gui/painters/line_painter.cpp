@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 struct Vertex {
-    glm::vec4 from;  // clip space
-    glm::vec4 to;    // clip space
+    glm::vec4 from; // clip space
+    glm::vec4 to;   // clip space
     glm::vec4 color;
     glm::vec2 corner; // along the line: 0 or 1; across it: -1 or 1
 };
@@ -91,4 +91,4 @@ void LinePainter::draw(const std::vector<LineSegment> &segments, const glm::dmat
     glDisable(GL_BLEND);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

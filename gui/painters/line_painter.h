@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// A straight line with one colour (red, green, blue, opacity; 0 to 1).
 struct LineSegment {
@@ -41,4 +41,4 @@ private:
     QOpenGLBuffer m_buffer{QOpenGLBuffer::VertexBuffer};
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

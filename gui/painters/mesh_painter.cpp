@@ -10,7 +10,7 @@
 
 #include <set>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 struct MeshPainter::GpuMesh {
     QOpenGLVertexArrayObject vertexArray;
@@ -21,7 +21,7 @@ struct MeshPainter::GpuMesh {
 };
 
 struct MeshPainter::GpuModel {
-    glm::dvec3 center; ///< object space; the uploaded positions are relative to it
+    glm::dvec3 center;                   ///< object space; the uploaded positions are relative to it
     std::shared_ptr<const Model> source; ///< keeps the key of the map alive
     std::vector<std::unique_ptr<GpuMesh>> meshes;
     std::vector<std::unique_ptr<QOpenGLTexture>> textures; ///< null where the image could not be decoded
@@ -38,7 +38,8 @@ enum Attribute : GLuint { kPosition, kNormal, kColor, kTexcoord };
 
 /// QOpenGLBuffer counts bytes in int, which ends at 2 GB; glBufferData does not.
 template <class T>
-std::unique_ptr<QOpenGLBuffer> filledBuffer(QOpenGLExtraFunctions &gl, QOpenGLBuffer::Type type, const std::vector<T> &data)
+std::unique_ptr<QOpenGLBuffer> filledBuffer(QOpenGLExtraFunctions &gl, QOpenGLBuffer::Type type,
+                                            const std::vector<T> &data)
 {
     auto buffer = std::make_unique<QOpenGLBuffer>(type);
     buffer->create();
@@ -166,7 +167,8 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
         glUniformMatrix4fv(location("worldFromObject"), 1, GL_FALSE, glm::value_ptr(glm::mat4(worldFromUploaded)));
         glUniformMatrix3fv(location("eyeNormalFromObject"), 1, GL_FALSE, glm::value_ptr(normalMatrix));
         for (const auto &mesh : model.meshes) {
-            m_program->setUniformValue("baseColor", mesh->baseColor.r, mesh->baseColor.g, mesh->baseColor.b, mesh->baseColor.a);
+            m_program->setUniformValue("baseColor", mesh->baseColor.r, mesh->baseColor.g, mesh->baseColor.b,
+                                       mesh->baseColor.a);
             m_program->setUniformValue("isTextured", mesh->texture >= 0);
             if (mesh->texture >= 0)
                 model.textures[static_cast<std::size_t>(mesh->texture)]->bind(0);
@@ -182,4 +184,4 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
     m_program->release();
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene.h"
+#include "core/scene/scene.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLExtraFunctions>
@@ -12,7 +12,8 @@
 #include <memory>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace scene;
 
 /// The objects' triangles, lit from the camera. Each model is uploaded once, however many objects show it.
 /// All calls need the OpenGL context current.
@@ -42,4 +43,4 @@ public:
     ~MeshPainter();
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

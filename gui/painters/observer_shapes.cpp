@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 constexpr std::array<glm::vec3, 3> kAxisColors{{{0.80f, 0.20f, 0.22f}, {0.20f, 0.58f, 0.24f}, {0.18f, 0.38f, 0.78f}}};
@@ -13,7 +13,17 @@ using Polyline = std::vector<glm::dvec2>;
 std::vector<Polyline> letterStrokes(char letter)
 {
     switch (letter) {
-    case 's': return {{{0.6, 0.75}, {0.2, 1.0}, {-0.3, 1.0}, {-0.6, 0.7}, {-0.5, 0.25}, {0.5, -0.25}, {0.6, -0.7}, {0.3, -1.0}, {-0.2, -1.0}, {-0.6, -0.75}}};
+    case 's':
+        return {{{0.6, 0.75},
+                 {0.2, 1.0},
+                 {-0.3, 1.0},
+                 {-0.6, 0.7},
+                 {-0.5, 0.25},
+                 {0.5, -0.25},
+                 {0.6, -0.7},
+                 {0.3, -1.0},
+                 {-0.2, -1.0},
+                 {-0.6, -0.75}}};
     case 'u': return {{{-0.6, 1.0}, {-0.6, -0.5}, {-0.3, -1.0}, {0.2, -1.0}, {0.6, -0.5}}, {{0.6, 1.0}, {0.6, -1.0}}};
     case 'f': return {{{0.6, 1.1}, {0.2, 1.3}, {-0.1, 1.0}, {-0.1, -1.1}}, {{-0.6, 0.4}, {0.5, 0.4}}};
     case 'x': return {{{-0.7, -1.0}, {0.7, 1.0}}, {{-0.7, 1.0}, {0.7, -1.0}}};
@@ -45,8 +55,12 @@ std::vector<Face> cameraFaces(float opacity)
         std::array<std::size_t, 4> corners;
         float shade;
     };
-    constexpr std::array<Side, 6> kSides{{{{0, 1, 3, 2}, 0.42f}, {{4, 5, 7, 6}, 0.50f}, {{0, 2, 6, 4}, 0.56f},
-                                          {{1, 3, 7, 5}, 0.56f}, {{0, 1, 5, 4}, 0.38f}, {{2, 3, 7, 6}, 0.70f}}};
+    constexpr std::array<Side, 6> kSides{{{{0, 1, 3, 2}, 0.42f},
+                                          {{4, 5, 7, 6}, 0.50f},
+                                          {{0, 2, 6, 4}, 0.56f},
+                                          {{1, 3, 7, 5}, 0.56f},
+                                          {{0, 1, 5, 4}, 0.38f},
+                                          {{2, 3, 7, 6}, 0.70f}}};
     std::vector<Face> faces;
     for (const Side &side : kSides) {
         Face face;
@@ -74,7 +88,8 @@ std::vector<LineSegment> cameraLines(float opacity)
     for (std::size_t i = 0; i < 8; ++i) {
         for (std::size_t bit = 1; bit < 8; bit *= 2) {
             if (!(i & bit))
-                lines.push_back({boxCorner(i, kBodyLowest, kBodyHighest), boxCorner(i | bit, kBodyLowest, kBodyHighest), color});
+                lines.push_back(
+                    {boxCorner(i, kBodyLowest, kBodyHighest), boxCorner(i | bit, kBodyLowest, kBodyHighest), color});
         }
     }
     // The mark on top that says which way is up.
@@ -85,8 +100,9 @@ std::vector<LineSegment> cameraLines(float opacity)
     return lines;
 }
 
-std::vector<LineSegment> letteredAxes(const glm::dvec3 &origin, const std::array<glm::dvec3, 3> &tips, const char *letters,
-                                      const glm::dvec3 &side, const glm::dvec3 &upward, float opacity)
+std::vector<LineSegment> letteredAxes(const glm::dvec3 &origin, const std::array<glm::dvec3, 3> &tips,
+                                      const char *letters, const glm::dvec3 &side, const glm::dvec3 &upward,
+                                      float opacity)
 {
     std::vector<LineSegment> lines;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -96,7 +112,8 @@ std::vector<LineSegment> letteredAxes(const glm::dvec3 &origin, const std::array
         const glm::dvec3 center = tips[axis] + glm::normalize(tips[axis] - origin) * glm::length(upward) * kGap;
         for (const Polyline &stroke : letterStrokes(letters[axis])) {
             for (std::size_t i = 1; i < stroke.size(); ++i)
-                lines.push_back({center + side * stroke[i - 1].x + upward * stroke[i - 1].y, center + side * stroke[i].x + upward * stroke[i].y, color});
+                lines.push_back({center + side * stroke[i - 1].x + upward * stroke[i - 1].y,
+                                 center + side * stroke[i].x + upward * stroke[i].y, color});
         }
     }
     return lines;
@@ -120,7 +137,8 @@ std::vector<LineSegment> edgesFromEye(const std::array<EyePoint, 8> &corners, fl
 
 std::array<glm::dvec3, 4> planeCorners(const std::array<EyePoint, 8> &corners, std::size_t first)
 {
-    return {corners[first].coordinates(), corners[first + 1].coordinates(), corners[first + 3].coordinates(), corners[first + 2].coordinates()};
+    return {corners[first].coordinates(), corners[first + 1].coordinates(), corners[first + 3].coordinates(),
+            corners[first + 2].coordinates()};
 }
 
 std::vector<LineSegment> outline(const std::array<glm::dvec3, 4> &corners, const glm::vec4 &color)
@@ -131,7 +149,8 @@ std::vector<LineSegment> outline(const std::array<glm::dvec3, 4> &corners, const
     return lines;
 }
 
-std::vector<LineSegment> clippedLines(const std::vector<LineSegment> &lines, const std::array<glm::dvec4, 6> &planes, float opacity)
+std::vector<LineSegment> clippedLines(const std::vector<LineSegment> &lines, const std::array<glm::dvec4, 6> &planes,
+                                      float opacity)
 {
     std::vector<LineSegment> result;
     result.reserve(lines.size());
@@ -142,4 +161,4 @@ std::vector<LineSegment> clippedLines(const std::vector<LineSegment> &lines, con
     return result;
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,14 +1,15 @@
 #pragma once
 
-#include "core/camera.h"
-#include "core/view_volume.h"
+#include "core/geometry/camera.h"
+#include "core/geometry/view_volume.h"
 #include "gui/painters/face_painter.h"
 #include "gui/painters/line_painter.h"
 
 #include <array>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
 
 // What the second view draws besides the scene: the first view's camera and its view volume.
 
@@ -28,8 +29,9 @@ std::vector<LineSegment> cameraLines(float opacity);
 /// @param tips      where the lines end
 /// @param letters   of "sufxyz"
 /// @param side, upward  the observer's axes in the space of the tips, as long as half a letter's height
-std::vector<LineSegment> letteredAxes(const glm::dvec3 &origin, const std::array<glm::dvec3, 3> &tips, const char *letters,
-                                      const glm::dvec3 &side, const glm::dvec3 &upward, float opacity);
+std::vector<LineSegment> letteredAxes(const glm::dvec3 &origin, const std::array<glm::dvec3, 3> &tips,
+                                      const char *letters, const glm::dvec3 &side, const glm::dvec3 &upward,
+                                      float opacity);
 
 /// The four edges from the near to the far plane.
 std::vector<LineSegment> sideEdges(const std::array<EyePoint, 8> &corners);
@@ -41,6 +43,7 @@ std::array<glm::dvec3, 4> planeCorners(const std::array<EyePoint, 8> &corners, s
 std::vector<LineSegment> outline(const std::array<glm::dvec3, 4> &corners, const glm::vec4 &color);
 
 /// The parts of the lines that the planes hold.
-std::vector<LineSegment> clippedLines(const std::vector<LineSegment> &lines, const std::array<glm::dvec4, 6> &planes, float opacity);
+std::vector<LineSegment> clippedLines(const std::vector<LineSegment> &lines, const std::array<glm::dvec4, 6> &planes,
+                                      float opacity);
 
-} // namespace unprojector
+} // namespace unprojector::gui

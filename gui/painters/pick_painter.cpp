@@ -2,7 +2,7 @@
 
 #include "gui/painters/shader.h"
 
-namespace unprojector {
+namespace unprojector::gui {
 
 void PickPainter::initialize()
 {
@@ -36,4 +36,4 @@ void PickPainter::draw(const WorldPoint &point, const glm::dmat4 &clipFromWorld,
     glDisable(GL_BLEND);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/spaces.h"
+#include "core/geometry/spaces.h"
 
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLShaderProgram>
@@ -11,7 +11,8 @@
 
 #include <memory>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
 
 /// The mark of the picked point: a ring of constant size with a dot at the point itself.
 class PickPainter : protected QOpenGLExtraFunctions {
@@ -27,4 +28,4 @@ private:
     QOpenGLVertexArrayObject m_vertexArray;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

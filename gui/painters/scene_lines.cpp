@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 constexpr std::array<glm::vec4, 3> kAxisColors{
@@ -89,12 +89,14 @@ std::vector<LineSegment> triadLines(const EyeFrame &frame)
         const glm::dvec3 letter = tip * 1.2;
         for (const Stroke &stroke : letterStrokes(axis)) {
             constexpr double kHalfHeight = 0.13;
-            lines.push_back({letter + glm::dvec3(stroke[0] * kHalfHeight, 0.0), letter + glm::dvec3(stroke[1] * kHalfHeight, 0.0), color});
+            lines.push_back({letter + glm::dvec3(stroke[0] * kHalfHeight, 0.0),
+                             letter + glm::dvec3(stroke[1] * kHalfHeight, 0.0), color});
         }
     }
     // Far ones first: they are drawn without a depth test.
-    std::stable_sort(lines.begin(), lines.end(), [](const LineSegment &a, const LineSegment &b) { return a.to.z < b.to.z; });
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const LineSegment &a, const LineSegment &b) { return a.to.z < b.to.z; });
     return lines;
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

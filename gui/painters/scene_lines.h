@@ -1,12 +1,14 @@
 #pragma once
 
-#include "core/camera.h"
-#include "core/mesh.h"
+#include "core/geometry/camera.h"
+#include "core/scene/mesh.h"
 #include "gui/painters/line_painter.h"
 
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
 
 /// A grid on the bottom of the box, at whole multiples of the spacing, every tenth line stronger. World space.
 std::vector<LineSegment> groundLines(const Box &ground, double spacing);
@@ -24,4 +26,4 @@ std::vector<LineSegment> faded(std::vector<LineSegment> lines);
 /// The directions of the world axes with their letters, for a corner of the view. Eye axes, about one unit in size.
 std::vector<LineSegment> triadLines(const EyeFrame &frame);
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -2,7 +2,7 @@
 
 #include <QFile>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 QByteArray source(const QString &path)
@@ -26,4 +26,4 @@ std::unique_ptr<QOpenGLShaderProgram> loadProgram(const QString &name)
     return program;
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QPainter>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
@@ -39,4 +39,4 @@ void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem 
     painter->restore();
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

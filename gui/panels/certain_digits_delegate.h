@@ -2,7 +2,7 @@
 
 #include <QStyledItemDelegate>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// Draws a coordinate with its certain digits in the text's colour and the digits after them in grey
 /// (ComparisonModel::CertainLengthRole). All digits stay there to compare the two methods by.
@@ -13,4 +13,4 @@ public:
     void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,10 +1,10 @@
 #include "gui/panels/comparison_model.h"
 
-#include "gui/number_text.h"
+#include "gui/text/number_text.h"
 
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 constexpr int kDoubleDigits = 16;
@@ -133,7 +133,8 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
     case ValueRole: return v ? QVariant(*v) : QVariant();
     case Qt::ToolTipRole:
         if (v && isCoordinate)
-            return tr("%1\nDigits in grey are below what the depth buffer and the pixel can tell.").arg(shortestText(*v));
+            return tr("%1\nDigits in grey are below what the depth buffer and the pixel can tell.")
+                .arg(shortestText(*v));
         return v ? QVariant(shortestText(*v)) : QVariant();
     case Qt::TextAlignmentRole: return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     default: return {};
@@ -192,4 +193,4 @@ QString ComparisonModel::text() const
     return text + u'\n';
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/pick.h"
+#include "core/unproject/pick.h"
 
 #include <QAbstractTableModel>
 
 #include <optional>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace unproject;
 
 /// A pick as a table: a row for each of x, y, z of a point, first in world, then in eye space (on the background: of
 /// the ray's near and far points in world space); the two methods, their difference, and what float would give.
@@ -39,9 +40,9 @@ private:
     struct Row {
         QString name;
         std::optional<double> formula, matrix, matrixInFloat;
-        double ulp = 0.0;     ///< spacing of doubles at the point's largest component
-        int decimals = 15;    ///< all digits of the doubles
-        int certain = 15;     ///< decimals that are certain
+        double ulp = 0.0;  ///< spacing of doubles at the point's largest component
+        int decimals = 15; ///< all digits of the doubles
+        int certain = 15;  ///< decimals that are certain
     };
     template <typename Space>
     void addRows(const QString &space, const TwoWays<Space> &point, std::optional<double> certaintyRadius);
@@ -52,4 +53,4 @@ private:
     std::vector<Row> m_rows;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

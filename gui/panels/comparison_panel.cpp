@@ -1,9 +1,9 @@
 #include "gui/panels/comparison_panel.h"
 
-#include "gui/formula_text.h"
-#include "gui/number_text.h"
 #include "gui/panels/certain_digits_delegate.h"
 #include "gui/panels/comparison_model.h"
+#include "gui/text/formula_text.h"
+#include "gui/text/number_text.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -20,7 +20,7 @@
 
 #include <algorithm>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 QLabel *valueLabel(const QString &accessibleName, const QString &toolTip)
@@ -64,7 +64,8 @@ QString wrapped(const QString &text, qsizetype columns)
 /// "(412.5, 299.5)": a position in pixels to a hundredth at the most.
 QString positionText(double x, double y)
 {
-    return QStringLiteral("(%1, %2)").arg(significantText(std::round(x * 100.0) / 100.0, 9), significantText(std::round(y * 100.0) / 100.0, 9));
+    return QStringLiteral("(%1, %2)")
+        .arg(significantText(std::round(x * 100.0) / 100.0, 9), significantText(std::round(y * 100.0) / 100.0, 9));
 }
 
 } // namespace
@@ -79,8 +80,10 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
     m_heading->setAccessibleName(tr("What was clicked"));
 
     m_widget = valueLabel(tr("Widget position"), tr("Logical pixels from the view's top-left corner, y down"));
-    m_devicePixel = valueLabel(tr("Device pixel"), tr("Column and row from the top-left corner of the framebuffer, in device pixels"));
-    m_window = valueLabel(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"));
+    m_devicePixel = valueLabel(tr("Device pixel"),
+                               tr("Column and row from the top-left corner of the framebuffer, in device pixels"));
+    m_window =
+        valueLabel(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"));
     m_depth = valueLabel(tr("Depth"), tr("As read from the depth buffer; 0 is the near plane, 1 the far plane"));
     auto *chain = new QFormLayout;
     chain->setContentsMargins(0, 0, 0, 0);
@@ -186,7 +189,8 @@ void ComparisonPanel::fitTable()
         int columnWidth = std::max(metrics.horizontalAdvance(widest(column)),
                                    header.horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
         for (int row = 0; row < m_model->rowCount(); ++row)
-            columnWidth = std::max(columnWidth, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
+            columnWidth =
+                std::max(columnWidth, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
         m_table->setColumnWidth(column, columnWidth + kPadding);
         if (!m_table->isColumnHidden(column)) {
             shown += columnWidth + kPadding;
@@ -194,8 +198,10 @@ void ComparisonPanel::fitTable()
     }
     const int rows = m_model->rowCount() * m_table->verticalHeader()->defaultSectionSize();
     const QMargins margins = layout()->contentsMargins();
-    const int scrollBar = shown > width() - margins.left() - margins.right() ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0;
-    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows + 2 * m_table->frameWidth() + scrollBar);
+    const int scrollBar =
+        shown > width() - margins.left() - margins.right() ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0;
+    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows + 2 * m_table->frameWidth()
+                            + scrollBar);
 }
 
 void ComparisonPanel::setPick(const std::optional<Pick> &pick)
@@ -225,7 +231,8 @@ void ComparisonPanel::setPick(const std::optional<Pick> &pick)
                                .arg(surface.heightPixels)
                                .arg(significantText(surface.devicePixelRatio, 4)));
     m_window->setText(tr("%1, the pixel's centre").arg(positionText(pick->window.x, pick->window.y)));
-    m_depth->setText(pick->hit ? significantText(pick->window.z, 9) : tr("%1, the background's").arg(significantText(pick->window.z, 9)));
+    m_depth->setText(pick->hit ? significantText(pick->window.z, 9)
+                               : tr("%1, the background's").arg(significantText(pick->window.z, 9)));
     m_cause->setText(differenceCauseText(*pick));
     if (pick->hit) {
         m_certainty->setText(certaintyText(*pick));
@@ -268,12 +275,13 @@ QString ComparisonPanel::text() const
                .arg(m_heading->text(), m_widget->accessibleName(), m_widget->text(), m_devicePixel->accessibleName(),
                     m_devicePixel->text(), m_window->accessibleName(), m_window->text(), m_depth->accessibleName(),
                     m_depth->text())
-        + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formulaText + u'\n';
+           + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formulaText + u'\n';
 }
 
 bool ComparisonPanel::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched == m_table && event->type() == QEvent::KeyPress && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
+    if (watched == m_table && event->type() == QEvent::KeyPress
+        && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
         copySelection();
         return true;
     }
@@ -298,4 +306,4 @@ void ComparisonPanel::copySelection() const
         QApplication::clipboard()->setText(text);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

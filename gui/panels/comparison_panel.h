@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pick.h"
+#include "core/unproject/pick.h"
 
 #include <QWidget>
 
@@ -12,7 +12,8 @@ class QPlainTextEdit;
 class QPushButton;
 class QTableView;
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace unproject;
 
 class ComparisonModel;
 
@@ -58,4 +59,4 @@ private:
     QPushButton *m_copy;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

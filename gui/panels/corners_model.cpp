@@ -1,6 +1,6 @@
 #include "gui/panels/corners_model.h"
 
-#include "gui/number_text.h"
+#include "gui/text/number_text.h"
 
 #include <QGuiApplication>
 #include <QPalette>
@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 /// To a hundredth at the most.
@@ -151,16 +151,17 @@ QVariant CornersModel::headerData(int section, Qt::Orientation orientation, int 
     }
     if (role == Qt::ToolTipRole && isColumn) {
         switch (section) {
-        case Widget: return tr("Logical pixels from the top-left corner, y down: where a click on that pixel is reported");
+        case Widget:
+            return tr("Logical pixels from the top-left corner, y down: where a click on that pixel is reported");
         case Device: return tr("Column and row in device pixels from the top-left corner: widget × device pixel ratio");
         case Window: return tr("The pixel's centre in device pixels from the bottom-left corner, y up");
         case Ndc: return tr("The pixel's centre, −1 to 1 across the viewport, y up; no unit");
         }
     }
     if (role == Qt::ToolTipRole && !isColumn) {
-        return section == Pointer ? tr("The pixel of the window under the pointer")
-            : section == Centre   ? tr("The pixel right below the window's centre: half its width and half its height")
-                                  : tr("The pixel in this corner of the window, not of the viewport");
+        return section == Pointer  ? tr("The pixel of the window under the pointer")
+               : section == Centre ? tr("The pixel right below the window's centre: half its width and half its height")
+                                   : tr("The pixel in this corner of the window, not of the viewport");
     }
     return {};
 }
@@ -187,4 +188,4 @@ QString CornersModel::text() const
     return lines.join(u'\n') + u'\n';
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

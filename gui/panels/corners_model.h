@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/view_geometry.h"
+#include "core/geometry/view_geometry.h"
 
 #include <QAbstractTableModel>
 
 #include <array>
 #include <optional>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
 
 /// The window's four corner pixels, the pixel at its centre and the one under the pointer, in widget, device, window and
 /// NDC coordinates. A row is what a click on that pixel stands for: the widget position and the device pixel name its
@@ -53,4 +54,4 @@ private:
     std::optional<WidgetPoint> m_pointer;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,6 +1,6 @@
 #include "gui/panels/lifecycle_panel.h"
 
-#include "gui/lifecycle_log.h"
+#include "gui/view/lifecycle_log.h"
 
 #include <QAction>
 #include <QApplication>
@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(parent), m_log(log)
 {
@@ -94,7 +94,8 @@ bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
         int others = 0;
         for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
             others += m_table->columnWidth(column);
-        m_table->setColumnWidth(LifecycleLog::StandsFor, std::max(m_leastCallsWidth, m_table->viewport()->width() - others));
+        m_table->setColumnWidth(LifecycleLog::StandsFor,
+                                std::max(m_leastCallsWidth, m_table->viewport()->width() - others));
     }
     return QWidget::eventFilter(watched, event);
 }
@@ -142,4 +143,4 @@ void LifecyclePanel::copy() const
     QApplication::clipboard()->setText(selected.isEmpty() ? m_log.text(0, m_log.rowCount() - 1) : text);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -5,7 +5,7 @@
 class QPushButton;
 class QTableView;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class LifecycleLog;
 
@@ -35,4 +35,4 @@ private:
     bool m_willFollow = false; ///< the scroll to the end is under way
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

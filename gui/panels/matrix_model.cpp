@@ -1,8 +1,9 @@
 #include "gui/panels/matrix_model.h"
 
-#include "core/matrix_entry_name.h"
+#include "core/matrices/matrix_entry_name.h"
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace matrices;
 namespace {
 
 constexpr int kMemoryRows = 8;
@@ -103,4 +104,4 @@ QString MatrixModel::toolTip(int row, int column) const
     return QStringLiteral("%1 = %2\n%3").arg(name, number, place);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

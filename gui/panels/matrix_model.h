@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/pipeline.h"
+#include "core/matrices/pipeline.h"
 #include "gui/panels/number_grid_model.h"
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace matrices;
 
 /// How all matrices of the pipeline are shown.
 struct MatrixView {
@@ -46,4 +47,4 @@ private:
     MatrixView m_view;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

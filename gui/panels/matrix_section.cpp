@@ -11,7 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(parent), m_model(model)
 {
@@ -90,4 +90,4 @@ void MatrixSection::setOpen(bool isOpen)
     m_body->setVisible(isOpen);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

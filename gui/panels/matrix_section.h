@@ -5,7 +5,7 @@
 class QLabel;
 class QToolButton;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class MatrixModel;
 
@@ -29,4 +29,4 @@ private:
     bool m_isOpen = false;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

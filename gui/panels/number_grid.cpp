@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 /// Left and right of a number, logical pixels.
@@ -185,4 +185,4 @@ QString NumberGrid::selectedText() const
     return text;
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -2,7 +2,7 @@
 
 #include <QTableView>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class NumberGridModel;
 
@@ -37,4 +37,4 @@ private:
     Frame m_frame;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

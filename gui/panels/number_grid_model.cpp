@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 /// Of a double; a float is shown whole, as the debugger's watch window shows it.
@@ -132,4 +132,4 @@ QString NumberGridModel::fullText(int row, int column) const
     return value ? QString::fromStdString(numberText(*value, m_digits)) : QStringLiteral("–");
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

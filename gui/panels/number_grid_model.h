@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/matrix_format.h"
+#include "core/matrices/matrix_format.h"
 
 #include <QAbstractTableModel>
 
 #include <optional>
 #include <vector>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace matrices;
 
 /// Numbers in rows and columns, shown with as many digits as there is room for and copied with all of them. Texts are
 /// made when they are asked for, so that a grid nobody sees costs nothing.
@@ -53,4 +54,4 @@ private:
     mutable bool m_textsAreStale = true;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

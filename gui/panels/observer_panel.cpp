@@ -1,9 +1,9 @@
 #include "gui/panels/observer_panel.h"
 
-#include "gui/number_text.h"
-#include "gui/observer_view.h"
+#include "gui/document/scene_document.h"
 #include "gui/painters/observer_shapes.h"
-#include "gui/scene_document.h"
+#include "gui/text/number_text.h"
+#include "gui/view/observer_view.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 constexpr int kSteps = 1000;
@@ -49,7 +49,8 @@ private:
 void setTextWidth(QPushButton &button, int least)
 {
     constexpr int kPadding = 18;
-    button.setFixedWidth(std::max(least, button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width() + kPadding));
+    button.setFixedWidth(
+        std::max(least, button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width() + kPadding));
 }
 
 QLabel *endLabel(const QString &text, const QString &toolTip)
@@ -69,9 +70,10 @@ ObserverPanel::ObserverPanel(SceneDocument &document, int samples, QWidget *pare
     m_slider->setSingleStep(kSteps / 100);
     m_slider->setPageStep(kSteps / 10);
     m_slider->setAccessibleName(tr("From eye space to the canonical view volume"));
-    m_slider->setToolTip(tr("Morph the picture from eye space (left, 0 %) into the canonical view volume (right, 100 %).\n"
-                            "The view volume becomes the cube [−1, 1]³ of NDC; straight lines stay straight.\n"
-                            "The cube's z axis points away from the eye, because NDC is left-handed."));
+    m_slider->setToolTip(
+        tr("Morph the picture from eye space (left, 0 %) into the canonical view volume (right, 100 %).\n"
+           "The view volume becomes the cube [−1, 1]³ of NDC; straight lines stay straight.\n"
+           "The cube's z axis points away from the eye, because NDC is left-handed."));
     m_percent = new QLabel;
     m_percent->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_percent->setMinimumWidth(m_percent->fontMetrics().horizontalAdvance(tr("%1 %").arg(100)));
@@ -93,7 +95,8 @@ ObserverPanel::ObserverPanel(SceneDocument &document, int samples, QWidget *pare
     auto *ends = new QHBoxLayout;
     ends->addWidget(endLabel(tr("Eye space"), tr("As the scene is: lengths and angles are true")));
     ends->addStretch();
-    ends->addWidget(endLabel(tr("Canonical view volume"), tr("As the projection makes it: NDC, each coordinate from −1 to 1")));
+    ends->addWidget(
+        endLabel(tr("Canonical view volume"), tr("As the projection makes it: NDC, each coordinate from −1 to 1")));
     auto *tools = new QHBoxLayout;
     tools->setSpacing(6);
     tools->addWidget(m_slider, 1);
@@ -119,10 +122,13 @@ ObserverPanel::ObserverPanel(SceneDocument &document, int samples, QWidget *pare
         legend->addWidget(value, row, 2, Qt::AlignRight);
         return value;
     };
-    const QString dragHint = tr("Distance of the plane from the eye in world units. Drag one of its edges in the view to change it.");
+    const QString dragHint =
+        tr("Distance of the plane from the eye in world units. Drag one of its edges in the view to change it.");
     m_nearDistance = addEntry(observer_color::kNearPlane, tr("Near: projection window"), dragHint);
     m_farDistance = addEntry(observer_color::kFarPlane, tr("Far"), dragHint);
-    m_ray = addEntry(observer_color::kRay, tr("Ray of the clicked pixel"), tr("From the eye (in a box: from the near plane) through the clicked pixel to the far plane, and whether it hits a surface"));
+    m_ray = addEntry(observer_color::kRay, tr("Ray of the clicked pixel"),
+                     tr("From the eye (in a box: from the near plane) through the clicked pixel to the far plane, and "
+                        "whether it hits a surface"));
 
     auto *bar = new QVBoxLayout;
     bar->setContentsMargins(8, 4, 8, 6);
@@ -137,12 +143,15 @@ ObserverPanel::ObserverPanel(SceneDocument &document, int samples, QWidget *pare
     layout->addLayout(bar);
     setMinimumWidth(std::max(260, minimumSizeHint().width()));
 
-    connect(m_slider, &QSlider::valueChanged, this, [this](int value) { m_view->setMorph(static_cast<double>(value) / kSteps); });
+    connect(m_slider, &QSlider::valueChanged, this,
+            [this](int value) { m_view->setMorph(static_cast<double>(value) / kSteps); });
     connect(m_slider, &QSlider::sliderPressed, m_animation, &QVariantAnimation::stop);
     connect(m_view, &ObserverView::morphChanged, this, &ObserverPanel::showMorph);
     connect(m_animate, &QPushButton::clicked, this, &ObserverPanel::animate);
-    connect(m_animation, &QVariantAnimation::valueChanged, this, [this](const QVariant &value) { m_view->setMorph(value.toDouble()); });
-    connect(m_animation, &QVariantAnimation::stateChanged, this, [this](QAbstractAnimation::State state) { showAnimating(state == QAbstractAnimation::Running); });
+    connect(m_animation, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant &value) { m_view->setMorph(value.toDouble()); });
+    connect(m_animation, &QVariantAnimation::stateChanged, this,
+            [this](QAbstractAnimation::State state) { showAnimating(state == QAbstractAnimation::Running); });
     connect(fit, &QPushButton::clicked, m_view, &ObserverView::fit);
     connect(&m_document, &SceneDocument::geometryChanged, this, &ObserverPanel::showDistances);
     connect(&m_document, &SceneDocument::pickChanged, this, &ObserverPanel::showDistances);
@@ -193,4 +202,4 @@ void ObserverPanel::hideEvent(QHideEvent *event)
     QWidget::hideEvent(event);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -7,7 +7,7 @@ class QPushButton;
 class QSlider;
 class QVariantAnimation;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class ObserverView;
 class SceneDocument;
@@ -42,4 +42,4 @@ private:
     QLabel *m_ray;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -9,7 +9,7 @@
 #include <QProxyStyle>
 #include <QTabBar>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 /// Tabs as narrow as their words, so that all five fit beside each other in a narrow dock.
@@ -37,10 +37,12 @@ ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QTa
         setTabToolTip(addTab(tab, name), tip);
     };
     add(new ViewTab(document), tr("View"), QStringLiteral("viewTab"), tr("Where the camera stands (gluLookAt)"));
-    add(new ProjectionTab(document), tr("Projection"), QStringLiteral("projectionTab"), tr("glFrustum, gluPerspective, glOrtho, oblique"));
+    add(new ProjectionTab(document), tr("Projection"), QStringLiteral("projectionTab"),
+        tr("glFrustum, gluPerspective, glOrtho, oblique"));
     add(new ViewportTab(document), tr("Viewport"), QStringLiteral("viewportTab"), tr("glViewport and glDepthRange"));
-    add(new ModelTab(document), tr("Model"), QStringLiteral("modelTab"), tr("Where each object stands (glTranslate, glRotate, glScale)"));
+    add(new ModelTab(document), tr("Model"), QStringLiteral("modelTab"),
+        tr("Where each object stands (glTranslate, glRotate, glScale)"));
     add(new ClipTab(document), tr("Clip"), QStringLiteral("clipTab"), tr("Planes that cut the objects (glClipPlane)"));
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -2,7 +2,7 @@
 
 #include <QTabWidget>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class SceneDocument;
 
@@ -14,4 +14,4 @@ public:
     explicit ParametersPanel(SceneDocument &document, QWidget *parent = nullptr);
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

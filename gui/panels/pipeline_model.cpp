@@ -1,9 +1,10 @@
 #include "gui/panels/pipeline_model.h"
 
-#include "gui/error_text.h"
-#include "gui/scene_document.h"
+#include "core/scene/object_around.h"
+#include "gui/document/scene_document.h"
+#include "gui/text/error_text.h"
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 using Space = PointModel::Space;
@@ -71,7 +72,7 @@ void PipelineModel::update()
     }
     const std::optional<std::size_t> object = shownObject();
     const glm::dmat4 model = object ? worldFromObject(m_document.objects()[*object].transform) : glm::dmat4(1.0);
-    const Result<Pipeline> pipeline = unprojector::pipeline(m_document.geometry(), model);
+    const Result<Pipeline> pipeline = matrices::pipeline(m_document.geometry(), model);
     if (!pipeline) {
         // The matrices stay as they last were good.
         clearPoints();
@@ -146,4 +147,4 @@ QString PipelineModel::text() const
     return text;
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

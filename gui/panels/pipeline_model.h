@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pipeline.h"
+#include "core/matrices/pipeline.h"
 #include "gui/panels/matrix_model.h"
 #include "gui/panels/point_model.h"
 
@@ -10,7 +10,8 @@
 #include <array>
 #include <optional>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace matrices;
 
 class SceneDocument;
 
@@ -61,4 +62,4 @@ private:
     QString m_status;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

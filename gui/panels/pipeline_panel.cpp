@@ -1,10 +1,10 @@
 #include "gui/panels/pipeline_panel.h"
 
-#include "gui/number_text.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
 #include "gui/panels/segmented_switch.h"
-#include "gui/scene_document.h"
+#include "gui/text/number_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -19,7 +19,7 @@
 
 #include <algorithm>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 using Space = PointModel::Space;
@@ -346,4 +346,4 @@ void PipelinePanel::showEvent(QShowEvent *event)
     refresh();
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

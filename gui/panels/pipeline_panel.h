@@ -9,7 +9,7 @@ class QLabel;
 class QScrollArea;
 class QVBoxLayout;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class MatrixSection;
 class SceneDocument;
@@ -64,4 +64,4 @@ private:
     std::vector<std::string> m_objectNames; ///< as the combo box lists them
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -2,7 +2,7 @@
 
 #include <QStringList>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 int coordinatesIn(PointModel::Space space)
@@ -90,4 +90,4 @@ QString PointModel::toolTip(int, int column) const
     Q_UNREACHABLE();
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

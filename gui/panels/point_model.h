@@ -1,10 +1,11 @@
 #pragma once
 
-#include "core/result.h"
-#include "core/spaces.h"
+#include "core/geometry/result.h"
+#include "core/geometry/spaces.h"
 #include "gui/panels/number_grid_model.h"
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
 
 /// One point of the pipeline: a row of four, of which a point with fewer coordinates leaves the last ones blank.
 class PointModel : public NumberGridModel {
@@ -50,4 +51,4 @@ private:
     int m_coordinates; ///< of a point in this space
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -5,7 +5,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 SegmentedSwitch::SegmentedSwitch(const QString &accessibleName, const QList<Choice> &choices, QWidget *parent)
     : QWidget(parent), m_group(new QButtonGroup(this))
@@ -44,4 +44,4 @@ void SegmentedSwitch::setChoice(int index)
         button->setChecked(true);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

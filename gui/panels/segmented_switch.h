@@ -5,7 +5,7 @@
 
 class QButtonGroup;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// A few choices side by side, one of which is taken. The arrow keys move between them.
 class SegmentedSwitch : public QWidget {
@@ -28,4 +28,4 @@ private:
     QButtonGroup *m_group;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,14 +1,15 @@
 #include "gui/panels/viewport_drawing.h"
 
-#include "core/proportions.h"
-#include "gui/number_text.h"
+#include "core/geometry/proportions.h"
+#include "gui/text/number_text.h"
 
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
 namespace {
 
 constexpr double kGap = 6.0; ///< between the drawings and around texts, logical pixels
@@ -61,9 +62,10 @@ QPointF atShare(const QRectF &rect, double x, double y)
 ViewportDrawing::ViewportDrawing(QWidget *parent) : QWidget(parent)
 {
     setAccessibleName(tr("Window, viewport and projection window to scale"));
-    setToolTip(tr("Left: the window with the viewport in it, to scale in device pixels.\n"
-                  "Right: the projection window, to scale in eye units, with the lines x = 0 and y = 0.\n"
-                  "The dot is the pointer; the circle of the projection window is drawn in the viewport as it comes out there."));
+    setToolTip(tr(
+        "Left: the window with the viewport in it, to scale in device pixels.\n"
+        "Right: the projection window, to scale in eye units, with the lines x = 0 and y = 0.\n"
+        "The dot is the pointer; the circle of the projection window is drawn in the viewport as it comes out there."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
@@ -74,9 +76,16 @@ void ViewportDrawing::setPicture(const ViewGeometry &geometry)
     const Surface &s = geometry.surface;
     const Viewport &v = geometry.viewport;
     const ProjectionWindow w = projectionWindow(geometry.projection);
-    setAccessibleDescription(tr("Window %1 × %2; viewport from (%3, %4), %5 × %6; projection window from %7 to %8 and from %9 to %10")
-                                 .arg(s.widthPixels).arg(s.heightPixels).arg(v.x).arg(v.y).arg(v.width).arg(v.height)
-                                 .arg(limitText(w.left), limitText(w.right), limitText(w.bottom)).arg(limitText(w.top)));
+    setAccessibleDescription(
+        tr("Window %1 × %2; viewport from (%3, %4), %5 × %6; projection window from %7 to %8 and from %9 to %10")
+            .arg(s.widthPixels)
+            .arg(s.heightPixels)
+            .arg(v.x)
+            .arg(v.y)
+            .arg(v.width)
+            .arg(v.height)
+            .arg(limitText(w.left), limitText(w.right), limitText(w.bottom))
+            .arg(limitText(w.top)));
     update();
 }
 
@@ -142,7 +151,8 @@ void ViewportDrawing::paintEvent(QPaintEvent *)
 
 QPointF ViewportDrawing::pointerInWindow() const
 {
-    return atShare(m_windowRect, m_pointer->x / m_geometry.surface.widthPixels, m_pointer->y / m_geometry.surface.heightPixels);
+    return atShare(m_windowRect, m_pointer->x / m_geometry.surface.widthPixels,
+                   m_pointer->y / m_geometry.surface.heightPixels);
 }
 
 QPointF ViewportDrawing::pointerInProjectionWindow() const
@@ -171,7 +181,8 @@ QRectF ViewportDrawing::paintWindow(QPainter &painter, const QRectF &area) const
     const Surface &s = m_geometry.surface;
     const Viewport &v = m_geometry.viewport;
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRectF(area.topLeft(), QSizeF(area.width(), captionHeight())), Qt::AlignHCenter | Qt::AlignTop, tr("Window"));
+    painter.drawText(QRectF(area.topLeft(), QSizeF(area.width(), captionHeight())), Qt::AlignHCenter | Qt::AlignTop,
+                     tr("Window"));
 
     // The viewport may reach over the window's edge: both are shown.
     const QRectF window(0.0, 0.0, s.widthPixels, s.heightPixels);
@@ -194,8 +205,8 @@ QRectF ViewportDrawing::paintWindow(QPainter &painter, const QRectF &area) const
     painter.drawRect(viewportRect);
 
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRectF(area.left(), drawn.bottom() + 2.0, area.width(), captionHeight()), Qt::AlignHCenter | Qt::AlignTop,
-                     QStringLiteral("%1 × %2").arg(s.widthPixels).arg(s.heightPixels));
+    painter.drawText(QRectF(area.left(), drawn.bottom() + 2.0, area.width(), captionHeight()),
+                     Qt::AlignHCenter | Qt::AlignTop, QStringLiteral("%1 × %2").arg(s.widthPixels).arg(s.heightPixels));
     return windowRect;
 }
 
@@ -204,7 +215,8 @@ QRectF ViewportDrawing::paintProjectionWindow(QPainter &painter, const QRectF &a
     const ProjectionWindow w = projectionWindow(m_geometry.projection);
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(QRectF(area.topLeft(), QSizeF(area.width(), captionHeight())), Qt::AlignHCenter | Qt::AlignTop,
-                     fontMetrics().horizontalAdvance(tr("Projection window")) <= area.width() ? tr("Projection window") : tr("Projection"));
+                     fontMetrics().horizontalAdvance(tr("Projection window")) <= area.width() ? tr("Projection window")
+                                                                                              : tr("Projection"));
 
     // Room for the limits at the right and below, of one width, so that the drawing does not jump.
     const double numberWidth = fontMetrics().horizontalAdvance(QStringLiteral("−0.8888")) + 4.0;
@@ -229,7 +241,8 @@ QRectF ViewportDrawing::paintProjectionWindow(QPainter &painter, const QRectF &a
     const double leftWidth = fontMetrics().horizontalAdvance(left), rightWidth = fontMetrics().horizontalAdvance(right);
     const double overlap = std::max(0.0, leftWidth + rightWidth + kGap - rect.width());
     const double leftEdge = std::max(area.left(), rect.left() - overlap / 2.0);
-    const double rightEdge = std::min(area.right(), std::max(rect.right() + overlap / 2.0, leftEdge + leftWidth + kGap + rightWidth));
+    const double rightEdge =
+        std::min(area.right(), std::max(rect.right() + overlap / 2.0, leftEdge + leftWidth + kGap + rightWidth));
     const double ascent = fontMetrics().ascent();
     const double bottomLine = std::max(rect.bottom() - 1.0, rect.top() + captionHeight() + ascent);
     const double belowLine = std::max(rect.bottom() + 2.0 + ascent, bottomLine + captionHeight());
@@ -252,4 +265,4 @@ void ViewportDrawing::paintPointer(QPainter &painter, const QRectF &within, cons
     painter.drawEllipse(position, kDotRadius, kDotRadius);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

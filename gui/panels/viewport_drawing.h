@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/view_geometry.h"
+#include "core/geometry/view_geometry.h"
 
 #include <QPixmap>
 #include <QWidget>
 
 #include <optional>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
 
 /// Two drawings, each to scale: the window with the viewport in it, and the projection window [left, right] x
 /// [bottom, top]; the pointer in both, and a circle of the projection window as the viewport shows it. The projection
@@ -50,4 +51,4 @@ private:
     QRectF m_projectionRect;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,11 +1,11 @@
 #include "gui/panels/viewport_inspector.h"
 
-#include "core/proportions.h"
-#include "gui/number_text.h"
+#include "core/geometry/proportions.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/corners_model.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/viewport_drawing.h"
-#include "gui/scene_document.h"
+#include "gui/text/number_text.h"
 
 #include <QAction>
 #include <QApplication>
@@ -18,7 +18,8 @@
 
 #include <algorithm>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
 namespace {
 
 constexpr int kCellPadding = 10;
@@ -27,7 +28,8 @@ constexpr int kSpacing = 16; ///< between drawing, proportions and table
 /// The window and its projection are all that is shown: the camera may move without any work here.
 bool isSamePicture(const ViewGeometry &a, const ViewGeometry &b)
 {
-    return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange && a.projection == b.projection;
+    return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange
+           && a.projection == b.projection;
 }
 
 /// The panel's own font, for headers inside a table that has another: every property is set, none inherited.
@@ -95,12 +97,14 @@ QWidget *ViewportInspector::createProportions()
         made->setToolTip(toolTip);
         return made;
     };
-    m_window = label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"));
+    m_window =
+        label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"));
     m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"));
-    m_formulas = label(tr("Proportions (3) and (4)"),
-                       tr("x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane\n"
-                          "x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner\n"
-                          "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window"));
+    m_formulas =
+        label(tr("Proportions (3) and (4)"),
+              tr("x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane\n"
+                 "x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner\n"
+                 "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window"));
     m_formulas->setFont(digitsFont(*this));
     m_circle = label(tr("Shape of a circle"), {});
 
@@ -146,13 +150,15 @@ void ViewportInspector::fixColumns()
                                               {CornersModel::Ndc, QStringLiteral("(-0.8888, -0.8888)")}};
     int width = rows->minimumWidth() + 2 * m_table->frameWidth();
     for (const auto &[column, text] : widest) {
-        const int head = columns->fontMetrics().horizontalAdvance(m_corners->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+        const int head = columns->fontMetrics().horizontalAdvance(
+            m_corners->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
         m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(text), head) + kCellPadding);
         width += m_table->columnWidth(column);
     }
     m_table->setFixedWidth(width);
     m_table->setMinimumHeight(columns->minimumHeight() + 3 * rows->defaultSectionSize());
-    m_table->setMaximumHeight(columns->minimumHeight() + CornersModel::RowCount * rows->defaultSectionSize() + 2 * m_table->frameWidth());
+    m_table->setMaximumHeight(columns->minimumHeight() + CornersModel::RowCount * rows->defaultSectionSize()
+                              + 2 * m_table->frameWidth());
 }
 
 void ViewportInspector::addCopyAction()
@@ -186,7 +192,8 @@ QSize ViewportInspector::minimumSizeHint() const
     const QMargins margins = layout()->contentsMargins();
     const QSize proportions = m_proportions->layout()->minimumSize();
     return {std::max(widthWithDrawing(proportions.width()), margins.left() + m_table->maximumWidth() + margins.right()),
-            margins.top() + m_page->sizeHint().height() + layout()->spacing() + proportions.height() + margins.bottom()};
+            margins.top() + m_page->sizeHint().height() + layout()->spacing() + proportions.height()
+                + margins.bottom()};
 }
 
 void ViewportInspector::arrange()
@@ -247,13 +254,15 @@ void ViewportInspector::showPicture()
                           .arg(s.heightPixels)
                           .arg(significantText(s.devicePixelRatio, 4)));
     m_viewport->setText(QStringLiteral("glViewport(%1, %2, %3, %4)")
-                            .arg(significantText(v.x, 6), significantText(v.y, 6), significantText(v.width, 6), significantText(v.height, 6)));
+                            .arg(significantText(v.x, 6), significantText(v.y, 6), significantText(v.width, 6),
+                                 significantText(v.height, 6)));
     const double aspect = circleAspect(*m_shown);
     const ProjectionWindow w = projectionWindow(m_shown->projection);
     m_circle->setText(circleText(aspect));
-    m_circle->setToolTip(tr("Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1")
-                             .arg(significantText(v.width / v.height, 4),
-                                  significantText(std::abs((w.right - w.left) / (w.top - w.bottom)), 4)));
+    m_circle->setToolTip(
+        tr("Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1")
+            .arg(significantText(v.width / v.height, 4),
+                 significantText(std::abs((w.right - w.left) / (w.top - w.bottom)), 4)));
     QFont font = m_circle->font();
     font.setBold(isDistorted(aspect));
     m_circle->setFont(font);
@@ -281,7 +290,8 @@ QString ViewportInspector::proportionLines() const
     QStringList lines;
     for (const ProportionText &text : proportionTexts()) {
         lines << text.symbols << QStringLiteral("    ") + text.left
-              << QStringLiteral("  = ") + text.right + (text.share.isEmpty() ? text.share : QStringLiteral(" = ") + text.share);
+              << QStringLiteral("  = ") + text.right
+                     + (text.share.isEmpty() ? text.share : QStringLiteral(" = ") + text.share);
     }
     return lines.join(u'\n');
 }
@@ -295,4 +305,4 @@ QString ViewportInspector::text() const
     return lines.join(u'\n').replace(u'−', u'-') + u'\n' + m_corners->text();
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/proportion_text.h"
+#include "gui/text/proportion_text.h"
 
 #include <QWidget>
 
@@ -11,7 +11,7 @@ class QBoxLayout;
 class QLabel;
 class QTableView;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class CornersModel;
 class SceneDocument;
@@ -70,4 +70,4 @@ private:
     std::optional<WidgetPoint> m_pointer;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -409,7 +409,7 @@ far = %2</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ClipTab</name>
+    <name>unprojector::gui::ClipTab</name>
     <message>
         <source>Kept is where A x + B y + C z + D ≥ 0, in world coordinates.</source>
         <translation>在世界坐标中，保留 A x + B y + C z + D ≥ 0 的一侧。</translation>
@@ -480,7 +480,7 @@ far = %2</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ComparisonModel</name>
+    <name>unprojector::gui::ComparisonModel</name>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
@@ -561,7 +561,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ComparisonPanel</name>
+    <name>unprojector::gui::ComparisonPanel</name>
     <message>
         <source>What was clicked</source>
         <translation>点击的对象</translation>
@@ -688,7 +688,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::CornersModel</name>
+    <name>unprojector::gui::CornersModel</name>
     <message>
         <source>Beyond [-1, 1]: outside the viewport, nothing is drawn there</source>
         <translation>超出 [-1, 1]：在视口之外，那里不绘制任何内容</translation>
@@ -763,7 +763,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ExampleNote</name>
+    <name>unprojector::gui::ExampleNote</name>
     <message>
         <source>Example</source>
         <translation>示例</translation>
@@ -790,7 +790,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::FormulasWindow</name>
+    <name>unprojector::gui::FormulasWindow</name>
     <message>
         <source>Formulas</source>
         <translation>公式</translation>
@@ -837,7 +837,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::LifecycleLog</name>
+    <name>unprojector::gui::LifecycleLog</name>
     <message>
         <source>From %1 s to %2 s</source>
         <translation>从 %1 s 到 %2 s</translation>
@@ -888,7 +888,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::LifecyclePanel</name>
+    <name>unprojector::gui::LifecyclePanel</name>
     <message>
         <source>Steps of the view&apos;s life</source>
         <translation>视图生命周期的步骤</translation>
@@ -915,7 +915,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::LoadingBar</name>
+    <name>unprojector::gui::LoadingBar</name>
     <message>
         <source>Opening</source>
         <translation>正在打开</translation>
@@ -938,7 +938,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::MainWindow</name>
+    <name>unprojector::gui::MainWindow</name>
     <message>
         <source>Unprojector</source>
         <translation>Unprojector</translation>
@@ -1321,7 +1321,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::MatrixModel</name>
+    <name>unprojector::gui::MatrixModel</name>
     <message>
         <source>row %1, column %2, m[%3]</source>
         <translation>第 %1 行，第 %2 列，m[%3]</translation>
@@ -1334,7 +1334,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::MatrixSection</name>
+    <name>unprojector::gui::MatrixSection</name>
     <message>
         <source>Show or hide the matrix</source>
         <translation>显示或隐藏该矩阵</translation>
@@ -1409,7 +1409,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::MessageBar</name>
+    <name>unprojector::gui::MessageBar</name>
     <message>
         <source>Message</source>
         <translation>消息</translation>
@@ -1420,7 +1420,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ModelTab</name>
+    <name>unprojector::gui::ModelTab</name>
     <message>
         <source>Object</source>
         <translation>物体</translation>
@@ -1555,7 +1555,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ObserverPanel</name>
+    <name>unprojector::gui::ObserverPanel</name>
     <message>
         <source>From eye space to the canonical view volume</source>
         <translation>从视点空间到规范视景体</translation>
@@ -1646,7 +1646,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
-    <name>unprojector::ObserverView</name>
+    <name>unprojector::gui::ObserverView</name>
     <message>
         <source>Observer view</source>
         <translation>外部观察视图</translation>
@@ -1669,7 +1669,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
-    <name>unprojector::ParameterTab</name>
+    <name>unprojector::gui::ParameterTab</name>
     <message>
         <source>Why the number is not taken</source>
         <translation>该数不被接受的原因</translation>
@@ -1688,7 +1688,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
-    <name>unprojector::ParametersPanel</name>
+    <name>unprojector::gui::ParametersPanel</name>
     <message>
         <source>Parameters</source>
         <translation>参数</translation>
@@ -1735,7 +1735,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
-    <name>unprojector::PipelineModel</name>
+    <name>unprojector::gui::PipelineModel</name>
     <message>
         <source>Press the left button on the model: its point appears at every stage.</source>
         <translation>请在模型上按下左键：该点将显示在各个阶段。</translation>
@@ -1762,7 +1762,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
-    <name>unprojector::PipelinePanel</name>
+    <name>unprojector::gui::PipelinePanel</name>
     <message>
         <source>Model</source>
         <translation>模型</translation>
@@ -1917,7 +1917,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
-    <name>unprojector::PointModel</name>
+    <name>unprojector::gui::PointModel</name>
     <message>
         <source>object</source>
         <translation>物体</translation>
@@ -2008,7 +2008,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ProjectionTab</name>
+    <name>unprojector::gui::ProjectionTab</name>
     <message>
         <source>Kind of projection</source>
         <translation>投影的种类</translation>
@@ -2143,7 +2143,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::RecoveryBar</name>
+    <name>unprojector::gui::RecoveryBar</name>
     <message>
         <source>Unsaved changes of an earlier session</source>
         <translation>先前未保存的更改</translation>
@@ -2196,7 +2196,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::SceneDocument</name>
+    <name>unprojector::gui::SceneDocument</name>
     <message>
         <source>Camera</source>
         <translation>相机</translation>
@@ -2215,7 +2215,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::SceneView</name>
+    <name>unprojector::gui::SceneView</name>
     <message>
         <source>3-D view</source>
         <translation>三维视图</translation>
@@ -2234,7 +2234,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ScreenshotRun</name>
+    <name>unprojector::gui::ScreenshotRun</name>
     <message>
         <source>The click %1,%2 lies outside the view, which is %3 × %4 logical pixels.</source>
         <translation>点击 %1,%2 在视图之外，视图为 %3 × %4 逻辑像素。</translation>
@@ -2249,7 +2249,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ViewTab</name>
+    <name>unprojector::gui::ViewTab</name>
     <message>
         <source>Eye</source>
         <translation>视点</translation>
@@ -2288,7 +2288,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::ViewportDrawing</name>
+    <name>unprojector::gui::ViewportDrawing</name>
     <message>
         <source>Window, viewport and projection window to scale</source>
         <translation>按比例绘制的窗口、视口和投影窗口</translation>
@@ -2319,7 +2319,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
     </message>
 </context>
 <context>
-    <name>unprojector::ViewportInspector</name>
+    <name>unprojector::gui::ViewportInspector</name>
     <message>
         <source>What is shown</source>
         <translation>显示内容</translation>
@@ -2390,7 +2390,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     </message>
 </context>
 <context>
-    <name>unprojector::ViewportTab</name>
+    <name>unprojector::gui::ViewportTab</name>
     <message>
         <source>%1 is not a whole number of pixels.</source>
         <translation>%1 不是整数个像素。</translation>

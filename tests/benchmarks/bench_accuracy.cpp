@@ -1,8 +1,8 @@
 // How far each way to unproject is from the truth, as a table: units in the last place of the largest world component,
 // against 50 digits, over random cameras. The same clicks for everybody.
 
-#include "core/batch_unproject.h"
-#include "core/picture_geometry.h"
+#include "core/unproject/batch/batch_unproject.h"
+#include "core/unproject/picture_geometry.h"
 #include "tests/support/core_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -18,6 +18,8 @@
 #include <vector>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 using oracle::Extended;
 using oracle::RandomKind;
 

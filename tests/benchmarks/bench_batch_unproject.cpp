@@ -1,7 +1,7 @@
 // The loops over many points, beside what moving the same bytes costs and beside what people use. Compare only numbers
 // of one run: the ratio to the memcpy of the same bytes is what counts.
 
-#include "core/batch_unproject.h"
+#include "core/unproject/batch/batch_unproject.h"
 
 #include <benchmark/benchmark.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,6 +15,8 @@
 #include <vector>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -113,8 +115,8 @@ void glmUnProject(benchmark::State &state)
     const glm::dvec4 viewport(g.viewport.x, g.viewport.y, g.viewport.width, g.viewport.height);
     for (auto _ : state) {
         for (std::size_t i = 0; i < kPoints; ++i) {
-            const glm::dvec3 p = glm::unProject(glm::dvec3(a.in[0][i], 2160.0 - a.in[1][i], a.in[2][i]), view,
-                                                projection, viewport);
+            const glm::dvec3 p =
+                glm::unProject(glm::dvec3(a.in[0][i], 2160.0 - a.in[1][i], a.in[2][i]), view, projection, viewport);
             a.out[0][i] = p.x;
             a.out[1][i] = p.y;
             a.out[2][i] = p.z;

@@ -17,6 +17,10 @@
 #include <string>
 
 using namespace unprojector;
+using namespace unprojector::cli;
+using namespace unprojector::geometry;
+using namespace unprojector::text;
+using namespace unprojector::unproject;
 
 namespace {
 

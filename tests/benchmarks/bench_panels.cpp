@@ -1,13 +1,13 @@
 // What the panels cost on the processor when the mouse moves: all of them shown, their update and their painting. The
 // limit is 1 ms a move, together; `of_limit` is the share of it.
 
-#include "core/bundled_scene.h"
-#include "core/camera_motion.h"
+#include "core/geometry/camera_motion.h"
+#include "core/scene/bundled_scene.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/panels/pipeline_panel.h"
 #include "gui/panels/viewport_inspector.h"
-#include "gui/scene_document.h"
 
 #include <benchmark/benchmark.h>
 
@@ -18,6 +18,7 @@
 namespace {
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 constexpr double kLimitSeconds = 1e-3;
 

@@ -1,9 +1,9 @@
 // `unproject points` beside the reading and writing of the same numbers without computing anything, one thread each.
 
-#include "core/batch_unproject.h"
 #include "core/cli/number_table.h"
 #include "core/cli/points_command.h"
 #include "core/cli/row_writer.h"
+#include "core/unproject/batch/batch_unproject.h"
 
 #include <benchmark/benchmark.h>
 
@@ -11,6 +11,10 @@
 #include <random>
 
 using namespace unprojector;
+using namespace unprojector::cli;
+using namespace unprojector::geometry;
+using namespace unprojector::text;
+using namespace unprojector::unproject;
 
 namespace {
 

@@ -106,7 +106,8 @@ void TestCloudCommand::everyFormatGivesTheSamePoints_data()
     QTest::addColumn<QByteArray>("image");
     QTest::addColumn<QStringList>("options");
     QTest::newRow("raw floats") << bytesOf(depths()) << QStringList{"--size", "4x3"};
-    QTest::newRow("raw floats, by the matrix") << bytesOf(depths()) << QStringList{"--size", "4x3", "--method", "matrix"};
+    QTest::newRow("raw floats, by the matrix")
+        << bytesOf(depths()) << QStringList{"--size", "4x3", "--method", "matrix"};
     QTest::newRow("PFM, little-endian") << pfm(depths(), true) << QStringList{};
     QTest::newRow("PFM, big-endian") << pfm(depths(), false) << QStringList{};
     QTest::newRow("PFM, size given too") << pfm(depths(), true) << QStringList{"--size", "4x3"};
@@ -118,8 +119,7 @@ void TestCloudCommand::everyFormatGivesTheSamePoints()
     QFETCH(QByteArray, image);
     QFETCH(QStringList, options);
     const QString output = m_folder.path("out.ply");
-    const Run run =
-        runCommand(QStringList{"cloud", m_scene, m_folder.write("depth", image), "-o", output} + options);
+    const Run run = runCommand(QStringList{"cloud", m_scene, m_folder.write("depth", image), "-o", output} + options);
     QCOMPARE(run.errors, QByteArray());
     QCOMPARE(run.exitCode, 0);
     QFile file(output);
@@ -199,9 +199,10 @@ void TestCloudCommand::unusableInput_data()
     QTest::newRow("broken header") << QByteArray("Pf\n4 x\n-1\n") << QStringList{} << QByteArray("header");
     QTest::newRow("PFM of scale 0") << QByteArray("Pf\n4 3\n0\n") << QStringList{} << QByteArray("header");
     QTest::newRow("enormous") << QByteArray("P5\n65000 65000\n65535\n") << QStringList{} << QByteArray("window 4x3");
-    QTest::newRow("size against the header") << pfm(depths(), true) << QStringList{"--size", "3x4"}
-                                             << QByteArray("not 3x4");
-    QTest::newRow("both methods") << raw << QStringList{"--size", "4x3", "--method", "both"} << QByteArray("formula, matrix");
+    QTest::newRow("size against the header")
+        << pfm(depths(), true) << QStringList{"--size", "3x4"} << QByteArray("not 3x4");
+    QTest::newRow("both methods") << raw << QStringList{"--size", "4x3", "--method", "both"}
+                                  << QByteArray("formula, matrix");
 }
 
 void TestCloudCommand::unusableInput()

@@ -60,12 +60,18 @@ void TestCompareCommand::formulaHoldsItsPromise_data()
     QTest::addColumn<QByteArray>("projection");
     QTest::addColumn<double>("matrixUlpsAtLeast");
     QTest::newRow("5 : 80000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 5, "far": 80000})") << 1e3;
-    QTest::newRow("0.1 : 10000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 0.1, "far": 10000})") << 1e4;
-    QTest::newRow("off-centre frustum")
-        << QByteArray(R"({"type": "frustum", "left": -1, "right": 2, "bottom": -0.5, "top": 1, "near": 1, "far": 100})") << 10.0;
-    QTest::newRow("box") << QByteArray(R"({"type": "ortho", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100})") << 0.5;
-    QTest::newRow("oblique") << QByteArray(R"({"type": "oblique", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100,
-        "theta": 60, "phi": 70})") << 0.5;
+    QTest::newRow("0.1 : 10000") << QByteArray(R"({"type": "perspective", "fovy": 60, "near": 0.1, "far": 10000})")
+                                 << 1e4;
+    QTest::newRow("off-centre frustum") << QByteArray(
+        R"({"type": "frustum", "left": -1, "right": 2, "bottom": -0.5, "top": 1, "near": 1, "far": 100})")
+                                        << 10.0;
+    QTest::newRow("box") << QByteArray(
+        R"({"type": "ortho", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100})")
+                         << 0.5;
+    QTest::newRow("oblique") << QByteArray(
+        R"({"type": "oblique", "left": -1, "right": 2, "bottom": -5, "top": 1, "near": 1, "far": 100,
+        "theta": 60, "phi": 70})")
+                             << 0.5;
 }
 
 void TestCompareCommand::formulaHoldsItsPromise()
@@ -101,7 +107,8 @@ void TestCompareCommand::aMatrixOfNoKnownFormHasOneAnswer()
     QCOMPARE(run.exitCode, 0);
     const QHash<QString, QJsonObject> found = ways(run.output);
     QVERIFY(found["formula double"]["ulps"].isNull());
-    QCOMPARE(found["formula double"]["withoutAnswer"].toInt(), QJsonDocument::fromJson(run.output).object()["points"].toInt());
+    QCOMPARE(found["formula double"]["withoutAnswer"].toInt(),
+             QJsonDocument::fromJson(run.output).object()["points"].toInt());
     QVERIFY(largestUlps(found["matrix double"]) < 1e3);
 }
 
@@ -135,7 +142,7 @@ void TestCompareCommand::thePercentileIsThatOfAllNumbers()
 {
     QFETCH(int, count);
     QFETCH(int, most);
-    unprojector::Distribution distribution(0.999, std::size_t(most));
+    unprojector::cli::Distribution distribution(0.999, std::size_t(most));
     QVERIFY(distribution.isEmpty());
     std::vector<double> all;
     double sum = 0.0;

@@ -74,7 +74,8 @@ void TestMatricesCommand::textsAreForTheirReaders_data()
 {
     QTest::addColumn<QString>("format");
     QTest::addColumn<QByteArray>("part");
-    QTest::newRow("text") << "text" << QByteArray("# view: eye from world\n1  0  0   0\n0  1  0   0\n0  0  1  -5\n0  0  0   1\n");
+    QTest::newRow("text") << "text"
+                          << QByteArray("# view: eye from world\n1  0  0   0\n0  1  0   0\n0  0  1  -5\n0  0  0   1\n");
     QTest::newRow("c") << "c" << QByteArray("const double modelview_face[16] = {");
     QTest::newRow("numpy") << "numpy" << QByteArray("import numpy as np\n");
     QTest::newRow("latex") << "latex" << QByteArray("\\begin{bmatrix}");

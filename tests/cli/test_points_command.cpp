@@ -6,8 +6,7 @@
 
 namespace {
 
-const QByteArray kHeader =
-    "px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference";
+const QByteArray kHeader = "px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference";
 
 QList<double> numbers(const QByteArray &row)
 {
@@ -141,12 +140,16 @@ void TestPointsCommand::badRowsAreNamedAndTheRestGoesOn_data()
     QTest::addColumn<QByteArray>("written");
     QTest::addColumn<QByteArray>("message");
     const QByteArray cells(",,,,,,,");
-    QTest::newRow("text") << QByteArray("1,two,0.5") << "1,two,0.5" + cells << QByteArray(":3:3: py: \"two\" is not a number");
-    QTest::newRow("number and text") << QByteArray("1,2x,0.5") << "1,2x,0.5" + cells << QByteArray(":3:3: py: \"2x\" is not a number");
+    QTest::newRow("text") << QByteArray("1,two,0.5") << "1,two,0.5" + cells
+                          << QByteArray(":3:3: py: \"two\" is not a number");
+    QTest::newRow("number and text") << QByteArray("1,2x,0.5") << "1,2x,0.5" + cells
+                                     << QByteArray(":3:3: py: \"2x\" is not a number");
     QTest::newRow("missing column") << QByteArray("1,2") << "1,2," + cells << QByteArray(":3:4: depth is missing");
     QTest::newRow("empty cell") << QByteArray("1,,0.5") << "1,,0.5" + cells << QByteArray(":3:3: py is missing");
-    QTest::newRow("NaN") << QByteArray("nan,2,0.5") << "nan,2,0.5" + cells << QByteArray(":3:1: px: \"nan\" is not finite");
-    QTest::newRow("infinity") << QByteArray("1, -inf,0.5") << "1,-inf,0.5" + cells << QByteArray(":3:4: py: \"-inf\" is not finite");
+    QTest::newRow("NaN") << QByteArray("nan,2,0.5") << "nan,2,0.5" + cells
+                         << QByteArray(":3:1: px: \"nan\" is not finite");
+    QTest::newRow("infinity") << QByteArray("1, -inf,0.5") << "1,-inf,0.5" + cells
+                              << QByteArray(":3:4: py: \"-inf\" is not finite");
     QTest::newRow("1e400") << QByteArray("1e400,2,0.5") << "1e400,2,0.5" + cells
                            << QByteArray(":3:1: px: \"1e400\" is beyond the range of double precision");
     QTest::newRow("depth above 1") << QByteArray("1,2,1.5") << "1,2,1.5" + cells
@@ -194,9 +197,10 @@ void TestPointsCommand::jsonLines()
 {
     const Run run = points("px,py,depth\n400,300,0\nx,1,1\n", {"--format", "jsonl", "--method", "formula"});
     QCOMPARE(run.exitCode, 1);
-    QCOMPARE(run.output,
-             QByteArray("{\"px\":400,\"py\":300,\"depth\":0,\"formula_x\":0,\"formula_y\":0,\"formula_z\":4}\n"
-                        "{\"px\":null,\"py\":1,\"depth\":1,\"formula_x\":null,\"formula_y\":null,\"formula_z\":null}\n"));
+    QCOMPARE(
+        run.output,
+        QByteArray("{\"px\":400,\"py\":300,\"depth\":0,\"formula_x\":0,\"formula_y\":0,\"formula_z\":4}\n"
+                   "{\"px\":null,\"py\":1,\"depth\":1,\"formula_x\":null,\"formula_y\":null,\"formula_z\":null}\n"));
 }
 
 void TestPointsCommand::pixelsMeanTheirCentres()
@@ -205,7 +209,8 @@ void TestPointsCommand::pixelsMeanTheirCentres()
     const Run pixels = points("px,py,depth\n10,20,0.5\n10.5,20,0.5\n", {"--pixel"});
     QCOMPARE(pixels.exitCode, 1);
     QVERIFY(pixels.lines().at(1).startsWith("10,20,0.5,"));
-    QCOMPARE(pixels.lines().at(1).mid(sizeof("10,20,0.5,") - 1), centres.lines().at(1).mid(sizeof("10.5,20.5,0.5,") - 1));
+    QCOMPARE(pixels.lines().at(1).mid(sizeof("10,20,0.5,") - 1),
+             centres.lines().at(1).mid(sizeof("10.5,20.5,0.5,") - 1));
     QVERIFY(pixels.errors.contains("stdin:3:1: px: 10.5 is not the index of a pixel"));
 }
 
@@ -219,9 +224,10 @@ void TestPointsCommand::unusableInput_data()
     QTest::newRow("no scene") << QStringList{"points", missing, "-"} << good << QByteArray("missing");
     QTest::newRow("scene is no JSON") << QStringList{"points", m_folder.write("bad.json", "{"), "-"} << good
                                       << QByteArray("bad.json:1:");
-    QTest::newRow("no points file") << QStringList{"points", m_scene, missing} << QByteArray() << QByteArray("cannot be read");
-    QTest::newRow("points file is a folder") << QStringList{"points", m_scene, m_folder.path("")} << QByteArray()
-                                             << QByteArray("folder");
+    QTest::newRow("no points file") << QStringList{"points", m_scene, missing} << QByteArray()
+                                    << QByteArray("cannot be read");
+    QTest::newRow("points file is a folder")
+        << QStringList{"points", m_scene, m_folder.path("")} << QByteArray() << QByteArray("folder");
     QTest::newRow("nothing at all") << QStringList{"points", m_scene} << QByteArray() << QByteArray("stdin: is empty");
     QTest::newRow("no header") << QStringList{"points", m_scene, "-"} << QByteArray("1,2,3\n")
                                << QByteArray("stdin:1:1: the header has no column px");

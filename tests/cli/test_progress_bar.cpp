@@ -16,6 +16,7 @@
 #include <vector>
 
 using namespace unprojector;
+using namespace unprojector::cli;
 using namespace std::chrono_literals;
 
 namespace {

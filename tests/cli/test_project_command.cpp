@@ -77,7 +77,7 @@ void TestProjectCommand::aPixelRatioDividesTheWidget()
     const QString scene = m_folder.write("dense.json", text);
     const Run run = runCommand({"project", scene}, "x,y,z\n1,0.75,1\n");
     const QList<QByteArray> cells = run.lines().at(1).split(',');
-    QCOMPARE(cells.mid(13, 2), (QList<QByteArray>{"1000", "750"})); // window
+    QCOMPARE(cells.mid(13, 2), (QList<QByteArray>{"1000", "750"}));               // window
     QCOMPARE(cells.mid(16, 4), (QList<QByteArray>{"500", "225", "1000", "450"})); // widget, device
 }
 
@@ -164,7 +164,8 @@ void TestProjectCommand::badRowsAreNamed_data()
     QTest::addColumn<QByteArray>("row");
     QTest::addColumn<int>("cells");
     QTest::addColumn<QByteArray>("message");
-    QTest::newRow("in the plane of the eye") << QByteArray("1,2,5") << 10 << QByteArray("stdin:2: the point has no place");
+    QTest::newRow("in the plane of the eye")
+        << QByteArray("1,2,5") << 10 << QByteArray("stdin:2: the point has no place");
     QTest::newRow("overflow") << QByteArray("1,1.7e308,0") << 6 << QByteArray("stdin:2: the point has no place");
     QTest::newRow("text") << QByteArray("1,2,c") << 3 << QByteArray("stdin:2:5: z: \"c\" is not a number");
 }

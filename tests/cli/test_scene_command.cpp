@@ -38,21 +38,22 @@ void TestSceneCommand::everyWayToPasteGivesTheSameScene_data()
     QTest::newRow("in order") << kModelview + ' ' + kProjection + ' ' + kViewport << "column";
     QTest::newRow("named, in another order")
         << "Viewport: " + kViewport + "\nPROJECTION_MATRIX = " + kProjection + "\nmodelview\n" + kModelview << "column";
-    QTest::newRow("brackets and commas") << QByteArray("modelview [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,-5,1]]\nprojection "
-                                                       "{1.0f, 0.0f, 0.f, 0, 0, +1.0f, 0, 0, 0, 0, -2e0f, -1, 0, 0, -3, "
-                                                       "0};\r\nviewport (0, 0, 400, 300)")
+    QTest::newRow("brackets and commas") << QByteArray(
+        "modelview [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,-5,1]]\nprojection "
+        "{1.0f, 0.0f, 0.f, 0, 0, +1.0f, 0, 0, 0, 0, -2e0f, -1, 0, 0, -3, "
+        "0};\r\nviewport (0, 0, 400, 300)")
                                          << "column";
-    QTest::newRow("row by row") << QByteArray("1 0 0 0\n0 1 0 0\n0 0 1 -5\n0 0 0 1\n\n1 0 0 0\n0 1 0 0\n0 0 -2 -3\n0 0 -1 0\n"
-                                              "\n0 0 400 300\n")
-                                << "row";
+    QTest::newRow("row by row") << QByteArray(
+        "1 0 0 0\n0 1 0 0\n0 0 1 -5\n0 0 0 1\n\n1 0 0 0\n0 1 0 0\n0 0 -2 -3\n0 0 -1 0\n"
+        "\n0 0 400 300\n") << "row";
 }
 
 void TestSceneCommand::everyWayToPasteGivesTheSameScene()
 {
     QFETCH(QByteArray, text);
     QFETCH(QString, order);
-    const Run expected = runCommand(
-        {"scene", "--from-matrices", QString::fromUtf8(kModelview + ' ' + kProjection + ' ' + kViewport)});
+    const Run expected =
+        runCommand({"scene", "--from-matrices", QString::fromUtf8(kModelview + ' ' + kProjection + ' ' + kViewport)});
     QCOMPARE(expected.exitCode, 0);
     const Run argument = runCommand({"scene", "--order", order, "--from-matrices", QString::fromUtf8(text)});
     const Run file = runCommand({"scene", "--order", order, "--from-matrices", m_folder.write("m.txt", text)});
@@ -66,8 +67,7 @@ void TestSceneCommand::everyWayToPasteGivesTheSameScene()
 
 void TestSceneCommand::theSceneUnprojects()
 {
-    const Run scene = runCommand({"scene", "--from-matrices", "-"}, kModelview + ' ' + kProjection
-                                                                        + ' ' + kViewport);
+    const Run scene = runCommand({"scene", "--from-matrices", "-"}, kModelview + ' ' + kProjection + ' ' + kViewport);
     const QString file = m_folder.write("scene.json", scene.output);
     const Run points = runCommand({"points", file}, "px,py,depth\n0,0,0\n400,300,1\n");
     QCOMPARE(points.errors, QByteArray());
@@ -84,8 +84,7 @@ void TestSceneCommand::theSceneUnprojects()
 void TestSceneCommand::matricesComeBackAsTheyWere()
 {
     const Run scene = runCommand({"scene", "--from-matrices", "-"}, kModelview + ' ' + kProjection + ' ' + kViewport);
-    const Run matrices =
-        runCommand({"matrices", "--format", "json", m_folder.write("scene.json", scene.output)});
+    const Run matrices = runCommand({"matrices", "--format", "json", m_folder.write("scene.json", scene.output)});
     QVERIFY2(matrices.output.contains("\"view\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -5], [0, 0, 0, 1]]"),
              matrices.output.constData());
     QVERIFY(matrices.output.contains("\"projection\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -2, -3], [0, 0, -1, 0]]"));
@@ -110,7 +109,8 @@ void TestSceneCommand::badMatricesAreRefused_data()
     QTest::newRow("nothing") << QByteArray(" ") << QByteArray("modelview: 0 numbers found, 16 are needed");
     QTest::newRow("one short") << kModelview + ' ' + kProjection + " 0 0 400"
                                << QByteArray("viewport: 3 numbers found, 4 are needed");
-    QTest::newRow("one too many") << "viewport " + kViewport + " modelview 1 " + kModelview + " projection " + kProjection
+    QTest::newRow("one too many") << "viewport " + kViewport + " modelview 1 " + kModelview + " projection "
+                                         + kProjection
                                   << QByteArray("modelview: 17 numbers found, 16 are needed");
     QTest::newRow("NaN") << "nan " + kModelview + ' ' + kProjection + ' ' + kViewport
                          << QByteArray("stdin:1:1: \"nan\" is not a finite number");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh.h"
+#include "core/scene/mesh.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/epsilon.hpp>
@@ -16,6 +16,8 @@
 namespace mesh_measures {
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 using Place = std::tuple<float, float, float>;
 

@@ -1,11 +1,11 @@
 // Every refusal that core documents, by its own code and with the offending value. Nothing bad may come back as a
 // point, and no refusal may be another's.
 
-#include "core/camera.h"
-#include "core/projection.h"
-#include "core/unproject_closed_form.h"
-#include "core/unproject_matrix_inverse.h"
-#include "core/viewport.h"
+#include "core/geometry/camera.h"
+#include "core/geometry/projection.h"
+#include "core/geometry/viewport.h"
+#include "core/unproject/closed_form.h"
+#include "core/unproject/matrix_inverse.h"
 
 #include <QTest>
 
@@ -13,6 +13,8 @@
 #include <numbers>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 namespace {
 

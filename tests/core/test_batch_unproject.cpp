@@ -1,7 +1,7 @@
 // The loops over many points against the oracle of 50 digits, and every instruction set against the plain one.
 
-#include "core/batch_unproject.h"
-#include "core/transform.h"
+#include "core/geometry/transform.h"
+#include "core/unproject/batch/batch_unproject.h"
 #include "tests/support/batch_arrays.h"
 #include "tests/support/core_scene.h"
 #include "tests/support/random_kinds.h"
@@ -17,6 +17,8 @@
 #include <vector>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 using oracle::Extended;
 using oracle::RandomKind;
 using oracle::SceneLimits;
@@ -126,8 +128,8 @@ void TestBatchUnproject::unitsInTheLastPlace()
                 const double largest = static_cast<double>(oracle::maxNorm(world));
                 const Extended ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
                 errors.push_back(largestDistance(world, points.at(i), ulp));
-                const Extended scale = std::max({Extended(largest), oracle::maxNorm(eye),
-                                                 oracle::maxNorm(oracle::difference(world, eye))});
+                const Extended scale = std::max(
+                    {Extended(largest), oracle::maxNorm(eye), oracle::maxNorm(oracle::difference(world, eye))});
                 if (largest >= kCloseToOrigin * scale)
                     worstOffOrigin = std::max(worstOffOrigin, errors.back());
             }
@@ -275,14 +277,17 @@ void TestBatchUnproject::matricesOfOtherPrograms_data()
         return glm::dmat4{{1.2, 0, 0, 0}, {0, 1.6, 0, 0}, {-0.1 * side, 0.2 * side, zz, side}, {0, 0, zw, 0}};
     };
     QTest::newRow("OpenGL") << perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false << true;
-    QTest::newRow("OpenGL, times 3") << 3.0 * perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false << true;
+    QTest::newRow("OpenGL, times 3") << 3.0 * perspective(-(f + n) / (f - n), -2 * f * n / (f - n), -1) << false
+                                     << true;
     QTest::newRow("Vulkan") << perspective(-f / (f - n), -f * n / (f - n), -1) << true << true;
     QTest::newRow("Direct3D, along +z") << perspective(f / (f - n), -f * n / (f - n), 1) << true << true;
     QTest::newRow("reversed") << perspective(n / (f - n), f * n / (f - n), -1) << true << true;
     QTest::newRow("reversed, far at infinity") << perspective(0, n, -1) << true << true;
     QTest::newRow("OpenGL, far at infinity") << perspective(-1, -2 * n, -1) << false << true;
-    QTest::newRow("box") << glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}} << false << true;
-    QTest::newRow("box, times 7") << 7.0 * glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}} << false << true;
+    QTest::newRow("box") << glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}} << false
+                         << true;
+    QTest::newRow("box, times 7")
+        << 7.0 * glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0, 0, -0.04, 0}, {0.1, -0.2, -1.02, 1}} << false << true;
     QTest::newRow("sheared box, [0, 1]")
         << glm::dmat4{{0.2, 0, 0, 0}, {0, 0.3, 0, 0}, {0.05, 0.02, -0.02, 0}, {0.1, -0.2, -0.01, 1}} << true << true;
     QTest::newRow("no known form") << glm::dmat4{{1, 0.5, 0, 0}, {0.25, 1, 0, 0}, {0, 0, -1.02, -1}, {0, 0, -2.02, 0}}
@@ -334,7 +339,7 @@ void TestBatchUnproject::objectSpaceIsTheWorldMovedBack()
     SceneLimits limits = oracle::everydayScenes(1.0, 10.0);
     limits.plainTarget = false;
     const glm::dmat4 worldFromObject =
-        unprojector::worldFromObject({Translate{{1, 2, 3}}, Rotate{30, {1, 1, 0}}, Scale{{2, 3, 0.5}}});
+        unprojector::geometry::worldFromObject({Translate{{1, 2, 3}}, Rotate{30, {1, 1, 0}}, Scale{{2, 3, 0.5}}});
     const oracle::Scene s = oracle::randomScene(random, RandomKind::Frustum, limits);
     const Triples<double> clicks = randomClicks(random, s, 50);
     const BatchSpace object{BatchSpace::Kind::Object, worldFromObject};

@@ -1,6 +1,6 @@
-#include "core/bundled_scene.h"
-#include "core/solids.h"
-#include "core/utah_teapot.h"
+#include "core/scene/bundled_scene.h"
+#include "core/scene/solids.h"
+#include "core/scene/utah_teapot.h"
 
 #include "mesh_measures.h"
 

@@ -1,6 +1,6 @@
 // The camera's axes and the two ways between eye and world.
 
-#include "core/camera.h"
+#include "core/geometry/camera.h"
 #include "tests/support/core_scene.h"
 
 #include <QTest>
@@ -10,6 +10,8 @@
 #include <limits>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // What a hand does to the camera, judged by where points stand in the picture before and after: by windowFromWorld,
 // which has tests of its own, never by the motion's own terms.
 
-#include "core/camera_motion.h"
+#include "core/geometry/camera_motion.h"
 
 #include <QTest>
 
@@ -10,6 +10,8 @@
 #include <cmath>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -458,7 +460,9 @@ void TestCameraMotion::theSwitchedProjectionKeepsThePictureAtTheCenter()
         QVERIFY(kindOf(other.projection) == kind);
         QVERIFY(check(other).hasValue());
         ViewGeometry back = geometry;
-        back.projection = converted(other.projection, isPerspective(geometry.projection) ? ProjectionKind::Frustum : ProjectionKind::Ortho, distance);
+        back.projection =
+            converted(other.projection,
+                      isPerspective(geometry.projection) ? ProjectionKind::Frustum : ProjectionKind::Ortho, distance);
         QVERIFY(check(back).hasValue());
         for (const double x : {-2.0, 0.0, 1.5}) {
             for (const double y : {-1.0, 0.0, 2.5}) {

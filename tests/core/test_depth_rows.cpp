@@ -1,6 +1,6 @@
 // Rows of a depth image: the points of a batch, one after the other, where there is a surface.
 
-#include "core/batch_unproject.h"
+#include "core/unproject/batch/batch_unproject.h"
 #include "tests/support/batch_arrays.h"
 #include "tests/support/core_scene.h"
 #include "tests/support/random_kinds.h"
@@ -12,6 +12,8 @@
 #include <vector>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 using oracle::RandomKind;
 using oracle::SceneLimits;
 
@@ -42,8 +44,8 @@ void TestDepthRows::rowsAreTheSurfacesOfABatch()
         }
         pixels.of[2][3] = std::numeric_limits<float>::quiet_NaN();
         for (const auto &[lowest, highest] : {std::pair(0.0f, 1.0f), std::pair(0.25f, 0.5f), std::pair(2.0f, 3.0f)}) {
-            for (const auto &unprojection :
-                 {BatchUnprojection::byFormula(oracle::corePicture(s), {}), BatchUnprojection::byMatrix(oracle::corePicture(s), {})}) {
+            for (const auto &unprojection : {BatchUnprojection::byFormula(oracle::corePicture(s), {}),
+                                             BatchUnprojection::byMatrix(oracle::corePicture(s), {})}) {
                 const Triples<float> all = unprojected(*unprojection, pixels, InstructionSet::Baseline);
                 std::vector<float> expected;
                 for (std::size_t i = 0; i < kWidth; ++i) {

@@ -1,6 +1,6 @@
 // The arithmetic that carries the closed form, against 50 digits.
 
-#include "core/double_double.h"
+#include "core/geometry/double_double.h"
 #include "tests/support/oracle.h"
 
 #include <QTest>
@@ -11,6 +11,7 @@
 #include <random>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
 using oracle::Extended;
 
 namespace {

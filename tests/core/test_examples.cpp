@@ -1,9 +1,9 @@
 // The tutorials' examples: the numbers that the tutorials print, read from the scenes themselves. Every expected number
 // is typed from the tutorial (or worked out by hand where it is one that the tutorial gets wrong).
 
-#include "core/examples.h"
-#include "core/pipeline.h"
-#include "core/unproject_comparison.h"
+#include "core/matrices/pipeline.h"
+#include "core/scene/examples.h"
+#include "core/unproject/comparison.h"
 
 #include <QtTest>
 
@@ -14,6 +14,10 @@
 #include <set>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -24,7 +28,8 @@ constexpr double kPrinted = 6e-7;
 /// Mesh corners are single precision.
 constexpr double kCorner = 1e-5;
 
-const Surface kSurfaces[] = {{50, 50, 1.0}, {300, 300, 1.0}, {800, 600, 1.0}, {1280, 720, 1.0}, {600, 1000, 2.0}, {1333, 900, 1.25}};
+const Surface kSurfaces[] = {{50, 50, 1.0},    {300, 300, 1.0},  {800, 600, 1.0},
+                             {1280, 720, 1.0}, {600, 1000, 2.0}, {1333, 900, 1.25}};
 
 const Example &example(const char *id)
 {
@@ -109,7 +114,8 @@ void TestExamples::everyExampleIsSeen_data()
     for (int index = 0; index < int(all.size()); ++index) {
         int number = 0;
         for (const Surface &s : kSurfaces)
-            QTest::addRow("%s in %d x %d", all[std::size_t(index)].id.c_str(), s.widthPixels, s.heightPixels) << index << number++;
+            QTest::addRow("%s in %d x %d", all[std::size_t(index)].id.c_str(), s.widthPixels, s.heightPixels)
+                << index << number++;
     }
 }
 
@@ -207,9 +213,13 @@ void TestExamples::inTwoDimensionsThePointIsFollowed()
     QVERIFY(isAt(points.world->coordinates(), {3, 4, 0}));
     QVERIFY(isAt(points.eye->coordinates(), {-2, -2, 0}));
     // MC, VC^-1 and their product, without the row and column of z.
-    struct Row { PipelineStage stage; double matrix[6]; };
-    for (const Row &row : {Row{PipelineStage::ModelMatrix, {-1, 0, 4, 0, 1, 3}}, Row{PipelineStage::ViewMatrix, {1, 0, -5, 0, -1, 2}},
-                           Row{PipelineStage::ModelviewMatrix, {-1, 0, -1, 0, -1, -1}}}) {
+    struct Row {
+        PipelineStage stage;
+        double matrix[6];
+    };
+    for (const Row &row :
+         {Row{PipelineStage::ModelMatrix, {-1, 0, 4, 0, 1, 3}}, Row{PipelineStage::ViewMatrix, {1, 0, -5, 0, -1, 2}},
+          Row{PipelineStage::ModelviewMatrix, {-1, 0, -1, 0, -1, -1}}}) {
         constexpr int kMemory[6] = {0, 4, 12, 1, 5, 13};
         for (int i = 0; i < 6; ++i)
             QCOMPARE(entry(pipeline, row.stage, kMemory[i]), row.matrix[i]);
@@ -235,7 +245,8 @@ void TestExamples::farCubesAreSmaller()
     for (std::size_t i = 0; i < 3; ++i) {
         const SceneObject &cube = scene.objects.at(i);
         const Result<Pipeline> made = pipeline(*geometry, worldFromObject(cube.transform));
-        const PipelinePoints low = pointsForward(*made, ObjectPoint(0, -0.7, 0)), high = pointsForward(*made, ObjectPoint(0, 0.7, 0));
+        const PipelinePoints low = pointsForward(*made, ObjectPoint(0, -0.7, 0)),
+                             high = pointsForward(*made, ObjectPoint(0, 0.7, 0));
         // 1.4 units of an extent of 2 tan(22.5 degrees) z, in a viewport 600 pixels high.
         const double expected = 600.0 * 1.4 / (2.0 * 0.41421356237309503 * distances[i]);
         QVERIFY(std::abs(high.window->y - low.window->y - expected) <= 1e-9);
@@ -270,7 +281,8 @@ void TestExamples::threeProjectionsAreNotEqual()
     for (const ObjectPoint &corner : {ObjectPoint(30, 20, -40), ObjectPoint(40, 10, -30)}) {
         const double across = pointsForward(matrix, corner).ndc->x / pointsForward(perspective, corner).ndc->x;
         QVERIFY(std::abs(across - 16.0 / 9.0) <= kRounding);
-        QVERIFY(std::abs(pointsForward(matrix, corner).ndc->y - pointsForward(perspective, corner).ndc->y) <= kRounding);
+        QVERIFY(std::abs(pointsForward(matrix, corner).ndc->y - pointsForward(perspective, corner).ndc->y)
+                <= kRounding);
     }
     // Translated by (0, 0, 10), which glTranslatef between glBegin and glEnd does not do.
     QVERIFY(isAt(pointsForward(matrix, ObjectPoint(0, 0, -20)).eye->coordinates(), {0, 0, -10}));
@@ -279,12 +291,14 @@ void TestExamples::threeProjectionsAreNotEqual()
 void TestExamples::aCircleIsDrawnWiderByTwoOfThem()
 {
     for (const Surface &surface : kSurfaces) {
-        for (const auto &[id, widthToHeight] : {std::pair("derivation-matrix", 16.0 / 9.0), std::pair("derivation-perspective", 1.0),
-                                                std::pair("derivation-frustum", 16.0 / 9.0)}) {
+        for (const auto &[id, widthToHeight] :
+             {std::pair("derivation-matrix", 16.0 / 9.0), std::pair("derivation-perspective", 1.0),
+              std::pair("derivation-frustum", 16.0 / 9.0)}) {
             const Scene &scene = example(id).scene;
             const Result<ViewGeometry> geometry = viewGeometry(scene, surface, {});
             const Result<Pipeline> made = pipeline(*geometry, worldFromObject(scene.objects.at(1).transform));
-            const PipelinePoints middle = pointsForward(*made, ObjectPoint(0, 0, 0)), right = pointsForward(*made, ObjectPoint(5, 0, 0)),
+            const PipelinePoints middle = pointsForward(*made, ObjectPoint(0, 0, 0)),
+                                 right = pointsForward(*made, ObjectPoint(5, 0, 0)),
                                  top = pointsForward(*made, ObjectPoint(0, 5, 0));
             const double width = right.window->x - middle.window->x, height = top.window->y - middle.window->y;
             // The viewport is 4:3 but for its rounding to whole pixels.
@@ -306,7 +320,8 @@ void TestExamples::theOriginGoesToPixel150AndBack()
         QCOMPARE(std::abs(back.world->z) <= 1e-11, depth == points.window->z);
     }
     // In a larger window the window coordinates are the same.
-    QVERIFY(isAt(glm::dvec2(pointsForward(pipelineOf("opencascade-round-trip", {1280, 720, 1.0}), WorldPoint(0, 0, 0)).window->coordinates()),
+    QVERIFY(isAt(glm::dvec2(pointsForward(pipelineOf("opencascade-round-trip", {1280, 720, 1.0}), WorldPoint(0, 0, 0))
+                                .window->coordinates()),
                  {150, 150}));
 }
 
@@ -314,8 +329,10 @@ void TestExamples::theQuadIsAtFourNinths()
 {
     const Mesh &quad = example("parallel-orthographic").scene.objects.at(0).model->meshes.at(0);
     const glm::u8vec4 red(255, 0, 0, 255), green(0, 255, 0, 255), blue(0, 0, 255, 255), white(255);
-    const struct { glm::vec3 place; glm::u8vec4 color; } corners[] = {
-        {{-4, 4, -4}, red}, {{4, 4, -4}, green}, {{4, -4, -4}, blue}, {{-4, -4, -4}, white}};
+    const struct {
+        glm::vec3 place;
+        glm::u8vec4 color;
+    } corners[] = {{{-4, 4, -4}, red}, {{4, 4, -4}, green}, {{4, -4, -4}, blue}, {{-4, -4, -4}, white}};
     for (const auto &corner : corners) {
         bool found = false;
         for (std::size_t i = 0; i < quad.positions.size(); ++i) {

@@ -1,11 +1,11 @@
 // The numbers that the originals print (corrected where they are wrong): figures, tables and programs whose results
 // anybody can check by hand.
 
-#include "core/camera.h"
-#include "core/projection.h"
-#include "core/unproject_closed_form.h"
-#include "core/unproject_matrix_inverse.h"
-#include "core/viewport.h"
+#include "core/geometry/camera.h"
+#include "core/geometry/projection.h"
+#include "core/geometry/viewport.h"
+#include "core/unproject/closed_form.h"
+#include "core/unproject/matrix_inverse.h"
 
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
@@ -14,6 +14,8 @@
 #include <numbers>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Whatever is wrong with a scene file is told with its place, and soon.
 
-#include "core/cli/scene_error_text.h"
-#include "core/scene_file.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
 
 #include "scene_texts.h"
 
@@ -11,6 +11,10 @@
 #include <QTest>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::scene_file;
+using namespace unprojector::unproject;
 using namespace scene_texts;
 
 namespace {

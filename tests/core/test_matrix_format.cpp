@@ -1,12 +1,13 @@
 // Matrices as text: exact strings.
 
-#include "core/matrix_format.h"
+#include "core/matrices/matrix_format.h"
 
 #include <QTest>
 
 #include <limits>
 
 using namespace unprojector;
+using namespace unprojector::matrices;
 
 Q_DECLARE_METATYPE(MatrixFormat)
 

@@ -1,8 +1,8 @@
 // Matrices of other programs: what they say is recognised, and both methods honour it.
 
-#include "core/matrix_projection.h"
-#include "core/picture_geometry.h"
-#include "core/view_matrix.h"
+#include "core/geometry/matrix_projection.h"
+#include "core/geometry/view_matrix.h"
+#include "core/unproject/picture_geometry.h"
 #include "tests/support/core_scene.h"
 
 #include <QTest>
@@ -12,6 +12,8 @@
 #include <limits>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 using oracle::Extended;
 
 namespace {
@@ -276,8 +278,8 @@ void TestMatrixProjection::perspectivesHitTheExactPoint()
     for (int i = 0; i < 1500; ++i) {
         const oracle::Scene scene = oracle::randomScene(random, oracle::RandomKind::Frustum, {});
         const oracle::Projection &p = scene.projection;
-        glm::dmat4 m = perspectiveMatrix(s, p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance,
-                                         random.sign());
+        glm::dmat4 m =
+            perspectiveMatrix(s, p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance, random.sign());
         m *= random.chance(0.5) ? 1.0 : random.uniform(0.1, 10.0);
         if (random.chance(0.5))
             m = inSinglePrecision(m);
@@ -287,8 +289,9 @@ void TestMatrixProjection::perspectivesHitTheExactPoint()
         const oracle::Oracle exact(columns(identity), columns(m), scene.target, depthOf(s) == NdcDepth::ZeroToOne);
         for (int k = 0; k < 4; ++k) {
             const std::array<double, 3> at = oracle::randomClick(random, scene.target);
-            const auto eye = unprojectClosedForm(MatrixProjection{m, depthOf(s)}, oracle::coreViewport(scene.target),
-                                                 oracle::coreDepthRange(scene.target), WindowPoint(at[0], at[1], at[2]));
+            const auto eye =
+                unprojectClosedForm(MatrixProjection{m, depthOf(s)}, oracle::coreViewport(scene.target),
+                                    oracle::coreDepthRange(scene.target), WindowPoint(at[0], at[1], at[2]));
             if (!eye) {
                 QVERIFY(s >= Style::Infinite || recognised({m, depthOf(s)})->infiniteFar);
                 QVERIFY(eye.error().code == ErrorCode::PointAtInfinity);
@@ -316,15 +319,16 @@ void TestMatrixProjection::boxesHitTheExactPoint()
         const oracle::Oracle exact(columns(identity), columns(m), scene.target, depth == NdcDepth::ZeroToOne);
         for (int k = 0; k < 4; ++k) {
             const std::array<double, 3> at = oracle::randomClick(random, scene.target);
-            const auto eye = unprojectClosedForm(MatrixProjection{m, depth}, oracle::coreViewport(scene.target),
-                                                 oracle::coreDepthRange(scene.target), WindowPoint(at[0], at[1], at[2]));
+            const auto eye =
+                unprojectClosedForm(MatrixProjection{m, depth}, oracle::coreViewport(scene.target),
+                                    oracle::coreDepthRange(scene.target), WindowPoint(at[0], at[1], at[2]));
             const oracle::Vector3 truth = exact.eyeUnder(at);
             // Of a box the scale is that of the box: the eye is nowhere in it.
             const ProjectionWindow w = projectionWindow(oracle::coreProjection(scene.projection));
             const double shear = std::max(std::abs(m[2][0] / m[0][0]), std::abs(m[2][1] / m[1][1]));
             const double length = std::max(std::abs(w.nearDistance), std::abs(w.farDistance));
-            const double box = std::max({std::abs(w.left), std::abs(w.right), std::abs(w.bottom), std::abs(w.top),
-                                         length * (1.0 + shear)});
+            const double box = std::max(
+                {std::abs(w.left), std::abs(w.right), std::abs(w.bottom), std::abs(w.top), length * (1.0 + shear)});
             worst = std::max(worst, relativeError(eye.value(), truth, std::max(oracle::maxNorm(truth), Extended(box))));
         }
     }
@@ -336,7 +340,9 @@ void TestMatrixProjection::theMatrixPathHonoursTheDepths()
 {
     QFETCH(int, style);
     const auto s = Style(style);
-    const PictureGeometry g{{800, 600, 1}, {0, 0, 800, 600}, {0, 1},
+    const PictureGeometry g{{800, 600, 1},
+                            {0, 0, 800, 600},
+                            {0, 1},
                             MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.75, 1, 100), depthOf(s)},
                             LookAt{{1, 2, 5}, {0, 0, 0}, {0, 1, 0}}};
     const WorldPoint point(0.25, -0.5, 0.125);
@@ -403,13 +409,16 @@ void TestMatrixProjection::viewMatricesHitTheExactPoint()
             view = inSinglePrecision(view);
         const glm::dmat4 m = clipFromEye(oracle::coreProjection(scene.projection)).value();
         const oracle::Oracle exact(columns(view), columns(m), scene.target, false);
-        const PictureGeometry g{{100, 100, 1}, oracle::coreViewport(scene.target), oracle::coreDepthRange(scene.target),
-                                MatrixProjection{m, NdcDepth::MinusOneToOne}, view};
+        const PictureGeometry g{{100, 100, 1},
+                                oracle::coreViewport(scene.target),
+                                oracle::coreDepthRange(scene.target),
+                                MatrixProjection{m, NdcDepth::MinusOneToOne},
+                                view};
         const std::array<double, 3> at = oracle::randomClick(random, scene.target);
         const Comparison c = compareUnprojections(g, WindowPoint(at[0], at[1], at[2]));
         const oracle::Vector3 truth = exact.worldUnder(at);
-        const Extended scale = std::max({oracle::maxNorm(truth), oracle::maxNorm(exact.eyeUnder(at)),
-                                         Extended(glm::length(glm::dvec3(view[3])))});
+        const Extended scale = std::max(
+            {oracle::maxNorm(truth), oracle::maxNorm(exact.eyeUnder(at)), Extended(glm::length(glm::dvec3(view[3])))});
         worst = std::max(worst, relativeError(c.world.formula.value(), truth, scale));
     }
     qInfo("worst: %.3g", worst);
@@ -459,7 +468,9 @@ void TestMatrixProjection::theWindowsPictureIsTheSame()
     QFETCH(int, style);
     const auto s = Style(style);
     const LookAt camera{{1, 2, 5}, {0, 0, 0}, {0, 1, 0}};
-    const PictureGeometry g{{800, 600, 1}, {0, 0, 800, 600}, {0, 0.5},
+    const PictureGeometry g{{800, 600, 1},
+                            {0, 0, 800, 600},
+                            {0, 0.5},
                             MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.5, 1, 100), depthOf(s)},
                             eyeFromWorld(eyeFrame(camera).value())};
     const ViewGeometry shown = viewGeometry(g).value();

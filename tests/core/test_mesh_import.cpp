@@ -1,4 +1,4 @@
-#include "core/mesh_import.h"
+#include "core/mesh_import/mesh_import.h"
 #include "model_files.h"
 
 #include <QtTest>
@@ -14,9 +14,12 @@
 #include <utility>
 #include <vector>
 
-Q_DECLARE_METATYPE(unprojector::ImportErrorCode)
+Q_DECLARE_METATYPE(unprojector::mesh_import::ImportErrorCode)
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh_import;
+using namespace unprojector::scene;
 using namespace model_files;
 
 class TestMeshImport : public QObject {

@@ -1,7 +1,7 @@
 // The chain of a click from the widget to the world, and how certain its end is. The rows are written out by hand from
 // formulas (7) to (12): a lost flip, half pixel, pixel ratio or viewport offset leaves both methods in agreement.
 
-#include "core/pick.h"
+#include "core/unproject/pick.h"
 
 #include <QTest>
 
@@ -10,6 +10,8 @@
 #include <limits>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 namespace {
 

@@ -1,9 +1,10 @@
 // The pipeline stage by stage: the originals' printed numbers, backward against forward, and what the entries mean.
 
-#include "core/bundled_scene.h"
-#include "core/matrix_entry_name.h"
-#include "core/matrix_format.h"
-#include "core/pipeline.h"
+#include "core/matrices/matrix_entry_name.h"
+#include "core/matrices/matrix_format.h"
+#include "core/matrices/pipeline.h"
+#include "core/scene/bundled_scene.h"
+#include "core/scene/object_around.h"
 
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,6 +13,9 @@
 #include <numbers>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
+using namespace unprojector::scene;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // What a projection keeps when its window or its clip distances change.
 
-#include "core/projection.h"
+#include "core/geometry/projection.h"
 
 #include <QTest>
 
@@ -8,6 +8,7 @@
 #include <numbers>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
 
 namespace {
 

@@ -1,10 +1,11 @@
 // The shape of a circle and the proportions (3) and (4) as literal numbers, worked out by hand.
 
-#include "core/proportions.h"
+#include "core/geometry/proportions.h"
 
 #include <QTest>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
 
 namespace {
 
@@ -51,7 +52,8 @@ void TestProportions::aCircleIsDrawnSoMuchWiderThanHigh()
     QFETCH(Projection, projection);
     QFETCH(double, aspect);
     const ViewGeometry geometry{{800, 600, 1.0}, viewport, {}, projection, {}};
-    QVERIFY2(std::abs(circleAspect(geometry) - aspect) < kRounding, qPrintable(QString::number(circleAspect(geometry), 'g', 17)));
+    QVERIFY2(std::abs(circleAspect(geometry) - aspect) < kRounding,
+             qPrintable(QString::number(circleAspect(geometry), 'g', 17)));
 }
 
 void TestProportions::aWindowPositionHasItsPlaceInTheProjectionWindow_data()
@@ -60,7 +62,8 @@ void TestProportions::aWindowPositionHasItsPlaceInTheProjectionWindow_data()
     QTest::addColumn<glm::dvec2>("window");
     QTest::addColumn<glm::dvec2>("share");
     QTest::addColumn<glm::dvec2>("position");
-    const auto row = [](const char *name, const Viewport &viewport, double x, double y, double shareX, double shareY, double xw, double yw) {
+    const auto row = [](const char *name, const Viewport &viewport, double x, double y, double shareX, double shareY,
+                        double xw, double yw) {
         QTest::newRow(name) << viewport << glm::dvec2(x, y) << glm::dvec2(shareX, shareY) << glm::dvec2(xw, yw);
     };
     // The projection window is [-4, 12] x [-3, 1].
@@ -88,7 +91,6 @@ void TestProportions::aWindowPositionHasItsPlaceInTheProjectionWindow()
     QCOMPARE(p.position.x, position.x);
     QCOMPARE(p.position.y, position.y);
 }
-
 
 QTEST_APPLESS_MAIN(TestProportions)
 #include "test_proportions.moc"

@@ -1,7 +1,7 @@
 // What a scene file says is what is read, and what is read can be written and read again.
 
-#include "core/cli/scene_error_text.h"
-#include "core/scene_file.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
 
 #include "scene_texts.h"
 
@@ -14,6 +14,10 @@
 #include <numbers>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::scene_file;
+using namespace unprojector::unproject;
 using namespace scene_texts;
 
 namespace {
@@ -33,7 +37,8 @@ QByteArray written(const SceneFile &scene)
 
 bool isSame(const LookAt &a, const LookAt &b)
 {
-    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates() && a.up == b.up;
+    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates()
+           && a.up == b.up;
 }
 
 } // namespace
@@ -105,11 +110,13 @@ void TestSceneFile::whatIsLeftOutHasItsDefault()
 
 void TestSceneFile::anglesAreDegrees()
 {
-    const auto perspective = parsed(withProjection(R"({"type": "perspective", "fovy": 90, "aspect": 2, "near": 1, "far": 9})"));
+    const auto perspective =
+        parsed(withProjection(R"({"type": "perspective", "fovy": 90, "aspect": 2, "near": 1, "far": 9})"));
     QVERIFY(std::get<Projection>(perspective.projection) == Projection(Perspective{std::numbers::pi / 2, 2, 1, 9}));
     const auto oblique = parsed(withProjection(
         R"({"type": "oblique", "left": -1, "right": 1, "bottom": -2, "top": 2, "near": -3, "far": 3, "theta": 45, "phi": 90})"));
-    QVERIFY(std::get<Projection>(oblique.projection) == Projection(Oblique{{-1, 1, -2, 2, -3, 3}, std::numbers::pi / 4, std::numbers::pi / 2}));
+    QVERIFY(std::get<Projection>(oblique.projection)
+            == Projection(Oblique{{-1, 1, -2, 2, -3, 3}, std::numbers::pi / 4, std::numbers::pi / 2}));
 }
 
 void TestSceneFile::aPerspectiveWithoutAspectTakesTheViewports()
@@ -119,7 +126,8 @@ void TestSceneFile::aPerspectiveWithoutAspectTakesTheViewports()
     QCOMPARE(std::get<Perspective>(std::get<Projection>(scene.projection)).aspect, 800.0 / 600.0);
     QVERIFY(!written(scene).contains("aspect"));
     QByteArray text = withProjection(projection);
-    text.replace("\"unprojector\": 1,", R"("unprojector": 1, "viewport": {"x": 0, "y": 0, "width": 300, "height": 100},)");
+    text.replace("\"unprojector\": 1,",
+                 R"("unprojector": 1, "viewport": {"x": 0, "y": 0, "width": 300, "height": 100},)");
     scene = parsed(text);
     QCOMPARE(std::get<Perspective>(std::get<Projection>(scene.projection)).aspect, 3.0);
 }
@@ -130,14 +138,18 @@ void TestSceneFile::whatIsReadIsWrittenAndReadAgain_data()
     QTest::newRow("every key") << QByteArray(kFullScene);
     QTest::newRow("as little as can be") << QByteArray(kLeastScene);
     QTest::newRow("byte order mark") << QByteArray("\xEF\xBB\xBF").append(kLeastScene);
-    QTest::newRow("perspective") << withProjection(R"({"type": "perspective", "fovy": 33.3, "aspect": 1.7, "near": 1, "far": 9})");
-    QTest::newRow("perspective without aspect") << withProjection(R"({"type": "perspective", "fovy": 45, "near": 1, "far": 9})");
+    QTest::newRow("perspective") << withProjection(
+        R"({"type": "perspective", "fovy": 33.3, "aspect": 1.7, "near": 1, "far": 9})");
+    QTest::newRow("perspective without aspect")
+        << withProjection(R"({"type": "perspective", "fovy": 45, "near": 1, "far": 9})");
     QTest::newRow("oblique") << withProjection(R"({"type": "oblique", "left": -1, "right": 1, "bottom": -1, "top": 1,
                                                    "near": 1, "far": 9, "theta": 44.690708, "phi": 135})");
-    QTest::newRow("extreme numbers") << withProjection(R"({"type": "ortho", "left": -1.7976931348623157e308, "right": 5e-324,
+    QTest::newRow("extreme numbers") << withProjection(
+        R"({"type": "ortho", "left": -1.7976931348623157e308, "right": 5e-324,
                                                           "bottom": -0.0, "top": 9007199254740993, "near": 0.1, "far": 0.30000000000000004})");
     QTest::newRow("matrix") << withProjection(kMatrix);
-    QTest::newRow("matrix of [0, 1]") << QByteArray(withProjection(kMatrix)).replace("\"matrix\", ", "\"matrix\", \"ndcDepth\": [0, 1], ");
+    QTest::newRow("matrix of [0, 1]")
+        << QByteArray(withProjection(kMatrix)).replace("\"matrix\", ", "\"matrix\", \"ndcDepth\": [0, 1], ");
     QTest::newRow("view matrix") << withView("{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.1,1]}");
     QTest::newRow("unknown keys") << withMember(R"("by": {"a": [1, {"b": null}]}, "ui": {"theme": "dark"})");
 }
@@ -240,7 +252,8 @@ void TestSceneFile::degreesSurvive()
 {
     for (int tenths = 1; tenths < 1800; ++tenths) {
         const QByteArray degrees = QByteArray::number(tenths / 10.0);
-        const QByteArray text = withProjection("{\"type\": \"perspective\", \"fovy\": " + degrees + ", \"near\": 1, \"far\": 9}");
+        const QByteArray text =
+            withProjection("{\"type\": \"perspective\", \"fovy\": " + degrees + ", \"near\": 1, \"far\": 9}");
         QVERIFY2(written(parsed(text)).contains("\"fovy\": " + degrees + ","), degrees);
     }
 }
@@ -334,7 +347,8 @@ void TestSceneFile::aWindowsSceneSurvivesASave()
     SceneFile before = parsed(kLeastScene);
     before.extra.document = {{"author", "A"}};
     before.objects = {{"a", std::filesystem::path("models") / "a.obj", "", {}, {{"colour", "red"}}}};
-    const SceneFile kept = sceneFileFrom(scene, viewGeometry(scene, {100, 75, 1}, {}).value(), "/there/scene.json", before);
+    const SceneFile kept =
+        sceneFileFrom(scene, viewGeometry(scene, {100, 75, 1}, {}).value(), "/there/scene.json", before);
     QVERIFY(kept.extra.document["author"] == "A");
     QVERIFY(kept.objects[0].extra["colour"] == "red" && kept.objects[1].extra.is_null());
 }
@@ -358,8 +372,10 @@ void TestSceneFile::withoutUiTheFilesNumbersHold()
 void TestSceneFile::aWindowShowsWhatMatricesOfItsCamerasSay()
 {
     // glFrustum(-1, 1, -0.75, 0.75, 1, 9), and the view from (0, 0, 5.5).
-    QByteArray text = withProjection(R"({"type": "matrix", "matrix": [1,0,0,0, 0,1.3333333333333333,0,0, 0,0,-1.25,-1, 0,0,-2.25,0]})");
-    text.replace(R"({"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})", "{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.5,1]}");
+    QByteArray text = withProjection(
+        R"({"type": "matrix", "matrix": [1,0,0,0, 0,1.3333333333333333,0,0, 0,0,-1.25,-1, 0,0,-2.25,0]})");
+    text.replace(R"({"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})",
+                 "{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.5,1]}");
     const Scene scene = sceneFromFile(parsed(text), "scene.json", {}).value();
     QVERIFY(scene.projection == Projection(Frustum{-1, 1, -0.75, 0.75, 1, 9}));
     QVERIFY(isSame(scene.camera, {{0, 0, 5.5}, {0, 0, 2.5}, {0, 1, 0}}));

@@ -1,10 +1,14 @@
 // Scenes whose projection or view came as a matrix, and what the window writes of them.
 
-#include "core/scene_file.h"
+#include "core/scene_file/scene_file.h"
 
 #include <QTest>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::scene_file;
+using namespace unprojector::unproject;
 
 namespace {
 

@@ -1,12 +1,13 @@
 // Mixing two spaces up must be a compile error. These claims are checked by compiling this file.
 
-#include "core/spaces.h"
+#include "core/geometry/spaces.h"
 
 #include <QTest>
 
 #include <type_traits>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
 
 namespace {
 

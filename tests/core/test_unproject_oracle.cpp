@@ -1,8 +1,8 @@
 // Both unprojections against an independent oracle of 50 digits, over thousands of random cameras. Agreement of the
 // two would not do: they start from the same window point.
 
-#include "core/unproject_closed_form.h"
-#include "core/unproject_matrix_inverse.h"
+#include "core/unproject/closed_form.h"
+#include "core/unproject/matrix_inverse.h"
 #include "tests/support/core_scene.h"
 
 #include <QTest>
@@ -14,6 +14,8 @@
 #include <vector>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 using oracle::Extended;
 using oracle::RandomKind;
 using oracle::SceneLimits;
@@ -97,9 +99,8 @@ double matrixAmplification(const CoreScene &s, const Click &c)
     const double length = std::max(std::abs(p.nearDistance), std::abs(p.farDistance));
     box = std::max(box, length);
     const double eye = std::max({std::abs(s.frame.eye.x), std::abs(s.frame.eye.y), std::abs(s.frame.eye.z)});
-    const double shear = p.kind == RandomKind::Oblique
-                             ? std::abs(cotangent(p.thetaRadians)) + std::abs(cotangent(p.phiRadians))
-                             : 0.0;
+    const double shear =
+        p.kind == RandomKind::Oblique ? std::abs(cotangent(p.thetaRadians)) + std::abs(cotangent(p.phiRadians)) : 0.0;
     return (1.0 + shear) * (box + eye) / static_cast<double>(c.scale);
 }
 
@@ -427,8 +428,7 @@ void TestUnprojectOracle::unitsInTheLastPlace()
     constexpr quint64 kSeed = 7;
     oracle::Random random(kSeed);
     std::vector<double> closedForm, glmUnProject;
-    for (const auto kind :
-         {RandomKind::Frustum, RandomKind::Perspective, RandomKind::Ortho, RandomKind::Oblique}) {
+    for (const auto kind : {RandomKind::Frustum, RandomKind::Perspective, RandomKind::Ortho, RandomKind::Oblique}) {
         for (int count = 0; count < kScenesPerKind; ++count) {
             const CoreScene s(oracle::randomScene(random, kind, limits));
             const glm::dmat4 view = eyeFromWorld(s.frame);

@@ -1,6 +1,6 @@
 // The teapot that comes with the program: its patches are the published ones, and its mesh is made of them.
 
-#include "core/utah_teapot.h"
+#include "core/scene/utah_teapot.h"
 
 #include "mesh_measures.h"
 

@@ -1,8 +1,8 @@
 // The view volume's corners against literals, and the morph between eye space and the canonical view volume against what
 // it promises.
 
-#include "core/observer_camera.h"
-#include "core/view_volume.h"
+#include "core/geometry/observer_camera.h"
+#include "core/geometry/view_volume.h"
 
 #include <QTest>
 
@@ -12,6 +12,7 @@
 #include <cmath>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
 
 namespace {
 
@@ -50,7 +51,8 @@ glm::dvec3 inside(const std::array<EyePoint, 8> &c, double x, double y, double z
 {
     const auto mix = [](const glm::dvec3 &a, const glm::dvec3 &b, double s) { return a * (1.0 - s) + b * s; };
     const auto face = [&](std::size_t i) {
-        return mix(mix(c[i].coordinates(), c[i + 1].coordinates(), x), mix(c[i + 2].coordinates(), c[i + 3].coordinates(), x), y);
+        return mix(mix(c[i].coordinates(), c[i + 1].coordinates(), x),
+                   mix(c[i + 2].coordinates(), c[i + 3].coordinates(), x), y);
     };
     return mix(face(0), face(4), z);
 }
@@ -60,7 +62,7 @@ const std::array<double, 4> kShares{0.0, 0.3, 0.5, 1.0};
 
 } // namespace
 
-Q_DECLARE_METATYPE(unprojector::Projection)
+Q_DECLARE_METATYPE(unprojector::geometry::Projection)
 
 class TestViewVolume : public QObject {
     Q_OBJECT
@@ -153,7 +155,8 @@ void TestViewVolume::cornersLandOnTheCube()
         // NDC by definition: right, top and far are +1. It is drawn backwards in z, and mirrored as the window is.
         const glm::dvec3 ndc(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
         const ProjectionWindow w = projectionWindow(projection);
-        const glm::dvec3 drawn(ndc.x * (w.right > w.left ? 1.0 : -1.0), ndc.y * (w.top > w.bottom ? 1.0 : -1.0), -ndc.z);
+        const glm::dvec3 drawn(ndc.x * (w.right > w.left ? 1.0 : -1.0), ndc.y * (w.top > w.bottom ? 1.0 : -1.0),
+                               -ndc.z);
         QVERIFY(isNear(placeOf(morph, 1.0, corners[i]), drawn, kRounding));
         QVERIFY(isNear(divided(morph.morphedFromNdc * glm::dvec4(ndc, 1.0)), drawn, 0.0));
     }
@@ -228,7 +231,8 @@ void TestViewVolume::depthKeepsItsOrder()
         double before = placeOf(morph, t, inside(corners, 0.5, 0.5, 0.0)).z;
         for (int i = 1; i <= 100; ++i) {
             const double z = placeOf(morph, t, inside(corners, 0.5, 0.5, i / 100.0)).z;
-            QVERIFY2(z < before, qPrintable(QStringLiteral("t %1, step %2: %3 after %4").arg(t).arg(i).arg(z).arg(before)));
+            QVERIFY2(z < before,
+                     qPrintable(QStringLiteral("t %1, step %2: %3 after %4").arg(t).arg(i).arg(z).arg(before)));
             before = z;
         }
     }
@@ -283,7 +287,8 @@ void TestViewVolume::thePlanesHoldAllThenTheVolume()
 
 void TestViewVolume::aSegmentIsCutAtThePlanes()
 {
-    const std::array<glm::dvec4, 2> planes{glm::dvec4(1.0, 0.0, 0.0, 0.0), glm::dvec4(-1.0, 0.0, 0.0, 2.0)}; // 0 <= x <= 2
+    const std::array<glm::dvec4, 2> planes{glm::dvec4(1.0, 0.0, 0.0, 0.0),
+                                           glm::dvec4(-1.0, 0.0, 0.0, 2.0)}; // 0 <= x <= 2
     const std::optional<Segment> cut = clipped(Segment{{-1.0, 0.0, 0.0}, {3.0, 4.0, 0.0}}, planes);
     QVERIFY(cut.has_value());
     QVERIFY(isNear(cut->from, {0.0, 1.0, 0.0}, kRounding));
@@ -326,7 +331,11 @@ void TestViewVolume::theObserverSeesEverythingItIsToFrame()
         std::vector<WorldPoint> points{frame.eye};
         for (const EyePoint &corner : viewVolumeCorners(watched))
             points.push_back(worldFromEye(frame, corner));
-        ViewGeometry observer{{300, 400, 1.0}, {0.0, 0.0, 300.0, 400.0}, {}, Perspective{0.6, 0.75, 0.1, 1e4}, observerOf(frame, frame.eye)};
+        ViewGeometry observer{{300, 400, 1.0},
+                              {0.0, 0.0, 300.0, 400.0},
+                              {},
+                              Perspective{0.6, 0.75, 0.1, 1e4},
+                              observerOf(frame, frame.eye)};
         observer.camera = framedTightly(observer, points);
         QVERIFY(check(observer).hasValue());
         const EyeFrame from = *eyeFrame(observer.camera);
@@ -354,7 +363,8 @@ void TestViewVolume::aDraggedPlaneFollowsThePointer_data()
     QTest::newRow("frustum, near deeper") << Projection(Frustum{-0.2, 1.0, -0.7, 0.1, 2.0, 10.0}) << 0 << 4.0;
     QTest::newRow("perspective, far deeper") << Projection(Perspective{0.8, 1.5, 2.0, 10.0}) << 6 << 12.0;
     QTest::newRow("ortho, near to behind the eye") << Projection(Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0}) << 1 << -2.0;
-    QTest::newRow("oblique, far closer") << Projection(Oblique{{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0}, kPi / 3.0, kPi / 4.0}) << 5 << 8.0;
+    QTest::newRow("oblique, far closer") << Projection(Oblique{{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0}, kPi / 3.0, kPi / 4.0})
+                                         << 5 << 8.0;
 }
 
 void TestViewVolume::aDraggedPlaneFollowsThePointer()
@@ -370,27 +380,36 @@ void TestViewVolume::aDraggedPlaneFollowsThePointer()
     pixels[1][1] = -500.0;
     pixels[3] = {500.0, 500.0, 0.0, 1.0};
     const glm::dmat4 widgetFromEye = pixels * *clipFromEye(Perspective{0.8, 1.0, 0.1, 1000.0}) * eyeFromWorld(from);
-    const auto pixelOf = [&](const EyePoint &p) { return glm::dvec2(divided(widgetFromEye * glm::dvec4(p.coordinates(), 1.0))); };
+    const auto pixelOf = [&](const EyePoint &p) {
+        return glm::dvec2(divided(widgetFromEye * glm::dvec4(p.coordinates(), 1.0)));
+    };
 
     const bool movesFar = corner & 4;
     const ProjectionWindow w = projectionWindow(projection);
-    const Projection target = withClipDistances(projection, movesFar ? w.nearDistance : wanted, movesFar ? wanted : w.farDistance);
+    const Projection target =
+        withClipDistances(projection, movesFar ? w.nearDistance : wanted, movesFar ? wanted : w.farDistance);
     const EyePoint grabbed = viewVolumeCorners(projection)[index];
     // The hand takes hold a few pixels beside the corner and keeps that offset.
     const glm::dvec2 beside(3.0, -2.0);
-    const ClipPlaneDrag drag(projection, movesFar ? ClipPlane::Far : ClipPlane::Near, grabbed, widgetFromEye, pixelOf(grabbed) + beside);
+    const ClipPlaneDrag drag(projection, movesFar ? ClipPlane::Far : ClipPlane::Near, grabbed, widgetFromEye,
+                             pixelOf(grabbed) + beside);
     const std::optional<double> distance = drag.distanceAt(pixelOf(viewVolumeCorners(target)[index]) + beside);
     QVERIFY(distance.has_value());
     QVERIFY2(std::abs(*distance - wanted) < 1e-9, qPrintable(QString::number(*distance, 'g', 17)));
-    const std::optional<Projection> dragged = drag.projectionAt(projection, pixelOf(viewVolumeCorners(target)[index]) + beside);
-    QVERIFY(dragged && *dragged == withClipDistances(projection, movesFar ? w.nearDistance : *distance, movesFar ? *distance : w.farDistance));
+    const std::optional<Projection> dragged =
+        drag.projectionAt(projection, pixelOf(viewVolumeCorners(target)[index]) + beside);
+    QVERIFY(dragged
+            && *dragged
+                   == withClipDistances(projection, movesFar ? w.nearDistance : *distance,
+                                        movesFar ? *distance : w.farDistance));
 }
 
 void TestViewVolume::aDraggedPlaneStaysValid()
 {
     const EyeFrame from = *eyeFrame({WorldPoint(20.0, 8.0, 5.0), WorldPoint(0.0, 0.0, -5.0), {0.0, 1.0, 0.0}});
     const glm::dmat4 widgetFromEye = *clipFromEye(Perspective{0.8, 1.0, 0.1, 1000.0}) * eyeFromWorld(from);
-    for (const Projection &projection : {Projection(Perspective{0.8, 1.5, 2.0, 10.0}), Projection(Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0})}) {
+    for (const Projection &projection :
+         {Projection(Perspective{0.8, 1.5, 2.0, 10.0}), Projection(Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 10.0})}) {
         const std::array<EyePoint, 8> corners = viewVolumeCorners(projection);
         for (const ClipPlane plane : {ClipPlane::Near, ClipPlane::Far}) {
             const EyePoint grabbed = corners[plane == ClipPlane::Near ? 3 : 7];

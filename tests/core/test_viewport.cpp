@@ -1,13 +1,14 @@
 // The only place with a y flip, a pixel ratio or half a pixel. Both unprojections start from the same window point,
 // so that an error here would leave them in agreement: these rows are literal numbers, written out by hand.
 
-#include "core/viewport.h"
+#include "core/geometry/viewport.h"
 
 #include <QTest>
 
 #include <limits>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
 
 namespace {
 

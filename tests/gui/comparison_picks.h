@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pick.h"
+#include "core/unproject/pick.h"
 
 #include <QRegularExpression>
 #include <QString>
@@ -10,6 +10,8 @@
 namespace comparing {
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 /// 800 x 600, window +-0.828427 x +-0.62132 at n = 2, f = 10, from (0, 0, 5) towards the origin.
 inline ViewGeometry frustumGeometry()

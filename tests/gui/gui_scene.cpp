@@ -1,6 +1,6 @@
 #include "tests/gui/gui_scene.h"
 
-#include "core/solids.h"
+#include "core/scene/solids.h"
 
 #include <QApplication>
 #include <QSettings>

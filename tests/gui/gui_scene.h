@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gui/main_window.h"
-#include "gui/scene_document.h"
-#include "gui/scene_view.h"
+#include "gui/document/scene_document.h"
+#include "gui/view/scene_view.h"
+#include "gui/window/main_window.h"
 
 #include <QColor>
 #include <QImage>
@@ -18,6 +18,7 @@
 namespace guitest {
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 /// Settings go to a folder of the test's own, never to the user's.
 void redirectSettings();

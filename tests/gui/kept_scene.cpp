@@ -1,6 +1,6 @@
 #include "tests/gui/kept_scene.h"
 
-#include "gui/scene_document.h"
+#include "gui/document/scene_document.h"
 
 using namespace std::chrono_literals;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gui/autosave.h"
-#include "gui/main_window.h"
+#include "gui/document/autosave.h"
+#include "gui/window/main_window.h"
 
 #include "gui_scene.h"
 
@@ -18,6 +18,7 @@
 namespace keeping {
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 /// How long to wait for what must come.
 constexpr int kMostMilliseconds = 20000;

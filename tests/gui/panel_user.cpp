@@ -4,12 +4,13 @@
 #include <QComboBox>
 #include <QTest>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 bool isSameScene(const Scene &a, const Scene &b)
 {
     const auto isSameView = [](const LookAt &v, const LookAt &w) {
-        return v.eye.coordinates() == w.eye.coordinates() && v.center.coordinates() == w.center.coordinates() && v.up == w.up;
+        return v.eye.coordinates() == w.eye.coordinates() && v.center.coordinates() == w.center.coordinates()
+               && v.up == w.up;
     };
     if (a.objects.size() != b.objects.size())
         return false;
@@ -17,9 +18,11 @@ bool isSameScene(const Scene &a, const Scene &b)
         if (a.objects[i].transform != b.objects[i].transform)
             return false;
     }
-    return isSameView(a.camera, b.camera) && a.projection == b.projection && a.viewport == b.viewport && a.depthRange == b.depthRange
-        && a.clipPlanes == b.clipPlanes && a.clipPlanesOff.size() == b.clipPlanesOff.size()
-        && a.projectionFollowsViewport == b.projectionFollowsViewport && a.clipDistancesFitObjects == b.clipDistancesFitObjects;
+    return isSameView(a.camera, b.camera) && a.projection == b.projection && a.viewport == b.viewport
+           && a.depthRange == b.depthRange && a.clipPlanes == b.clipPlanes
+           && a.clipPlanesOff.size() == b.clipPlanesOff.size()
+           && a.projectionFollowsViewport == b.projectionFollowsViewport
+           && a.clipDistancesFitObjects == b.clipDistancesFitObjects;
 }
 
 void PanelUser::open(const Scene &scene)
@@ -50,7 +53,8 @@ void PanelUser::showTab(const QString &name)
 NumberField *PanelUser::field(const QString &name, const QString &within)
 {
     for (int tab = 0; tab < m_panel->count(); ++tab) {
-        const QWidget *place = within.isEmpty() ? m_panel->widget(tab) : m_panel->widget(tab)->findChild<QWidget *>(within);
+        const QWidget *place =
+            within.isEmpty() ? m_panel->widget(tab) : m_panel->widget(tab)->findChild<QWidget *>(within);
         if (auto *found = place ? place->findChild<NumberField *>(name) : nullptr) {
             m_panel->setCurrentIndex(tab);
             return found;
@@ -90,4 +94,4 @@ void PanelUser::click(const QString &button, const QString &within)
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

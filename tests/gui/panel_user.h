@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/scene.h"
+#include "core/scene/scene.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/parameters/number_field.h"
 #include "gui/panels/parameters_panel.h"
-#include "gui/scene_document.h"
 
 #include <memory>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// The state that every row starts from, each number another one.
 inline Scene startScene()
@@ -31,15 +31,38 @@ inline const Frustum &frustumOf(const Scene &scene)
 
 // What the rows make of it first.
 inline void asIs(Scene &) {}
-inline void perspective(Scene &s) { s.projection = Perspective{0.8, 1.5, 1.0, 100.0}; }
-inline void box(Scene &s) { s.projection = Ortho{-2.0, 3.0, -1.0, 4.0, 1.0, 100.0}; }
-inline void oblique(Scene &s) { s.projection = Oblique{Ortho{-2.0, 3.0, -1.0, 4.0, 1.0, 100.0}, 1.0, 2.0}; }
-inline void fixedViewport(Scene &s) { s.viewport.kind = ViewportRule::Kind::Fixed; }
-inline void letterbox(Scene &s) { s.viewport.kind = ViewportRule::Kind::KeepAspect; }
-inline void scaled(Scene &s) { s.objects[0].transform = {Scale{{2.0, 1.0, 1.0}}}; }
-inline void rotated(Scene &s) { s.objects[0].transform = {Rotate{30.0, {0.0, 1.0, 0.0}}}; }
-inline void cut(Scene &s) { s.clipPlanes = {{1.0, 0.0, 0.0, 0.5}}; }
-
+inline void perspective(Scene &s)
+{
+    s.projection = Perspective{0.8, 1.5, 1.0, 100.0};
+}
+inline void box(Scene &s)
+{
+    s.projection = Ortho{-2.0, 3.0, -1.0, 4.0, 1.0, 100.0};
+}
+inline void oblique(Scene &s)
+{
+    s.projection = Oblique{Ortho{-2.0, 3.0, -1.0, 4.0, 1.0, 100.0}, 1.0, 2.0};
+}
+inline void fixedViewport(Scene &s)
+{
+    s.viewport.kind = ViewportRule::Kind::Fixed;
+}
+inline void letterbox(Scene &s)
+{
+    s.viewport.kind = ViewportRule::Kind::KeepAspect;
+}
+inline void scaled(Scene &s)
+{
+    s.objects[0].transform = {Scale{{2.0, 1.0, 1.0}}};
+}
+inline void rotated(Scene &s)
+{
+    s.objects[0].transform = {Rotate{30.0, {0.0, 1.0, 0.0}}};
+}
+inline void cut(Scene &s)
+{
+    s.clipPlanes = {{1.0, 0.0, 0.0, 0.5}};
+}
 
 /// Compares what a scene's parameters are; of its objects only how they are placed.
 bool isSameScene(const Scene &a, const Scene &b);
@@ -65,4 +88,4 @@ protected:
     std::unique_ptr<ParametersPanel> m_panel;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

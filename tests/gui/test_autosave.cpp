@@ -2,7 +2,7 @@
 
 #include "tests/gui/kept_scene.h"
 
-#include "gui/scene_document.h"
+#include "gui/document/scene_document.h"
 
 #include <QStatusBar>
 

@@ -1,10 +1,10 @@
 // What the panel shows of a pick: the numbers, which of their digits are certain, and what is copied. No window of OpenGL
 // is needed.
 
-#include "gui/formula_text.h"
-#include "gui/number_text.h"
 #include "gui/panels/comparison_model.h"
 #include "gui/panels/comparison_panel.h"
+#include "gui/text/formula_text.h"
+#include "gui/text/number_text.h"
 
 #include "comparison_picks.h"
 
@@ -21,6 +21,7 @@
 #include <cmath>
 
 using namespace comparing;
+using namespace unprojector::gui;
 
 namespace {
 

@@ -1,10 +1,10 @@
 // What is written of a pick: its numbers, the formulas with numbers put in, the cause of a difference, and the wording of
 // every error.
 
-#include "gui/error_text.h"
-#include "gui/formula_text.h"
-#include "gui/number_text.h"
 #include "gui/panels/comparison_panel.h"
+#include "gui/text/error_text.h"
+#include "gui/text/formula_text.h"
+#include "gui/text/number_text.h"
 
 #include "comparison_picks.h"
 
@@ -15,6 +15,7 @@
 #include <set>
 
 using namespace comparing;
+using namespace unprojector::gui;
 
 namespace {
 

@@ -1,9 +1,9 @@
 // The tutorials' examples on the screen: each shows something, and a click on the point that its note speaks of reads
 // that point.
 
-#include "core/examples.h"
-#include "gui/scene_document.h"
-#include "gui/scene_view.h"
+#include "core/scene/examples.h"
+#include "gui/document/scene_document.h"
+#include "gui/view/scene_view.h"
 
 #include <QTest>
 
@@ -13,6 +13,7 @@
 #include <cmath>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 namespace {
 

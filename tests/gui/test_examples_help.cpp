@@ -1,13 +1,13 @@
 // The examples' notes and the page of formulas: nothing of them is missing, and the pipeline panel shows the tutorials'
 // numbers for the examples.
 
-#include "core/examples.h"
-#include "gui/example_note.h"
-#include "gui/example_texts.h"
-#include "gui/formula_markup.h"
-#include "gui/formulas_window.h"
+#include "core/scene/examples.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/pipeline_model.h"
-#include "gui/scene_document.h"
+#include "gui/text/example_texts.h"
+#include "gui/text/formula_markup.h"
+#include "gui/window/example_note.h"
+#include "gui/window/formulas_window.h"
 
 #include <QAbstractButton>
 #include <QFile>
@@ -22,6 +22,7 @@
 #include <cmath>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 namespace {
 
@@ -161,11 +162,15 @@ void TestExamplesHelp::thePipelineShowsTheFigures_data()
     QTest::addColumn<int>("row");
     QTest::addColumn<int>("column");
     QTest::addColumn<double>("expected");
-    QTest::newRow("fig. 2.7: m[14]") << QByteArray("zhangci-model-view") << int(Stage::ModelviewMatrix) << 2 << 3 << -8.0;
+    QTest::newRow("fig. 2.7: m[14]") << QByteArray("zhangci-model-view") << int(Stage::ModelviewMatrix) << 2 << 3
+                                     << -8.0;
     QTest::newRow("fig. 2.10: m[10]") << QByteArray("zhangci-ortho") << int(Stage::ProjectionMatrix) << 2 << 2 << -0.1;
-    QTest::newRow("fig. 2.12: m[14]") << QByteArray("zhangci-perspective") << int(Stage::ProjectionMatrix) << 2 << 3 << -2.0202019;
-    QTest::newRow("hand-made matrix: m[0]") << QByteArray("derivation-matrix") << int(Stage::ProjectionMatrix) << 0 << 0 << 1.33333333;
-    QTest::newRow("gluPerspective: m[0]") << QByteArray("derivation-perspective") << int(Stage::ProjectionMatrix) << 0 << 0 << 0.75;
+    QTest::newRow("fig. 2.12: m[14]") << QByteArray("zhangci-perspective") << int(Stage::ProjectionMatrix) << 2 << 3
+                                      << -2.0202019;
+    QTest::newRow("hand-made matrix: m[0]")
+        << QByteArray("derivation-matrix") << int(Stage::ProjectionMatrix) << 0 << 0 << 1.33333333;
+    QTest::newRow("gluPerspective: m[0]")
+        << QByteArray("derivation-perspective") << int(Stage::ProjectionMatrix) << 0 << 0 << 0.75;
     QTest::newRow("2-D: MC") << QByteArray("zhangci-2d") << int(Stage::ModelMatrix) << 0 << 3 << 4.0;
 }
 
@@ -203,7 +208,8 @@ void TestExamplesHelp::theShortFormIsSet_data()
     QTest::newRow("fraction") << around.arg(QStringLiteral("{x | n} + 1")) << 3 << QStringLiteral("a x n + 1 b");
     QTest::newRow("matrix") << around.arg(QStringLiteral("{a, 0; 0, b}")) << 3 << QStringLiteral("a a 0 0 b b");
     QTest::newRow("column") << around.arg(QStringLiteral("M {x; y; 1}")) << 3 << QStringLiteral("a M x y 1 b");
-    QTest::newRow("fraction in a matrix") << around.arg(QStringLiteral("{−{r + l | r − l}, 0; 0, 1}")) << 5 << QStringLiteral("a − r + l r − l 0 0 1 b");
+    QTest::newRow("fraction in a matrix")
+        << around.arg(QStringLiteral("{−{r + l | r − l}, 0; 0, 1}")) << 5 << QStringLiteral("a − r + l r − l 0 0 1 b");
     QTest::newRow("unclosed") << around.arg(QStringLiteral("{a, b")) << 3 << QStringLiteral("a a b b");
 }
 
@@ -277,7 +283,8 @@ void TestExamplesHelp::everyErrorIsThere()
     QFETCH(QString, printed);
     QFETCH(QString, right);
     const QString page = source();
-    const qsizetype begin = page.indexOf(QLatin1String("name=\"errors\"")), end = page.indexOf(QLatin1String("</table>"), begin);
+    const qsizetype begin = page.indexOf(QLatin1String("name=\"errors\"")),
+                    end = page.indexOf(QLatin1String("</table>"), begin);
     static const QRegularExpression row(QStringLiteral("<tr><td>(.*?)</td><td>(.*?)</td><td>(.*?)</td></tr>"));
     int rows = 0, found = 0;
     for (auto matches = row.globalMatch(page.mid(begin, end - begin)); matches.hasNext(); ++rows) {
@@ -346,8 +353,8 @@ void TestExamplesHelp::theTextIsZoomedWithinLimits()
         QCOMPARE(window.zoomPercent(), given);
     }
     window.setZoomPercent(100);
-    QWheelEvent up({50, 50}, window.page().viewport()->mapToGlobal(QPointF(50, 50)), {}, {0, 120}, Qt::NoButton, Qt::ControlModifier,
-                   Qt::NoScrollPhase, false);
+    QWheelEvent up({50, 50}, window.page().viewport()->mapToGlobal(QPointF(50, 50)), {}, {0, 120}, Qt::NoButton,
+                   Qt::ControlModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(window.page().viewport(), &up);
     QCOMPARE(window.zoomPercent(), 110);
 }

@@ -1,10 +1,10 @@
 // The log by itself, and the life of a real view in it.
 
-#include "core/bundled_scene.h"
-#include "gui/lifecycle_log.h"
+#include "core/scene/bundled_scene.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/lifecycle_panel.h"
-#include "gui/scene_document.h"
-#include "gui/scene_view.h"
+#include "gui/view/lifecycle_log.h"
+#include "gui/view/scene_view.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -16,6 +16,7 @@
 #include <memory>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 using Kind = LifecycleEvent::Kind;
 
 namespace {
@@ -40,7 +41,8 @@ LifecycleEvent draw(double milliseconds)
 
 LifecycleEvent size(int width)
 {
-    return {Kind::OnSize, QStringLiteral("%1, 768").arg(width), QStringLiteral("glViewport(0, 0, %1, 768)").arg(width), 0.25};
+    return {Kind::OnSize, QStringLiteral("%1, 768").arg(width), QStringLiteral("glViewport(0, 0, %1, 768)").arg(width),
+            0.25};
 }
 
 /// A step's name without its arguments and counts.
@@ -73,7 +75,8 @@ void TestLifecycleLog::aStepIsShownAsACallWithWhatItStandsFor()
     log.append(size(1024));
     log.append({Kind::OnLButtonDown, QStringLiteral("10, 20"), QStringLiteral("glReadPixels"), 0.004});
     log.append({Kind::OnDestroy, {}, QStringLiteral("glDeleteProgram"), 1.0});
-    QCOMPARE(column(log, LifecycleLog::Step), QStringList({"PreCreateWindow()", "OnCreate()", "OnSize(1024, 768)", "OnLButtonDown(10, 20)", "OnDestroy()"}));
+    QCOMPARE(column(log, LifecycleLog::Step), QStringList({"PreCreateWindow()", "OnCreate()", "OnSize(1024, 768)",
+                                                           "OnLButtonDown(10, 20)", "OnDestroy()"}));
     QCOMPARE(cell(log, 2, LifecycleLog::StandsFor), QStringLiteral("glViewport(0, 0, 1024, 768)"));
     QCOMPARE(column(log, LifecycleLog::Took), QStringList({"–", "12.35 ms", "0.25 ms", "0.00 ms", "1.00 ms"}));
     QCOMPARE(cell(log, 0, LifecycleLog::Time), QStringLiteral("0.000 s"));
@@ -104,7 +107,8 @@ void TestLifecycleLog::anotherStepEndsTheRow()
     LifecycleLog log;
     for (const LifecycleEvent &event : {draw(1.0), draw(1.0), size(800), size(801), draw(1.0)})
         log.append(event);
-    QCOMPARE(column(log, LifecycleLog::Step), QStringList({"OnDraw × 2", "OnSize(800, 768)", "OnSize(801, 768)", "OnDraw"}));
+    QCOMPARE(column(log, LifecycleLog::Step),
+             QStringList({"OnDraw × 2", "OnSize(800, 768)", "OnSize(801, 768)", "OnDraw"}));
     log.clear();
     QCOMPARE(log.rowCount(), 0);
     log.append(draw(1.0));
@@ -160,10 +164,12 @@ void TestLifecycleLog::thePanelCopiesAndClears()
     log.append(size(640));
     log.append(size(641));
     button("Copy")->click();
-    QCOMPARE(QApplication::clipboard()->text().section(u'\t', 1, 3), QStringLiteral("OnSize(640, 768)\tglViewport(0, 0, 640, 768)\t0.25 ms\n0.000 s"));
+    QCOMPARE(QApplication::clipboard()->text().section(u'\t', 1, 3),
+             QStringLiteral("OnSize(640, 768)\tglViewport(0, 0, 640, 768)\t0.25 ms\n0.000 s"));
     panel.findChild<QTableView *>()->selectRow(1);
     button("Copy")->click();
-    QCOMPARE(QApplication::clipboard()->text().section(u'\t', 1), QStringLiteral("OnSize(641, 768)\tglViewport(0, 0, 641, 768)\t0.25 ms\n"));
+    QCOMPARE(QApplication::clipboard()->text().section(u'\t', 1),
+             QStringLiteral("OnSize(641, 768)\tglViewport(0, 0, 641, 768)\t0.25 ms\n"));
     button("Clear")->click();
     QCOMPARE(log.rowCount(), 0);
     QVERIFY(!button("Clear")->isEnabled());
@@ -202,7 +208,8 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     view->resize(400, 300);
     QTRY_VERIFY(log.rowCount() >= beforeResize + 2);
     QTest::mouseClick(view.get(), Qt::LeftButton, {}, {100, 40});
-    QTRY_VERIFY(nameOf(cell(log, log.rowCount() - 1, LifecycleLog::Step)) == QStringLiteral("OnDraw")); // the pick is drawn
+    QTRY_VERIFY(nameOf(cell(log, log.rowCount() - 1, LifecycleLog::Step))
+                == QStringLiteral("OnDraw")); // the pick is drawn
     view.reset();
 
     // First and last of each step, in this order.
@@ -212,7 +219,8 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
         if (names.isEmpty() || names.last() != nameOf(step))
             names << nameOf(step);
     }
-    QCOMPARE(names, QStringList({"PreCreateWindow", "OnCreate", "OnSize", "OnDraw", "OnSize", "OnDraw", "OnLButtonDown", "OnDraw", "OnDestroy"}));
+    QCOMPARE(names, QStringList({"PreCreateWindow", "OnCreate", "OnSize", "OnDraw", "OnSize", "OnDraw", "OnLButtonDown",
+                                 "OnDraw", "OnDestroy"}));
 
     const double ratio = document.geometry().surface.devicePixelRatio;
     if (ratio != 1.0)
@@ -222,7 +230,8 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     QVERIFY2(rowOf("OnSize(400, 300)") > rowOf("OnSize(800, 600)"), qPrintable(steps.join(u' ')));
     QCOMPARE(cell(log, rowOf("OnSize(400, 300)"), LifecycleLog::StandsFor), viewport);
     if (kind == int(ViewportRule::Kind::Quarter))
-        QCOMPARE(cell(log, rowOf("OnSize(800, 600)"), LifecycleLog::StandsFor), QStringLiteral("glViewport(400, 0, 400, 300)"));
+        QCOMPARE(cell(log, rowOf("OnSize(800, 600)"), LifecycleLog::StandsFor),
+                 QStringLiteral("glViewport(400, 0, 400, 300)"));
     QVERIFY2(rowOf("OnLButtonDown(100, 40)") > 0, qPrintable(steps.join(u' ')));
     // Row 300 - 1 - 40 from the bottom.
     const QString read = cell(log, rowOf("OnLButtonDown(100, 40)"), LifecycleLog::StandsFor);

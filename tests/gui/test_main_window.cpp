@@ -2,9 +2,9 @@
 
 #include "gui_scene.h"
 
-#include "core/examples.h"
-#include "gui/lifecycle_log.h"
-#include "gui/scene_view.h"
+#include "core/scene/examples.h"
+#include "gui/view/lifecycle_log.h"
+#include "gui/view/scene_view.h"
 
 #include <QDockWidget>
 #include <QMenu>
@@ -13,6 +13,7 @@
 #include <QTest>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 using namespace guitest;
 
 namespace {
@@ -77,8 +78,10 @@ void TestMainWindow::allPanelsStandBesideTheViewInALargeWindow()
     QVERIFY(leftOf(*dockOf(*window, "parameters")) < leftOf(view));
     QVERIFY(leftOf(*dockOf(*window, "comparison")) > leftOf(view));
     QVERIFY(dockOf(*window, "inspector")->mapTo(window.get(), QPoint(0, 0)).y() > view.height());
-    QCOMPARE(window->tabifiedDockWidgets(dockOf(*window, "comparison")), QList<QDockWidget *>{dockOf(*window, "pipeline")});
-    QCOMPARE(window->tabifiedDockWidgets(dockOf(*window, "inspector")), QList<QDockWidget *>{dockOf(*window, "lifecycle")});
+    QCOMPARE(window->tabifiedDockWidgets(dockOf(*window, "comparison")),
+             QList<QDockWidget *>{dockOf(*window, "pipeline")});
+    QCOMPARE(window->tabifiedDockWidgets(dockOf(*window, "inspector")),
+             QList<QDockWidget *>{dockOf(*window, "lifecycle")});
     QVERIFY(view.width() > 0.45 * window->width() && view.height() > 0.6 * window->height());
 }
 

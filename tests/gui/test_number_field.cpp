@@ -1,6 +1,6 @@
 // A field for one number, by itself: what it reads, what it shows, how it steps, and when it leaves the user's text alone.
 
-#include "core/angle.h"
+#include "core/geometry/angle.h"
 #include "gui/panels/parameters/number_field.h"
 
 #include <QTest>
@@ -11,9 +11,10 @@
 #include <limits>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
 
-class TestNumberField : public QObject
-{
+class TestNumberField : public QObject {
     Q_OBJECT
 
 private slots:
@@ -187,7 +188,8 @@ void TestNumberField::theWheelStepsOnlyWithTheFocus()
 {
     const auto turn = [this](int angle) {
         const QPointF position(5.0, 5.0);
-        QWheelEvent event(position, m_field->mapToGlobal(position), {}, {0, angle}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QWheelEvent event(position, m_field->mapToGlobal(position), {}, {0, angle}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(m_field, &event);
         return event.isAccepted();
     };

@@ -1,9 +1,10 @@
 // The view from outside: it draws without errors, its hand moves what it says it moves, and nothing else.
 
-#include "core/bundled_scene.h"
-#include "core/view_volume.h"
-#include "gui/observer_view.h"
+#include "core/geometry/view_volume.h"
+#include "core/scene/bundled_scene.h"
+#include "core/geometry/angle.h"
 #include "gui/panels/observer_panel.h"
+#include "gui/view/observer_view.h"
 
 #include <QApplication>
 #include <QImage>
@@ -20,10 +21,10 @@
 #include <memory>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Pixels whose colour differs by more than a few steps.
 int differentPixels(const QImage &a, const QImage &b)
@@ -58,7 +59,7 @@ void drag(QWidget &widget, const QPointF &from, const QPointF &to)
 
 } // namespace
 
-Q_DECLARE_METATYPE(unprojector::Projection)
+Q_DECLARE_METATYPE(unprojector::geometry::Projection)
 
 class TestObserverView : public QObject {
     Q_OBJECT
@@ -309,7 +310,9 @@ void TestObserverView::aNewSceneIsFitted()
 void TestObserverView::keysTurnAndZoom()
 {
     const LookAt placed = view().observer();
-    const auto distance = [this] { return glm::length(view().observer().eye.coordinates() - view().observer().center.coordinates()); };
+    const auto distance = [this] {
+        return glm::length(view().observer().eye.coordinates() - view().observer().center.coordinates());
+    };
     const double placedDistance = distance();
     QTest::keyClick(&view(), Qt::Key_Left);
     QVERIFY(glm::length(view().observer().eye.coordinates() - placed.eye.coordinates()) > 0.1);
@@ -322,4 +325,5 @@ void TestObserverView::keysTurnAndZoom()
 }
 
 QTEST_MAIN(TestObserverView)
+#include "core/geometry/angle.h"
 #include "test_observer_view.moc"

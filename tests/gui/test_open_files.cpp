@@ -3,9 +3,9 @@
 
 #include "tests/gui/gui_scene.h"
 
-#include "gui/overlay_bars.h"
+#include "gui/document/recent_files.h"
 #include "gui/panels/comparison_panel.h"
-#include "gui/recent_files.h"
+#include "gui/window/overlay_bars.h"
 
 #include <QDir>
 #include <QDragEnterEvent>

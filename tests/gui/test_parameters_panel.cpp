@@ -11,6 +11,7 @@
 #include <QTest>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 namespace {
 
@@ -80,8 +81,7 @@ const BadRow kBadRows[] = {
 
 } // namespace
 
-class TestParametersPanel : public QObject, PanelUser
-{
+class TestParametersPanel : public QObject, PanelUser {
     Q_OBJECT
 
 private slots:
@@ -103,7 +103,6 @@ private slots:
     void typingTheSameNumberIsNoChange();
     void aHiddenPanelDoesNothingUntilItIsShown();
     void nothingIsCutInANarrowDock();
-
 };
 
 void TestParametersPanel::aTypedNumberIsTheScenes_data()
@@ -141,7 +140,9 @@ void TestParametersPanel::aBadNumberIsRedAndTheLastGoodViewStays()
     r.prepare(prepared);
     open(prepared);
     showTab(r.prepare == cut ? QStringLiteral("clipTab") : QStringLiteral("modelTab"));
-    const QString within = r.prepare == cut ? QStringLiteral("plane1") : r.prepare == scaled || r.prepare == rotated ? QStringLiteral("step1") : QString();
+    const QString within = r.prepare == cut                              ? QStringLiteral("plane1")
+                           : r.prepare == scaled || r.prepare == rotated ? QStringLiteral("step1")
+                                                                         : QString();
     NumberField *target = field(QString::fromUtf8(r.field), within);
     const Scene before = scene();
     // Pasted, so that the digits on the way do not count.
@@ -338,10 +339,13 @@ void TestParametersPanel::nothingIsCutInANarrowDock()
         QTest::qWait(1);
         QCOMPARE(m_panel->size(), QSize(250, 430));
         for (const QWidget *child : m_panel->currentWidget()->findChildren<QWidget *>()) {
-            if (!child->isVisible() || !(qobject_cast<const QLineEdit *>(child) || qobject_cast<const QAbstractButton *>(child) || qobject_cast<const QComboBox *>(child)))
+            if (!child->isVisible()
+                || !(qobject_cast<const QLineEdit *>(child) || qobject_cast<const QAbstractButton *>(child)
+                     || qobject_cast<const QComboBox *>(child)))
                 continue;
             const auto *button = qobject_cast<const QPushButton *>(child);
-            const int least = button ? button->fontMetrics().horizontalAdvance(button->text()) + 4 : child->minimumSizeHint().width();
+            const int least =
+                button ? button->fontMetrics().horizontalAdvance(button->text()) + 4 : child->minimumSizeHint().width();
             const int right = child->mapTo(m_panel.get(), QPoint(child->width(), 0)).x();
             QVERIFY2(right <= 250 && child->width() >= least,
                      qPrintable(QStringLiteral("%1 ends at %2").arg(child->accessibleName()).arg(right)));

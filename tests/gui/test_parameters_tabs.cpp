@@ -15,6 +15,7 @@
 #include <vector>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 namespace {
 
@@ -25,8 +26,7 @@ constexpr double kRounding = 1e-12;
 
 } // namespace
 
-class TestParametersTabs : public QObject, PanelUser
-{
+class TestParametersTabs : public QObject, PanelUser {
     Q_OBJECT
 
 private slots:
@@ -53,7 +53,10 @@ private slots:
     void aPlaneInTheMiddleIsRemoved();
 
 private:
-    WindowPoint windowPoint(const WorldPoint &point) const { return windowFromWorld(m_document->geometry(), point).value(); }
+    WindowPoint windowPoint(const WorldPoint &point) const
+    {
+        return windowFromWorld(m_document->geometry(), point).value();
+    }
 };
 
 void TestParametersTabs::frustumAndPerspectiveShowTheSamePicture()
@@ -68,7 +71,8 @@ void TestParametersTabs::frustumAndPerspectiveShowTheSamePicture()
         before.push_back(windowPoint(point));
     for (const QString &kind : {QStringLiteral("Frustum"), QStringLiteral("Perspective")}) {
         choose(QStringLiteral("projectionKind"), kind);
-        QCOMPARE(kindOf(scene().projection), kind == QStringLiteral("Frustum") ? ProjectionKind::Frustum : ProjectionKind::Perspective);
+        QCOMPARE(kindOf(scene().projection),
+                 kind == QStringLiteral("Frustum") ? ProjectionKind::Frustum : ProjectionKind::Perspective);
         for (std::size_t i = 0; i < before.size(); ++i)
             QVERIFY(glm::length(windowPoint(points[i]).coordinates() - before[i].coordinates()) < kRoundingPixels);
     }
@@ -138,13 +142,20 @@ void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack_data()
     QTest::addColumn<bool>("isPerspective");
     QTest::addColumn<bool>("follows");
     QTest::addColumn<bool>("fits");
-    QTest::newRow("near") << "nearDistance" << "2" << false << true << false;
-    QTest::newRow("far") << "farDistance" << "77" << false << true << false;
-    QTest::newRow("left") << "left" << "-3" << false << false << true;
-    QTest::newRow("right") << "right" << "3" << false << false << true;
-    QTest::newRow("aspect") << "aspect" << "3" << true << false << true;
-    QTest::newRow("field-of-view") << "fovy" << "30" << true << true << true;
-    QTest::newRow("top") << "top" << "3" << false << true << true;
+    QTest::newRow("near") << "nearDistance"
+                          << "2" << false << true << false;
+    QTest::newRow("far") << "farDistance"
+                         << "77" << false << true << false;
+    QTest::newRow("left") << "left"
+                          << "-3" << false << false << true;
+    QTest::newRow("right") << "right"
+                           << "3" << false << false << true;
+    QTest::newRow("aspect") << "aspect"
+                            << "3" << true << false << true;
+    QTest::newRow("field-of-view") << "fovy"
+                                   << "30" << true << true << true;
+    QTest::newRow("top") << "top"
+                         << "3" << false << true << true;
 }
 
 void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack()
@@ -163,8 +174,10 @@ void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack()
     QCOMPARE(target->text(), text);
     QTEST(scene().projectionFollowsViewport, "follows");
     QTEST(scene().clipDistancesFitObjects, "fits");
-    QCOMPARE(m_panel->findChild<QCheckBox *>(QStringLiteral("followsViewport"))->isChecked(), scene().projectionFollowsViewport);
-    QCOMPARE(m_panel->findChild<QCheckBox *>(QStringLiteral("fitsObjects"))->isChecked(), scene().clipDistancesFitObjects);
+    QCOMPARE(m_panel->findChild<QCheckBox *>(QStringLiteral("followsViewport"))->isChecked(),
+             scene().projectionFollowsViewport);
+    QCOMPARE(m_panel->findChild<QCheckBox *>(QStringLiteral("fitsObjects"))->isChecked(),
+             scene().clipDistancesFitObjects);
     m_document->undoStack().undo();
     QVERIFY(scene().projectionFollowsViewport && scene().clipDistancesFitObjects);
 }
@@ -201,7 +214,8 @@ void TestParametersTabs::theViewportFollowsItsRule()
     choose(QStringLiteral("viewportKind"), kind);
     const auto viewport = [this] {
         const Viewport &v = m_document->geometry().viewport;
-        return QRect(static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.width), static_cast<int>(v.height));
+        return QRect(static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.width),
+                     static_cast<int>(v.height));
     };
     QTEST(viewport(), "viewport");
     if (kind == QStringLiteral("Keep aspect")) {
@@ -244,7 +258,9 @@ void TestParametersTabs::theOrderOfStepsMatters()
     type(field(QStringLiteral("number0"), QStringLiteral("step2")), QStringLiteral("90"));
     type(field(QStringLiteral("number3"), QStringLiteral("step2")), QStringLiteral("1"));
     type(field(QStringLiteral("number2"), QStringLiteral("step2")), QStringLiteral("0"));
-    const auto placed = [this] { return worldFromObject(scene().objects[0].transform) * glm::dvec4(1.0, 0.0, 0.0, 1.0); };
+    const auto placed = [this] {
+        return worldFromObject(scene().objects[0].transform) * glm::dvec4(1.0, 0.0, 0.0, 1.0);
+    };
     // T R: turned to (0, 1, 0), then moved.
     QVERIFY(placed() == glm::dvec4(1.0, 1.0, 0.0, 1.0));
     click(QStringLiteral("up"), QStringLiteral("step2"));
@@ -263,8 +279,12 @@ void TestParametersTabs::stepsAreAddedRemovedAndUndone()
     type(field(QStringLiteral("number1"), QStringLiteral("step2")), QStringLiteral("3"));
     const std::vector<TransformStep> all{Translate{}, Scale{{1.0, 3.0, 1.0}}, Rotate{0.0, {0.0, 1.0, 0.0}}};
     QVERIFY(scene().objects[0].transform == all);
-    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step1"))->findChild<QToolButton *>(QStringLiteral("up"))->isEnabled());
-    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step3"))->findChild<QToolButton *>(QStringLiteral("down"))->isEnabled());
+    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step1"))
+                 ->findChild<QToolButton *>(QStringLiteral("up"))
+                 ->isEnabled());
+    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step3"))
+                 ->findChild<QToolButton *>(QStringLiteral("down"))
+                 ->isEnabled());
 
     click(QStringLiteral("remove"), QStringLiteral("step1"));
     QVERIFY(scene().objects[0].transform == std::vector<TransformStep>(all.begin() + 1, all.end()));
@@ -321,7 +341,8 @@ void TestParametersTabs::aPlaneSwitchedOffIsKept()
     QCOMPARE(field(QStringLiteral("number3"), QStringLiteral("plane2"))->text(), QStringLiteral("2"));
     type(field(QStringLiteral("number3"), QStringLiteral("plane2")), QStringLiteral("7"));
     click(QStringLiteral("isOn"), QStringLiteral("plane2"));
-    QVERIFY(scene().clipPlanes == (std::vector<glm::dvec4>{{1.0, 0.0, 0.0, 1.0}, {0.0, 1.0, 0.0, 7.0}, {0.0, 0.0, 1.0, 3.0}}));
+    QVERIFY(scene().clipPlanes
+            == (std::vector<glm::dvec4>{{1.0, 0.0, 0.0, 1.0}, {0.0, 1.0, 0.0, 7.0}, {0.0, 0.0, 1.0, 3.0}}));
     while (m_document->undoStack().canUndo())
         m_document->undoStack().undo();
     QVERIFY(isSameScene(scene(), prepared));

@@ -1,9 +1,9 @@
 // The pipeline panel: its numbers are read from its models, and compared with the originals' or with hand-made ones.
 
+#include "gui/document/scene_document.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
 #include "gui/panels/pipeline_panel.h"
-#include "gui/scene_document.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -17,6 +17,7 @@
 #include <cmath>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 using Space = PointModel::Space;
 using Stage = PipelineStage;
 

@@ -2,8 +2,8 @@
 
 #include "tests/gui/kept_scene.h"
 
-#include "gui/overlay_bars.h"
-#include "gui/scene_document.h"
+#include "gui/document/scene_document.h"
+#include "gui/window/overlay_bars.h"
 
 #include <QApplication>
 #include <QComboBox>

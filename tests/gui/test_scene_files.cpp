@@ -2,7 +2,7 @@
 
 #include "gui_scene.h"
 
-#include "gui/scene_view.h"
+#include "gui/view/scene_view.h"
 
 #include <QDir>
 #include <QFile>
@@ -12,6 +12,7 @@
 #include <QTest>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 using namespace guitest;
 
 class TestSceneFiles : public QObject {
@@ -28,7 +29,10 @@ private slots:
     void aFolderThatIsNotThereIsTold();
 
 private:
-    std::filesystem::path path(const QString &name) const { return std::filesystem::path(m_folder.filePath(name).toStdU16String()); }
+    std::filesystem::path path(const QString &name) const
+    {
+        return std::filesystem::path(m_folder.filePath(name).toStdU16String());
+    }
     void write(const QString &name, const QByteArray &text) const
     {
         QFile file(m_folder.filePath(name));
@@ -153,14 +157,22 @@ void TestSceneFiles::modelsOpenedByARelativeNameAreFoundAgain()
 
 void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing_data()
 {
-    const QByteArray head = R"({"unprojector": 1, "window": {"width": 300, "height": 200}, "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, )";
-    const QByteArray ortho = R"("projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9})";
+    const QByteArray head =
+        R"({"unprojector": 1, "window": {"width": 300, "height": 200}, "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, )";
+    const QByteArray ortho =
+        R"("projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9})";
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QString>("named");
     QTest::newRow("cut off") << head << "bad.json";
-    QTest::newRow("near is 0") << head + R"("projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 0, "far": 9}})" << "projection.near";
-    QTest::newRow("a model that is not there") << head + ortho + R"(, "objects": [{"name": "a", "file": "nowhere.obj"}]})" << "nowhere.obj";
-    QTest::newRow("an unknown bundled model") << head + ortho + R"(, "objects": [{"name": "a", "bundled": "Nessie"}]})" << "Nessie";
+    QTest::newRow("near is 0")
+        << head
+               + R"("projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 0, "far": 9}})"
+        << "projection.near";
+    QTest::newRow("a model that is not there")
+        << head + ortho + R"(, "objects": [{"name": "a", "file": "nowhere.obj"}]})"
+        << "nowhere.obj";
+    QTest::newRow("an unknown bundled model") << head + ortho + R"(, "objects": [{"name": "a", "bundled": "Nessie"}]})"
+                                              << "Nessie";
 }
 
 void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing()

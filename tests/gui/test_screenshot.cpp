@@ -1,6 +1,6 @@
 // The program as a script runs it: --screenshot with clicks, its JSON, its picture, its exit codes and its words.
 
-#include "core/unproject_comparison.h"
+#include "core/unproject/comparison.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -18,6 +18,8 @@
 #include <limits>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 namespace {
 

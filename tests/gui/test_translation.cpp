@@ -1,6 +1,6 @@
-#include "gui/error_text.h"
-#include "gui/main_window.h"
-#include "gui/translation.h"
+#include "gui/text/error_text.h"
+#include "gui/text/translation.h"
+#include "gui/window/main_window.h"
 
 #include <QFile>
 #include <QMenuBar>
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 struct Message {
@@ -58,8 +58,7 @@ const QStringList kChinese{QStringLiteral("zh-CN")};
 
 } // namespace
 
-class TestTranslation : public QObject
-{
+class TestTranslation : public QObject {
     Q_OBJECT
 
 private slots:
@@ -77,14 +76,17 @@ void TestTranslation::everyMessageIsTranslated()
     const QList<Message> messages = messagesOfFile();
     QVERIFY(messages.size() > 500);
     for (const Message &m : messages) {
-        QVERIFY2(m.state.isEmpty() && !m.translation.isEmpty(), qPrintable(m.context + QStringLiteral(": ") + m.source));
+        QVERIFY2(m.state.isEmpty() && !m.translation.isEmpty(),
+                 qPrintable(m.context + QStringLiteral(": ") + m.source));
         for (const char *pattern : {"%[0-9]+|%n", "href='[^']*'", "</?[a-z]+"}) {
             const QString p = QString::fromLatin1(pattern);
-            QVERIFY2(found(m.source, p) == found(m.translation, p), qPrintable(m.source + QStringLiteral(" -> ") + m.translation));
+            QVERIFY2(found(m.source, p) == found(m.translation, p),
+                     qPrintable(m.source + QStringLiteral(" -> ") + m.translation));
         }
         // A key to reach it by stays one.
         const QString key = QStringLiteral("&[A-Za-z]");
-        QVERIFY2(found(m.source, key).size() == found(m.translation, key).size(), qPrintable(m.source + QStringLiteral(" -> ") + m.translation));
+        QVERIFY2(found(m.source, key).size() == found(m.translation, key).size(),
+                 qPrintable(m.source + QStringLiteral(" -> ") + m.translation));
     }
 }
 
@@ -97,7 +99,8 @@ void TestTranslation::theProgramFindsEveryTranslation()
     const Translation translation(kChinese);
     for (const Message &m : messagesOfFile()) {
         if (!m.source.contains(u"%n"))
-            QCOMPARE(QCoreApplication::translate(m.context.toUtf8().constData(), m.source.toUtf8().constData()), m.translation);
+            QCOMPARE(QCoreApplication::translate(m.context.toUtf8().constData(), m.source.toUtf8().constData()),
+                     m.translation);
     }
 }
 
@@ -130,7 +133,7 @@ void TestTranslation::theFirstLanguageCounts()
     QCOMPARE(MainWindow::tr("Tools"), QStringLiteral("Tools"));
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui
 
-QTEST_MAIN(unprojector::TestTranslation)
+QTEST_MAIN(unprojector::gui::TestTranslation)
 #include "test_translation.moc"

@@ -1,7 +1,7 @@
 // What counts as an unsaved change, what is asked about, and what the answers do.
 
-#include "gui/main_window.h"
-#include "gui/scene_document.h"
+#include "gui/document/scene_document.h"
+#include "gui/window/main_window.h"
 
 #include "gui_scene.h"
 
@@ -19,6 +19,7 @@
 #include <functional>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 using namespace guitest;
 
 namespace {

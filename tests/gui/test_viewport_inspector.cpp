@@ -1,10 +1,10 @@
 // The numbers of the inspector, read from its table and its texts: literal, worked out by hand.
 
-#include "core/bundled_scene.h"
+#include "core/scene/bundled_scene.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/corners_model.h"
 #include "gui/panels/viewport_inspector.h"
-#include "gui/proportion_text.h"
-#include "gui/scene_document.h"
+#include "gui/text/proportion_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -15,6 +15,7 @@
 #include <QTest>
 
 using namespace unprojector;
+using namespace unprojector::gui;
 
 namespace {
 
@@ -41,7 +42,8 @@ QString plain(QString text)
     return text.simplified().replace(QStringLiteral("( "), QStringLiteral("("));
 }
 
-void setProjection(SceneDocument &document, const Projection &projection, ViewportRule::Kind rule = ViewportRule::Kind::WholeWindow)
+void setProjection(SceneDocument &document, const Projection &projection,
+                   ViewportRule::Kind rule = ViewportRule::Kind::WholeWindow)
 {
     Scene scene = document.scene();
     scene.projection = projection;
@@ -90,20 +92,24 @@ void TestViewportInspector::cornersInAllSpaces_data()
     QTest::addColumn<QPointF>("device");
     QTest::addColumn<QPointF>("window");
     QTest::addColumn<QPointF>("ndc");
-    const auto row = [](const char *name, const Surface &surface, int which, QPointF widget, QPointF device, QPointF window, QPointF ndc) {
-        QTest::newRow(name) << surface << which << widget << device << window << ndc;
-    };
+    const auto row = [](const char *name, const Surface &surface, int which, QPointF widget, QPointF device,
+                        QPointF window,
+                        QPointF ndc) { QTest::newRow(name) << surface << which << widget << device << window << ndc; };
     // opencascade-transforms, fig. 4.1: the centre of 300 x 300 is (150, 150).
-    row("opencascade centre", {300, 300, 1.0}, CornersModel::Centre, {150, 150}, {150, 150}, {150.5, 149.5}, {1 / 300.0, -1 / 300.0});
+    row("opencascade centre", {300, 300, 1.0}, CornersModel::Centre, {150, 150}, {150, 150}, {150.5, 149.5},
+        {1 / 300.0, -1 / 300.0});
     const Surface at1{400, 300, 1.0}, at125{500, 375, 1.25}, at2{800, 600, 2.0};
     row("top-left@1x", at1, CornersModel::TopLeft, {0, 0}, {0, 0}, {0.5, 299.5}, {-0.9975, 299 / 300.0});
     row("top-right@1x", at1, CornersModel::TopRight, {399, 0}, {399, 0}, {399.5, 299.5}, {0.9975, 299 / 300.0});
     row("bottom-left@1x", at1, CornersModel::BottomLeft, {0, 299}, {0, 299}, {0.5, 0.5}, {-0.9975, -299 / 300.0});
-    row("bottom-right@1x", at1, CornersModel::BottomRight, {399, 299}, {399, 299}, {399.5, 0.5}, {0.9975, -299 / 300.0});
+    row("bottom-right@1x", at1, CornersModel::BottomRight, {399, 299}, {399, 299}, {399.5, 0.5},
+        {0.9975, -299 / 300.0});
     row("centre@1x", at1, CornersModel::Centre, {200, 150}, {200, 150}, {200.5, 149.5}, {0.0025, -1 / 300.0});
     row("top-left@1.25x", at125, CornersModel::TopLeft, {0, 0}, {0, 0}, {0.5, 374.5}, {-0.998, 374 / 375.0});
-    row("bottom-right@1.25x", at125, CornersModel::BottomRight, {399.2, 299.2}, {499, 374}, {499.5, 0.5}, {0.998, -374 / 375.0});
-    row("bottom-right@2x", at2, CornersModel::BottomRight, {399.5, 299.5}, {799, 599}, {799.5, 0.5}, {799 / 800.0, -599 / 600.0});
+    row("bottom-right@1.25x", at125, CornersModel::BottomRight, {399.2, 299.2}, {499, 374}, {499.5, 0.5},
+        {0.998, -374 / 375.0});
+    row("bottom-right@2x", at2, CornersModel::BottomRight, {399.5, 299.5}, {799, 599}, {799.5, 0.5},
+        {799 / 800.0, -599 / 600.0});
     row("centre@2x", at2, CornersModel::Centre, {200, 150}, {400, 300}, {400.5, 299.5}, {1 / 800.0, -1 / 600.0});
 }
 
@@ -133,7 +139,9 @@ void TestViewportInspector::aQuarterViewportMovesNdcOnly()
     QVERIFY(isAt(panel.corners(), CornersModel::TopLeft, CornersModel::Window, 0.5, 599.5));
     QVERIFY(isAt(panel.corners(), CornersModel::TopLeft, CornersModel::Ndc, -2.9975, 599.5 / 150.0 - 1.0));
     // What lies outside the viewport looks different.
-    const auto ink = [&panel](int row) { return panel.corners().index(row, CornersModel::Ndc).data(Qt::ForegroundRole); };
+    const auto ink = [&panel](int row) {
+        return panel.corners().index(row, CornersModel::Ndc).data(Qt::ForegroundRole);
+    };
     QVERIFY(ink(CornersModel::TopLeft).isValid());
     QVERIFY(!ink(CornersModel::BottomRight).isValid());
 }
@@ -188,9 +196,11 @@ void TestViewportInspector::theProportionsHaveTheirNumbers()
     const WindowPoint pointer(412.5, 299.5, 0.0);
     QCOMPARE(plain(proportionText(geometry, Axis::X, pointer).line()), x);
     QCOMPARE(plain(proportionText(geometry, Axis::Y, pointer).line()), y);
-    QCOMPARE(proportionText(geometry, Axis::X, pointer).symbols, QStringLiteral("(3) (x_w − left) / (right − left) = (x_v − vx) / width"));
+    QCOMPARE(proportionText(geometry, Axis::X, pointer).symbols,
+             QStringLiteral("(3) (x_w − left) / (right − left) = (x_v − vx) / width"));
     const QString without = plain(proportionText(geometry, Axis::Y, std::nullopt).line());
-    QVERIFY2(without.startsWith(QStringLiteral("(4) (y_w − ")) && without.contains(QStringLiteral("(y_v − ")), qPrintable(without));
+    QVERIFY2(without.startsWith(QStringLiteral("(4) (y_w − ")) && without.contains(QStringLiteral("(y_v − ")),
+             qPrintable(without));
 }
 
 void TestViewportInspector::textsOfThePointerKeepTheirWidth()
@@ -206,10 +216,14 @@ void TestViewportInspector::aDistortedCircleIsNamed_data()
     QTest::addColumn<Projection>("projection");
     QTest::addColumn<QString>("text");
     QTest::addColumn<bool>("isMarked");
-    QTest::newRow("glFrustum +-1 at 800x600") << Projection(Frustum{-1, 1, -1, 1, 1, 100}) << "A circle would be drawn 1.33 : 1, wider than high." << true;
-    QTest::newRow("gluPerspective of the aspect") << Projection(Perspective{0.8, 4.0 / 3.0, 1, 100}) << "A circle is drawn as a circle." << false;
-    QTest::newRow("too wide a box") << Projection(Ortho{-4, 4, -1, 1, 1, 100}) << "A circle would be drawn 0.333 : 1, higher than wide." << true;
-    QTest::newRow("a third of a percent") << Projection(Perspective{0.8, 4.0 / 3.01, 1, 100}) << "A circle is drawn as a circle." << false;
+    QTest::newRow("glFrustum +-1 at 800x600")
+        << Projection(Frustum{-1, 1, -1, 1, 1, 100}) << "A circle would be drawn 1.33 : 1, wider than high." << true;
+    QTest::newRow("gluPerspective of the aspect")
+        << Projection(Perspective{0.8, 4.0 / 3.0, 1, 100}) << "A circle is drawn as a circle." << false;
+    QTest::newRow("too wide a box") << Projection(Ortho{-4, 4, -1, 1, 1, 100})
+                                    << "A circle would be drawn 0.333 : 1, higher than wide." << true;
+    QTest::newRow("a third of a percent")
+        << Projection(Perspective{0.8, 4.0 / 3.01, 1, 100}) << "A circle is drawn as a circle." << false;
 }
 
 void TestViewportInspector::aDistortedCircleIsNamed()
@@ -234,7 +248,8 @@ void TestViewportInspector::thePanelFollowsEveryResize()
     panel.show();
     panel.setPointer(WidgetPoint(700.0, 10.0));
     document.setSurface({500, 375, 1.25}); // 400 x 300 logical: the pointer is outside now
-    QCOMPARE(labelNamed(panel, "Window")->text(), QStringLiteral("Window 500 × 375 device pixels, device pixel ratio 1.25"));
+    QCOMPARE(labelNamed(panel, "Window")->text(),
+             QStringLiteral("Window 500 × 375 device pixels, device pixel ratio 1.25"));
     QCOMPARE(labelNamed(panel, "Viewport")->text(), QStringLiteral("glViewport(0, 0, 500, 375)"));
     QVERIFY(isAt(panel.corners(), CornersModel::BottomRight, CornersModel::Device, 499, 374));
     QVERIFY(!panel.corners().index(CornersModel::Pointer, 0).data(CornersModel::ValueRole).isValid());
@@ -277,8 +292,8 @@ void TestViewportInspector::everythingCanBeCopied()
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
     panel.actions().constFirst()->trigger();
     const QString text = QApplication::clipboard()->text();
-    for (const char *part : {"Window 800 × 600", "glViewport(0, 0, 800, 600)", "= (412.5 - 0) / 800 = 0.5156", "1.33 : 1",
-                             "Pointer\t412\t300\t412\t300\t412.5\t299.5\t0.03125\t"})
+    for (const char *part : {"Window 800 × 600", "glViewport(0, 0, 800, 600)", "= (412.5 - 0) / 800 = 0.5156",
+                             "1.33 : 1", "Pointer\t412\t300\t412\t300\t412.5\t299.5\t0.03125\t"})
         QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
 }
 

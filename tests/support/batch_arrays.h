@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/batch_unproject.h"
+#include "core/unproject/batch/batch_unproject.h"
 
 #include <array>
 #include <cstddef>
@@ -10,17 +10,21 @@
 template <class Scalar>
 struct Triples {
     std::array<std::vector<Scalar>, 3> of;
-    explicit Triples(std::size_t count = 0) : of{std::vector<Scalar>(count), std::vector<Scalar>(count), std::vector<Scalar>(count)} {}
+    explicit Triples(std::size_t count = 0)
+        : of{std::vector<Scalar>(count), std::vector<Scalar>(count), std::vector<Scalar>(count)}
+    {
+    }
 
     std::size_t count() const { return of[0].size(); }
-    unprojector::BatchInput<Scalar> input() const { return {of[0].data(), of[1].data(), of[2].data()}; }
-    unprojector::BatchOutput<Scalar> output() { return {of[0].data(), of[1].data(), of[2].data()}; }
+    unprojector::unproject::BatchInput<Scalar> input() const { return {of[0].data(), of[1].data(), of[2].data()}; }
+    unprojector::unproject::BatchOutput<Scalar> output() { return {of[0].data(), of[1].data(), of[2].data()}; }
     glm::dvec3 at(std::size_t i) const { return {of[0][i], of[1][i], of[2][i]}; }
 };
 
 template <class Scalar>
-Triples<Scalar> unprojected(const unprojector::BatchUnprojection &unprojection, const Triples<Scalar> &clicks,
-                            unprojector::InstructionSet set = unprojector::availableInstructionSets().back())
+Triples<Scalar>
+unprojected(const unprojector::unproject::BatchUnprojection &unprojection, const Triples<Scalar> &clicks,
+            unprojector::unproject::InstructionSet set = unprojector::unproject::availableInstructionSets().back())
 {
     Triples<Scalar> points(clicks.count());
     unprojection(clicks.input(), points.output(), clicks.count(), set);

@@ -1,38 +1,38 @@
 #pragma once
 
-#include "core/picture_geometry.h"
+#include "core/unproject/picture_geometry.h"
 #include "tests/support/random_scene.h"
 
 /// The oracle's plain structs as core's. This is the only place where the two meet.
 namespace oracle {
 
-inline unprojector::LookAt coreView(const View &view)
+inline unprojector::geometry::LookAt coreView(const View &view)
 {
-    return {unprojector::WorldPoint(view.eye[0], view.eye[1], view.eye[2]),
-            unprojector::WorldPoint(view.center[0], view.center[1], view.center[2]),
+    return {unprojector::geometry::WorldPoint(view.eye[0], view.eye[1], view.eye[2]),
+            unprojector::geometry::WorldPoint(view.center[0], view.center[1], view.center[2]),
             {view.up[0], view.up[1], view.up[2]}};
 }
 
-inline unprojector::Projection coreProjection(const Projection &p)
+inline unprojector::geometry::Projection coreProjection(const Projection &p)
 {
-    const unprojector::Ortho box{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
+    const unprojector::geometry::Ortho box{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
     switch (p.kind) {
     case RandomKind::Frustum:
-        return unprojector::Frustum{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
+        return unprojector::geometry::Frustum{p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
     case RandomKind::Perspective:
-        return unprojector::Perspective{p.verticalFovRadians, p.aspect, p.nearDistance, p.farDistance};
-    case RandomKind::Oblique: return unprojector::Oblique{box, p.thetaRadians, p.phiRadians};
+        return unprojector::geometry::Perspective{p.verticalFovRadians, p.aspect, p.nearDistance, p.farDistance};
+    case RandomKind::Oblique: return unprojector::geometry::Oblique{box, p.thetaRadians, p.phiRadians};
     case RandomKind::Ortho: break;
     }
     return box;
 }
 
-inline unprojector::Viewport coreViewport(const Target &t)
+inline unprojector::geometry::Viewport coreViewport(const Target &t)
 {
     return {t.x, t.y, t.width, t.height};
 }
 
-inline unprojector::DepthRange coreDepthRange(const Target &t)
+inline unprojector::geometry::DepthRange coreDepthRange(const Target &t)
 {
     return {t.depthAtNear, t.depthAtFar};
 }
@@ -42,9 +42,9 @@ inline Vector3 extended(const glm::dvec3 &v)
     return {Extended(v.x), Extended(v.y), Extended(v.z)};
 }
 
-inline unprojector::PictureGeometry corePicture(const Scene &s)
+inline unprojector::unproject::PictureGeometry corePicture(const Scene &s)
 {
-    unprojector::PictureGeometry g;
+    unprojector::unproject::PictureGeometry g;
     g.surface = {static_cast<int>(s.target.width), static_cast<int>(s.target.height), 1.0};
     g.viewport = coreViewport(s.target);
     g.depthRange = coreDepthRange(s.target);

@@ -1,8 +1,8 @@
 #include "gui/panels/parameters/clip_tab.h"
 
-#include "gui/number_text.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/parameters/elided_label.h"
-#include "gui/scene_document.h"
+#include "gui/text/number_text.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 constexpr int kEquationDigits = 3;
@@ -187,18 +187,20 @@ ClipTab::Row ClipTab::makeRow(std::size_t line)
     numbers->setSpacing(4);
     for (int i = 0; i < 4; ++i) {
         const QString letter(QChar::fromLatin1(kLetters[i]));
-        NumberField *field = addField({tr("Clip plane %1").arg(letter),
-                                       i < 3 ? tr("%1 of the plane A x + B y + C z + D = 0; (A, B, C) points to the side that is kept").arg(letter)
-                                             : tr("D of the plane A x + B y + C z + D = 0, world units where (A, B, C) has length 1"),
-                                       [line, i](const Scene &scene) -> std::optional<double> {
-                                           const std::vector<ClipPlaneLine> lines = clipPlaneLines(scene);
-                                           return line < lines.size() ? std::optional<double>(lines[line].plane[i]) : std::nullopt;
-                                       },
-                                       [line, i](Scene &scene, double value) {
-                                           std::vector<ClipPlaneLine> lines = clipPlaneLines(scene);
-                                           lines[line].plane[i] = value;
-                                           setClipPlaneLines(scene, lines);
-                                       }});
+        NumberField *field = addField(
+            {tr("Clip plane %1").arg(letter),
+             i < 3
+                 ? tr("%1 of the plane A x + B y + C z + D = 0; (A, B, C) points to the side that is kept").arg(letter)
+                 : tr("D of the plane A x + B y + C z + D = 0, world units where (A, B, C) has length 1"),
+             [line, i](const Scene &scene) -> std::optional<double> {
+                 const std::vector<ClipPlaneLine> lines = clipPlaneLines(scene);
+                 return line < lines.size() ? std::optional<double>(lines[line].plane[i]) : std::nullopt;
+             },
+             [line, i](Scene &scene, double value) {
+                 std::vector<ClipPlaneLine> lines = clipPlaneLines(scene);
+                 lines[line].plane[i] = value;
+                 setClipPlaneLines(scene, lines);
+             }});
         field->setObjectName(QStringLiteral("number%1").arg(i));
         field->setAccessibleName(tr("Plane %1: %2").arg(number).arg(letter));
         field->setFixedStep(0.1);
@@ -214,4 +216,4 @@ ClipTab::Row ClipTab::makeRow(std::size_t line)
     return row;
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -6,7 +6,7 @@ class QCheckBox;
 class QPushButton;
 class QToolButton;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class ElidedLabel;
 
@@ -52,4 +52,4 @@ private:
     std::vector<Row> m_rows;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

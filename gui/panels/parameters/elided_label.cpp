@@ -1,6 +1,6 @@
 #include "gui/panels/parameters/elided_label.h"
 
-namespace unprojector {
+namespace unprojector::gui {
 
 ElidedLabel::ElidedLabel(QWidget *parent) : QLabel(parent)
 {
@@ -30,4 +30,4 @@ void ElidedLabel::elide()
     setToolTip(shown == m_fullText ? QString() : m_fullText);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

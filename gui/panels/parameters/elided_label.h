@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// A line of text that ends in "…" where there is no room for all of it; the tooltip then has it.
 class ElidedLabel : public QLabel {
@@ -22,4 +22,4 @@ private:
     QString m_fullText;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

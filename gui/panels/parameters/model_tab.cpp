@@ -1,8 +1,8 @@
 #include "gui/panels/parameters/model_tab.h"
 
-#include "gui/number_text.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/parameters/elided_label.h"
-#include "gui/scene_document.h"
+#include "gui/text/number_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -13,7 +13,7 @@
 
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 constexpr int kCallDigits = 5;
@@ -72,7 +72,8 @@ ModelTab::ModelTab(SceneDocument &document, QWidget *parent) : ParameterTab(docu
 
     auto *adds = new QHBoxLayout;
     adds->setSpacing(4);
-    const auto add = [&](const QString &label, const QString &text, const QString &tip, const QString &objectName, const TransformStep &step) {
+    const auto add = [&](const QString &label, const QString &text, const QString &tip, const QString &objectName,
+                         const TransformStep &step) {
         auto *button = new QPushButton(label);
         button->setObjectName(objectName);
         button->setAccessibleName(text);
@@ -82,8 +83,10 @@ ModelTab::ModelTab(SceneDocument &document, QWidget *parent) : ParameterTab(docu
         adds->addWidget(button, 1);
         m_adds.push_back(button);
     };
-    add(tr("+ Translate"), tr("Add translate"), tr("Add a glTranslate after the last step"), QStringLiteral("addTranslate"), Translate{});
-    add(tr("+ Rotate"), tr("Add rotate"), tr("Add a glRotate after the last step"), QStringLiteral("addRotate"), Rotate{0.0, {0.0, 1.0, 0.0}});
+    add(tr("+ Translate"), tr("Add translate"), tr("Add a glTranslate after the last step"),
+        QStringLiteral("addTranslate"), Translate{});
+    add(tr("+ Rotate"), tr("Add rotate"), tr("Add a glRotate after the last step"), QStringLiteral("addRotate"),
+        Rotate{0.0, {0.0, 1.0, 0.0}});
     add(tr("+ Scale"), tr("Add scale"), tr("Add a glScale after the last step"), QStringLiteral("addScale"), Scale{});
     content()->addLayout(adds);
 
@@ -151,8 +154,9 @@ void ModelTab::removeStep(std::size_t step)
 void ModelTab::showObjects()
 {
     const std::vector<SceneObject> &objects = document().objects();
-    const bool isSame = std::equal(objects.begin(), objects.end(), m_names.begin(), m_names.end(),
-                                   [](const SceneObject &object, const std::string &name) { return object.name == name; });
+    const bool isSame =
+        std::equal(objects.begin(), objects.end(), m_names.begin(), m_names.end(),
+                   [](const SceneObject &object, const std::string &name) { return object.name == name; });
     if (isSame && m_object->count() > 0)
         return;
     m_names.clear();
@@ -197,7 +201,7 @@ void ModelTab::rebuildRows()
     }
     m_hint->setText(document().objects().empty() ? tr("There are no objects to place.")
                     : m_rows.empty()             ? tr("No steps: the object stands where its file puts it.")
-                                                 : tr("In the order of the calls: the last step is applied to the object first."));
+                                     : tr("In the order of the calls: the last step is applied to the object first."));
 }
 
 ModelTab::Row ModelTab::makeRow(std::size_t step)
@@ -231,27 +235,32 @@ ModelTab::Row ModelTab::makeRow(std::size_t step)
     auto *numbers = new QHBoxLayout;
     numbers->setSpacing(4);
     const bool isRotation = std::holds_alternative<Rotate>(shown);
-    const QString kind = isRotation ? tr("Rotation") : std::holds_alternative<Scale>(shown) ? tr("Scale") : tr("Translation");
+    const QString kind = isRotation                             ? tr("Rotation")
+                         : std::holds_alternative<Scale>(shown) ? tr("Scale")
+                                                                : tr("Translation");
     for (int i = 0; i < numbersOf(shown); ++i) {
         const QString axis = QString(QChar(u'x' + (isRotation ? i - 1 : i)));
         const bool isAngle = isRotation && i == 0;
-        const QString name = isAngle ? tr("Rotation angle") : isRotation ? tr("Rotation axis %1").arg(axis) : QStringLiteral("%1 %2").arg(kind, axis);
-        const QString help = isAngle ? tr("Angle in degrees, counter-clockwise seen against the axis (glRotate: angle)")
-                             : isRotation
-                                 ? tr("Axis of the rotation, %1; its length does not matter (glRotate: %1)").arg(axis)
-                             : std::holds_alternative<Scale>(shown) ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
-                                                                    : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
+        const QString name = isAngle      ? tr("Rotation angle")
+                             : isRotation ? tr("Rotation axis %1").arg(axis)
+                                          : QStringLiteral("%1 %2").arg(kind, axis);
+        const QString help =
+            isAngle      ? tr("Angle in degrees, counter-clockwise seen against the axis (glRotate: angle)")
+            : isRotation ? tr("Axis of the rotation, %1; its length does not matter (glRotate: %1)").arg(axis)
+            : std::holds_alternative<Scale>(shown) ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
+                                                   : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
         const std::size_t object = m_shown;
-        NumberField *field = addField({name, help,
-                                       [object, step, i](const Scene &scene) -> std::optional<double> {
-                                           if (object >= scene.objects.size() || step >= scene.objects[object].transform.size())
-                                               return std::nullopt;
-                                           TransformStep copy = scene.objects[object].transform[step];
-                                           return i < numbersOf(copy) ? std::optional<double>(*numberIn(copy, i)) : std::nullopt;
-                                       },
-                                       [object, step, i](Scene &scene, double value) {
-                                           *numberIn(scene.objects[object].transform[step], i) = value;
-                                       }});
+        NumberField *field =
+            addField({name, help,
+                      [object, step, i](const Scene &scene) -> std::optional<double> {
+                          if (object >= scene.objects.size() || step >= scene.objects[object].transform.size())
+                              return std::nullopt;
+                          TransformStep copy = scene.objects[object].transform[step];
+                          return i < numbersOf(copy) ? std::optional<double>(*numberIn(copy, i)) : std::nullopt;
+                      },
+                      [object, step, i](Scene &scene, double value) {
+                          *numberIn(scene.objects[object].transform[step], i) = value;
+                      }});
         field->setObjectName(QStringLiteral("number%1").arg(i));
         field->setAccessibleName(tr("Step %1: %2").arg(number).arg(name));
         if (isAngle)
@@ -271,4 +280,4 @@ ModelTab::Row ModelTab::makeRow(std::size_t step)
     return row;
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

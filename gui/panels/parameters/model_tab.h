@@ -9,7 +9,7 @@ class QLabel;
 class QPushButton;
 class QToolButton;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 class ElidedLabel;
 
@@ -54,4 +54,4 @@ private:
     std::optional<std::size_t> m_rowsOf;   ///< the object that the rows were made for
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,6 +1,6 @@
 #include "gui/panels/parameters/number_field.h"
 
-#include "gui/number_text.h"
+#include "gui/text/number_text.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 constexpr int kMostDigits = 7;
@@ -113,7 +113,8 @@ QString NumberField::shownText() const
         return shortestText(m_value == 0.0 ? 0.0 : m_value);
     QStyleOptionFrame option;
     initStyleOption(&option);
-    const int room = style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - 4; // QLineEdit's own margins
+    const int room =
+        style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - 4; // QLineEdit's own margins
     QString shown;
     for (int digits = kMostDigits; digits >= kFewestDigits; --digits) {
         shown = significantText(m_value, digits);
@@ -234,4 +235,4 @@ QSize NumberField::minimumSizeHint() const
     return {widthFor(4), QLineEdit::minimumSizeHint().height()};
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

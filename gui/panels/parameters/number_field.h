@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// A number as it is typed: as C writes it, with a decimal comma or point and an ASCII or typographic minus; blanks
 /// around it do not matter. "nan" and "inf" are numbers here, for the document to refuse. Nothing for any other text.
@@ -82,4 +82,4 @@ private:
     quint64 m_session = 0;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

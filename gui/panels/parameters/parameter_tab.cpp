@@ -1,7 +1,7 @@
 #include "gui/panels/parameters/parameter_tab.h"
 
-#include "gui/error_text.h"
-#include "gui/scene_document.h"
+#include "gui/document/scene_document.h"
+#include "gui/text/error_text.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 /// More fields than this are hardly ever refused at once; the sets of them are tried one by one.
@@ -279,7 +279,8 @@ void ParameterTab::updateReasons()
         if (!field->widget->isBad())
             continue;
         const QString reason = refusalOf(*field);
-        field->widget->setReason(reason.isEmpty() ? tr("%1 can be taken now; press Enter.").arg(field->binding.name) : reason);
+        field->widget->setReason(reason.isEmpty() ? tr("%1 can be taken now; press Enter.").arg(field->binding.name)
+                                                  : reason);
     }
     showReason();
 }
@@ -303,4 +304,4 @@ void ParameterTab::showReason()
     m_reasonLabel->setAccessibleDescription(reason);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

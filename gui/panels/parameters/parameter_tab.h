@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene.h"
+#include "core/scene/scene.h"
 #include "gui/panels/parameters/number_field.h"
 
 #include <QWidget>
@@ -14,7 +14,8 @@ class QLabel;
 class QScrollArea;
 class QVBoxLayout;
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace scene;
 
 class SceneDocument;
 
@@ -94,4 +95,4 @@ private:
     bool m_isStale = true;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,7 +1,7 @@
-#include "core/angle.h"
 #include "gui/panels/parameters/projection_tab.h"
+#include "core/geometry/angle.h"
 
-#include "gui/scene_document.h"
+#include "gui/document/scene_document.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -10,15 +10,17 @@
 
 #include <utility>
 
-namespace unprojector {
+namespace unprojector::gui {
+using namespace geometry;
 
 ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, parent)
 {
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("projectionKind"));
     m_kind->setAccessibleName(tr("Kind of projection"));
-    m_kind->setToolTip(tr("Another kind shows the same picture as nearly as it can: what lies at the picked point's distance, "
-                          "else at the center's, keeps its place"));
+    m_kind->setToolTip(
+        tr("Another kind shows the same picture as nearly as it can: what lies at the picked point's distance, "
+           "else at the center's, keeps its place"));
     m_kind->addItem(tr("Frustum (glFrustum)"), static_cast<int>(ProjectionKind::Frustum));
     m_kind->addItem(tr("Perspective (gluPerspective)"), static_cast<int>(ProjectionKind::Perspective));
     m_kind->addItem(tr("Orthographic (glOrtho)"), static_cast<int>(ProjectionKind::Ortho));
@@ -33,31 +35,45 @@ ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : Paramet
     m_form->setRowWrapPolicy(QFormLayout::DontWrapRows);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     content()->addLayout(m_form);
-    addRow(Number::Fovy, tr("Field of view"), QStringLiteral("fovy"), tr("Vertical angle of view in degrees, between 0 and 180 (gluPerspective: fovy)"));
-    addRow(Number::Aspect, tr("Aspect"), QStringLiteral("aspect"), tr("Width divided by height of the picture (gluPerspective: aspect)"));
-    addRow(Number::Left, tr("Left"), QStringLiteral("left"), tr("Left edge of the view volume, eye units; of a frustum on its near plane"));
-    addRow(Number::Right, tr("Right"), QStringLiteral("right"), tr("Right edge of the view volume, eye units; of a frustum on its near plane"));
-    addRow(Number::Bottom, tr("Bottom"), QStringLiteral("bottom"), tr("Lower edge of the view volume, eye units; of a frustum on its near plane"));
-    addRow(Number::Top, tr("Top"), QStringLiteral("top"), tr("Upper edge of the view volume, eye units; of a frustum on its near plane"));
-    addRow(Number::Near, tr("Near"), QStringLiteral("nearDistance"), tr("Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a perspective"));
-    addRow(Number::Far, tr("Far"), QStringLiteral("farDistance"), tr("Distance of the far plane in front of the eye, eye units; greater than near"));
-    addRow(Number::Theta, tr("θ"), QStringLiteral("theta"), tr("Angle of the shear in x, degrees between 0 and 180: x grows by cot θ · z. 90 is no shear"));
-    addRow(Number::Phi, tr("φ"), QStringLiteral("phi"), tr("Angle of the shear in y, degrees between 0 and 180: y grows by cot φ · z. 90 is no shear"));
+    addRow(Number::Fovy, tr("Field of view"), QStringLiteral("fovy"),
+           tr("Vertical angle of view in degrees, between 0 and 180 (gluPerspective: fovy)"));
+    addRow(Number::Aspect, tr("Aspect"), QStringLiteral("aspect"),
+           tr("Width divided by height of the picture (gluPerspective: aspect)"));
+    addRow(Number::Left, tr("Left"), QStringLiteral("left"),
+           tr("Left edge of the view volume, eye units; of a frustum on its near plane"));
+    addRow(Number::Right, tr("Right"), QStringLiteral("right"),
+           tr("Right edge of the view volume, eye units; of a frustum on its near plane"));
+    addRow(Number::Bottom, tr("Bottom"), QStringLiteral("bottom"),
+           tr("Lower edge of the view volume, eye units; of a frustum on its near plane"));
+    addRow(Number::Top, tr("Top"), QStringLiteral("top"),
+           tr("Upper edge of the view volume, eye units; of a frustum on its near plane"));
+    addRow(Number::Near, tr("Near"), QStringLiteral("nearDistance"),
+           tr("Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a "
+              "perspective"));
+    addRow(Number::Far, tr("Far"), QStringLiteral("farDistance"),
+           tr("Distance of the far plane in front of the eye, eye units; greater than near"));
+    addRow(Number::Theta, tr("θ"), QStringLiteral("theta"),
+           tr("Angle of the shear in x, degrees between 0 and 180: x grows by cot θ · z. 90 is no shear"));
+    addRow(Number::Phi, tr("φ"), QStringLiteral("phi"),
+           tr("Angle of the shear in y, degrees between 0 and 180: y grows by cot φ · z. 90 is no shear"));
 
     m_followsViewport = new QCheckBox;
     m_followsViewport->setObjectName(QStringLiteral("followsViewport"));
-    m_followsViewport->setToolTip(tr("The width is always that of the viewport for this height, so that a circle stays a circle. "
-                                     "Typing left, right or the aspect switches this off"));
+    m_followsViewport->setToolTip(
+        tr("The width is always that of the viewport for this height, so that a circle stays a circle. "
+           "Typing left, right or the aspect switches this off"));
     m_fitsObjects = new QCheckBox(tr("Fit near and far to the objects"));
     m_fitsObjects->setObjectName(QStringLiteral("fitsObjects"));
-    m_fitsObjects->setToolTip(tr("The near and far planes hold the objects tightly, which makes the depth as exact as it can be. "
-                                 "Typing one of them switches this off"));
+    m_fitsObjects->setToolTip(
+        tr("The near and far planes hold the objects tightly, which makes the depth as exact as it can be. "
+           "Typing one of them switches this off"));
     content()->addSpacing(4);
     content()->addWidget(m_followsViewport);
     content()->addWidget(m_fitsObjects);
     content()->addStretch();
 
-    connect(m_kind, &QComboBox::activated, this, [this](int index) { choose(static_cast<ProjectionKind>(m_kind->itemData(index).toInt())); });
+    connect(m_kind, &QComboBox::activated, this,
+            [this](int index) { choose(static_cast<ProjectionKind>(m_kind->itemData(index).toInt())); });
     connect(m_followsViewport, &QCheckBox::clicked, this, [this](bool follows) {
         Scene next = this->document().scene();
         next.projectionFollowsViewport = follows;
@@ -120,26 +136,26 @@ bool ProjectionTab::isAngle(Number number)
 
 void ProjectionTab::addRow(Number number, const QString &name, const QString &objectName, const QString &help)
 {
-    NumberField *field = addField(
-        {name, help,
-         [number](const Scene &scene) -> std::optional<double> {
-             Projection projection = scene.projection;
-             const double *value = numberIn(projection, number);
-             if (!value)
-                 return std::nullopt;
-             return isAngle(number) ? degreesFromRadians(*value) : *value;
-         },
-         [number](Scene &scene, double value) {
-             double *place = numberIn(scene.projection, number);
-             if (!place)
-                 return;
-             *place = isAngle(number) ? radiansFromDegrees(value) : value;
-             // What follows something else would take the number back at once.
-             if (number == Number::Left || number == Number::Right || number == Number::Aspect)
-                 scene.projectionFollowsViewport = false;
-             if (number == Number::Near || number == Number::Far)
-                 scene.clipDistancesFitObjects = false;
-         }});
+    NumberField *field =
+        addField({name, help,
+                  [number](const Scene &scene) -> std::optional<double> {
+                      Projection projection = scene.projection;
+                      const double *value = numberIn(projection, number);
+                      if (!value)
+                          return std::nullopt;
+                      return isAngle(number) ? degreesFromRadians(*value) : *value;
+                  },
+                  [number](Scene &scene, double value) {
+                      double *place = numberIn(scene.projection, number);
+                      if (!place)
+                          return;
+                      *place = isAngle(number) ? radiansFromDegrees(value) : value;
+                      // What follows something else would take the number back at once.
+                      if (number == Number::Left || number == Number::Right || number == Number::Aspect)
+                          scene.projectionFollowsViewport = false;
+                      if (number == Number::Near || number == Number::Far)
+                          scene.clipDistancesFitObjects = false;
+                  }});
     field->setObjectName(objectName);
     if (isAngle(number))
         field->setFixedStep(1.0);
@@ -173,7 +189,8 @@ void ProjectionTab::showScene()
     Projection projection = scene.projection;
     for (const auto &[number, field] : m_rows)
         m_form->setRowVisible(field, numberIn(projection, number) != nullptr);
-    m_followsViewport->setText(kind == ProjectionKind::Perspective ? tr("Aspect follows the viewport") : tr("Keep proportions"));
+    m_followsViewport->setText(kind == ProjectionKind::Perspective ? tr("Aspect follows the viewport")
+                                                                   : tr("Keep proportions"));
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -6,7 +6,7 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// The projection: its kind and the arguments of glFrustum, gluPerspective, glOrtho or the sheared box.
 class ProjectionTab : public ParameterTab {
@@ -34,4 +34,4 @@ private:
     std::optional<ProjectionKind> m_shownKind;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

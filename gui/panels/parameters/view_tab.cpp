@@ -1,6 +1,6 @@
 #include "gui/panels/parameters/view_tab.h"
 
-#include "gui/scene_document.h"
+#include "gui/document/scene_document.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 double *component(WorldPoint &point, int i)
@@ -22,13 +22,16 @@ double *component(WorldPoint &point, int i)
 
 ViewTab::ViewTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, parent)
 {
-    addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"), tr("Where the camera stands, world units (gluLookAt: eye%1)"),
+    addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"),
+             tr("Where the camera stands, world units (gluLookAt: eye%1)"),
              [](LookAt &view, int i) { return component(view.eye, i); });
     const std::size_t ofEye = m_lengths.size();
-    addPoint(tr("Center"), tr("Center %1"), QStringLiteral("center"), tr("The point the camera looks at, world units (gluLookAt: center%1)"),
+    addPoint(tr("Center"), tr("Center %1"), QStringLiteral("center"),
+             tr("The point the camera looks at, world units (gluLookAt: center%1)"),
              [](LookAt &view, int i) { return component(view.center, i); });
     Q_ASSERT(m_lengths.size() == 2 * ofEye);
-    addPoint(tr("Up"), tr("Up %1"), QStringLiteral("up"), tr("The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)"),
+    addPoint(tr("Up"), tr("Up %1"), QStringLiteral("up"),
+             tr("The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)"),
              [](LookAt &view, int i) { return &view.up[i]; });
     m_lengths.resize(2 * ofEye);
     content()->addStretch();
@@ -72,4 +75,4 @@ void ViewTab::showScene()
         field->setFixedStep(step);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

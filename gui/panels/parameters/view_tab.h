@@ -2,7 +2,7 @@
 
 #include "gui/panels/parameters/parameter_tab.h"
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// The nine arguments of gluLookAt.
 class ViewTab : public ParameterTab {
@@ -21,4 +21,4 @@ private:
     double m_step = 0.0;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

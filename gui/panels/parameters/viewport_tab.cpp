@@ -1,7 +1,7 @@
 #include "gui/panels/parameters/viewport_tab.h"
 
-#include "gui/number_text.h"
-#include "gui/scene_document.h"
+#include "gui/document/scene_document.h"
+#include "gui/text/number_text.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace unprojector {
+namespace unprojector::gui {
 namespace {
 
 /// glViewport's limit on the graphics cards of today; beyond its own a driver cuts sizes silently.
@@ -24,7 +24,8 @@ QString pixelRefusal(double value)
     if (value != std::floor(value))
         return ViewportTab::tr("%1 is not a whole number of pixels.").arg(shortestText(value));
     if (std::abs(value) > kLargestPixels)
-        return ViewportTab::tr("%1 pixels are too many; use at most %2.").arg(shortestText(value), shortestText(kLargestPixels));
+        return ViewportTab::tr("%1 pixels are too many; use at most %2.")
+            .arg(shortestText(value), shortestText(kLargestPixels));
     return {};
 }
 
@@ -59,7 +60,8 @@ ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTa
     };
     add(tr("Whole window"), ViewportRule::Kind::WholeWindow, tr("glViewport(0, 0, width, height)"));
     add(tr("Fixed rectangle"), ViewportRule::Kind::Fixed, tr("The same pixels whatever the size of the window"));
-    add(tr("Keep aspect (letterbox)"), ViewportRule::Kind::KeepAspect, tr("The largest rectangle of this aspect, centred, with bars beside or above it"));
+    add(tr("Keep aspect (letterbox)"), ViewportRule::Kind::KeepAspect,
+        tr("The largest rectangle of this aspect, centred, with bars beside or above it"));
     add(tr("Lower right quarter"), ViewportRule::Kind::Quarter, tr("glViewport(width/2, 0, width/2, height/2)"));
     m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_kind->setMinimumContentsLength(12);
@@ -70,10 +72,16 @@ ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTa
     m_form->setVerticalSpacing(4);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     content()->addLayout(m_form);
-    addRectangleRow(tr("X"), QStringLiteral("viewportX"), tr("Left edge, whole device pixels from the left edge of the window (glViewport: x)"), &Viewport::x);
-    addRectangleRow(tr("Y"), QStringLiteral("viewportY"), tr("Lower edge, whole device pixels from the lower edge of the window (glViewport: y)"), &Viewport::y);
-    addRectangleRow(tr("Width"), QStringLiteral("viewportWidth"), tr("Width in whole device pixels, above 0 (glViewport: width)"), &Viewport::width);
-    addRectangleRow(tr("Height"), QStringLiteral("viewportHeight"), tr("Height in whole device pixels, above 0 (glViewport: height)"), &Viewport::height);
+    addRectangleRow(tr("X"), QStringLiteral("viewportX"),
+                    tr("Left edge, whole device pixels from the left edge of the window (glViewport: x)"),
+                    &Viewport::x);
+    addRectangleRow(tr("Y"), QStringLiteral("viewportY"),
+                    tr("Lower edge, whole device pixels from the lower edge of the window (glViewport: y)"),
+                    &Viewport::y);
+    addRectangleRow(tr("Width"), QStringLiteral("viewportWidth"),
+                    tr("Width in whole device pixels, above 0 (glViewport: width)"), &Viewport::width);
+    addRectangleRow(tr("Height"), QStringLiteral("viewportHeight"),
+                    tr("Height in whole device pixels, above 0 (glViewport: height)"), &Viewport::height);
     m_aspect = addField({tr("Viewport aspect"), tr("Width divided by height of the rectangle, above 0"),
                          [](const Scene &scene) -> std::optional<double> {
                              if (scene.viewport.kind != ViewportRule::Kind::KeepAspect)
@@ -97,30 +105,36 @@ ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTa
     depths->setVerticalSpacing(4);
     depths->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     content()->addLayout(depths);
-    const auto addDepth = [this, depths](const QString &label, const QString &name, const QString &objectName, const QString &help,
-                                         double DepthRange::*number) {
-        NumberField *field = addField({name, help, [number](const Scene &scene) -> std::optional<double> { return scene.depthRange.*number; },
-                                       [number](Scene &scene, double value) { scene.depthRange.*number = value; }, depthRefusal});
+    const auto addDepth = [this, depths](const QString &label, const QString &name, const QString &objectName,
+                                         const QString &help, double DepthRange::*number) {
+        NumberField *field = addField(
+            {name, help, [number](const Scene &scene) -> std::optional<double> { return scene.depthRange.*number; },
+             [number](Scene &scene, double value) { scene.depthRange.*number = value; }, depthRefusal});
         field->setObjectName(objectName);
         field->setFixedStep(0.01);
         depths->addRow(label, field);
     };
-    addDepth(tr("Near plane:"), tr("Depth of the near plane"), QStringLiteral("depthAtNear"), tr("Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)"), &DepthRange::atNear);
-    addDepth(tr("Far plane:"), tr("Depth of the far plane"), QStringLiteral("depthAtFar"), tr("Depth that the far plane gets, from 0 to 1; usually 1 (glDepthRange)"), &DepthRange::atFar);
+    addDepth(tr("Near plane:"), tr("Depth of the near plane"), QStringLiteral("depthAtNear"),
+             tr("Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)"), &DepthRange::atNear);
+    addDepth(tr("Far plane:"), tr("Depth of the far plane"), QStringLiteral("depthAtFar"),
+             tr("Depth that the far plane gets, from 0 to 1; usually 1 (glDepthRange)"), &DepthRange::atFar);
     content()->addStretch();
 
-    connect(m_kind, &QComboBox::activated, this, [this](int index) { choose(static_cast<ViewportRule::Kind>(m_kind->itemData(index).toInt())); });
+    connect(m_kind, &QComboBox::activated, this,
+            [this](int index) { choose(static_cast<ViewportRule::Kind>(m_kind->itemData(index).toInt())); });
 }
 
-void ViewportTab::addRectangleRow(const QString &name, const QString &objectName, const QString &help, double Viewport::*number)
+void ViewportTab::addRectangleRow(const QString &name, const QString &objectName, const QString &help,
+                                  double Viewport::*number)
 {
-    NumberField *field = addField({tr("Viewport %1").arg(name.toLower()), help,
-                                   [number](const Scene &scene) -> std::optional<double> {
-                                       if (scene.viewport.kind != ViewportRule::Kind::Fixed)
-                                           return std::nullopt;
-                                       return scene.viewport.fixed.*number;
-                                   },
-                                   [number](Scene &scene, double value) { scene.viewport.fixed.*number = value; }, pixelRefusal});
+    NumberField *field =
+        addField({tr("Viewport %1").arg(name.toLower()), help,
+                  [number](const Scene &scene) -> std::optional<double> {
+                      if (scene.viewport.kind != ViewportRule::Kind::Fixed)
+                          return std::nullopt;
+                      return scene.viewport.fixed.*number;
+                  },
+                  [number](Scene &scene, double value) { scene.viewport.fixed.*number = value; }, pixelRefusal});
     field->setObjectName(objectName);
     field->setFixedStep(1.0);
     m_form->addRow(tr("%1:").arg(name), field);
@@ -144,13 +158,15 @@ void ViewportTab::showScene()
     const ViewGeometry &geometry = document().geometry();
     if (geometry.surface != m_shownSurface) {
         m_shownSurface = geometry.surface;
-        m_window->setText(tr("Window: %1 × %2 pixels").arg(m_shownSurface.widthPixels).arg(m_shownSurface.heightPixels));
+        m_window->setText(
+            tr("Window: %1 × %2 pixels").arg(m_shownSurface.widthPixels).arg(m_shownSurface.heightPixels));
     }
     if (geometry.viewport != m_shownViewport) {
         m_shownViewport = geometry.viewport;
         const Viewport &v = m_shownViewport;
         m_call->setText(QStringLiteral("glViewport(%1, %2, %3, %4)")
-                            .arg(significantText(v.x, 9), significantText(v.y, 9), significantText(v.width, 9), significantText(v.height, 9)));
+                            .arg(significantText(v.x, 9), significantText(v.y, 9), significantText(v.width, 9),
+                                 significantText(v.height, 9)));
     }
     const ViewportRule::Kind kind = document().scene().viewport.kind;
     if (kind == m_shownKind)
@@ -163,4 +179,4 @@ void ViewportTab::showScene()
     m_form->setRowVisible(m_aspect, kind == ViewportRule::Kind::KeepAspect);
 }
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -6,7 +6,7 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 
-namespace unprojector {
+namespace unprojector::gui {
 
 /// Which part of the window the picture takes (glViewport), and the depths it is given (glDepthRange).
 class ViewportTab : public ParameterTab {
@@ -32,4 +32,4 @@ private:
     std::optional<ViewportRule::Kind> m_shownKind;
 };
 
-} // namespace unprojector
+} // namespace unprojector::gui

@@ -1,0 +1,228 @@
+#include "core/geometry/camera_motion.h"
+
+#include "core/geometry/angle.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::geometry {
+namespace {
+
+constexpr glm::dvec3 kWorldUp{0.0, 1.0, 0.0};
+/// The turntable stops this far from looking straight up or down.
+constexpr double kPoleMarginRadians = 0.01;
+
+/// Rodrigues' rotation of v about a unit axis.
+glm::dvec3 rotated(const glm::dvec3 &v, const glm::dvec3 &axis, double angle)
+{
+    return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle)
+           + axis * glm::dot(axis, v) * (1.0 - std::cos(angle));
+}
+
+double centerDistance(const LookAt &camera)
+{
+    return glm::length(camera.center - camera.eye);
+}
+
+/// A camera's own frame. Callers hold a valid geometry, so it exists.
+EyeFrame frameOf(const LookAt &camera)
+{
+    const Result<EyeFrame> frame = eyeFrame(camera);
+    assert(frame);
+    return *frame;
+}
+
+/// A camera with these axes; its up is world up wherever that is the same camera, because that is what people
+/// expect to read and to pass to gluLookAt.
+LookAt fromAxes(const WorldPoint &eye, const glm::dvec3 &forward, const glm::dvec3 &upward, double distance)
+{
+    const glm::dvec3 side = glm::cross(forward, upward);
+    const glm::dvec3 level = glm::cross(forward, kWorldUp);
+    constexpr double kLevel = 1e-9;
+    const bool isLevel = glm::length(level) > kPoleMarginRadians / 2.0
+                         && glm::length(glm::normalize(level) - glm::normalize(side)) < kLevel;
+    return {eye, WorldPoint(eye.coordinates() + forward * distance), isLevel ? kWorldUp : upward};
+}
+
+/// The projection's window scaled about the point (x, y) on the near plane.
+template <class Window>
+Window scaledAbout(Window w, double x, double y, double scale)
+{
+    w.left = x + (w.left - x) * scale;
+    w.right = x + (w.right - x) * scale;
+    w.bottom = y + (w.bottom - y) * scale;
+    w.top = y + (w.top - y) * scale;
+    return w;
+}
+
+} // namespace
+
+LookAt orbited(const LookAt &camera, const WorldPoint &pivot, double yawRadians, double pitchRadians)
+{
+    const EyeFrame frame = frameOf(camera);
+    // Tipping the scene towards the viewer lowers the view direction. The poles bound it; a camera that stands at one
+    // already (a top view) may leave it, not pass it. One that hangs upside down has no such bounds.
+    double pitch = -pitchRadians;
+    if (glm::dot(frame.upward, kWorldUp) > -1e-9) {
+        const double elevation = std::asin(std::clamp(glm::dot(frame.forward, kWorldUp), -1.0, 1.0));
+        constexpr double kLimit = kPi / 2.0 - kPoleMarginRadians;
+        pitch = std::clamp(elevation + pitch, std::min(-kLimit, elevation), std::max(kLimit, elevation)) - elevation;
+    }
+
+    const auto turned = [&](const glm::dvec3 &v) {
+        return rotated(rotated(v, frame.side, pitch), kWorldUp, -yawRadians);
+    };
+    const WorldPoint eye(pivot.coordinates() + turned(frame.eye.coordinates() - pivot.coordinates()));
+    return fromAxes(eye, glm::normalize(turned(frame.forward)), glm::normalize(turned(frame.upward)),
+                    centerDistance(camera));
+}
+
+LookAt moved(const LookAt &camera, const glm::dvec3 &worldOffset)
+{
+    return {WorldPoint(camera.eye.coordinates() + worldOffset), WorldPoint(camera.center.coordinates() + worldOffset),
+            camera.up};
+}
+
+LookAt seenFrom(const LookAt &camera, StandardView side)
+{
+    glm::dvec3 towardsViewer{0.0, 0.0, 1.0};
+    glm::dvec3 up = kWorldUp;
+    switch (side) {
+    case StandardView::Front: break;
+    case StandardView::Back: towardsViewer = {0.0, 0.0, -1.0}; break;
+    case StandardView::Right: towardsViewer = {1.0, 0.0, 0.0}; break;
+    case StandardView::Left: towardsViewer = {-1.0, 0.0, 0.0}; break;
+    case StandardView::Top:
+        towardsViewer = {0.0, 1.0, 0.0};
+        up = {0.0, 0.0, -1.0};
+        break;
+    case StandardView::Bottom:
+        towardsViewer = {0.0, -1.0, 0.0};
+        up = {0.0, 0.0, 1.0};
+        break;
+    }
+    return {WorldPoint(camera.center.coordinates() + towardsViewer * centerDistance(camera)), camera.center, up};
+}
+
+double worldPerPixel(const ViewGeometry &geometry, const WorldPoint &anchor)
+{
+    const double distance = -eyeFromWorld(frameOf(geometry.camera), anchor).z;
+    return certaintyAt(geometry, distance, 24).footprintHeight;
+}
+
+ViewGeometry zoomed(const ViewGeometry &geometry, const WorldPoint &anchor, double factor)
+{
+    ViewGeometry result = geometry;
+    const EyeFrame frame = frameOf(geometry.camera);
+    const EyePoint inEye = eyeFromWorld(frame, anchor);
+    const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(geometry.camera);
+    if (isPerspective(geometry.projection)) {
+        const glm::dvec3 toAnchor = anchor.coordinates() - frame.eye.coordinates();
+        result.camera.eye = WorldPoint(frame.eye.coordinates() + toAnchor * (1.0 - 1.0 / factor));
+    } else {
+        // The eye of a box comes along: that changes nothing in the picture of a glOrtho, and a perspective that is
+        // switched to later has the field of view it had.
+        const double step = distance * (1.0 - 1.0 / factor);
+        result.camera.eye = WorldPoint(frame.eye.coordinates() + frame.forward * step);
+        if (auto *ortho = std::get_if<Ortho>(&result.projection))
+            *ortho = scaledAbout(*ortho, inEye.x, inEye.y, 1.0 / factor);
+        else if (auto *oblique = std::get_if<Oblique>(&result.projection)) {
+            // A sheared picture shifts as the eye steps forward.
+            const glm::dvec2 slope(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians));
+            const glm::dvec2 onWindow = glm::dvec2(inEye.x, inEye.y) + slope * inEye.z;
+            const glm::dvec2 shift = slope * step;
+            Ortho box = scaledAbout(oblique->box, onWindow.x, onWindow.y, 1.0 / factor);
+            oblique->box = {box.left + shift.x, box.right + shift.x, box.bottom + shift.y,
+                            box.top + shift.y,  box.nearDistance,    box.farDistance};
+        }
+    }
+    result.camera.center = WorldPoint(result.camera.eye.coordinates() + frame.forward * (distance / factor));
+    return result;
+}
+
+LookAt recentered(const ViewGeometry &geometry, const WorldPoint &point)
+{
+    const EyeFrame frame = frameOf(geometry.camera);
+    const EyePoint inEye = eyeFromWorld(frame, point);
+    // The middle of the picture is the middle of the projection's window, which need not be on the view axis.
+    const ProjectionWindow w = projectionWindow(geometry.projection);
+    const double scale = isPerspective(geometry.projection) ? -inEye.z / w.nearDistance : 1.0;
+    glm::dvec2 middle((w.left + w.right) / 2.0 * scale, (w.bottom + w.top) / 2.0 * scale);
+    if (const auto *oblique = std::get_if<Oblique>(&geometry.projection))
+        middle -= glm::dvec2(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)) * inEye.z;
+    const glm::dvec3 offset = (inEye.x - middle.x) * frame.side + (inEye.y - middle.y) * frame.upward;
+    LookAt camera = moved(geometry.camera, offset);
+    const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(camera);
+    camera.center = WorldPoint(camera.eye.coordinates() + frame.forward * distance);
+    return camera;
+}
+
+ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds)
+{
+    ViewGeometry result = geometry;
+    const double radius = bounds.diagonal() > 0.0 ? bounds.diagonal() / 2.0 : 1.0;
+    const EyeFrame frame = frameOf(geometry.camera);
+    const ProjectionWindow w = projectionWindow(geometry.projection);
+    const double halfWidth = std::abs(w.right - w.left) / 2.0;
+    const double halfHeight = std::abs(w.top - w.bottom) / 2.0;
+    constexpr double kMargin = 1.05;
+    double distance = centerDistance(geometry.camera);
+    if (isPerspective(geometry.projection)) {
+        // Where the ball about the box, in the middle of the window, touches the steeper of two opposite edges.
+        const auto needed = [&](double low, double high, double half) {
+            return radius * kMargin * std::hypot(w.nearDistance, std::max(std::abs(low), std::abs(high))) / half;
+        };
+        distance = std::max(needed(w.left, w.right, halfWidth), needed(w.bottom, w.top, halfHeight));
+    } else {
+        // A shear stretches the ball sideways.
+        const auto *sheared = std::get_if<Oblique>(&geometry.projection);
+        const double stretchX = sheared ? std::hypot(1.0, cotangent(sheared->thetaRadians)) : 1.0;
+        const double stretchY = sheared ? std::hypot(1.0, cotangent(sheared->phiRadians)) : 1.0;
+        const double scale = radius * kMargin * std::max(stretchX / halfWidth, stretchY / halfHeight);
+        distance *= scale; // see zoomed: the eye comes along
+        const double x = (w.left + w.right) / 2.0, y = (w.bottom + w.top) / 2.0;
+        if (auto *ortho = std::get_if<Ortho>(&result.projection))
+            *ortho = scaledAbout(*ortho, x, y, scale);
+        else if (auto *oblique = std::get_if<Oblique>(&result.projection))
+            oblique->box = scaledAbout(oblique->box, x, y, scale);
+    }
+    const WorldPoint center(bounds.isEmpty() ? glm::dvec3(0.0) : bounds.center());
+    result.camera.center = center;
+    result.camera.eye = WorldPoint(center.coordinates() - frame.forward * distance);
+    result.camera = recentered(result, center);
+    return result;
+}
+
+Projection withFittedClipDistances(const ViewGeometry &geometry, const Box &bounds, const Box &reach)
+{
+    if (bounds.isEmpty())
+        return geometry.projection;
+    const EyeFrame frame = frameOf(geometry.camera);
+    const auto distances = [&frame](const Box &box) {
+        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+        for (int corner = 0; corner < 8; ++corner) {
+            const WorldPoint p(corner & 1 ? box.highest.x : box.lowest.x, corner & 2 ? box.highest.y : box.lowest.y,
+                               corner & 4 ? box.highest.z : box.lowest.z);
+            const double z = -eyeFromWorld(frame, p).z;
+            lowest = std::min(lowest, z);
+            highest = std::max(highest, z);
+        }
+        return std::pair(lowest, highest);
+    };
+    const double margin = std::max(bounds.diagonal() * 0.01, centerDistance(geometry.camera) * 1e-3);
+    auto [lowest, highest] = distances(bounds);
+    if (!reach.isEmpty())
+        highest = std::max(highest, distances(reach).second);
+    double n = lowest - margin;
+    double f = highest + margin;
+    if (isPerspective(geometry.projection)) {
+        n = std::max(n, centerDistance(geometry.camera) * 0.01);
+        f = std::max(f, n * 2.0);
+    }
+    return withClipDistances(geometry.projection, n, f);
+}
+
+} // namespace unprojector::geometry

@@ -1,0 +1,38 @@
+#include "core/geometry/double_double.h"
+
+namespace unprojector::geometry {
+namespace {
+
+struct SineCosine {
+    DoubleDouble sine, cosine;
+};
+
+/// By Taylor's series of a 64th of the angle, doubled six times: sin 2x = 2 sin x cos x, 1 - cos 2x = 2 sin^2 x.
+SineCosine sineCosine(double radians)
+{
+    constexpr int kDoublings = 6;
+    const DoubleDouble x = std::scalbn(radians, -kDoublings);
+    DoubleDouble sine = x, oneMinusCosine = x * x / 2.0, sineTerm = x, cosineTerm = oneMinusCosine;
+    for (int k = 2; k < 20; k += 2) {
+        sineTerm = -sineTerm * x * x / double(k * (k + 1));
+        cosineTerm = -cosineTerm * x * x / double((k + 1) * (k + 2));
+        sine = sine + sineTerm;
+        oneMinusCosine = oneMinusCosine + cosineTerm;
+    }
+    for (int i = 0; i < kDoublings; ++i) {
+        const DoubleDouble doubled = 2.0 * sine * (1.0 - oneMinusCosine);
+        oneMinusCosine = 2.0 * sine * sine;
+        sine = doubled;
+    }
+    return {sine, 1.0 - oneMinusCosine};
+}
+
+} // namespace
+
+DoubleDouble preciseTangent(double radians)
+{
+    const auto [sine, cosine] = sineCosine(radians);
+    return sine / cosine;
+}
+
+} // namespace unprojector::geometry

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "core/geometry/spaces.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace unprojector::geometry {
+
+/// What the double nearest to a + b leaves out, exactly (Knuth's two-sum).
+inline double lostBySum(double a, double b)
+{
+    const double sum = a + b;
+    const double bOfSum = sum - a;
+    return (a - (sum - bOfSum)) + (b - bOfSum);
+}
+
+/// A double as the sum of two of 26 bits each, whose products are exact (Veltkamp).
+struct Halves {
+    double high, low;
+
+    explicit Halves(double number)
+    {
+        constexpr double kLarge = 0x1p996, kShrink = 0x1p-28, kGrow = 0x1p28, kSplitter = 0x1p27 + 1.0;
+        const bool isLarge = std::abs(number) > kLarge; // the product with the splitter would overflow
+        const double scaled = isLarge ? number * kShrink : number;
+        const double product = kSplitter * scaled;
+        const double top = product - (product - scaled);
+        high = isLarge ? top * kGrow : top;
+        low = isLarge ? (scaled - top) * kGrow : scaled - top;
+    }
+};
+
+/// What the double nearest to a b leaves out, exactly unless it underflows (Dekker). std::fma would do it in one step, but
+/// not every library rounds it as it should: that of MinGW goes through 64 bits.
+inline double lostByProduct(double a, double b)
+{
+    const Halves x(a), y(b);
+    return x.low * y.low - (((a * b - x.high * y.high) - x.low * y.high) - x.high * y.low);
+}
+
+/// A number as the unevaluated sum of the double nearest to it and of what that double leaves out: about 32 digits, at the
+/// cost of some twenty operations of the processor for each of its own. For what happens once a click, where digits
+/// that cancel later must not be dropped on the way.
+///
+/// Within 2^-100 of the result for sums of one sign, products, quotients and roots; a difference is within 2^-100 of the
+/// larger operand. The range is that of a double: beyond it `value` is infinite or NaN.
+/// Source: Dekker 1971; Joldes, Muller, Popescu 2017, "Tight and rigorous error bounds for basic building blocks of
+///         double-word arithmetic".
+struct DoubleDouble {
+    double value = 0.0;
+    double rest = 0.0; ///< at most half a unit in the last place of `value`
+
+    constexpr DoubleDouble() = default;
+    constexpr DoubleDouble(double number) : value(number) {} // every double is one
+    constexpr DoubleDouble(double value_, double rest_) : value(value_), rest(rest_) {}
+
+    friend DoubleDouble operator-(const DoubleDouble &a) { return {-a.value, -a.rest}; }
+    friend DoubleDouble operator+(const DoubleDouble &a, const DoubleDouble &b)
+    {
+        const double high = a.value + b.value, low = a.rest + b.rest;
+        const DoubleDouble sum = renormalised(high, lostBySum(a.value, b.value) + low);
+        return renormalised(sum.value, sum.rest + lostBySum(a.rest, b.rest));
+    }
+    friend DoubleDouble operator-(const DoubleDouble &a, const DoubleDouble &b) { return a + -b; }
+    friend DoubleDouble operator*(const DoubleDouble &a, const DoubleDouble &b)
+    {
+        const double high = a.value * b.value;
+        return renormalised(high, lostByProduct(a.value, b.value) + (a.value * b.rest + a.rest * b.value));
+    }
+    friend DoubleDouble operator/(const DoubleDouble &a, const DoubleDouble &b)
+    {
+        const double quotient = a.value / b.value;
+        const DoubleDouble remainder = a - b * quotient;
+        return renormalised(quotient, remainder.value / b.value);
+    }
+    friend DoubleDouble sqrt(const DoubleDouble &a)
+    {
+        if (a.value == 0.0)
+            return a;
+        const double root = std::sqrt(a.value);
+        const DoubleDouble remainder = a - DoubleDouble(root) * root;
+        return renormalised(root, remainder.value / (2.0 * root));
+    }
+
+private:
+    /// high + low with `value` the double nearest to it. @pre |low| <= |high|, or high is 0
+    static DoubleDouble renormalised(double high, double low)
+    {
+        const double sum = high + low;
+        return {sum, low - (sum - high)};
+    }
+};
+
+/// Of an angle in radians as the double says it, inside (-pi, pi).
+DoubleDouble preciseTangent(double radians);
+
+using DoubleDouble3 = std::array<DoubleDouble, 3>;
+
+inline DoubleDouble dot(const DoubleDouble3 &a, const DoubleDouble3 &b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline DoubleDouble3 cross(const DoubleDouble3 &a, const DoubleDouble3 &b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline DoubleDouble length(const DoubleDouble3 &v)
+{
+    return sqrt(dot(v, v));
+}
+
+/// A point that goes on to another space before it is rounded.
+template <class Space>
+struct PrecisePoint {
+    DoubleDouble x, y, z;
+
+    Point<Space> rounded() const { return Point<Space>(x.value, y.value, z.value); }
+};
+
+} // namespace unprojector::geometry

@@ -1,0 +1,145 @@
+#include "core/geometry/observer_camera.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace unprojector::geometry {
+namespace {
+
+constexpr glm::dvec3 kWorldUp{0.0, 1.0, 0.0};
+constexpr double kElevationRadians = 0.6108652381980153; // 35 degrees
+constexpr double kAzimuthRadians = 1.0471975511965976;   // 60 degrees from straight behind
+
+/// Rounded to the power of ten that is not above `step`, without leaving noise digits behind.
+double roundedTo(double value, double step)
+{
+    const double power = std::floor(std::log10(step));
+    const double scale = std::pow(10.0, std::abs(power));
+    return power < 0.0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+}
+
+} // namespace
+
+glm::dmat4 matrixOf(const Placement &placement)
+{
+    glm::dmat4 matrix(glm::mat3_cast(placement.rotation) * placement.scale);
+    matrix[3] = glm::dvec4(placement.position, 1.0);
+    return matrix;
+}
+
+Placement between(const Placement &from, const Placement &to, double t)
+{
+    return {from.position * (1.0 - t) + to.position * t, glm::slerp(from.rotation, to.rotation, t),
+            from.scale * std::pow(to.scale / from.scale, t)};
+}
+
+Placement placementOf(const EyeFrame &frame, const ViewVolumeMorph &morph)
+{
+    const glm::dmat3 axes(frame.side, frame.upward, -frame.forward);
+    return {worldFromEye(frame, morph.center).coordinates(), glm::normalize(glm::quat_cast(axes)), 1.0 / morph.scale};
+}
+
+LookAt observerOf(const EyeFrame &watched, const WorldPoint &center)
+{
+    // Level ahead; a camera that looks straight up or down has its upper edge there.
+    glm::dvec3 ahead = watched.forward - kWorldUp * glm::dot(watched.forward, kWorldUp);
+    constexpr double kSteep = 1e-3;
+    if (glm::length(ahead) < kSteep)
+        ahead = watched.upward - kWorldUp * glm::dot(watched.upward, kWorldUp);
+    ahead = glm::normalize(ahead);
+    const glm::dvec3 right = glm::cross(ahead, kWorldUp);
+    const glm::dvec3 level = right * std::sin(kAzimuthRadians) - ahead * std::cos(kAzimuthRadians);
+    const glm::dvec3 offset = level * std::cos(kElevationRadians) + kWorldUp * std::sin(kElevationRadians);
+    return {WorldPoint(center.coordinates() + offset), center, kWorldUp};
+}
+
+LookAt framedTightly(const ViewGeometry &observer, const std::vector<WorldPoint> &points)
+{
+    const Result<EyeFrame> found = eyeFrame(observer.camera);
+    assert(found && !points.empty());
+    const EyeFrame &frame = *found;
+    const ProjectionWindow w = projectionWindow(observer.projection);
+    constexpr double kFill = 0.88;
+    const double slopeX = w.right / w.nearDistance * kFill, slopeY = w.top / w.nearDistance * kFill;
+
+    // A point lies left of the picture's right edge when x + slope z <= eye.x + slope eye.z, and so on: the eye is where
+    // the four edges touch the outermost points.
+    constexpr double kLowest = -std::numeric_limits<double>::infinity();
+    double rightmost = kLowest, leftmost = kLowest, topmost = kLowest, bottommost = kLowest, foremost = kLowest,
+           middle = 0.0;
+    for (const WorldPoint &point : points) {
+        const EyePoint p = eyeFromWorld(frame, point);
+        rightmost = std::max(rightmost, p.x + slopeX * p.z);
+        leftmost = std::max(leftmost, -p.x + slopeX * p.z);
+        topmost = std::max(topmost, p.y + slopeY * p.z);
+        bottommost = std::max(bottommost, -p.y + slopeY * p.z);
+        foremost = std::max(foremost, p.z);
+        middle += p.z / static_cast<double>(points.size());
+    }
+    const double x = (rightmost - leftmost) / 2.0, y = (topmost - bottommost) / 2.0;
+    const double z = std::max((rightmost + leftmost) / (2.0 * slopeX), (topmost + bottommost) / (2.0 * slopeY));
+    const double distance = z - middle > 0.0 ? z - middle : 1.0; // a single point has no size to fill anything with
+    LookAt camera = observer.camera;
+    camera.center = worldFromEye(frame, EyePoint(x, y, middle));
+    camera.eye = WorldPoint(camera.center.coordinates() - frame.forward * distance);
+    return camera;
+}
+
+ClipPlaneDrag::ClipPlaneDrag(const Projection &projection, ClipPlane plane, const EyePoint &grabbed,
+                             const glm::dmat4 &widgetFromEye, const glm::dvec2 &pointer)
+    : m_plane(plane)
+{
+    const double distance = -grabbed.z;
+    glm::dvec3 direction(0.0, 0.0, -1.0);
+    if (isPerspective(projection))
+        direction = grabbed.coordinates() / distance;
+    else if (const auto *oblique = std::get_if<Oblique>(&projection))
+        direction = {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians), -1.0};
+    m_direction = widgetFromEye * glm::dvec4(direction, 0.0);
+    m_origin = widgetFromEye * glm::dvec4(grabbed.coordinates() - direction * distance, 1.0);
+    const glm::dvec4 held = m_origin + m_direction * distance;
+    const ProjectionWindow w = projectionWindow(projection);
+    m_deepest = w.nearDistance + 1000.0 * (w.farDistance - w.nearDistance);
+    m_isFacing = held.w > 0.0;
+    if (!m_isFacing)
+        return;
+    m_offset = pointer - glm::dvec2(held) / held.w;
+    m_rate = (glm::dvec2(m_direction) - glm::dvec2(held) / held.w * m_direction.w) / held.w;
+}
+
+std::optional<double> ClipPlaneDrag::distanceAt(const glm::dvec2 &pointer) const
+{
+    const double rate = glm::length(m_rate);
+    if (!m_isFacing || !(rate > 0.0))
+        return std::nullopt;
+    const glm::dvec2 along = m_rate / rate;
+    const double wanted = glm::dot(along, pointer - m_offset);
+    const double distance = (wanted * m_origin.w - glm::dot(along, glm::dvec2(m_origin)))
+                            / (glm::dot(along, glm::dvec2(m_direction)) - wanted * m_direction.w);
+    if (!std::isfinite(distance) || !(m_origin.w + distance * m_direction.w > 0.0))
+        return std::nullopt;
+    return roundedTo(distance, 1.0 / rate);
+}
+
+std::optional<Projection> ClipPlaneDrag::projectionAt(const Projection &current, const glm::dvec2 &pointer) const
+{
+    std::optional<double> distance = distanceAt(pointer);
+    if (!distance)
+        return std::nullopt;
+    ProjectionWindow w = projectionWindow(current);
+    const double gap = 1e-3 * std::max(std::abs(w.nearDistance), std::abs(w.farDistance));
+    if (m_plane == ClipPlane::Near) {
+        w.nearDistance = std::min(*distance, w.farDistance - gap);
+        if (isPerspective(current))
+            w.nearDistance = std::max(w.nearDistance, w.farDistance * 1e-6);
+    } else {
+        w.farDistance = std::max(std::min(*distance, m_deepest), w.nearDistance + gap);
+    }
+    return withClipDistances(current, w.nearDistance, w.farDistance);
+}
+
+} // namespace unprojector::geometry

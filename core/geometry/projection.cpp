@@ -1,0 +1,271 @@
+#include "core/geometry/projection.h"
+
+#include "core/geometry/angle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::geometry {
+namespace {
+
+Check checkWindow(const ProjectionWindow &w)
+{
+    for (const double value : {w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance}) {
+        if (!std::isfinite(value))
+            return Error{ErrorCode::NotFinite, value};
+    }
+    if (w.left == w.right)
+        return Error{ErrorCode::LeftEqualsRight, w.left};
+    if (w.bottom == w.top)
+        return Error{ErrorCode::BottomEqualsTop, w.bottom};
+    return std::monostate{};
+}
+
+Check checkClipDistances(double nearDistance, double farDistance, bool perspective)
+{
+    if (!std::isfinite(nearDistance))
+        return Error{ErrorCode::NotFinite, nearDistance};
+    if (!std::isfinite(farDistance))
+        return Error{ErrorCode::NotFinite, farDistance};
+    if (perspective && !(nearDistance > 0.0))
+        return Error{ErrorCode::NearNotPositive, nearDistance, farDistance};
+    if (!(nearDistance < farDistance))
+        return Error{ErrorCode::NearNotBeforeFar, nearDistance, farDistance};
+    return std::monostate{};
+}
+
+Check checkBox(const ProjectionWindow &w, bool perspective)
+{
+    if (const Check window = checkWindow(w); !window)
+        return window.error();
+    return checkClipDistances(w.nearDistance, w.farDistance, perspective);
+}
+
+struct Checker {
+    Check operator()(const Frustum &p) const { return checkBox(projectionWindow(p), true); }
+    Check operator()(const Ortho &p) const { return checkBox(projectionWindow(p), false); }
+    Check operator()(const Perspective &p) const
+    {
+        for (const double value : {p.verticalFovRadians, p.aspect}) {
+            if (!std::isfinite(value))
+                return Error{ErrorCode::NotFinite, value};
+        }
+        if (!(p.verticalFovRadians > 0.0 && p.verticalFovRadians < kPi))
+            return Error{ErrorCode::FieldOfViewOutOfRange, p.verticalFovRadians};
+        if (!(p.aspect > 0.0))
+            return Error{ErrorCode::AspectNotPositive, p.aspect};
+        return checkClipDistances(p.nearDistance, p.farDistance, true);
+    }
+    Check operator()(const Oblique &p) const
+    {
+        for (const double angle : {p.thetaRadians, p.phiRadians}) {
+            if (!std::isfinite(angle))
+                return Error{ErrorCode::NotFinite, angle};
+            if (!(angle > 0.0 && angle < kPi))
+                return Error{ErrorCode::ShearAngleOutOfRange, angle};
+        }
+        return checkBox(projectionWindow(p.box), false);
+    }
+};
+
+glm::dmat4 orthoMatrix(const Ortho &p)
+{
+    const double l = p.left, r = p.right, b = p.bottom, t = p.top, n = p.nearDistance, f = p.farDistance;
+    glm::dmat4 m(1.0);
+    m[0][0] = 2.0 / (r - l);
+    m[1][1] = 2.0 / (t - b);
+    m[2][2] = -2.0 / (f - n);
+    m[3] = {-(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n), 1.0};
+    return m;
+}
+
+glm::dmat4 frustumMatrix(const Frustum &p)
+{
+    const double l = p.left, r = p.right, b = p.bottom, t = p.top, n = p.nearDistance, f = p.farDistance;
+    glm::dmat4 m(0.0);
+    m[0][0] = 2.0 * n / (r - l);
+    m[1][1] = 2.0 * n / (t - b);
+    m[2] = {(r + l) / (r - l), (t + b) / (t - b), -(f + n) / (f - n), -1.0};
+    m[3][2] = -2.0 * f * n / (f - n);
+    return m;
+}
+
+} // namespace
+
+DoubleDouble preciseCotangent(double radians)
+{
+    return radians == kPi / 2.0 ? DoubleDouble(0.0) : 1.0 / preciseTangent(radians);
+}
+
+double cotangent(double radians)
+{
+    return preciseCotangent(radians).value;
+}
+
+Check check(const Projection &projection)
+{
+    return std::visit(Checker{}, projection);
+}
+
+Frustum frustumFromPerspective(const Perspective &p)
+{
+    const DoubleDouble top = p.nearDistance * preciseTangent(p.verticalFovRadians / 2.0);
+    const double right = (top * p.aspect).value;
+    return {-right, right, -top.value, top.value, p.nearDistance, p.farDistance};
+}
+
+ProjectionWindow projectionWindow(const Projection &projection)
+{
+    struct Visitor {
+        ProjectionWindow operator()(const Frustum &p) const
+        {
+            return {p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
+        }
+        ProjectionWindow operator()(const Ortho &p) const
+        {
+            return {p.left, p.right, p.bottom, p.top, p.nearDistance, p.farDistance};
+        }
+        ProjectionWindow operator()(const Perspective &p) const { return (*this)(frustumFromPerspective(p)); }
+        ProjectionWindow operator()(const Oblique &p) const { return (*this)(p.box); }
+    };
+    return std::visit(Visitor{}, projection);
+}
+
+bool isPerspective(const Projection &projection)
+{
+    return std::holds_alternative<Frustum>(projection) || std::holds_alternative<Perspective>(projection);
+}
+
+Result<glm::dmat4> clipFromEye(const Projection &projection)
+{
+    if (const Check valid = check(projection); !valid)
+        return valid.error();
+    struct Visitor {
+        glm::dmat4 operator()(const Frustum &p) const { return frustumMatrix(p); }
+        glm::dmat4 operator()(const Ortho &p) const { return orthoMatrix(p); }
+        glm::dmat4 operator()(const Perspective &p) const { return frustumMatrix(frustumFromPerspective(p)); }
+        glm::dmat4 operator()(const Oblique &p) const
+        {
+            glm::dmat4 shear(1.0);
+            shear[2][0] = cotangent(p.thetaRadians);
+            shear[2][1] = cotangent(p.phiRadians);
+            return orthoMatrix(p.box) * shear;
+        }
+    };
+    return std::visit(Visitor{}, projection);
+}
+
+Projection withAspect(const Projection &projection, double aspect)
+{
+    struct Visitor {
+        double aspect;
+        /// Scaling left and right keeps the view axis at the same share of the width.
+        Projection operator()(Frustum p) const
+        {
+            const double scale = std::abs(p.top - p.bottom) * aspect / std::abs(p.right - p.left);
+            p.left *= scale;
+            p.right *= scale;
+            return p;
+        }
+        Projection operator()(const Ortho &p) const { return widened(p); }
+        Projection operator()(Perspective p) const
+        {
+            p.aspect = aspect;
+            return p;
+        }
+        Projection operator()(Oblique p) const
+        {
+            p.box = widened(p.box);
+            return p;
+        }
+        static Ortho widenedTo(Ortho p, double width)
+        {
+            const double center = p.left + (p.right - p.left) / 2.0;
+            const double half = std::copysign(width / 2.0, p.right - p.left);
+            p.left = center - half;
+            p.right = center + half;
+            return p;
+        }
+        Ortho widened(const Ortho &p) const { return widenedTo(p, std::abs(p.top - p.bottom) * aspect); }
+    };
+    return std::visit(Visitor{aspect}, projection);
+}
+
+ProjectionKind kindOf(const Projection &projection)
+{
+    struct Visitor {
+        ProjectionKind operator()(const Frustum &) const { return ProjectionKind::Frustum; }
+        ProjectionKind operator()(const Perspective &) const { return ProjectionKind::Perspective; }
+        ProjectionKind operator()(const Ortho &) const { return ProjectionKind::Ortho; }
+        ProjectionKind operator()(const Oblique &) const { return ProjectionKind::Oblique; }
+    };
+    return std::visit(Visitor{}, projection);
+}
+
+Projection converted(const Projection &projection, ProjectionKind kind, double distance)
+{
+    if (kindOf(projection) == kind)
+        return projection;
+
+    // Everything goes by the window at `distance`, where both pictures are to agree.
+    const ProjectionWindow w = projectionWindow(projection);
+    const bool wasPerspective = isPerspective(projection);
+    const double magnified = wasPerspective ? distance / w.nearDistance : 1.0;
+    Ortho box{w.left * magnified, w.right * magnified, w.bottom * magnified,
+              w.top * magnified,  w.nearDistance,      w.farDistance};
+    if (const auto *oblique = std::get_if<Oblique>(&projection)) {
+        const double dx = cotangent(oblique->thetaRadians) * distance;
+        const double dy = cotangent(oblique->phiRadians) * distance;
+        box = {box.left + dx, box.right + dx, box.bottom + dy, box.top + dy, box.nearDistance, box.farDistance};
+    }
+    if (kind == ProjectionKind::Ortho)
+        return box;
+    if (kind == ProjectionKind::Oblique)
+        return Oblique{box};
+
+    Frustum frustum{w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance};
+    if (!wasPerspective) {
+        constexpr double kNearShare = 0.01; // of the distance, where a box begins behind the eye
+        const double n = box.nearDistance > 0.0 ? box.nearDistance : distance * kNearShare;
+        const double k = n / distance;
+        frustum = {box.left * k, box.right * k, box.bottom * k, box.top * k, n, std::max(box.farDistance, 2.0 * n)};
+    }
+    if (kind == ProjectionKind::Frustum)
+        return frustum;
+    const double height = std::abs(frustum.top - frustum.bottom);
+    return Perspective{2.0 * std::atan(height / 2.0 / frustum.nearDistance),
+                       std::abs(frustum.right - frustum.left) / height, frustum.nearDistance, frustum.farDistance};
+}
+
+Projection withClipDistances(const Projection &projection, double nearDistance, double farDistance)
+{
+    struct Visitor {
+        double n, f;
+        Projection operator()(Frustum p) const
+        {
+            const double scale = n / p.nearDistance;
+            return Frustum{p.left * scale, p.right * scale, p.bottom * scale, p.top * scale, n, f};
+        }
+        Projection operator()(Ortho p) const
+        {
+            p.nearDistance = n;
+            p.farDistance = f;
+            return p;
+        }
+        Projection operator()(Perspective p) const
+        {
+            p.nearDistance = n;
+            p.farDistance = f;
+            return p;
+        }
+        Projection operator()(Oblique p) const
+        {
+            p.box.nearDistance = n;
+            p.box.farDistance = f;
+            return p;
+        }
+    };
+    return std::visit(Visitor{nearDistance, farDistance}, projection);
+}
+
+} // namespace unprojector::geometry

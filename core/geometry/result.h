@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+namespace unprojector::geometry {
+
+/// What is wrong with an input. The wording is the caller's (gui/error_text, the command line); `Error` carries
+/// the offending values for it.
+enum class ErrorCode {
+    NotFinite,             ///< value: the NaN or infinity given
+    NearNotPositive,       ///< value: near; only a perspective needs near > 0
+    NearNotBeforeFar,      ///< value: near, other: far
+    LeftEqualsRight,       ///< value: left = right
+    BottomEqualsTop,       ///< value: bottom = top
+    FieldOfViewOutOfRange, ///< value: vertical field of view in radians; must lie inside (0, pi)
+    AspectNotPositive,     ///< value: aspect
+    ShearAngleOutOfRange,  ///< value: angle in radians; must lie inside (0, pi), where its cotangent is finite
+    EyeEqualsCenter,       ///< the eye lies on the point it looks at
+    UpIsZero,              ///< up has no length
+    UpParallelToView,      ///< up points along the view direction
+    EmptyViewport,         ///< value: width, other: height
+    EmptyFramebuffer,      ///< value: width, other: height
+    PixelRatioNotPositive, ///< value: device pixel ratio
+    EmptyDepthRange,       ///< value: depth of near = depth of far
+    DepthOutsideRange,     ///< value: the depth given, NaN included
+    OutsideFramebuffer,    ///< value, other: the position
+    SingularMatrix,        ///< the matrix has no inverse
+    PointAtInfinity,       ///< the homogeneous result has w = 0
+    ScaleIsZero,           ///< value: 0
+    RotationAxisIsZero,    ///< the axis has no length
+    ClipPlaneHasNoNormal,  ///< A = B = C = 0
+    MatrixNotAProjection,  ///< value: the entry that fits no known form; other: its place, column by column from 0
+    ViewNotRigid,          ///< value: how far the axes are from orthonormal; with other, the entry at that place
+};
+
+struct Error {
+    ErrorCode code;
+    double value = std::numeric_limits<double>::quiet_NaN();
+    double other = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A value, or the reason why there is none. There are no sentinel values: "no answer" is always an error.
+template <class T, class E = Error>
+class [[nodiscard]] Result {
+public:
+    Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}
+    Result(E error) : m_state(std::in_place_index<1>, std::move(error)) {}
+
+    bool hasValue() const { return m_state.index() == 0; }
+    explicit operator bool() const { return hasValue(); }
+
+    const T &value() const &
+    {
+        assert(hasValue());
+        return *std::get_if<0>(&m_state);
+    }
+    T &&value() &&
+    {
+        assert(hasValue());
+        return std::move(*std::get_if<0>(&m_state));
+    }
+    const T &operator*() const & { return value(); }
+    const T *operator->() const { return &value(); }
+
+    const E &error() const
+    {
+        assert(!hasValue());
+        return *std::get_if<1>(&m_state);
+    }
+
+private:
+    std::variant<T, E> m_state;
+};
+
+/// The result of a check: nothing, or the reason for the refusal.
+using Check = Result<std::monostate>;
+
+} // namespace unprojector::geometry

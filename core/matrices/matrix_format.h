@@ -1,0 +1,57 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::matrices {
+
+/// How vectors are written: as columns, M * v (OpenGL), or as rows, v * M (opencascade-transforms), where every matrix
+/// is transposed and products are in reversed order.
+enum class MatrixLayout { Column, Row };
+
+/// Double: all digits. Float: what the entry is after rounding to single precision, as glGetFloatv gives it.
+enum class Digits { Double, Float };
+
+enum class MatrixSyntax { Text, CArray, Glm, NumPy, Latex };
+
+struct MatrixFormat {
+    MatrixSyntax syntax = MatrixSyntax::Text;
+    MatrixLayout layout = MatrixLayout::Column;
+    Digits digits = Digits::Double;
+};
+
+/// The entries as OpenGL stores them: m[4 * column + row], the translation in m[12..14]. A row-vector matrix stored row
+/// by row has the same sixteen numbers.
+std::array<double, 16> memoryOrder(const glm::dmat4 &matrix);
+
+/// The entry shown at a row and column of a layout, both counted from 0.
+double entryAt(const glm::dmat4 &matrix, MatrixLayout layout, int row, int column);
+
+/// The fewest digits that give the double (or the float) back when read: "0.1", "1e-17"; 0 for -0.
+/// @param significant  at most so many significant digits, trailing zeros dropped; 0: as many as needed
+std::string numberText(double value, Digits digits, int significant = 0);
+
+/// Blanks before and after, so that the texts are equally long and their decimal points (or the last digits of whole
+/// numbers) lie under each other.
+/// @return characters before the decimal points
+std::size_t alignAtDecimalPoint(std::vector<std::string> &texts);
+
+/// A matrix for the clipboard or the command line, ending in a newline. `name` is the variable's; it is not used by
+/// Text.
+///
+///   Text    four aligned lines in the layout
+///   CArray  const double name[16] = {…}; the memory order, whatever the layout
+///   Glm     const glm::dmat4 name(…); columns of the column-vector matrix, whatever the layout
+///   NumPy   name = np.array([[…]]) in the layout
+///   Latex   name = \begin{bmatrix}…\end{bmatrix} in the layout, powers of ten written out
+///
+/// With float digits the types are float, glm::mat4 and np.float32. An entry beyond the range of float is written as
+/// the syntax writes infinity.
+/// @pre the entries are not NaN
+std::string formatted(const glm::dmat4 &matrix, const MatrixFormat &format, std::string_view name);
+
+} // namespace unprojector::matrices

@@ -1,0 +1,162 @@
+#include "core/matrices/pipeline.h"
+
+#include "core/geometry/condition_number.h"
+#include "core/geometry/finite.h"
+
+#include <glm/matrix.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace unprojector::matrices {
+using namespace geometry;
+namespace {
+
+/// A point of finite coordinates, else NotFinite.
+template <class Space>
+Result<Point<Space>> finite(const typename Space::Coordinates &coordinates)
+{
+    if (const std::optional<double> value = firstNotFinite(coordinates))
+        return Error{ErrorCode::NotFinite, *value};
+    return Point<Space>(coordinates);
+}
+
+/// The next stage of a point, or the reason why there was none before.
+template <class Target, class Source, class Step>
+Result<Point<Target>> next(const Result<Point<Source>> &point, Step step)
+{
+    if (!point)
+        return point.error();
+    return step(*point);
+}
+
+/// An affine matrix or an inverse of one: w stays 1.
+template <class Target, class Source>
+Result<Point<Target>> affine(const glm::dmat4 &targetFromSource, const Result<Point<Source>> &point)
+{
+    return next<Target>(point, [&](const Point<Source> &p) {
+        return finite<Target>(glm::dvec3(targetFromSource * glm::dvec4(p.coordinates(), 1.0)));
+    });
+}
+
+PipelinePoints forwardOf(const Pipeline &pipeline, const Result<ObjectPoint> &object, const Result<WorldPoint> &world)
+{
+    const ViewGeometry &geometry = pipeline.geometry;
+    const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Forward); };
+    const Result<EyePoint> eye = affine<EyeSpace>(matrix(PipelineStage::ViewMatrix), world);
+    const Result<ClipPoint> clip = next<ClipSpace>(eye, [&](const EyePoint &p) {
+        return finite<ClipSpace>(matrix(PipelineStage::ProjectionMatrix) * glm::dvec4(p.coordinates(), 1.0));
+    });
+    const Result<NdcPoint> ndc = next<NdcSpace>(clip, [](const ClipPoint &p) -> Result<NdcPoint> {
+        if (p.w == 0.0)
+            return Error{ErrorCode::PointAtInfinity};
+        return finite<NdcSpace>(glm::dvec3(p.coordinates()) / p.w);
+    });
+    const Result<WindowPoint> window = next<WindowSpace>(ndc, [&](const NdcPoint &p) {
+        return finite<WindowSpace>(windowFromNdc(geometry.viewport, geometry.depthRange, p).coordinates());
+    });
+    const Result<DevicePoint> device = next<DeviceSpace>(window, [&](const WindowPoint &p) {
+        return finite<DeviceSpace>(deviceFromWindow(geometry.surface, p).coordinates());
+    });
+    const Result<WidgetPoint> widget = next<WidgetSpace>(device, [&](const DevicePoint &p) {
+        return finite<WidgetSpace>(widgetFromDevice(geometry.surface, p).coordinates());
+    });
+    return {object, world, eye, clip, ndc, window, device, widget};
+}
+
+} // namespace
+
+const glm::dmat4 &Pipeline::matrix(PipelineStage stage, PipelineDirection direction) const
+{
+    const auto index = static_cast<std::size_t>(stage);
+    return direction == PipelineDirection::Forward ? forward[index] : backward[index];
+}
+
+Result<Pipeline> pipeline(const ViewGeometry &geometry, const glm::dmat4 &worldFromObject)
+{
+    if (const Check valid = check(geometry); !valid)
+        return valid.error();
+    if (const std::optional<double> value = firstNotFinite(worldFromObject))
+        return Error{ErrorCode::NotFinite, *value};
+    const EyeFrame frame = eyeFrame(geometry.camera).value();
+
+    const glm::dmat4 view = eyeFromWorld(frame);
+    const glm::dmat4 projection = clipFromEye(geometry.projection).value();
+    const glm::dmat4 viewport = windowFromNdc(geometry.viewport, geometry.depthRange);
+    if (std::isinf(conditionNumber(worldFromObject)) || std::isinf(conditionNumber(projection)))
+        return Error{ErrorCode::SingularMatrix};
+
+    const glm::dmat4 objectFromWorld = glm::inverse(worldFromObject);
+    const glm::dmat4 worldFromEye(glm::dvec4(frame.side, 0.0), glm::dvec4(frame.upward, 0.0),
+                                  glm::dvec4(-frame.forward, 0.0), glm::dvec4(frame.eye.coordinates(), 1.0));
+    const glm::dmat4 eyeFromClip = glm::inverse(projection);
+    glm::dmat4 ndcFromWindow(1.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        ndcFromWindow[axis][axis] = 1.0 / viewport[axis][axis];
+        ndcFromWindow[3][axis] = -viewport[3][axis] / viewport[axis][axis];
+    }
+    const glm::dmat4 objectFromEye = objectFromWorld * worldFromEye;
+    const glm::dmat4 modelview = view * worldFromObject;
+
+    Pipeline result{geometry,
+                    {worldFromObject, view, projection, viewport, modelview, viewport * projection * modelview},
+                    {objectFromWorld, worldFromEye, eyeFromClip, ndcFromWindow, objectFromEye,
+                     objectFromEye * eyeFromClip * ndcFromWindow}};
+    for (const glm::dmat4 &m : result.forward) {
+        if (const std::optional<double> value = firstNotFinite(m))
+            return Error{ErrorCode::NotFinite, *value};
+    }
+    for (const glm::dmat4 &m : result.backward) {
+        if (firstNotFinite(m))
+            return Error{ErrorCode::SingularMatrix};
+    }
+    return result;
+}
+
+PipelinePoints pointsForward(const Pipeline &pipeline, const ObjectPoint &point)
+{
+    const Result<ObjectPoint> object = finite<ObjectSpace>(point.coordinates());
+    return forwardOf(
+        pipeline, object,
+        affine<WorldSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Forward), object));
+}
+
+PipelinePoints pointsForward(const Pipeline &pipeline, const WorldPoint &point)
+{
+    const Result<WorldPoint> world = finite<WorldSpace>(point.coordinates());
+    return forwardOf(
+        pipeline, affine<ObjectSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Backward), world),
+        world);
+}
+
+PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &point)
+{
+    const Surface &surface = pipeline.geometry.surface;
+    const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Backward); };
+    const Result<WindowPoint> window = finite<WindowSpace>(point.coordinates());
+    const Result<NdcPoint> ndc = affine<NdcSpace>(matrix(PipelineStage::ViewportMatrix), window);
+    const Result<ClipPoint> clip = next<ClipSpace>(ndc, [&](const NdcPoint &p) -> Result<ClipPoint> {
+        const glm::dvec4 homogeneous(p.coordinates(), 1.0);
+        const glm::dvec4 eye = matrix(PipelineStage::ProjectionMatrix) * homogeneous;
+        if (eye.w == 0.0)
+            return Error{ErrorCode::PointAtInfinity};
+        return finite<ClipSpace>(homogeneous / eye.w);
+    });
+    const Result<EyePoint> eye = next<EyeSpace>(clip, [&](const ClipPoint &p) {
+        return finite<EyeSpace>(glm::dvec3(matrix(PipelineStage::ProjectionMatrix) * p.coordinates()));
+    });
+    const Result<WorldPoint> world = affine<WorldSpace>(matrix(PipelineStage::ViewMatrix), eye);
+    const Result<ObjectPoint> object = affine<ObjectSpace>(matrix(PipelineStage::ModelMatrix), world);
+    const Result<DevicePoint> device = next<DeviceSpace>(
+        window, [&](const WindowPoint &p) { return finite<DeviceSpace>(deviceFromWindow(surface, p).coordinates()); });
+    const Result<WidgetPoint> widget = next<WidgetSpace>(
+        device, [&](const DevicePoint &p) { return finite<WidgetSpace>(widgetFromDevice(surface, p).coordinates()); });
+    return {object, world, eye, clip, ndc, window, device, widget};
+}
+
+bool isInsideViewVolume(const ClipPoint &p)
+{
+    return std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && std::abs(p.z) <= p.w;
+}
+
+} // namespace unprojector::matrices

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/geometry/view_geometry.h"
+
+#include <array>
+
+namespace unprojector::matrices {
+using namespace geometry;
+
+/// A matrix of the fixed pipeline, or a product of several. Forward it takes a point to the next space:
+///
+///   ModelMatrix       worldFromObject
+///   ViewMatrix        eyeFromWorld
+///   ProjectionMatrix  clipFromEye
+///   ViewportMatrix    windowFromNdc; before it comes the division by w
+///   ModelviewMatrix   eyeFromObject = view * model
+///   WholeMatrix       windowFromObject = viewport * projection * view * model (MVPW); its result is homogeneous
+enum class PipelineStage { ModelMatrix, ViewMatrix, ProjectionMatrix, ViewportMatrix, ModelviewMatrix, WholeMatrix };
+constexpr std::array kPipelineStages{PipelineStage::ModelMatrix,      PipelineStage::ViewMatrix,
+                                     PipelineStage::ProjectionMatrix, PipelineStage::ViewportMatrix,
+                                     PipelineStage::ModelviewMatrix,  PipelineStage::WholeMatrix};
+
+/// Forward: from the object to the widget. Backward: from the window to the object, by the inverse of each stage.
+enum class PipelineDirection { Forward, Backward };
+
+/// How one object of a picture gets to the window, and back.
+struct Pipeline {
+    ViewGeometry geometry;
+    std::array<glm::dmat4, kPipelineStages.size()> forward;
+    /// objectFromWorld, worldFromEye, eyeFromClip, ndcFromWindow, objectFromEye, objectFromWindow
+    std::array<glm::dmat4, kPipelineStages.size()> backward;
+
+    const glm::dmat4 &matrix(PipelineStage stage, PipelineDirection direction) const;
+};
+
+/// All matrices of a picture. The inverses of view and viewport are those of a rigid and of a diagonal matrix, without
+/// rounding noise; model and projection are inverted by glm::inverse; the products by those.
+///
+/// @param worldFromObject  of the object looked at, affine; the identity where there is none
+/// @return the errors of check(geometry); NotFinite (the value of the entry); SingularMatrix, also where the inverse
+///         overflows
+Result<Pipeline> pipeline(const ViewGeometry &geometry, const glm::dmat4 &worldFromObject);
+
+/// One point in every space. Each stage says for itself why it has no answer; the stages after it have the same reason.
+struct PipelinePoints {
+    Result<ObjectPoint> object;
+    Result<WorldPoint> world;
+    Result<EyePoint> eye;
+    Result<ClipPoint> clip;
+    Result<NdcPoint> ndc;
+    Result<WindowPoint> window;
+    Result<DevicePoint> device;
+    Result<WidgetPoint> widget;
+};
+
+/// Forward, stage by stage: object, world, eye, clip, divided by w, window, device, widget. A point behind the eye has
+/// w < 0 and is taken through as well, as the matrices do.
+/// @return PointAtInfinity from NDC on where w = 0; NotFinite from the stage on that overflows (or of the point given)
+PipelinePoints pointsForward(const Pipeline &pipeline, const ObjectPoint &point);
+/// The same for a world point; its object point is objectFromWorld * point.
+PipelinePoints pointsForward(const Pipeline &pipeline, const WorldPoint &point);
+
+/// Backward, each stage by the inverse of its matrix: window, NDC, clip, eye, world, object. Clip coordinates get back
+/// the w that the division took:
+///
+///   w_clip = 1 / w',  (x', y', z', w') = eyeFromClip (x_n, y_n, z_n, 1)
+///
+/// @param window  device pixels, origin bottom-left; depth in the depth range (not required to be inside it)
+/// @return PointAtInfinity from clip on where w' = 0; NotFinite as above
+PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &window);
+
+/// Whether a clip point lies inside the view volume or on its edge: |x|, |y|, |z| <= w.
+bool isInsideViewVolume(const ClipPoint &point);
+
+} // namespace unprojector::matrices

@@ -1,0 +1,101 @@
+#include "core/scene/scene.h"
+
+#include "core/geometry/camera_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::scene {
+using namespace geometry;
+
+Check check(const ViewportRule &rule)
+{
+    switch (rule.kind) {
+    case ViewportRule::Kind::Fixed: return check(rule.fixed);
+    case ViewportRule::Kind::KeepAspect:
+        if (!std::isfinite(rule.aspect))
+            return Error{ErrorCode::NotFinite, rule.aspect};
+        if (!(rule.aspect > 0.0))
+            return Error{ErrorCode::AspectNotPositive, rule.aspect};
+        break;
+    case ViewportRule::Kind::WholeWindow:
+    case ViewportRule::Kind::Quarter: break;
+    }
+    return std::monostate{};
+}
+
+Viewport viewportIn(const ViewportRule &rule, const Surface &surface)
+{
+    const Viewport whole = wholeSurface(surface);
+    switch (rule.kind) {
+    case ViewportRule::Kind::WholeWindow: return whole;
+    case ViewportRule::Kind::Fixed: return rule.fixed;
+    case ViewportRule::Kind::KeepAspect: {
+        const double width = std::max(1.0, std::min(whole.width, std::round(whole.height * rule.aspect)));
+        const double height = std::max(1.0, std::min(whole.height, std::round(whole.width / rule.aspect)));
+        return {std::floor((whole.width - width) / 2.0), std::floor((whole.height - height) / 2.0), width, height};
+    }
+    case ViewportRule::Kind::Quarter: {
+        // Integer divisions, as the C of the tutorial has them; a window of one pixel keeps one.
+        const double width = std::max(1.0, std::floor(whole.width / 2.0));
+        const double height = std::max(1.0, std::floor(whole.height / 2.0));
+        return {std::floor(whole.width / 2.0), 0.0, width, height};
+    }
+    }
+    return whole;
+}
+
+Box boundsOf(const Scene &scene)
+{
+    Box bounds;
+    for (const SceneObject &object : scene.objects)
+        bounds.add(object.model->bounds.transformed(worldFromObject(object.transform)));
+    return bounds;
+}
+
+Check check(const Scene &scene)
+{
+    if (const Result<EyeFrame> frame = eyeFrame(scene.camera); !frame)
+        return frame.error();
+    for (const Check &valid : {check(scene.projection), check(scene.viewport), check(scene.depthRange)}) {
+        if (!valid)
+            return valid;
+    }
+    for (const SceneObject &object : scene.objects) {
+        for (const TransformStep &step : object.transform) {
+            if (const Check valid = check(step); !valid)
+                return valid;
+        }
+    }
+    std::vector<glm::dvec4> planes = scene.clipPlanes;
+    for (const ClipPlaneOff &off : scene.clipPlanesOff)
+        planes.push_back(off.plane);
+    for (const glm::dvec4 &plane : planes) {
+        for (int i = 0; i < 4; ++i) {
+            if (!std::isfinite(plane[i]))
+                return Error{ErrorCode::NotFinite, plane[i]};
+        }
+        if (plane.x == 0.0 && plane.y == 0.0 && plane.z == 0.0)
+            return Error{ErrorCode::ClipPlaneHasNoNormal};
+    }
+    return std::monostate{};
+}
+
+Result<ViewGeometry> viewGeometry(const Scene &scene, const Surface &surface, const Box &reach)
+{
+    if (const Check valid = check(scene); !valid)
+        return valid.error();
+    if (const Check valid = check(surface); !valid)
+        return valid.error();
+    ViewGeometry geometry{surface, viewportIn(scene.viewport, surface), scene.depthRange, scene.projection,
+                          scene.camera};
+    if (scene.projectionFollowsViewport)
+        geometry.projection = withAspect(geometry.projection, geometry.viewport.width / geometry.viewport.height);
+    if (scene.clipDistancesFitObjects)
+        geometry.projection = withFittedClipDistances(geometry, boundsOf(scene), reach);
+    if (const Check valid = check(geometry); !valid)
+        return valid.error();
+    return geometry;
+}
+
+} // namespace unprojector::scene

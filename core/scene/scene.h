@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/geometry/transform.h"
+#include "core/geometry/view_geometry.h"
+#include "core/scene/mesh.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace unprojector::scene {
+using namespace geometry;
+
+/// One model placed in the world.
+struct SceneObject {
+    std::string name;           ///< UTF-8
+    std::filesystem::path file; ///< empty for a bundled object
+    std::shared_ptr<const Model> model;
+    std::vector<TransformStep> transform; ///< worldFromObject, step by step
+};
+
+/// Which part of a window the viewport takes.
+struct ViewportRule {
+    enum class Kind {
+        WholeWindow,
+        Fixed,      ///< `fixed`, whatever the window's size
+        KeepAspect, ///< the largest centred rectangle of `aspect`, in whole pixels (letterbox)
+        Quarter     ///< glViewport(width/2, 0, width/2, height/2), as in the zhangci tutorial
+    };
+    Kind kind = Kind::WholeWindow;
+    Viewport fixed{0.0, 0.0, 640.0, 480.0};
+    double aspect = 4.0 / 3.0; ///< width / height
+    friend bool operator==(const ViewportRule &, const ViewportRule &) = default;
+};
+
+/// @return EmptyViewport, NotFinite (fixed); AspectNotPositive, NotFinite (keep aspect)
+Check check(const ViewportRule &rule);
+
+/// The viewport that a rule gives in a window of this size.
+/// @pre check(rule) and check(surface)
+Viewport viewportIn(const ViewportRule &rule, const Surface &surface);
+
+/// At most so many user clip planes, as OpenGL guarantees.
+constexpr std::size_t kMostClipPlanes = 6;
+
+/// A user clip plane that is kept but does not cut.
+struct ClipPlaneOff {
+    std::size_t place = 0; ///< in the list of all planes, those that cut and those that do not
+    glm::dvec4 plane{0.0};
+};
+
+/// What is shown and how: everything but the window's size.
+struct Scene {
+    LookAt camera;
+    LookAt home; ///< the camera that the scene opened with
+    Projection projection;
+    bool projectionFollowsViewport = true; ///< takes the viewport's aspect, so that a circle stays a circle
+    bool clipDistancesFitObjects = true;   ///< near and far hold the objects tightly
+    ViewportRule viewport;
+    DepthRange depthRange;
+    std::vector<SceneObject> objects;
+    /// (A, B, C, D): of the objects only what has A x + B y + C z + D >= 0 in world space is drawn (glClipPlane).
+    std::vector<glm::dvec4> clipPlanes;
+    /// Planes that are switched off, by place. With `clipPlanes` no more than kMostClipPlanes.
+    std::vector<ClipPlaneOff> clipPlanesOff;
+};
+
+/// The axis-aligned box around all objects, world space; empty without any.
+Box boundsOf(const Scene &scene);
+
+/// @return the first error of the camera, projection, viewport rule, depth range, transforms; NotFinite and
+///         ClipPlaneHasNoNormal (A = B = C = 0) for clip planes
+Check check(const Scene &scene);
+
+/// The picture of a scene in a window of this size: the viewport by its rule, the projection with the viewport's aspect
+/// where it follows it, near and far fitted where they are to.
+/// @param reach  of what is drawn besides the objects (the ground): it only stretches the far plane
+/// @return the errors of check(scene), check(surface)
+Result<ViewGeometry> viewGeometry(const Scene &scene, const Surface &surface, const Box &reach);
+
+} // namespace unprojector::scene

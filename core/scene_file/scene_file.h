@@ -1,0 +1,114 @@
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/scene_file/scene_file_error.h"
+#include "core/unproject/picture_geometry.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::scene_file {
+using namespace scene;
+using namespace unproject;
+
+/// An object of a scene file, its model not loaded.
+struct SceneFileObject {
+    std::string name;           ///< UTF-8; may be empty
+    std::filesystem::path file; ///< as written: relative to the scene file, or absolute; empty for a bundled model
+    std::string bundled;        ///< name of a model that the program brings along, UTF-8; empty where there is a file
+    std::vector<TransformStep> transform;
+    nlohmann::ordered_json extra; ///< keys that this version does not know; null or an object
+};
+
+/// What only the window uses of a scene: "ui". Whatever is left out has no value here.
+struct SceneFileUi {
+    std::optional<ViewportRule> viewportRule;
+    std::optional<bool> projectionFollowsViewport;
+    std::optional<bool> clipDistancesFitObjects;
+    std::optional<LookAt> home;
+    std::vector<ClipPlaneOff> clipPlanesOff;
+};
+
+/// What a scene file says, independent of any loaded model: the picture's numbers and where its objects are.
+///
+/// JSON; angles in degrees as in gluPerspective and glRotate, `window` in logical pixels, `viewport` in device pixels
+/// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "ui", the window's
+/// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
+/// written again after those it knows; only a transform's steps and a clip plane have no room for any.
+///
+/// A projection of type "matrix" has "matrix", 16 numbers column by column, and may have "ndcDepth", [-1, 1] or [0, 1]; a
+/// view may be {"matrix": [...]} too. Any finite matrix that has an inverse is read, whatever its form.
+struct SceneFile {
+    int windowWidth = 800; ///< logical pixels
+    int windowHeight = 600;
+    double devicePixelRatio = 1.0;
+    std::optional<Viewport> viewport; ///< none: the whole window
+    DepthRange depthRange;
+    std::variant<Projection, MatrixProjection> projection;
+    bool aspectFromViewport = false;       ///< a perspective without "aspect"; `projection` already has the viewport's
+    std::variant<LookAt, glm::dmat4> view; ///< or eyeFromWorld
+    std::vector<SceneFileObject> objects;
+    std::vector<glm::dvec4> clipPlanes;
+    SceneFileUi ui;
+
+    /// Unknown keys of the document and of its parts; each null or an object.
+    struct Extra {
+        nlohmann::ordered_json document, window, viewport, projection, view, ui;
+    };
+    Extra extra;
+};
+
+/// A scene file may have this many bytes, and brackets nested this deep: enough for tens of thousands of objects, and
+/// little enough that no file, however made, can exhaust memory or stack.
+constexpr std::size_t kMostSceneBytes = std::size_t{8} << 20;
+constexpr std::size_t kMostSceneLevels = 64;
+/// Of the window, logical pixels and device pixels.
+constexpr int kMostWindowPixels = 65536;
+
+/// Reads the text of a scene file. Everything is checked: a scene that is returned has a valid picture.
+/// @param text  UTF-8, with or without a byte order mark
+/// @param name  of the file, for the error
+Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name);
+
+/// @return NotFound, IsDirectory, NotReadable, TooLarge; the errors of parseScene
+Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file);
+
+/// The text of a scene file. Numbers have all their digits: parseScene gives the same ones back.
+/// @return NotUtf8; TooLarge
+Result<std::string, SceneFileError> sceneText(const SceneFile &scene);
+
+/// Writes a scene file by way of a new file beside it, so that what was there is whole or replaced, never half.
+/// @return the errors of sceneText; IsDirectory, NotWritable
+Result<std::monostate, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene);
+
+/// The picture that a scene file describes, in a window of its own size. To show it, take viewGeometry of that.
+PictureGeometry pictureGeometry(const SceneFile &scene);
+
+/// Where an object's file is.
+/// @param sceneFile  the file that the scene was read from
+std::filesystem::path objectFile(const SceneFileObject &object, const std::filesystem::path &sceneFile);
+
+/// The scene to show for a file.
+///
+/// Without "ui" the file's numbers hold as they stand: near and far are not fitted, and the projection follows the
+/// viewport only where the file leaves its aspect to it. A viewport that takes the whole window keeps doing so.
+/// @param models  one for each of scene.objects
+/// @return the errors of viewGeometry(PictureGeometry): matrices that no camera of the window's makes
+Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
+                            const std::vector<std::shared_ptr<const Model>> &models);
+
+/// What to write for a scene: the numbers of the picture as it is shown, and under "ui" how the window makes them.
+/// @param geometry   of the scene, in the window that shows it
+/// @param sceneFile  to be written; the objects' files are given relative to its folder
+/// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its name
+///                   and file); a matrix as well, to the last digit, while the scene has just the projection or the camera
+///                   that was read from it. Otherwise their parameters are written
+SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const std::filesystem::path &sceneFile,
+                        const SceneFile &before = {});
+
+} // namespace unprojector::scene_file

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/geometry/result.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace unprojector::scene_file {
+using namespace geometry;
+
+/// Why a scene file could not be read or written. `SceneFileError` says where and carries the values.
+enum class SceneFileErrorCode {
+    NotFound,
+    IsDirectory,
+    NotReadable,
+    NotWritable,
+    EmptyFile,      ///< nothing but blanks
+    TooLarge,       ///< limit: the most bytes a scene may have
+    Syntax,         ///< line, column; detail: what the JSON parser met, English
+    NumberTooLarge, ///< line, column; found: the number as written, beyond the range of doubles
+    TooDeep,        ///< line, column; limit: the most levels of brackets
+    DuplicateKey,   ///< line, column; found: the key
+    UnknownVersion, ///< keyPath; value: the version found, limit: the one that can be read
+    Missing,        ///< keyPath
+    WrongType,      ///< keyPath; expected, found
+    NotWhole,       ///< keyPath; value: a number with a fraction where a count is wanted
+    OutOfRange,     ///< keyPath; value; lowest, limit: the ends of what is allowed, both inside
+    WrongCount,     ///< keyPath; value: how many elements there are, limit: how many there must be
+    TooMany,        ///< keyPath; value: how many elements there are, limit: the most there may be
+    UnknownChoice,  ///< keyPath; found; choices
+    NotOneChoice,   ///< keyPath; choices: the keys of which exactly one must be there, and no other
+    BadFileName,    ///< keyPath; empty, or with a zero byte
+    NotUtf8,        ///< keyPath; a name that JSON cannot hold
+    InvalidValue,   ///< keyPath; cause: what core says of the value
+};
+
+/// The kinds of JSON values, and what is wanted of them.
+enum class JsonKind { Null, Boolean, Number, Text, Array, Object, ThreeNumbers, FourNumbers, Matrix };
+
+struct SceneFileError {
+    SceneFileErrorCode code = SceneFileErrorCode::Syntax;
+    std::string file;       ///< UTF-8, as it was given
+    std::size_t line = 0;   ///< counted from 1; 0: no place in the text, see keyPath
+    std::size_t column = 0; ///< counted from 1, in bytes
+    std::string keyPath;    ///< "objects[0].transform[1].rotate"; empty for the whole document
+    std::string found;      ///< UTF-8, shortened
+    std::string detail;     ///< of the system or the JSON parser
+    JsonKind expectedKind = JsonKind::Null;
+    JsonKind foundKind = JsonKind::Null;
+    double value = 0.0;
+    double lowest = 0.0;
+    double limit = 0.0;
+    std::vector<std::string> choices;
+    std::optional<Error> cause;
+};
+
+} // namespace unprojector::scene_file

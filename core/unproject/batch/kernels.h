@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+
+/// The arithmetic of core/batch_unproject, compiled once for each instruction set from batch/kernels.inl. Only additions,
+/// subtractions, products and quotients, each rounded once and none fused: so every instruction set gives the same
+/// digits.
+namespace unprojector::unproject::batch {
+
+/// Eye to target space of a closed form: p = origin + z (X across + Y down + ahead), or for a box
+/// p = origin + X across + Y down + z ahead, with X and Y counted in pixels from the view axis.
+struct ClosedFormConstants {
+    double axisX, axisY;         ///< device position that the view axis goes through
+    double axisXRest, axisYRest; ///< what the doubles above leave out of it
+    double depthAtNear, depthAtFar;
+    /// Perspective: z = nearTerm / ((df - d) + (d - dn) farTerm). Box: z = nearTerm (df - d) + farTerm (d - dn).
+    double nearTerm, farTerm;
+    double origin[3], ahead[3], across[3], down[3];
+};
+
+/// Rows of targetFromDevice: (x', y', z', w') = rows * (px, py, depth, 1).
+struct MatrixConstants {
+    double rows[4][4];
+};
+
+/// Results that fill more than this go past the caches (non-temporal stores): they would not be there any more when
+/// somebody reads them, and a cache line that is wholly overwritten need not be read first. More than the second-level
+/// cache of a core, less than what a program keeps in many arrays.
+constexpr std::size_t kStreamedBytes = std::size_t{16} << 20;
+constexpr std::size_t kCacheLine = 64;
+
+template <class Scalar, class Constants>
+using Kernel = void (*)(const Constants &, const Scalar *px, const Scalar *py, const Scalar *depth, Scalar *x,
+                        Scalar *y, Scalar *z, std::size_t count);
+
+template <class Scalar>
+struct KernelsOf {
+    Kernel<Scalar, ClosedFormConstants> perspective, box;
+    Kernel<Scalar, MatrixConstants> matrix;
+};
+
+/// A row of a depth image: the depth i is that of the device position (px + i, py).
+struct DepthRow {
+    const float *depth;
+    std::size_t count;
+    double px, py;
+    float lowest, highest; ///< depths outside (NaN too) are passed over
+    bool canOverflow;      ///< whether points may leave the range of their numbers; those are passed over, too
+};
+
+/// @param points  room for count of them, x, y, z one after the other; behind those written, scratch
+/// @return how many were written
+template <class Scalar, class Constants>
+using RowKernel = std::size_t (*)(const Constants &, const DepthRow &, Scalar *points);
+
+template <class Scalar>
+struct RowKernelsOf {
+    RowKernel<Scalar, ClosedFormConstants> perspective, box;
+    RowKernel<Scalar, MatrixConstants> matrix;
+};
+
+/// The loops of one instruction set. They compute in double, whatever the arrays hold.
+struct Kernels {
+    KernelsOf<double> ofDoubles;
+    KernelsOf<float> ofFloats;
+    RowKernelsOf<double> rowsOfDoubles;
+    RowKernelsOf<float> rowsOfFloats;
+};
+
+extern const Kernels kBaselineKernels;
+#ifdef UNPROJECTOR_WIDE_KERNELS
+extern const Kernels kAvx2Kernels;
+extern const Kernels kAvx512Kernels;
+#endif
+
+} // namespace unprojector::unproject::batch

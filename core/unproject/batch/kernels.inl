@@ -1,0 +1,281 @@
+// Included by one file for each instruction set, which says before it what a Pack of that set is and, with
+// UNPROJECTOR_KERNELS, which table to define. Everything is in an unnamed namespace, and nothing of the library is
+// included that compiles to functions: code compiled for a new processor must not be what the linker takes for the
+// same function elsewhere.
+
+#include "core/unproject/batch/kernels.h"
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace unprojector::unproject::batch {
+namespace {
+
+// Each method: what it needs of a row of the picture, which images have in common, and the points on it.
+
+/// p = origin + z (across X + (down Y + ahead))
+class Perspective {
+public:
+    using Constants = ClosedFormConstants;
+
+    Perspective(const Constants &c, Pack py)
+    {
+        const Pack y = (py - Pack(c.axisY)) - Pack(c.axisYRest);
+        for (int k = 0; k < 3; ++k)
+            m_direction[k] = Pack(c.down[k]) * y + Pack(c.ahead[k]);
+    }
+    void unproject(const Constants &c, Pack px, Pack d, Pack (&p)[3]) const
+    {
+        const Pack distance =
+            Pack(c.nearTerm) / ((Pack(c.depthAtFar) - d) + (d - Pack(c.depthAtNear)) * Pack(c.farTerm));
+        const Pack x = (px - Pack(c.axisX)) - Pack(c.axisXRest);
+        for (int k = 0; k < 3; ++k)
+            p[k] = Pack(c.origin[k]) + (Pack(c.across[k]) * x + m_direction[k]) * distance;
+    }
+
+private:
+    Pack m_direction[3];
+};
+
+/// p = origin + ((across X + down Y) + z ahead). The origin last: it may be large and cancel.
+class Box {
+public:
+    using Constants = ClosedFormConstants;
+
+    Box(const Constants &c, Pack py)
+    {
+        const Pack y = (py - Pack(c.axisY)) - Pack(c.axisYRest);
+        for (int k = 0; k < 3; ++k)
+            m_down[k] = Pack(c.down[k]) * y;
+    }
+    void unproject(const Constants &c, Pack px, Pack d, Pack (&p)[3]) const
+    {
+        const Pack distance = (Pack(c.depthAtFar) - d) * Pack(c.nearTerm) + (d - Pack(c.depthAtNear)) * Pack(c.farTerm);
+        const Pack x = (px - Pack(c.axisX)) - Pack(c.axisXRest);
+        for (int k = 0; k < 3; ++k)
+            p[k] = Pack(c.origin[k]) + ((Pack(c.across[k]) * x + m_down[k]) + Pack(c.ahead[k]) * distance);
+    }
+
+private:
+    Pack m_down[3];
+};
+
+class Matrix {
+public:
+    using Constants = MatrixConstants;
+
+    Matrix(const Constants &c, Pack py)
+    {
+        for (int row = 0; row < 4; ++row)
+            m_constant[row] = Pack(c.rows[row][1]) * py + Pack(c.rows[row][3]);
+    }
+    void unproject(const Constants &c, Pack px, Pack d, Pack (&p)[3]) const
+    {
+        const auto product = [&](int row) {
+            return (Pack(c.rows[row][0]) * px + m_constant[row]) + Pack(c.rows[row][2]) * d;
+        };
+        const Pack reciprocal = Pack(1.0) / product(3);
+        for (int k = 0; k < 3; ++k)
+            p[k] = product(k) * reciprocal;
+    }
+
+private:
+    Pack m_constant[4];
+};
+
+template <class Scalar>
+std::size_t offsetInLine(const Scalar *p)
+{
+    return reinterpret_cast<std::uintptr_t>(p) % kCacheLine;
+}
+
+/// What will be needed soon: far enough that memory can answer in time, and perhaps behind the array's end, where a
+/// prefetch does no harm.
+template <class Scalar>
+const char *ahead(const Scalar *p)
+{
+    constexpr std::uintptr_t kPrefetchBytes = 1024;
+    return reinterpret_cast<const char *>(reinterpret_cast<std::uintptr_t>(p) + kPrefetchBytes);
+}
+
+/// The loops over the points of six arrays.
+template <class Method, class Scalar>
+class Loop {
+public:
+    using Constants = typename Method::Constants;
+
+    Loop(const Constants &constants, const Scalar *px, const Scalar *py, const Scalar *depth, Scalar *x, Scalar *y,
+         Scalar *z)
+        : m_constants(constants), m_px(px), m_py(py), m_depth(depth), m_x(x), m_y(y), m_z(z)
+    {
+    }
+
+    void run(std::size_t begin, std::size_t end) const
+    {
+        const std::size_t stopped = packs<false>(begin, end);
+        if (stopped < end)
+            rest(stopped, end);
+    }
+
+    /// Whether whole cache lines of all three results begin at the same point.
+    bool canStream() const
+    {
+        const std::size_t offset = offsetInLine(m_x);
+        return offset % sizeof(Scalar) == 0 && offsetInLine(m_y) == offset && offsetInLine(m_z) == offset;
+    }
+
+    /// Past the caches. @pre canStream()
+    void stream(std::size_t begin, std::size_t end) const
+    {
+        const std::size_t offset = offsetInLine(m_x + begin);
+        const std::size_t firstLine = begin + (offset == 0 ? 0 : (kCacheLine - offset) / sizeof(Scalar));
+        run(begin, firstLine);
+        const std::size_t stopped = packs<true>(firstLine, end);
+        Pack::finishStreaming();
+        run(stopped, end);
+    }
+
+private:
+    /// Whole packs. @return where it stopped, less than a pack before the end
+    template <bool streams>
+    std::size_t packs(std::size_t begin, std::size_t end) const
+    {
+        std::size_t i = begin;
+        for (; i + Pack::kLanes <= end; i += Pack::kLanes) {
+            if constexpr (streams) {
+                Pack::prefetch(ahead(m_px + i));
+                Pack::prefetch(ahead(m_py + i));
+                Pack::prefetch(ahead(m_depth + i));
+            }
+            Pack p[3];
+            Method(m_constants, Pack::loaded(m_py + i))
+                .unproject(m_constants, Pack::loaded(m_px + i), Pack::loaded(m_depth + i), p);
+            if constexpr (streams) {
+                p[0].stream(m_x + i);
+                p[1].stream(m_y + i);
+                p[2].stream(m_z + i);
+            } else {
+                p[0].store(m_x + i);
+                p[1].store(m_y + i);
+                p[2].store(m_z + i);
+            }
+        }
+        return i;
+    }
+
+    /// Fewer points than a pack has lanes.
+    void rest(std::size_t begin, std::size_t end) const
+    {
+        Scalar in[3][Pack::kLanes] = {}, out[3][Pack::kLanes];
+        for (std::size_t i = begin; i < end; ++i) {
+            in[0][i - begin] = m_px[i];
+            in[1][i - begin] = m_py[i];
+            in[2][i - begin] = m_depth[i];
+        }
+        Pack p[3];
+        Method(m_constants, Pack::loaded(in[1])).unproject(m_constants, Pack::loaded(in[0]), Pack::loaded(in[2]), p);
+        for (int k = 0; k < 3; ++k)
+            p[k].store(out[k]);
+        for (std::size_t i = begin; i < end; ++i) {
+            m_x[i] = out[0][i - begin];
+            m_y[i] = out[1][i - begin];
+            m_z[i] = out[2][i - begin];
+        }
+    }
+
+    const Constants m_constants; // a copy, which no store can change
+    const Scalar *m_px, *m_py, *m_depth;
+    Scalar *m_x, *m_y, *m_z;
+};
+
+template <class Method, class Scalar>
+void unproject(const typename Method::Constants &constants, const Scalar *px, const Scalar *py, const Scalar *depth,
+               Scalar *x, Scalar *y, Scalar *z, std::size_t count)
+{
+    const Loop<Method, Scalar> loop(constants, px, py, depth, x, y, z);
+    if (3 * count * sizeof(Scalar) >= kStreamedBytes && loop.canStream())
+        loop.stream(0, count);
+    else
+        loop.run(0, count);
+}
+
+constexpr unsigned kAllLanes = (1u << Pack::kLanes) - 1;
+
+/// What a coordinate in double must stay below for a finite one of another kind of number.
+template <class Scalar>
+constexpr double kTooLarge = std::numeric_limits<double>::infinity();
+template <>
+constexpr double kTooLarge<float> = 0x1.ffffffp127; // the first that rounds to infinity
+
+template <class Scalar>
+unsigned finiteLanes(const Pack (&p)[3])
+{
+    unsigned lanes = kAllLanes;
+    for (const Pack &coordinates : p)
+        lanes &= coordinates.between(-kTooLarge<Scalar>, kTooLarge<Scalar>);
+    return lanes;
+}
+
+/// Appends the points of some lanes.
+template <class Scalar>
+Scalar *appended(const Pack (&p)[3], unsigned lanes, Scalar *next)
+{
+    if constexpr (std::is_same_v<Scalar, float>) {
+        if (lanes == kAllLanes) {
+            Pack::storeInterleaved(p, next);
+            return next + 3 * Pack::kLanes;
+        }
+    }
+    Scalar of[3][Pack::kLanes];
+    for (int k = 0; k < 3; ++k)
+        p[k].store(of[k]);
+    for (std::size_t i = 0; i < Pack::kLanes; ++i) {
+        for (int k = 0; k < 3; ++k)
+            next[k] = of[k][i];
+        next += 3 * (lanes >> i & 1);
+    }
+    return next;
+}
+
+template <class Method, class Scalar>
+std::size_t unprojectRow(const typename Method::Constants &constants, const DepthRow &row, Scalar *points)
+{
+    const typename Method::Constants c = constants; // no store can change it
+    const Method method(c, Pack(row.py));
+    const auto addPoints = [&](const float *depth, Pack px, Scalar *next) {
+        unsigned lanes = Pack::between(depth, row.lowest, row.highest);
+        if (lanes == 0)
+            return next;
+        Pack p[3];
+        method.unproject(c, px, Pack::loaded(depth), p);
+        if (row.canOverflow)
+            lanes &= finiteLanes<Scalar>(p);
+        return appended(p, lanes, next);
+    };
+    Scalar *next = points;
+    Pack px = Pack::counted() + Pack(row.px);
+    std::size_t i = 0;
+    for (; i + Pack::kLanes <= row.count; i += Pack::kLanes, px = px + Pack(double(Pack::kLanes)))
+        next = addPoints(row.depth + i, px, next);
+    if (i < row.count) {
+        float depth[Pack::kLanes];
+        Scalar last[3 * Pack::kLanes];
+        for (std::size_t lane = 0; lane < Pack::kLanes; ++lane)
+            depth[lane] = i + lane < row.count ? row.depth[i + lane] : std::numeric_limits<float>::quiet_NaN();
+        const Scalar *end = addPoints(depth, px, last);
+        for (const Scalar *from = last; from != end; ++from)
+            *next++ = *from;
+    }
+    return static_cast<std::size_t>(next - points) / 3;
+}
+
+} // namespace
+
+const Kernels UNPROJECTOR_KERNELS{
+    {unproject<Perspective, double>, unproject<Box, double>, unproject<Matrix, double>},
+    {unproject<Perspective, float>, unproject<Box, float>, unproject<Matrix, float>},
+    {unprojectRow<Perspective, double>, unprojectRow<Box, double>, unprojectRow<Matrix, double>},
+    {unprojectRow<Perspective, float>, unprojectRow<Box, float>, unprojectRow<Matrix, float>}};
+
+} // namespace unprojector::unproject::batch

@@ -1,0 +1,62 @@
+#include <immintrin.h>
+
+#include <cstddef>
+
+namespace unprojector::unproject::batch {
+namespace {
+
+/// Four doubles.
+struct Pack {
+    static constexpr std::size_t kLanes = 4;
+    __m256d lanes;
+
+    Pack() = default;
+    Pack(__m256d lanes_) : lanes(lanes_) {}
+    explicit Pack(double value) : lanes(_mm256_set1_pd(value)) {}
+    static Pack loaded(const double *from) { return _mm256_loadu_pd(from); }
+    static Pack loaded(const float *from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
+    void store(double *to) const { _mm256_storeu_pd(to, lanes); }
+    void store(float *to) const { _mm_storeu_ps(to, _mm256_cvtpd_ps(lanes)); }
+    void stream(double *to) const { _mm256_stream_pd(to, lanes); }
+    void stream(float *to) const { _mm_stream_ps(to, _mm256_cvtpd_ps(lanes)); }
+    static void prefetch(const char *from) { _mm_prefetch(from, _MM_HINT_T0); }
+    static void finishStreaming() { _mm_sfence(); }
+    static Pack counted() { return _mm256_set_pd(3, 2, 1, 0); }
+    /// One bit a lane.
+    unsigned between(double low, double high) const
+    {
+        return static_cast<unsigned>(
+            _mm256_movemask_pd(_mm256_and_pd(_mm256_cmp_pd(lanes, _mm256_set1_pd(low), _CMP_GT_OQ),
+                                             _mm256_cmp_pd(lanes, _mm256_set1_pd(high), _CMP_LT_OQ))));
+    }
+    /// The ends included.
+    static unsigned between(const float *values, float low, float high)
+    {
+        const __m128 v = _mm_loadu_ps(values);
+        return static_cast<unsigned>(
+            _mm_movemask_ps(_mm_and_ps(_mm_cmpge_ps(v, _mm_set1_ps(low)), _mm_cmple_ps(v, _mm_set1_ps(high)))));
+    }
+    /// x0 y0 z0 x1 y1 z1 ...
+    static void storeInterleaved(const Pack (&p)[3], float *to)
+    {
+        const __m128 x = _mm256_cvtpd_ps(p[0].lanes), y = _mm256_cvtpd_ps(p[1].lanes), z = _mm256_cvtpd_ps(p[2].lanes);
+        const __m128 xy01 = _mm_unpacklo_ps(x, y), xy23 = _mm_unpackhi_ps(x, y);
+        const __m128 z0x1 = _mm_shuffle_ps(z, xy01, _MM_SHUFFLE(2, 2, 0, 0));
+        const __m128 y1z1 = _mm_shuffle_ps(xy01, z, _MM_SHUFFLE(1, 1, 3, 3));
+        const __m128 z2x3 = _mm_shuffle_ps(z, xy23, _MM_SHUFFLE(2, 2, 2, 2));
+        const __m128 y3z3 = _mm_shuffle_ps(xy23, z, _MM_SHUFFLE(3, 3, 3, 3));
+        _mm_storeu_ps(to, _mm_shuffle_ps(xy01, z0x1, _MM_SHUFFLE(2, 0, 1, 0)));
+        _mm_storeu_ps(to + 4, _mm_shuffle_ps(y1z1, xy23, _MM_SHUFFLE(1, 0, 2, 0)));
+        _mm_storeu_ps(to + 8, _mm_shuffle_ps(z2x3, y3z3, _MM_SHUFFLE(2, 0, 2, 0)));
+    }
+    friend Pack operator+(Pack a, Pack b) { return _mm256_add_pd(a.lanes, b.lanes); }
+    friend Pack operator-(Pack a, Pack b) { return _mm256_sub_pd(a.lanes, b.lanes); }
+    friend Pack operator*(Pack a, Pack b) { return _mm256_mul_pd(a.lanes, b.lanes); }
+    friend Pack operator/(Pack a, Pack b) { return _mm256_div_pd(a.lanes, b.lanes); }
+};
+
+} // namespace
+} // namespace unprojector::unproject::batch
+
+#define UNPROJECTOR_KERNELS kAvx2Kernels
+#include "core/unproject/batch/kernels.inl"

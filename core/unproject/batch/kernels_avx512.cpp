@@ -1,0 +1,63 @@
+#include <immintrin.h>
+
+#include <cstddef>
+
+namespace unprojector::unproject::batch {
+namespace {
+
+/// Eight doubles.
+struct Pack {
+    static constexpr std::size_t kLanes = 8;
+    __m512d lanes;
+
+    Pack() = default;
+    Pack(__m512d lanes_) : lanes(lanes_) {}
+    explicit Pack(double value) : lanes(_mm512_set1_pd(value)) {}
+    static Pack loaded(const double *from) { return _mm512_loadu_pd(from); }
+    static Pack loaded(const float *from) { return _mm512_maskz_cvtps_pd(kAll, _mm256_loadu_ps(from)); }
+    void store(double *to) const { _mm512_storeu_pd(to, lanes); }
+    void store(float *to) const { _mm256_storeu_ps(to, asFloats()); }
+    void stream(double *to) const { _mm512_stream_pd(to, lanes); }
+    void stream(float *to) const { _mm256_stream_ps(to, asFloats()); }
+    static void prefetch(const char *from) { _mm_prefetch(from, _MM_HINT_T0); }
+    static void finishStreaming() { _mm_sfence(); }
+    static Pack counted() { return _mm512_set_pd(7, 6, 5, 4, 3, 2, 1, 0); }
+    /// One bit a lane.
+    unsigned between(double low, double high) const
+    {
+        return _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(low), _CMP_GT_OQ)
+               & _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(high), _CMP_LT_OQ);
+    }
+    /// The ends included.
+    static unsigned between(const float *values, float low, float high)
+    {
+        const __m256 v = _mm256_loadu_ps(values);
+        const __mmask8 above = _mm256_cmp_ps_mask(v, _mm256_set1_ps(low), _CMP_GE_OQ);
+        return _mm256_mask_cmp_ps_mask(above, v, _mm256_set1_ps(high), _CMP_LE_OQ);
+    }
+    /// x0 y0 z0 x1 y1 z1 ...
+    static void storeInterleaved(const Pack (&p)[3], float *to)
+    {
+        const __m512 xy = _mm512_insertf32x8(_mm512_castps256_ps512(p[0].asFloats()), p[1].asFloats(), 1);
+        const __m512 z = _mm512_castps256_ps512(p[2].asFloats());
+        const __m512i first = _mm512_set_epi32(5, 20, 12, 4, 19, 11, 3, 18, 10, 2, 17, 9, 1, 16, 8, 0);
+        const __m512i second = _mm512_set_epi32(0, 0, 0, 0, 0, 0, 0, 0, 23, 15, 7, 22, 14, 6, 21, 13);
+        _mm512_storeu_ps(to, _mm512_permutex2var_ps(xy, first, z));
+        _mm512_mask_storeu_ps(to + 16, 0xff, _mm512_permutex2var_ps(xy, second, z));
+    }
+    friend Pack operator+(Pack a, Pack b) { return _mm512_add_pd(a.lanes, b.lanes); }
+    friend Pack operator-(Pack a, Pack b) { return _mm512_sub_pd(a.lanes, b.lanes); }
+    friend Pack operator*(Pack a, Pack b) { return _mm512_mul_pd(a.lanes, b.lanes); }
+    friend Pack operator/(Pack a, Pack b) { return _mm512_div_pd(a.lanes, b.lanes); }
+
+private:
+    static constexpr __mmask8 kAll = 0xff; // GCC 12 warns of its own unmasked conversions: "may be used uninitialized"
+
+    __m256 asFloats() const { return _mm512_maskz_cvtpd_ps(kAll, lanes); }
+};
+
+} // namespace
+} // namespace unprojector::unproject::batch
+
+#define UNPROJECTOR_KERNELS kAvx512Kernels
+#include "core/unproject/batch/kernels.inl"

@@ -1,0 +1,167 @@
+#include "core/unproject/closed_form.h"
+
+#include <cmath>
+
+namespace unprojector::unproject {
+namespace {
+
+using PreciseEye = PrecisePoint<EyeSpace>;
+
+/// What every projection needs first: a valid projection and viewport, a finite position, and the depth in [0, 1].
+Result<DepthShares> checkedDepth(const Projection &projection, const Viewport &viewport, const DepthRange &range,
+                                 const WindowPoint &window)
+{
+    if (const Check valid = check(projection); !valid)
+        return valid.error();
+    if (const Check valid = check(viewport); !valid)
+        return valid.error();
+    for (const double value : {window.x, window.y}) {
+        if (!std::isfinite(value))
+            return Error{ErrorCode::NotFinite, value};
+    }
+    return depthShares(range, window.z);
+}
+
+/// n / z = 1 - d + d n / f: the share that the near plane's window has of the view volume's section at z.
+DoubleDouble nearOverDistance(double n, double f, const DepthShares &d)
+{
+    return d.fromFar + d.fromNear * (DoubleDouble(n) / f); // divided by f, so that n f cannot overflow
+}
+
+DoubleDouble boxDistance(double n, double f, const DepthShares &d)
+{
+    return n * d.fromFar + f * d.fromNear;
+}
+
+DepthShares sharesOf(double unitDepth)
+{
+    return {unitDepth, DoubleDouble(1.0) - unitDepth};
+}
+
+/// The edges of the window on the near plane.
+struct Edges {
+    DoubleDouble left, right, bottom, top;
+};
+
+/// (position - start) (high - low) / size + low: formulas (11), (12) and, but for the factor z / n, (9), (10).
+DoubleDouble betweenEdges(const DoubleDouble &low, const DoubleDouble &high, double position, double start, double size)
+{
+    return (DoubleDouble(position) - start) / size * (high - low) + low;
+}
+
+/// Parameters at the ends of the range of doubles can overflow on the way.
+Result<PreciseEye> finite(const PreciseEye &point)
+{
+    if (!(std::isfinite(point.x.value) && std::isfinite(point.y.value) && std::isfinite(point.z.value)))
+        return Error{ErrorCode::PointAtInfinity};
+    return point;
+}
+
+/// Of a frustum or a perspective.
+Result<PreciseEye> preciseFrustum(const Projection &projection, const Edges &edges, const Viewport &viewport,
+                                  const DepthRange &range, const WindowPoint &window)
+{
+    const Result<DepthShares> d = checkedDepth(projection, viewport, range, window);
+    if (!d)
+        return d.error();
+    const auto &[l, r, b, t] = edges;
+    const auto &[vx, vy, width, height] = viewport;
+    const ProjectionWindow w = projectionWindow(projection);
+    const double n = w.nearDistance, f = w.farDistance;
+
+    const DoubleDouble nOverZ = nearOverDistance(n, f, *d);
+    const DoubleDouble x = betweenEdges(l, r, window.x, vx, width) / nOverZ;  // (9)
+    const DoubleDouble y = betweenEdges(b, t, window.y, vy, height) / nOverZ; // (10)
+    return finite({x, y, -(n / nOverZ)});
+}
+
+Result<PreciseEye> preciseOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
+                                const WindowPoint &window)
+{
+    const Result<DepthShares> d = checkedDepth(ortho, viewport, range, window);
+    if (!d)
+        return d.error();
+    const auto &[l, r, b, t, n, f] = ortho;
+    const auto &[vx, vy, width, height] = viewport;
+
+    const DoubleDouble x = betweenEdges(l, r, window.x, vx, width);  // (11)
+    const DoubleDouble y = betweenEdges(b, t, window.y, vy, height); // (12)
+    return finite({x, y, -boxDistance(n, f, *d)});
+}
+
+Result<PreciseEye> preciseOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
+                                  const WindowPoint &window)
+{
+    if (const Check valid = check(Projection(oblique)); !valid)
+        return valid.error();
+    const Result<PreciseEye> inBox = preciseOrtho(oblique.box, viewport, range, window);
+    if (!inBox)
+        return inBox;
+    const DoubleDouble z = -inBox->z;
+    return finite({inBox->x + preciseCotangent(oblique.thetaRadians) * z,
+                   inBox->y + preciseCotangent(oblique.phiRadians) * z, -z});
+}
+
+} // namespace
+
+double distanceFromDepthPerspective(double n, double f, double d)
+{
+    return (n / nearOverDistance(n, f, sharesOf(d))).value;
+}
+
+double distanceFromDepthOrtho(double n, double f, double d)
+{
+    return boxDistance(n, f, sharesOf(d)).value;
+}
+
+Result<EyePoint> unprojectFrustum(const Frustum &frustum, const Viewport &viewport, const DepthRange &range,
+                                  const WindowPoint &window)
+{
+    return unprojectClosedForm(frustum, viewport, range, window);
+}
+
+Result<EyePoint> unprojectOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
+                                const WindowPoint &window)
+{
+    return unprojectClosedForm(ortho, viewport, range, window);
+}
+
+Result<EyePoint> unprojectOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
+                                  const WindowPoint &window)
+{
+    return unprojectClosedForm(oblique, viewport, range, window);
+}
+
+Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
+                                     const WindowPoint &window)
+{
+    const Result<PreciseEye> point = preciseEyePoint(projection, viewport, range, window);
+    if (!point)
+        return point.error();
+    return point->rounded();
+}
+
+Result<PreciseEye> preciseEyePoint(const Projection &projection, const Viewport &viewport, const DepthRange &range,
+                                   const WindowPoint &window)
+{
+    struct Visitor {
+        const Viewport &viewport;
+        const DepthRange &range;
+        const WindowPoint &window;
+        Result<PreciseEye> operator()(const Frustum &p) const
+        {
+            return preciseFrustum(p, {p.left, p.right, p.bottom, p.top}, viewport, range, window);
+        }
+        Result<PreciseEye> operator()(const Ortho &p) const { return preciseOrtho(p, viewport, range, window); }
+        Result<PreciseEye> operator()(const Oblique &p) const { return preciseOblique(p, viewport, range, window); }
+        Result<PreciseEye> operator()(const Perspective &p) const
+        {
+            const DoubleDouble top = p.nearDistance * preciseTangent(p.verticalFovRadians / 2.0),
+                               right = top * p.aspect;
+            return preciseFrustum(p, {-right, right, -top, top}, viewport, range, window);
+        }
+    };
+    return std::visit(Visitor{viewport, range, window}, projection);
+}
+
+} // namespace unprojector::unproject

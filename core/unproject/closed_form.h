@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/geometry/projection.h"
+#include "core/geometry/viewport.h"
+
+namespace unprojector::unproject {
+using namespace geometry;
+
+/// Distance in front of the eye, z = -z_eye, of a depth in [0, 1] under a perspective:
+///
+///   z = n f / (f (1 - d) + n d)
+///
+/// The usual way to write it, n f / (f - d (f - n)), cancels near the far plane and loses seven digits at
+/// n : f = 0.01 : 10^6; this one stays right to the last place.
+/// @param unitDepth in [0, 1]; 0 is the near plane
+double distanceFromDepthPerspective(double nearDistance, double farDistance, double unitDepth);
+
+/// z = n (1 - d) + f d: the inverse of glOrtho's third row, exact at both ends.
+double distanceFromDepthOrtho(double nearDistance, double farDistance, double unitDepth);
+
+/// Eye-space point under a window position for a frustum: no matrix is inverted.
+///
+///   x = (x_v - vx) (r - l) z / (width n) + l z / n        (9) with (7) x_v = px
+///   y = (y_v - vy) (t - b) z / (height n) + b z / n       (10) with (8) y_v = rect.bottom - py
+///   z = n f / (f (1 - d) + n d),  z_eye = -z
+///
+/// Evaluated with z / n taken out, ((x_v - vx) (r - l) / width + l) z / n, and with 32 digits: the two terms of (9) and
+/// of (10) cancel near the view axis. Rounded once at the end, so the result is the double nearest to what the
+/// formulas say.
+/// @param window  device pixels, origin bottom-left, inside the viewport or not; depth in the depth range
+/// @return the errors of check(frustum), check(viewport), unitDepth; NotFinite for a NaN or infinite position
+/// Source: Weng et al. 2008, section 3. The paper leaves the sign of z open: it holds for the distance in front of
+///         the eye. It calls the result view-volume coordinates: they are eye coordinates.
+///         The errors of all of these include PointAtInfinity, when the numbers leave the range of doubles.
+Result<EyePoint> unprojectFrustum(const Frustum &frustum, const Viewport &viewport, const DepthRange &range,
+                                  const WindowPoint &window);
+
+/// Eye-space point under a window position for an orthographic box.
+///
+///   x = (x_v - vx) (r - l) / width + l                    (11)
+///   y = (y_v - vy) (t - b) / height + b                   (12)
+///   z = n (1 - d) + f d,  z_eye = -z
+///
+/// @return the errors of check(ortho), check(viewport), unitDepth; NotFinite
+/// Source: Weng et al. 2008, section 3. The paper gives x and y only.
+Result<EyePoint> unprojectOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
+                                const WindowPoint &window);
+
+/// (11) and (12), then the shear undone: x += cot(theta) z, y += cot(phi) z with z the distance in front of the eye.
+/// @return the errors of unprojectOrtho; ShearAngleOutOfRange
+Result<EyePoint> unprojectOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
+                                  const WindowPoint &window);
+
+/// The one of the three that fits the projection; a Perspective is taken as its frustum, the edges not rounded.
+Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
+                                     const WindowPoint &window);
+
+/// unprojectClosedForm before it is rounded, for going on to world space: near the world's origin the digits of the eye
+/// cancel, and what an eye coordinate in double has dropped would be all that is left.
+Result<PrecisePoint<EyeSpace>> preciseEyePoint(const Projection &projection, const Viewport &viewport,
+                                               const DepthRange &range, const WindowPoint &window);
+
+} // namespace unprojector::unproject

@@ -1,0 +1,57 @@
+#include "gui/document/autosave.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+
+Autosave::Autosave(QString folder, AutosaveTiming timing, Source source, QObject *parent)
+    : QObject(parent), m_folder(std::move(folder)), m_timing(timing), m_source(std::move(source))
+{
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
+}
+
+void Autosave::follow(bool isUnsaved)
+{
+    if (!isUnsaved) {
+        discard();
+        return;
+    }
+    if (!m_sinceFirstChange.isValid())
+        m_sinceFirstChange.start();
+    const auto waited = std::chrono::milliseconds(m_sinceFirstChange.elapsed());
+    m_timer.start(std::clamp(m_timing.latest - waited, std::chrono::milliseconds(0), m_timing.pause));
+}
+
+void Autosave::adopt(std::unique_ptr<RecoveryFile> file)
+{
+    discard();
+    m_file = std::move(file);
+}
+
+void Autosave::discard()
+{
+    m_timer.stop();
+    m_sinceFirstChange.invalidate();
+    if (!m_file)
+        return;
+    m_file->remove();
+    m_file.reset();
+}
+
+void Autosave::write()
+{
+    m_sinceFirstChange.invalidate();
+    if (!m_file)
+        m_file = RecoveryFile::create(m_folder);
+    const std::optional<Content> content = m_file ? m_source() : std::nullopt;
+    if (content && m_file->write(content->info, content->sceneText)) {
+        m_hasFailed = false;
+        return;
+    }
+    if (!std::exchange(m_hasFailed, true))
+        emit failed(m_folder);
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,152 @@
+#include "gui/document/recovery_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <QUuid>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr int kVersion = 1;
+/// Of the first line: more than any path needs.
+constexpr qint64 kMostInfoBytes = 1 << 20;
+
+// Names of a recovery file's companions, after its id. QSaveFile writes to the recovery file's name with ".XXXXXX".
+constexpr QLatin1String kContentSuffix(".recovery");
+constexpr QLatin1String kLockSuffix(".lock");
+constexpr QLatin1String kDamagedSuffix(".damaged");
+
+QString versionKey()
+{
+    return QStringLiteral("unprojectorRecovery");
+}
+
+} // namespace
+
+QString RecoveryFile::defaultFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/recovery");
+}
+
+RecoveryFile::RecoveryFile(const QString &folder, const QString &id)
+    : m_folder(folder), m_id(id), m_lock(QDir(folder).filePath(id + kLockSuffix))
+{
+    // It is held for as long as a window is open: only a dead holder makes it stale, not its age.
+    m_lock.setStaleLockTime(0);
+}
+
+std::unique_ptr<RecoveryFile> RecoveryFile::create(const QString &folder)
+{
+    if (!QDir().mkpath(folder))
+        return nullptr;
+    std::unique_ptr<RecoveryFile> file(new RecoveryFile(folder, QUuid::createUuid().toString(QUuid::Id128)));
+    return file->m_lock.tryLock(0) ? std::move(file) : nullptr;
+}
+
+std::vector<std::unique_ptr<RecoveryFile>> RecoveryFile::abandonedIn(const QString &folder)
+{
+    QStringList ids;
+    const QStringList filters{QStringLiteral("*.recovery"), QStringLiteral("*.recovery.*"), QStringLiteral("*.lock")};
+    for (const QString &name : QDir(folder).entryList(filters, QDir::Files | QDir::Hidden))
+        ids << name.section(u'.', 0, 0);
+    ids.removeDuplicates();
+
+    using Dated = std::pair<QDateTime, std::unique_ptr<RecoveryFile>>;
+    std::vector<Dated> found;
+    for (const QString &id : std::as_const(ids)) {
+        std::unique_ptr<RecoveryFile> file(new RecoveryFile(folder, id));
+        if (!file->m_lock.tryLock(0))
+            continue;
+        file->clearRests();
+        if (!QFile::exists(file->path()))
+            continue;
+        const std::optional<RecoveryInfo> info = file->info();
+        found.emplace_back(info ? info->time : QDateTime(), std::move(file));
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Dated &a, const Dated &b) { return a.first > b.first; });
+    std::vector<std::unique_ptr<RecoveryFile>> files;
+    for (Dated &dated : found)
+        files.push_back(std::move(dated.second));
+    return files;
+}
+
+QString RecoveryFile::path() const
+{
+    return QDir(m_folder).filePath(m_id + kContentSuffix);
+}
+
+void RecoveryFile::clearRests() const
+{
+    QDir folder(m_folder);
+    for (const QString &name : folder.entryList({m_id + QStringLiteral(".recovery.*")}, QDir::Files | QDir::Hidden))
+        folder.remove(name);
+}
+
+bool RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
+{
+    QJsonObject json{{versionKey(), kVersion},
+                     {QStringLiteral("name"), info.name},
+                     {QStringLiteral("time"), info.time.toUTC().toString(Qt::ISODateWithMs)}};
+    if (!info.sceneFile.empty())
+        json.insert(QStringLiteral("sceneFile"), QString::fromStdU16String(info.sceneFile.u16string()));
+    QSaveFile file(path());
+    if (!file.open(QIODevice::WriteOnly))
+        return false;
+    file.write(QJsonDocument(json).toJson(QJsonDocument::Compact));
+    file.write("\n");
+    file.write(sceneText.data(), static_cast<qint64>(sceneText.size()));
+    return file.commit(); // fails where a write did
+}
+
+std::optional<RecoveryInfo> RecoveryFile::info() const
+{
+    QFile file(path());
+    if (!file.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    const QJsonObject json = QJsonDocument::fromJson(file.readLine(kMostInfoBytes)).object();
+    if (json.value(versionKey()).toInt() != kVersion)
+        return std::nullopt;
+    RecoveryInfo info;
+    info.name = json.value(QStringLiteral("name")).toString();
+    info.sceneFile = std::filesystem::path(json.value(QStringLiteral("sceneFile")).toString().toStdU16String());
+    info.time = QDateTime::fromString(json.value(QStringLiteral("time")).toString(), Qt::ISODateWithMs).toLocalTime();
+    if (info.name.isEmpty() || !info.time.isValid() || (!info.sceneFile.empty() && !info.sceneFile.is_absolute()))
+        return std::nullopt;
+    return info;
+}
+
+Result<SceneFile, SceneFileError> RecoveryFile::scene() const
+{
+    const std::string name = QFileInfo(path()).fileName().toStdString();
+    QFile file(path());
+    if (!file.open(QIODevice::ReadOnly)) {
+        SceneFileError error;
+        error.code = SceneFileErrorCode::NotReadable;
+        error.file = name;
+        return error;
+    }
+    file.readLine(kMostInfoBytes);
+    const QByteArray text = file.read(static_cast<qint64>(kMostSceneBytes) + 1); // enough to be refused as too large
+    return parseScene({text.constData(), static_cast<std::size_t>(text.size())}, name);
+}
+
+void RecoveryFile::remove()
+{
+    QFile::remove(path());
+}
+
+QString RecoveryFile::putAside()
+{
+    const QString aside = QDir(m_folder).filePath(m_id + kDamagedSuffix);
+    return QFile::rename(path(), aside) ? aside : path();
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/scene_file/scene_file.h"
+
+#include <QDateTime>
+#include <QLockFile>
+#include <QString>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace scene_file;
+
+/// Which scene a recovery file keeps.
+struct RecoveryInfo {
+    QString name;                    ///< as the window's title has it
+    std::filesystem::path sceneFile; ///< absolute: what it was opened from or saved to; empty: nowhere
+    QDateTime time;                  ///< when it was kept
+};
+
+/// One scene with unsaved changes, kept in the recovery folder in case the program ends unexpectedly. Whoever has such
+/// an object holds the file's lock: no other window and no other running program offers it or writes it.
+///
+/// The file is one line of JSON with the RecoveryInfo, then the scene as File > Save would write it beside the scene
+/// file, so that its models are found from there. A scene without a file has them by absolute paths. Both parts are in
+/// one file, so that they cannot come from different moments.
+class RecoveryFile {
+public:
+    /// The user's own folder for them.
+    static QString defaultFolder();
+    /// A file of a new name, not written yet; the folder is made where there is none.
+    /// @return nothing where the folder cannot be written
+    static std::unique_ptr<RecoveryFile> create(const QString &folder);
+    /// The files that no running program holds, the last written first. What else dead programs have left (half
+    /// files, locks) is cleared away.
+    static std::vector<std::unique_ptr<RecoveryFile>> abandonedIn(const QString &folder);
+
+    /// Lets go of the file, which stays. Its next owner finds it by abandonedIn.
+    ~RecoveryFile() = default;
+    RecoveryFile(const RecoveryFile &) = delete;
+    RecoveryFile &operator=(const RecoveryFile &) = delete;
+
+    /// Replaces the content as a whole, or leaves it as it was.
+    /// @param sceneText  by core's sceneText
+    /// @return whether it is on the disk
+    bool write(const RecoveryInfo &info, const std::string &sceneText);
+    /// @return nothing where the file is damaged
+    std::optional<RecoveryInfo> info() const;
+    /// @return NotReadable; the errors of parseScene, with lines counted from the scene's first
+    Result<SceneFile, SceneFileError> scene() const;
+
+    QString path() const;
+    void remove();
+    /// Takes a damaged file out of the way, so that it is not offered again but is there for whoever can mend it.
+    /// @return where it is now
+    QString putAside();
+
+private:
+    RecoveryFile(const QString &folder, const QString &id);
+    /// Removes what a dead program may have left of this file besides its content.
+    void clearRests() const;
+
+    QString m_folder;
+    QString m_id;
+    QLockFile m_lock;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <QString>
+#include <QUndoCommand>
+
+#include <cstdint>
+
+namespace unprojector::gui {
+using namespace scene;
+
+class SceneDocument;
+
+/// A scene and the number of the edit that made it: looking around leaves that as it is. Two states of the same number
+/// differ in the view at most.
+struct SceneState {
+    Scene scene;
+    std::uint64_t edit = 0;
+};
+
+/// One undoable change: the scene before and after it. Scenes are small; the models in them are shared.
+class SceneChange : public QUndoCommand {
+public:
+    SceneChange(SceneDocument &document, SceneState before, SceneState after, const QString &text, QString mergeKey);
+
+    void undo() override;
+    void redo() override;
+    int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
+    bool mergeWith(const QUndoCommand *next) override;
+
+private:
+    bool isEdit() const { return m_before.edit != m_after.edit; }
+
+    SceneDocument &m_document;
+    SceneState m_before;
+    SceneState m_after;
+    QString m_mergeKey;
+    bool m_isApplied = true; ///< the document made the change before it pushed this command
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,116 @@
+#include "gui/text/error_text.h"
+
+#include "core/geometry/angle.h"
+#include "gui/text/number_text.h"
+
+#include <QCoreApplication>
+#include <QDir>
+
+namespace unprojector::gui {
+using namespace geometry;
+namespace {
+
+struct Errors {
+    Q_DECLARE_TR_FUNCTIONS(Errors)
+};
+
+QString degrees(double radians)
+{
+    return significantText(degreesFromRadians(radians), 6);
+}
+
+} // namespace
+
+QString pathText(const std::filesystem::path &path)
+{
+#ifdef _WIN32
+    return QDir::toNativeSeparators(QString::fromStdWString(path.wstring()));
+#else
+    return QString::fromLocal8Bit(path.string().c_str());
+#endif
+}
+
+QString modelFileFilter()
+{
+    return Errors::tr("Models (%1)").arg(QStringLiteral("*.obj *.stl *.ply *.off *.gltf *.glb"));
+}
+
+QString errorText(const Error &error)
+{
+    const QString value = shortestText(error.value);
+    // The number compared with comes from a computation as a rule: its last digits would only be noise, unless they are
+    // what makes the difference.
+    const QString rounded = significantText(error.other, 7);
+    const QString other = rounded.toDouble() == error.value ? shortestText(error.other) : rounded;
+    switch (error.code) {
+    case ErrorCode::NotFinite: return Errors::tr("%1 is not a finite number; give a number.").arg(value);
+    case ErrorCode::NearNotPositive:
+        return Errors::tr("Near is %1; it must be greater than 0 and smaller than far (%2).").arg(value, other);
+    case ErrorCode::NearNotBeforeFar:
+        return Errors::tr("Near is %1; it must be smaller than far (%2).").arg(value, other);
+    case ErrorCode::LeftEqualsRight: return Errors::tr("Left and right are both %1; they must differ.").arg(value);
+    case ErrorCode::BottomEqualsTop: return Errors::tr("Bottom and top are both %1; they must differ.").arg(value);
+    case ErrorCode::FieldOfViewOutOfRange:
+        return Errors::tr("The vertical field of view is %1°; it must lie between 0° and 180°.")
+            .arg(degrees(error.value));
+    case ErrorCode::AspectNotPositive: return Errors::tr("The aspect is %1; it must be greater than 0.").arg(value);
+    case ErrorCode::ShearAngleOutOfRange:
+        return Errors::tr("The angle is %1°; it must lie between 0° and 180°.").arg(degrees(error.value));
+    case ErrorCode::EyeEqualsCenter: return Errors::tr("Eye and center are the same point; move one of them.");
+    case ErrorCode::UpIsZero: return Errors::tr("Up is (0, 0, 0); give it a length.");
+    case ErrorCode::UpParallelToView: return Errors::tr("Up points along the view direction; choose another one.");
+    case ErrorCode::EmptyViewport:
+        return Errors::tr("The viewport is %1 × %2 pixels; width and height must be greater than 0.").arg(value, other);
+    case ErrorCode::EmptyFramebuffer:
+        return Errors::tr("The window is %1 × %2 pixels; width and height must be greater than 0.").arg(value, other);
+    case ErrorCode::PixelRatioNotPositive:
+        return Errors::tr("The device pixel ratio is %1; it must be greater than 0.").arg(value);
+    case ErrorCode::EmptyDepthRange:
+        return Errors::tr("Both ends of the depth range are %1; they must differ.").arg(value);
+    case ErrorCode::DepthOutsideRange: return Errors::tr("The depth %1 lies outside the depth range.").arg(value);
+    case ErrorCode::OutsideFramebuffer:
+        return Errors::tr("The position (%1, %2) lies outside the view.").arg(value, other);
+    case ErrorCode::SingularMatrix: return Errors::tr("The matrix has no inverse.");
+    case ErrorCode::PointAtInfinity: return Errors::tr("The point lies at infinity.");
+    case ErrorCode::ScaleIsZero: return Errors::tr("The scale is 0; it must differ from 0.");
+    case ErrorCode::RotationAxisIsZero: return Errors::tr("The rotation axis is (0, 0, 0); give it a length.");
+    case ErrorCode::MatrixNotAProjection:
+        return Errors::tr("The projection matrix is of no known form: %1 stands in row %2, column %3.")
+            .arg(value)
+            .arg(static_cast<int>(error.other) % 4 + 1)
+            .arg(static_cast<int>(error.other) / 4 + 1);
+    case ErrorCode::ViewNotRigid:
+        return Errors::tr(
+            "The view matrix does more than turn and move; its axes must be perpendicular and of length 1.");
+    case ErrorCode::ClipPlaneHasNoNormal:
+        return Errors::tr("A, B and C of the clip plane are all 0; one of them must differ.");
+    }
+    Q_UNREACHABLE();
+}
+
+QString errorText(const ImportError &error)
+{
+    const QString file = pathText(error.file);
+    const QString detail = QString::fromStdString(error.detail);
+    switch (error.code) {
+    case ImportErrorCode::NotFound: return Errors::tr("%1 does not exist. Check the name and the folder.").arg(file);
+    case ImportErrorCode::IsDirectory: return Errors::tr("%1 is a folder; open a model file in it.").arg(file);
+    case ImportErrorCode::NotReadable:
+        return Errors::tr("%1 cannot be read%2. Check its permissions.")
+            .arg(file, detail.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(detail));
+    case ImportErrorCode::EmptyFile: return Errors::tr("%1 is empty (0 bytes).").arg(file);
+    case ImportErrorCode::UnknownFormat:
+        return Errors::tr("%1 is no model that can be opened here. Use OBJ, STL, PLY, OFF, glTF or GLB.").arg(file);
+    case ImportErrorCode::Malformed: return Errors::tr("%1 is damaged: %2").arg(file, detail);
+    case ImportErrorCode::NoTriangles:
+        return Errors::tr("%1 holds no triangles, so there is no surface to click on.").arg(file);
+    case ImportErrorCode::NotFinite:
+        return Errors::tr("%1: vertex %2 is not a finite number (NaN or infinity)%3.")
+            .arg(file, QString::number(error.index), detail.isEmpty() ? QString() : QStringLiteral(": ") + detail);
+    case ImportErrorCode::Cancelled: return Errors::tr("Opening %1 was cancelled.").arg(file);
+    case ImportErrorCode::OutOfMemory: return Errors::tr("%1 is too large for the memory of this computer.").arg(file);
+    }
+    Q_UNREACHABLE();
+}
+
+} // namespace unprojector::gui

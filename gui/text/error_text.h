@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/geometry/result.h"
+#include "core/mesh_import/mesh_import.h"
+
+#include <QString>
+
+namespace unprojector::gui {
+using namespace geometry;
+using namespace mesh_import;
+
+/// The window's wording of what core reports: names the value and says what to do.
+QString errorText(const Error &error);
+QString errorText(const ImportError &error);
+
+/// A path as people read it.
+QString pathText(const std::filesystem::path &path);
+/// The suffixes that can be opened, as a filter of a file dialog: "Models (*.obj *.stl …)".
+QString modelFileFilter();
+
+} // namespace unprojector::gui

@@ -1,0 +1,53 @@
+#include "gui/text/number_text.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::gui {
+
+QString shortestText(double value)
+{
+    return QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString significantText(double value, int digits)
+{
+    return QString::number(value == 0.0 ? 0.0 : value, 'g', digits);
+}
+
+QString fixedText(double value, int decimals)
+{
+    QString text = QString::number(value, 'f', std::clamp(decimals, 0, 20));
+    const bool isZero =
+        std::all_of(text.cbegin(), text.cend(), [](QChar c) { return c == u'0' || c == u'.' || c == u'-'; });
+    if (isZero && text.startsWith(u'-'))
+        text.remove(0, 1);
+    return text;
+}
+
+int decimalsFor(const glm::dvec3 &point, int digits)
+{
+    const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    if (!(largest > 0.0) || !std::isfinite(largest))
+        return digits - 1;
+    // The 0 before the point of a number between 0.1 and 1 counts as a digit: its column is no wider than others.
+    const int exponent = std::max(static_cast<int>(std::floor(std::log10(largest))), largest < 0.1 ? -20 : 0);
+    return std::clamp(digits - 1 - exponent, 0, 20);
+}
+
+int certainDecimals(double radius)
+{
+    if (!(radius > 0.0) || !std::isfinite(radius))
+        return 15;
+    return std::clamp(static_cast<int>(std::floor(-std::log10(radius))), 0, 15);
+}
+
+QString pointText(const glm::dvec3 &point, int decimals)
+{
+    return QStringLiteral("(%1, %2, %3)")
+        .arg(fixedText(point.x, decimals), fixedText(point.y, decimals), fixedText(point.z, decimals));
+}
+
+} // namespace unprojector::gui

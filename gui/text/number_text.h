@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QString>
+
+#include <glm/vec3.hpp>
+
+namespace unprojector::gui {
+
+// How numbers are written everywhere in the window. Copied text uses the ASCII minus, so that it can be pasted into code.
+
+/// All digits that make the double come back when read: "0.1", "1e-17".
+QString shortestText(double value);
+
+/// So many significant digits, trailing zeros dropped: "0.8284", "5.23", "3.1e-15".
+QString significantText(double value, int digits);
+
+/// So many decimals, at most 20; never "-0.000".
+QString fixedText(double value, int decimals);
+
+/// Decimals with which the largest component of a point shows `digits` significant digits; from 0.1 to 1 one less.
+int decimalsFor(const glm::dvec3 &point, int digits);
+
+/// Decimals that stay certain when a value may be off by `radius`; at least 0, at most 15.
+int certainDecimals(double radius);
+
+/// "(x, y, z)" with so many decimals.
+QString pointText(const glm::dvec3 &point, int decimals);
+
+} // namespace unprojector::gui

@@ -1,0 +1,94 @@
+#include "gui/text/proportion_text.h"
+
+#include "core/geometry/proportions.h"
+#include "gui/text/number_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::gui {
+using namespace geometry;
+namespace {
+
+struct ProportionTexts {
+    Q_DECLARE_TR_FUNCTIONS(ProportionTexts)
+};
+
+/// With the typographic minus, as the paper has it.
+QString typographic(QString text)
+{
+    return text.replace(u'-', u'−');
+}
+
+QString limit(double value)
+{
+    return typographic(significantText(value, 5));
+}
+
+/// In parentheses where a sign would run into an operator.
+QString term(const QString &text)
+{
+    return text.startsWith(u'−') ? u'(' + text + u')' : text;
+}
+
+} // namespace
+
+QString ProportionText::line() const
+{
+    return symbols.left(4) + left + QStringLiteral(" = ") + right
+           + (share.isEmpty() ? share : QStringLiteral(" = ") + share);
+}
+
+ProportionText proportionText(const ViewGeometry &geometry, Axis axis, const std::optional<WindowPoint> &pointer)
+{
+    const ProjectionWindow w = projectionWindow(geometry.projection);
+    const Viewport &v = geometry.viewport;
+    const bool isX = axis == Axis::X;
+    const double low = isX ? w.left : w.bottom, high = isX ? w.right : w.top;
+    const double corner = isX ? v.x : v.y, size = isX ? v.width : v.height;
+    const int pixels = isX ? geometry.surface.widthPixels : geometry.surface.heightPixels;
+
+    constexpr int kDigits = 5, kPixelDecimals = 1, kShareDecimals = 4;
+    const int decimals = decimalsFor({low, high, 0.0}, kDigits);
+    const auto inPlane = [decimals](double value) { return typographic(fixedText(value, decimals)); };
+    const qsizetype planeColumns = std::max(inPlane(low).size(), inPlane(high).size());
+    const qsizetype pixelColumns = fixedText(pixels, kPixelDecimals).size();
+
+    ProportionText text;
+    QString inWindow = isX ? QStringLiteral("x_w") : QStringLiteral("y_w");
+    QString inView = isX ? QStringLiteral("x_v") : QStringLiteral("y_v");
+    if (pointer) {
+        const Proportions p = proportions(geometry, *pointer);
+        inWindow = inPlane(isX ? p.position.x : p.position.y);
+        inView = typographic(fixedText(isX ? pointer->x : pointer->y, kPixelDecimals));
+        text.share = typographic(fixedText(isX ? p.share.x : p.share.y, kShareDecimals));
+    }
+    text.symbols = isX ? QStringLiteral("(3) (x_w − left) / (right − left) = (x_v − vx) / width")
+                       : QStringLiteral("(4) (y_w − bottom) / (top − bottom) = (y_v − vy) / height");
+    const QString bottom = term(limit(low));
+    const auto opened = [](const QString &value, qsizetype columns) {
+        return (u'(' + value).rightJustified(columns + 1);
+    };
+    text.left = QStringLiteral("%1 − %2) / (%3 − %2)").arg(opened(inWindow, planeColumns), bottom, limit(high));
+    text.right = QStringLiteral("%1 − %2) / %3").arg(opened(inView, pixelColumns), term(limit(corner)), limit(size));
+    return text;
+}
+
+bool isDistorted(double circleAspect)
+{
+    constexpr double kVisible = 0.005;
+    return std::abs(std::log(circleAspect)) > kVisible;
+}
+
+QString circleText(double circleAspect)
+{
+    if (!isDistorted(circleAspect))
+        return ProportionTexts::tr("A circle is drawn as a circle.");
+    const QString ratio = significantText(circleAspect, 3);
+    return circleAspect > 1.0 ? ProportionTexts::tr("A circle would be drawn %1 : 1, wider than high.").arg(ratio)
+                              : ProportionTexts::tr("A circle would be drawn %1 : 1, higher than wide.").arg(ratio);
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/geometry/view_geometry.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace unprojector::gui {
+using namespace geometry;
+
+/// The proportion (3) or (4) in symbols, both of its sides with their numbers, and the share that they make.
+struct ProportionText {
+    QString symbols; ///< "(3) (x_w − left) / (right − left) = (x_v − vx) / width"
+    QString left;    ///< "(0.0259 − (−0.83)) / (0.83 − (−0.83))"
+    QString right;   ///< "(412.5 − 0) / 800"
+    QString share;   ///< "0.5156"; empty without a pointer
+
+    /// "(3) (0.0259 − (−0.83)) / (0.83 − (−0.83)) = (412.5 − 0) / 800 = 0.5156"
+    QString line() const;
+};
+
+enum class Axis { X, Y };
+
+/// What changes with the pointer is padded with blanks to one width, so that a text does not jump.
+/// @param pointer  window position; nothing: x_w and x_v (y_w and y_v) stand as symbols
+/// @pre the geometry is valid
+ProportionText proportionText(const ViewGeometry &geometry, Axis axis, const std::optional<WindowPoint> &pointer);
+
+/// A circle's shape is told apart from a circle's from about half a percent on.
+bool isDistorted(double circleAspect);
+
+/// "A circle would be drawn 1.33 : 1, wider than high." or "A circle is drawn as a circle."
+QString circleText(double circleAspect);
+
+} // namespace unprojector::gui

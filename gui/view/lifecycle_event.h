@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QMetaType>
+#include <QString>
+
+namespace unprojector::gui {
+
+/// One step of a view's life, under the names of the paper's MFC view (Weng et al. 2008, section 4).
+struct LifecycleEvent {
+    enum class Kind { PreCreateWindow, OnCreate, OnSize, OnDraw, OnLButtonDown, OnDestroy };
+    Kind kind = Kind::OnDraw;
+    QString arguments;         ///< as in a call: "1024, 768"
+    QString calls;             ///< the OpenGL calls it stands for: "glViewport(0, 0, 1024, 768)"
+    double milliseconds = 0.0; ///< how long it took
+};
+
+} // namespace unprojector::gui
+
+Q_DECLARE_METATYPE(unprojector::gui::LifecycleEvent)

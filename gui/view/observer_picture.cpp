@@ -1,0 +1,117 @@
+#include "gui/view/observer_picture.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::gui {
+
+std::optional<WorldPoint> ObserverPicture::drawnPoint(const EyePoint &point) const
+{
+    const glm::dvec4 p = drawnFromEye * glm::dvec4(point.coordinates(), 1.0);
+    const glm::dvec3 place = glm::dvec3(p) / p.w;
+    if (!(p.w > 0.0) || !std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z))
+        return std::nullopt;
+    return WorldPoint(place);
+}
+
+bool ObserverPicture::holds(const WorldPoint &point) const
+{
+    return std::all_of(planes.begin(), planes.end(), [&point](const glm::dvec4 &plane) {
+        return glm::dot(plane, glm::dvec4(point.coordinates(), 1.0)) >= -1e-9 * std::abs(plane.w);
+    });
+}
+
+float eyeOpacity(const Projection &projection, double t)
+{
+    return isPerspective(projection) ? static_cast<float>((1.0 - t) * (1.0 - t)) : 1.0f;
+}
+
+std::optional<ObserverPicture> observerPicture(const ViewGeometry &watched, const Box &extent,
+                                               const Placement &reference, const ViewGeometry &observer, double t)
+{
+    const Result<EyeFrame> frame = eyeFrame(watched.camera);
+    const Result<ViewVolumeMorph> morph = viewVolumeMorph(watched.projection);
+    const Result<EyeFrame> observerFrame = eyeFrame(observer.camera);
+    if (!frame || !morph || !observerFrame)
+        return std::nullopt;
+    const glm::dmat4 eyeWorld = eyeFromWorld(*frame);
+    const Placement placement = between(placementOf(*frame, *morph), reference, t);
+    const glm::dmat4 drawnEye = matrixOf(placement) * morphedFromEye(*morph, t);
+    const glm::dmat4 observerDrawn = eyeFromWorld(*observerFrame);
+    const glm::dmat4 turned = glm::dmat4(glm::mat3_cast(placement.rotation) * glm::dmat3(eyeWorld));
+    ObserverPicture picture{*frame,
+                            watched.projection,
+                            viewVolumeCorners(watched.projection),
+                            *morph,
+                            t,
+                            placement,
+                            drawnEye,
+                            drawnEye * eyeWorld,
+                            glm::dmat4(1.0),
+                            observerDrawn,
+                            observerDrawn * turned,
+                            closingPlanes(*morph, t),
+                            observer,
+                            *observerFrame};
+    for (glm::dvec4 &plane : picture.planes)
+        plane = planeInSource(plane, eyeWorld);
+
+    // Clip distances around a ball that holds the scene, the volume and the eye.
+    const glm::dvec3 middle = placement.position;
+    double radius = 2.0 * placement.scale;
+    for (int corner = 0; corner < 8 && !extent.isEmpty(); ++corner) {
+        const glm::dvec3 p(corner & 1 ? extent.highest.x : extent.lowest.x,
+                           corner & 2 ? extent.highest.y : extent.lowest.y,
+                           corner & 4 ? extent.highest.z : extent.lowest.z);
+        radius = std::max(radius, glm::length(p - middle));
+    }
+    if (const std::optional<WorldPoint> eye = picture.drawnPoint(EyePoint());
+        eye && glm::length(eye->coordinates() - middle) < 20.0 * placement.scale)
+        radius = std::max(radius, 1.2 * glm::length(eye->coordinates() - middle));
+    const double distance = glm::dot(middle - observerFrame->eye.coordinates(), observerFrame->forward);
+    const double f = std::max(distance + radius, radius * 0.01);
+    const double n = std::max(distance - radius, f * 1e-4);
+    picture.observer.projection = withClipDistances(observer.projection, std::min(n, f * 0.5), f);
+    const Result<glm::dmat4> clip = clipFromEye(picture.observer.projection);
+    if (!clip)
+        return std::nullopt;
+    picture.clipFromDrawn = *clip * observerDrawn;
+    return picture;
+}
+
+std::optional<Segment> rayThrough(const Pick &pick, const ObserverPicture &picture)
+{
+    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera);
+    const Result<WorldPoint> &enter = pick.rayNear.world.formula, &leave = pick.rayFar.world.formula;
+    if (!frame || !enter || !leave)
+        return std::nullopt;
+    const bool perspective = isPerspective(pick.geometry.projection);
+    const glm::dvec3 from = perspective ? frame->eye.coordinates() : enter->coordinates();
+    const glm::dvec3 along = leave->coordinates() - from;
+    const bool isSameCamera = frame->eye.coordinates() == picture.watched.eye.coordinates()
+                              && frame->forward == picture.watched.forward && frame->upward == picture.watched.upward;
+    if (!isSameCamera || perspective != isPerspective(picture.projection))
+        return Segment{from, leave->coordinates()};
+    const ProjectionWindow w = projectionWindow(picture.projection);
+    const double start = glm::dot(from - frame->eye.coordinates(), frame->forward);
+    const double depth = glm::dot(along, frame->forward);
+    const auto at = [&](double distance) { return from + along * ((distance - start) / depth); };
+    return Segment{perspective ? from : at(w.nearDistance), at(w.farDistance)};
+}
+
+std::vector<WorldPoint> pointsToFit(const ObserverPicture &picture)
+{
+    std::vector<WorldPoint> points{picture.watched.eye};
+    const glm::dmat4 drawnFromUnit = matrixOf(placementOf(picture.watched, picture.morph));
+    for (std::size_t i = 0; i < picture.corners.size(); ++i) {
+        points.push_back(worldFromEye(picture.watched, picture.corners[i]));
+        const glm::dvec4 cube(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0, 1.0);
+        points.push_back(WorldPoint(glm::dvec3(drawnFromUnit * cube)));
+    }
+    return points;
+}
+
+} // namespace unprojector::gui

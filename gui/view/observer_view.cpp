@@ -1,0 +1,341 @@
+#include "gui/view/observer_view.h"
+
+#include "gui/painters/observer_shapes.h"
+#include "gui/painters/scene_lines.h"
+#include "gui/view/scene_view.h"
+
+#include <QOpenGLContext>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+// The hand is in observer_view_input.cpp.
+
+namespace unprojector::gui {
+namespace {
+
+constexpr double kFovyRadians = 0.6108652381980153; // 35 degrees
+
+constexpr double kSignPixels = 30.0;
+
+/// World size of the camera's sign at a point of the picture: always as many pixels, because it is a sign, not a thing.
+double signSize(const ViewGeometry &observer, const WorldPoint &point)
+{
+    return kSignPixels * worldPerPixel(observer, point) * observer.surface.devicePixelRatio;
+}
+
+glm::vec4 withAlpha(glm::vec4 color, float alpha)
+{
+    color.a = alpha;
+    return color;
+}
+
+} // namespace
+
+ObserverView::ObserverView(SceneDocument &document, int samples, QWidget *parent)
+    : QOpenGLWidget(parent), m_document(document)
+{
+    setFormat(SceneView::preCreateWindow(samples));
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("Observer view"));
+    setAccessibleDescription(
+        tr("The camera and its view volume from outside. Arrow keys turn the view, plus and minus zoom, F fits it."));
+    m_observer.projection = Perspective{kFovyRadians, 1.0, 0.1, 100.0};
+
+    // A hidden view is told as well, and draws nothing.
+    connect(&m_document, &SceneDocument::objectsChanged, this, [this] {
+        m_isPlaced = m_isTouched = false;
+        m_drag = Drag::None;
+        setHotPlane(std::nullopt);
+        update();
+    });
+    connect(&m_document, &SceneDocument::geometryChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_document, &SceneDocument::pickChanged, this, qOverload<>(&QWidget::update));
+}
+
+ObserverView::~ObserverView()
+{
+    releaseGL();
+}
+
+void ObserverView::setMorph(double t)
+{
+    t = std::clamp(t, 0.0, 1.0);
+    if (t == m_t)
+        return;
+    m_t = t;
+    update();
+    emit morphChanged(m_t);
+}
+
+void ObserverView::initializeGL()
+{
+    initializeOpenGLFunctions();
+    const QSurfaceFormat actual = context()->format();
+    if (actual.version() < qMakePair(3, 3)) {
+        emit failed(tr("OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.")
+                        .arg(actual.majorVersion())
+                        .arg(actual.minorVersion()));
+        return;
+    }
+    m_background.initialize();
+    m_meshes.initialize();
+    m_lines.initialize();
+    m_faces.initialize();
+    m_pickPainter.initialize();
+    m_isCreated = true;
+    // The context is a new one when the widget moves to another window: everything in the old one is released first.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ObserverView::releaseGL, Qt::UniqueConnection);
+}
+
+void ObserverView::releaseGL()
+{
+    if (!m_isCreated)
+        return;
+    makeCurrent();
+    m_background.release();
+    m_meshes.release();
+    m_lines.release();
+    m_faces.release();
+    m_pickPainter.release();
+    m_isCreated = false;
+    disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ObserverView::releaseGL);
+    doneCurrent();
+}
+
+void ObserverView::resizeGL(int, int)
+{
+    updateSurface();
+}
+
+void ObserverView::updateSurface()
+{
+    const Surface surface = surfaceFromWidget(width(), height(), devicePixelRatio());
+    if (surface == m_observer.surface || !check(surface))
+        return;
+    m_observer.surface = surface;
+    m_observer.viewport = wholeSurface(surface);
+    m_observer.projection = withAspect(m_observer.projection, m_observer.viewport.width / m_observer.viewport.height);
+    if (!m_isTouched)
+        m_isPlaced = false;
+}
+
+void ObserverView::placeObserver()
+{
+    const ViewGeometry &g = m_document.geometry();
+    const bool isResized = !m_isTouched && m_placedFor != g.surface;
+    if (m_isPlaced && !isResized)
+        return;
+    const Result<EyeFrame> frame = eyeFrame(g.camera);
+    const Result<ViewVolumeMorph> morph = viewVolumeMorph(g.projection);
+    if (!frame || !morph)
+        return;
+    m_observer.camera = observerOf(*frame, worldFromEye(*frame, morph->center));
+    m_isPlaced = true;
+    m_placedFor = g.surface;
+    fit();
+}
+
+void ObserverView::fit()
+{
+    const ViewGeometry &g = m_document.geometry();
+    const Result<EyeFrame> frame = eyeFrame(g.camera);
+    const Result<ViewVolumeMorph> morph = viewVolumeMorph(g.projection);
+    if (!frame || !morph)
+        return;
+    m_reference = placementOf(*frame, *morph);
+    if (const std::optional<ObserverPicture> p = picture()) {
+        std::vector<WorldPoint> points = pointsToFit(*p);
+        m_observer.camera = framedTightly(m_observer, points);
+        // The camera's sign has a constant size in the picture: how large it is follows from the first try.
+        const double size = signSize(m_observer, frame->eye);
+        for (const glm::dvec3 &axis : {frame->side, frame->upward, frame->forward}) {
+            for (const double sign : {-1.0, 1.0})
+                points.push_back(WorldPoint(frame->eye.coordinates() + axis * (sign * size)));
+        }
+        m_observer.camera = framedTightly(m_observer, points);
+    }
+    update();
+}
+
+std::optional<ObserverPicture> ObserverView::picture() const
+{
+    Box extent = m_document.bounds();
+    extent.add(m_document.ground());
+    return observerPicture(m_document.geometry(), extent, m_reference, m_observer, m_t);
+}
+
+std::optional<QPointF> ObserverView::placeOf(const WorldPoint &point) const
+{
+    const std::optional<ObserverPicture> p = picture();
+    if (!p)
+        return std::nullopt;
+    const glm::dvec4 drawn = p->drawnFromWorld * glm::dvec4(point.coordinates(), 1.0);
+    const glm::dvec4 clip = p->clipFromDrawn * drawn;
+    if (!(drawn.w > 0.0) || !(clip.w > 0.0))
+        return std::nullopt;
+    return QPointF((clip.x / clip.w + 1.0) / 2.0 * width(), (1.0 - clip.y / clip.w) / 2.0 * height());
+}
+
+void ObserverView::paintGL()
+{
+    if (!m_isCreated)
+        return;
+    updateSurface(); // a pixel ratio can change without a change of size
+    placeObserver();
+    m_meshes.upload(m_document.objects());
+    const std::optional<ObserverPicture> p = picture();
+
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glClearDepthf(1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    glDepthRangef(0.0f, 1.0f);
+    glDepthFunc(GL_LEQUAL);
+    m_background.draw();
+    if (!p)
+        return;
+    glEnable(GL_DEPTH_TEST);
+    drawScene(*p);
+    drawVolume(*p);
+    drawCamera(*p);
+    drawPick(*p);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+}
+
+void ObserverView::drawScene(const ObserverPicture &p)
+{
+    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
+    // First the near plane, which keeps what is behind the eye from being folded over; then the scene's own planes; then
+    // as many of the volume's other sides as OpenGL has room for.
+    constexpr std::size_t kRoom = 8;
+    std::vector<glm::dvec4> planes;
+    if (p.t > 0.0)
+        planes.push_back(p.planes[0]);
+    const std::vector<glm::dvec4> &own = m_document.scene().clipPlanes;
+    planes.insert(planes.end(), own.begin(), own.end());
+    for (std::size_t i = 1; i < p.planes.size() && p.t > 0.0 && planes.size() < kRoom; ++i)
+        planes.push_back(p.planes[i]);
+    m_meshes.draw(m_document.objects(), clipFromWorld, p.observerFromWorld, planes);
+
+    glDepthMask(GL_FALSE);
+    const float opacity = static_cast<float>(0.8 - 0.4 * p.t);
+    const Surface &surface = p.observer.surface;
+    const glm::vec2 size(surface.widthPixels, surface.heightPixels);
+    const float ratio = static_cast<float>(surface.devicePixelRatio);
+    m_lines.draw(clippedLines(groundLines(m_document.ground(), m_document.groundSpacing()), p.planes, opacity),
+                 clipFromWorld, size, ratio);
+    glDepthMask(GL_TRUE);
+}
+
+void ObserverView::drawLines(const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource,
+                             double widthLogical)
+{
+    const Surface &surface = m_observer.surface;
+    const glm::vec2 size(surface.widthPixels, surface.heightPixels);
+    const float widthPixels = static_cast<float>(widthLogical * surface.devicePixelRatio);
+    m_lines.draw(lines, clipFromSource, size, widthPixels);
+    glDisable(GL_DEPTH_TEST);
+    std::vector<LineSegment> hidden = lines;
+    for (LineSegment &line : hidden)
+        line.color.a *= 0.4f;
+    m_lines.draw(hidden, clipFromSource, size, widthPixels);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void ObserverView::drawVolume(const ObserverPicture &p)
+{
+    glDepthMask(GL_FALSE);
+    const glm::dmat4 clipFromEye = p.clipFromDrawn * p.drawnFromEye;
+    const std::array<glm::dvec3, 4> nearCorners = planeCorners(p.corners, 0), farCorners = planeCorners(p.corners, 4);
+    const auto isHot = [this](ClipPlane plane) { return m_hotPlane == plane; };
+    const Face nearFace{nearCorners, withAlpha(observer_color::kNearPlane, isHot(ClipPlane::Near) ? 0.34f : 0.22f)};
+    const Face farFace{farCorners, withAlpha(observer_color::kFarPlane, isHot(ClipPlane::Far) ? 0.28f : 0.16f)};
+    // The deeper one first, because they are blended.
+    const auto depthOf = [&](const std::array<glm::dvec3, 4> &corners) {
+        double z = 0.0;
+        for (const glm::dvec3 &corner : corners) {
+            if (const std::optional<WorldPoint> point = p.drawnPoint(EyePoint(corner)))
+                z += eyeFromWorld(p.observerFrame, *point).z;
+        }
+        return z;
+    };
+    const bool isNearDeeper = depthOf(nearCorners) < depthOf(farCorners);
+    m_faces.draw(isNearDeeper ? std::vector<Face>{nearFace, farFace} : std::vector<Face>{farFace, nearFace},
+                 clipFromEye);
+
+    constexpr double kWidth = 1.6, kPlaneWidth = 2.2, kHotWidth = 4.5;
+    drawLines(sideEdges(p.corners), clipFromEye, kWidth);
+    drawLines(outline(farCorners, observer_color::kFarPlane), clipFromEye,
+              isHot(ClipPlane::Far) ? kHotWidth : kPlaneWidth);
+    drawLines(outline(nearCorners, observer_color::kNearPlane), clipFromEye,
+              isHot(ClipPlane::Near) ? kHotWidth : kPlaneWidth);
+    if (isPerspective(p.projection) && p.t < 1.0)
+        drawLines(edgesFromEye(p.corners, 0.6f * eyeOpacity(p.projection, p.t)), clipFromEye, 1.2);
+
+    // The axes of NDC, from the cube's middle to a little outside of it.
+    const float opacity = static_cast<float>(std::clamp((p.t - 0.6) / 0.4, 0.0, 1.0));
+    if (opacity > 0.0f) {
+        const glm::dmat4 drawnFromNdc = matrixOf(p.placement) * p.morph.morphedFromNdc;
+        const glm::dvec3 origin(drawnFromNdc[3]);
+        std::array<glm::dvec3, 3> tips;
+        for (int axis = 0; axis < 3; ++axis)
+            tips[static_cast<std::size_t>(axis)] = origin + glm::dvec3(drawnFromNdc[axis]) * 1.35;
+        const double letter = 5.5 * worldPerPixel(p.observer, WorldPoint(origin)) * p.observer.surface.devicePixelRatio;
+        drawLines(
+            letteredAxes(origin, tips, "xyz", p.observerFrame.side * letter, p.observerFrame.upward * letter, opacity),
+            p.clipFromDrawn, 1.6);
+    }
+    glDepthMask(GL_TRUE);
+}
+
+void ObserverView::drawCamera(const ObserverPicture &p)
+{
+    const float opacity = eyeOpacity(p.projection, p.t);
+    const std::optional<WorldPoint> eye = p.drawnPoint(EyePoint());
+    if (!eye || opacity < 0.02f || !(eyeFromWorld(p.observerFrame, *eye).z < 0.0))
+        return;
+    const glm::dmat4 clipFromGlyph =
+        p.clipFromDrawn * matrixOf({eye->coordinates(), p.placement.rotation, signSize(p.observer, *eye)});
+    m_faces.draw(cameraFaces(opacity), clipFromGlyph);
+    glDepthMask(GL_FALSE);
+    drawLines(cameraLines(opacity), clipFromGlyph, 1.3);
+
+    const glm::dmat3 glyphFromObserver = glm::transpose(glm::mat3_cast(p.placement.rotation));
+    constexpr double kHalfLetter = 5.0 / kSignPixels, kLength = 1.7;
+    drawLines(
+        letteredAxes(glm::dvec3(0.0),
+                     {glm::dvec3(kLength, 0.0, 0.0), glm::dvec3(0.0, kLength, 0.0), glm::dvec3(0.0, 0.0, -kLength)},
+                     "suf", glyphFromObserver * p.observerFrame.side * kHalfLetter,
+                     glyphFromObserver * p.observerFrame.upward * kHalfLetter, opacity),
+        clipFromGlyph, 2.0);
+    glDepthMask(GL_TRUE);
+}
+
+void ObserverView::drawPick(const ObserverPicture &p)
+{
+    const std::optional<Pick> &pick = m_document.pick();
+    if (!pick)
+        return;
+    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
+    if (const std::optional<Segment> ray = rayThrough(*pick, p)) {
+        glDepthMask(GL_FALSE);
+        drawLines(clippedLines({{ray->from, ray->to, observer_color::kRay}}, p.planes, 1.0f), clipFromWorld, 2.2);
+        glDepthMask(GL_TRUE);
+    }
+    glDisable(GL_DEPTH_TEST);
+    if (pick->hit && pick->point.world.formula && p.holds(*pick->point.world.formula)) {
+        const Surface &surface = p.observer.surface;
+        m_pickPainter.draw(*pick->point.world.formula, clipFromWorld,
+                           glm::vec2(surface.widthPixels, surface.heightPixels),
+                           static_cast<float>(surface.devicePixelRatio));
+    }
+}
+
+} // namespace unprojector::gui

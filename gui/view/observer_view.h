@@ -1,0 +1,105 @@
+#pragma once
+
+#include "gui/document/scene_document.h"
+#include "gui/painters/background_painter.h"
+#include "gui/painters/face_painter.h"
+#include "gui/painters/line_painter.h"
+#include "gui/painters/mesh_painter.h"
+#include "gui/painters/pick_painter.h"
+#include "gui/view/observer_picture.h"
+
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLWidget>
+
+#include <optional>
+
+namespace unprojector::gui {
+
+/// The first view from outside: its camera, its view volume with the near and far planes, the ray through the clicked
+/// pixel, the point and the scene; all of it can be morphed into the canonical view volume. It has a camera of its own,
+/// which a hand turns and which stays where it is when the first one moves. The edges of the near and far planes can be
+/// dragged. It never unprojects.
+class ObserverView : public QOpenGLWidget, protected QOpenGLExtraFunctions {
+    Q_OBJECT
+public:
+    /// @param samples  for multisampling; 0: none
+    ObserverView(SceneDocument &document, int samples, QWidget *parent = nullptr);
+    ~ObserverView() override;
+
+    /// 0: eye space, as it is; 1: the canonical view volume. Between them it morphs.
+    double morph() const { return m_t; }
+    void setMorph(double t);
+
+    /// Shows the eye and the view volume fully, from the direction that the observer looks in.
+    void fit();
+
+    const LookAt &observer() const { return m_observer.camera; }
+    /// Where a world point stands in this view's picture, logical pixels; nothing when it has no place in it.
+    std::optional<QPointF> placeOf(const WorldPoint &point) const;
+
+signals:
+    void morphChanged(double t);
+    /// OpenGL cannot draw here; for a message.
+    void failed(const QString &reason);
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+
+    bool event(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+
+private:
+    enum class Drag { None, Orbit, Pan, Plane };
+
+    void releaseGL();
+    void updateSurface();
+    /// Takes the default place once it is known how large the pictures are, and again until a hand has taken over.
+    void placeObserver();
+    std::optional<ObserverPicture> picture() const;
+
+    void drawScene(const ObserverPicture &p);
+    void drawVolume(const ObserverPicture &p);
+    void drawCamera(const ObserverPicture &p);
+    void drawPick(const ObserverPicture &p);
+    /// Where they are hidden, the lines show faintly.
+    void drawLines(const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource, double widthLogical);
+
+    /// The plane whose edge is under the pointer, in the hand.
+    std::optional<ClipPlaneDrag> planeAt(const QPointF &position) const;
+    void dragPlane(const QPointF &position);
+    void setHotPlane(const std::optional<ClipPlaneDrag> &drag);
+    void orbit(double yawRadians, double pitchRadians);
+    void zoom(const QPointF &position, double factor);
+
+    SceneDocument &m_document;
+    BackgroundPainter m_background;
+    MeshPainter m_meshes;
+    LinePainter m_lines;
+    FacePainter m_faces;
+    PickPainter m_pickPainter;
+
+    bool m_isCreated = false;
+    double m_t = 0.0;
+    ViewGeometry m_observer;
+    Placement m_reference; ///< where the cube stands
+    bool m_isPlaced = false;
+    bool m_isTouched = false; ///< a hand has moved the observer
+    Surface m_placedFor;      ///< the first view's surface when the observer was placed
+
+    Drag m_drag = Drag::None;
+    std::optional<ClipPlaneDrag> m_planeDrag;
+    std::optional<ClipPlane> m_hotPlane;
+    QPointF m_lastPosition;
+    QString m_gesture; ///< the drag that is under way, undone as one
+    int m_gestureCount = 0;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+#include <string>
+
+class QLabel;
+class QTextBrowser;
+
+namespace unprojector::gui {
+
+/// What to look at in the example that is shown: title, text, source. About 340 logical pixels wide; the text scrolls
+/// where it is taller than the note.
+class ExampleNote : public QWidget {
+    Q_OBJECT
+public:
+    explicit ExampleNote(QWidget *parent = nullptr);
+
+    /// @param id  of one of examples(); the note is emptied for any other
+    void showExample(const std::string &id);
+    void clear();
+    bool isEmpty() const;
+    /// Title, text and source, plain.
+    QString text() const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    /// The button was pressed.
+    void closeRequested();
+    /// A link to the formulas was followed.
+    /// @param anchor  a name in formulas.html
+    void formulasRequested(const QString &anchor);
+
+private:
+    QLabel *m_title;
+    QTextBrowser *m_text;
+    QLabel *m_source;
+};
+
+} // namespace unprojector::gui

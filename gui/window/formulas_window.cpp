@@ -1,0 +1,151 @@
+#include "gui/window/formulas_window.h"
+
+#include "gui/text/formula_markup.h"
+
+#include <QAction>
+#include <QFile>
+#include <QResizeEvent>
+#include <QScrollBar>
+#include <QTextBrowser>
+#include <QToolBar>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr double kPointSize = 11.0;
+constexpr int kLeastPercent = 60;
+constexpr int kMostPercent = 300;
+constexpr int kStepPercent = 10;
+/// Of the column of text, in widths of the letter x at its size: longer lines are hard to read.
+constexpr double kColumnLetters = 104.0;
+
+/// One column in the middle of the window, as on paper.
+class Page : public QTextBrowser {
+public:
+    void fitColumn()
+    {
+        const int column =
+            static_cast<int>(kColumnLetters * QFontMetricsF(document()->defaultFont()).horizontalAdvance(u'x'));
+        const int margin = std::max(14, (width() - verticalScrollBar()->sizeHint().width() - column) / 2);
+        setViewportMargins(margin, 0, margin, 0);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        QTextBrowser::resizeEvent(event);
+        fitColumn();
+    }
+
+    /// The window keeps the zoom's limits; the text itself would not.
+    void wheelEvent(QWheelEvent *event) override
+    {
+        if (event->modifiers() & Qt::ControlModifier) {
+            auto *window = static_cast<FormulasWindow *>(this->window());
+            const int notches = event->angleDelta().y();
+            window->setZoomPercent(window->zoomPercent()
+                                   + (notches > 0   ? kStepPercent
+                                      : notches < 0 ? -kStepPercent
+                                                    : 0));
+            event->accept();
+            return;
+        }
+        QTextBrowser::wheelEvent(event);
+    }
+};
+
+QFont bookFont()
+{
+    QFont font;
+    font.setFamilies({QStringLiteral("STIX Two Text"), QStringLiteral("Cambria"), QStringLiteral("Libertinus Serif"),
+                      QStringLiteral("Linux Libertine O"), QStringLiteral("Noto Serif"),
+                      QStringLiteral("Liberation Serif"), QStringLiteral("Times New Roman"),
+                      QStringLiteral("DejaVu Serif")});
+    font.setStyleHint(QFont::Serif);
+    font.setPointSizeF(kPointSize);
+    return font;
+}
+
+QString pageText()
+{
+    QFile file(QStringLiteral(":/help/formulas.html"));
+    return file.open(QIODevice::ReadOnly) ? typeset(QString::fromUtf8(file.readAll())) : QString();
+}
+
+} // namespace
+
+FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Page)
+{
+    setWindowTitle(tr("Formulas"));
+    setWindowFlag(Qt::WindowMaximizeButtonHint);
+    resize(900, 700);
+
+    QPalette paper = m_page->palette();
+    paper.setColor(QPalette::Base, Qt::white);
+    paper.setColor(QPalette::Window, Qt::white);
+    paper.setColor(QPalette::Text, QColor(0x1a, 0x1a, 0x1a));
+    paper.setColor(QPalette::WindowText, QColor(0x1a, 0x1a, 0x1a));
+    paper.setColor(QPalette::Link, QColor(0x1f, 0x4e, 0x8c));
+    m_page->setPalette(paper);
+    m_page->setFrameShape(QFrame::NoFrame);
+    m_page->setAutoFillBackground(true);
+    m_page->setAccessibleName(tr("Formulas"));
+    m_page->document()->setDefaultFont(bookFont());
+    m_page->document()->setDocumentMargin(18.0);
+    m_page->setHtml(pageText());
+
+    auto *bar = new QToolBar;
+    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->setAccessibleName(tr("Page"));
+    const auto add = [this, bar](const QString &text, const QString &tip, const QList<QKeySequence> &keys, auto slot) {
+        QAction *action = bar->addAction(text);
+        action->setShortcuts(keys);
+        action->setToolTip(tr("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
+        connect(action, &QAction::triggered, this, slot);
+        return action;
+    };
+    add(tr("Contents"), tr("Back to the contents"), {Qt::ALT | Qt::Key_Up},
+        [this] { showFormula(QStringLiteral("contents")); });
+    bar->addSeparator();
+    add(tr("A−"), tr("Smaller text"), {QKeySequence::ZoomOut},
+        [this] { setZoomPercent(zoomPercent() - kStepPercent); });
+    m_usualSize = add({}, tr("Text in its usual size"), {Qt::CTRL | Qt::Key_0}, [this] { setZoomPercent(100); });
+    QList<QKeySequence> larger = QKeySequence::keyBindings(QKeySequence::ZoomIn);
+    larger << QKeySequence(Qt::CTRL | Qt::Key_Equal);
+    add(tr("A+"), tr("Larger text"), larger, [this] { setZoomPercent(zoomPercent() + kStepPercent); });
+    setZoomPercent(100);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar);
+    layout->addWidget(m_page);
+    m_page->setFocus();
+}
+
+void FormulasWindow::showFormula(const QString &anchor)
+{
+    m_page->scrollToAnchor(anchor);
+}
+
+int FormulasWindow::zoomPercent() const
+{
+    return static_cast<int>(std::lround(100.0 * m_page->document()->defaultFont().pointSizeF() / kPointSize));
+}
+
+void FormulasWindow::setZoomPercent(int percent)
+{
+    percent = std::clamp(percent, kLeastPercent, kMostPercent);
+    QFont font = m_page->document()->defaultFont();
+    font.setPointSizeF(kPointSize * percent / 100.0);
+    m_page->document()->setDefaultFont(font);
+    static_cast<Page *>(m_page)->fitColumn();
+    m_usualSize->setText(tr("%1 %").arg(percent));
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QDialog>
+
+class QAction;
+class QTextBrowser;
+
+namespace unprojector::gui {
+
+/// All formulas, typeset as a handout, each with its source, and the errors found in the tutorials. Not modal; dark on
+/// white in every theme.
+class FormulasWindow : public QDialog {
+    Q_OBJECT
+public:
+    explicit FormulasWindow(QWidget *parent = nullptr);
+
+    /// Scrolls to a place of the page.
+    /// @param anchor  a name in formulas.html: "ortho", "errors"
+    void showFormula(const QString &anchor);
+
+    /// The size of the text in percent of the usual one.
+    int zoomPercent() const;
+    /// @param percent  kept between 60 and 300
+    void setZoomPercent(int percent);
+
+    QTextBrowser &page() { return *m_page; }
+
+private:
+    QTextBrowser *m_page;
+    QAction *m_usualSize = nullptr;
+};
+
+} // namespace unprojector::gui

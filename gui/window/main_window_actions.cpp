@@ -1,0 +1,175 @@
+// The window's menus and tool bar.
+
+#include "gui/window/main_window.h"
+
+#include "gui/document/scene_document.h"
+#include "gui/view/scene_view.h"
+#include "gui/window/formulas_window.h"
+
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QToolBar>
+
+namespace unprojector::gui {
+
+QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySequence &key, const QString &tip,
+                               std::function<void()> slot)
+{
+    QAction *action = menu->addAction(text);
+    // On a button of the tool bar, "打开(&O)…" is "打开…".
+    static const QRegularExpression keyInParentheses(QStringLiteral("\\(&.\\)"));
+    action->setIconText(QString(text).remove(keyInParentheses).remove(u'&'));
+    action->setShortcut(key);
+    action->setToolTip(key.isEmpty() ? tip
+                                     : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+    action->setStatusTip(tip);
+    connect(action, &QAction::triggered, this, std::move(slot));
+    return action;
+}
+
+void MainWindow::createActions()
+{
+    QToolBar *bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    createFileMenu(*bar);
+    createEditMenu();
+    createViewMenu(*bar);
+    createHelpMenu();
+}
+
+void MainWindow::createFileMenu(QToolBar &bar)
+{
+    QMenu *menu = menuBar()->addMenu(tr("&File"));
+    bar.addAction(addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"),
+                            [this] { askForFiles(); }));
+    bar.addSeparator();
+    m_recentMenu = menu->addMenu(tr("Open &Recent"));
+    addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"), [this] { save(); });
+    addAction(menu, tr("Save Scene &As…"), QKeySequence::SaveAs, tr("Write the scene to another file"),
+              [this] { saveAs(); });
+    menu->addSeparator();
+    addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
+              [this] { openBundledScene(); });
+    createExamplesMenu(*menu->addMenu(tr("&Examples")));
+    menu->addSeparator();
+    addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"), [this] { close(); });
+    updateRecentMenu();
+}
+
+void MainWindow::createEditMenu()
+{
+    QMenu *menu = menuBar()->addMenu(tr("&Edit"));
+    QAction *undo = m_document->undoStack().createUndoAction(this, tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    QAction *redo = m_document->undoStack().createRedoAction(this, tr("&Redo"));
+    redo->setShortcut(QKeySequence::Redo);
+    menu->addActions({undo, redo});
+}
+
+void MainWindow::createViewMenu(QToolBar &bar)
+{
+    const auto look = [this](StandardView side) {
+        return [this, side] { m_document->setCamera(seenFrom(m_document->geometry().camera, side)); };
+    };
+    QMenu *menu = menuBar()->addMenu(tr("&View"));
+    bar.addAction(addAction(menu, tr("&Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"),
+                            [this] { m_document->fit(); }));
+    bar.addAction(addAction(menu, tr("&Home"), Qt::Key_Home, tr("Back to the camera that the scene opened with"),
+                            [this] { m_document->goHome(); }));
+    menu->addSeparator();
+    bar.addSeparator();
+    bar.addAction(
+        addAction(menu, tr("Fr&ont"), Qt::Key_1, tr("Look from the front, along −z"), look(StandardView::Front)));
+    bar.addAction(
+        addAction(menu, tr("&Right"), Qt::Key_3, tr("Look from the right, along −x"), look(StandardView::Right)));
+    bar.addAction(addAction(menu, tr("&Top"), Qt::Key_7, tr("Look from the top, along −y"), look(StandardView::Top)));
+    addAction(menu, tr("B&ack"), Qt::CTRL | Qt::Key_1, tr("Look from the back, along z"), look(StandardView::Back));
+    addAction(menu, tr("&Left"), Qt::CTRL | Qt::Key_3, tr("Look from the left, along x"), look(StandardView::Left));
+    addAction(menu, tr("Botto&m"), Qt::CTRL | Qt::Key_7, tr("Look from below, along y"), look(StandardView::Bottom));
+    menu->addSeparator();
+    bar.addSeparator();
+    m_projectionAction = addAction(menu, tr("&Perspective"), Qt::Key_5,
+                                   tr("Switch between perspective (glFrustum) and orthographic (glOrtho)"),
+                                   [this] { m_document->switchProjection(); });
+    m_projectionAction->setCheckable(true);
+    bar.addAction(m_projectionAction);
+
+    QAction *observer = addAction(menu, tr("&View from Outside"), Qt::Key_0,
+                                  tr("Show the camera and its view volume from outside, beside the view"), [] {});
+    observer->setCheckable(true);
+    connect(observer, &QAction::toggled, this, &MainWindow::showObserver);
+    bar.addAction(observer);
+    QAction *smooth = addAction(
+        menu, tr("&Smooth Edges"), {},
+        tr("Multisampling: smoother edges, but a depth is then read at a sample beside the pixel's centre"), [] {});
+    smooth->setCheckable(true);
+    smooth->setChecked(m_samples > 0);
+    connect(smooth, &QAction::toggled, this, [this](bool on) {
+        createView(on ? kSmoothSamples : 0);
+        if (m_options.remembers)
+            QSettings().setValue(QStringLiteral("view/smoothEdges"), on);
+    });
+    menu->addSeparator();
+    for (QDockWidget *dock : m_docks)
+        menu->addAction(dock->toggleViewAction());
+    m_hidesPanels = addAction(menu, tr("H&ide All Panels"), Qt::Key_F9, tr("Give the view the whole window"),
+                              [this] { hidePanels(m_hidesPanels->isChecked()); });
+    m_hidesPanels->setCheckable(true);
+    addAction(menu, tr("R&eset Layout"), {}, tr("Put all panels back to where they were at first"),
+              [this] { arrangeDocks(); });
+}
+
+void MainWindow::createHelpMenu()
+{
+    QMenu *menu = menuBar()->addMenu(tr("&Help"));
+    addAction(menu, tr("&Formulas"), QKeySequence::HelpContents,
+              tr("All formulas with their sources, and the errors in the originals"), [this] { showFormulas({}); });
+    addAction(menu, tr("&Mouse and Keys"), {}, tr("How to move the camera and pick points"),
+              [this] { showControls(); });
+    addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
+}
+
+void MainWindow::showFormulas(const QString &anchor)
+{
+    if (!m_formulas)
+        m_formulas = new FormulasWindow(this);
+    m_formulas->show();
+    m_formulas->raise();
+    m_formulas->activateWindow();
+    if (!anchor.isEmpty())
+        m_formulas->showFormula(anchor);
+}
+
+void MainWindow::showControls()
+{
+    QMessageBox box(QMessageBox::NoIcon, tr("Mouse and Keys"),
+                    tr("<table cellspacing='6'>"
+                       "<tr><td>Left button</td><td>read the world coordinate of the pixel</td></tr>"
+                       "<tr><td>… and drag</td><td>turn the camera about that point</td></tr>"
+                       "<tr><td>Middle button, or Shift + left</td><td>move the camera sideways</td></tr>"
+                       "<tr><td>Wheel</td><td>zoom towards the pointer</td></tr>"
+                       "<tr><td>Double-click</td><td>bring the point to the middle</td></tr>"
+                       "<tr><td>1, 3, 7 (with Ctrl: the opposite)</td><td>look from the front, right, top</td></tr>"
+                       "<tr><td>5</td><td>switch perspective and orthographic</td></tr>"
+                       "<tr><td>F, Home</td><td>fit all objects; back to the first camera</td></tr>"
+                       "</table>"),
+                    QMessageBox::Close, this);
+    box.exec();
+}
+
+void MainWindow::showAbout()
+{
+    QMessageBox::about(this, tr("About Unprojector"),
+                       tr("<p><b>Unprojector %1</b></p><p>Click a pixel of a 3-D view and get its world coordinate, "
+                          "computed twice: by the "
+                          "closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, with "
+                          "the difference, its "
+                          "cause and how certain the coordinate is.</p><p>MIT licence.</p>")
+                           .arg(QStringLiteral(UNPROJECTOR_VERSION)));
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,175 @@
+#include "gui/window/overlay_bars.h"
+
+#include "gui/document/recovery_file.h"
+#include "gui/text/error_text.h"
+
+#include <QAccessible>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStyle>
+#include <QTimer>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace unprojector::gui {
+namespace {
+
+void makeOverlay(QFrame *frame, const char *background, const char *border)
+{
+    frame->setObjectName(QStringLiteral("overlay"));
+    frame->setAttribute(Qt::WA_StyledBackground);
+    frame->setStyleSheet(QStringLiteral("#overlay { background: %1; border: 1px solid %2; border-radius: 4px; } "
+                                        "#overlay QLabel { color: #2b2b2b; }")
+                             .arg(QLatin1String(background), QLatin1String(border)));
+    frame->hide();
+}
+
+QString dateText(const QDateTime &time)
+{
+    return QLocale().toString(time, QLocale::ShortFormat);
+}
+
+} // namespace
+
+MessageBar::MessageBar(QWidget *parent) : QFrame(parent), m_text(new QLabel), m_close(new QToolButton)
+{
+    makeOverlay(this, "#fdeeda", "#d9a35b");
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_text->setAccessibleName(tr("Message"));
+    m_close->setIcon(style()->standardIcon(QStyle::SP_DialogCloseButton));
+    m_close->setAutoRaise(true);
+    m_close->setToolTip(tr("Close this message"));
+    m_close->setAccessibleName(tr("Close this message"));
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(10, 6, 6, 6);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(m_close, 0, Qt::AlignTop);
+    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+}
+
+void MessageBar::showMessage(const QString &text)
+{
+    m_text->setText(text);
+    show();
+    raise();
+}
+
+QString MessageBar::text() const
+{
+    return m_text->text();
+}
+
+RecoveryBar::RecoveryBar(QWidget *parent) : QFrame(parent), m_text(new QLabel), m_choice(new QComboBox)
+{
+    makeOverlay(this, "#e9f1fa", "#7f9fc4");
+    setAccessibleName(tr("Unsaved changes of an earlier session"));
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_choice->setAccessibleName(tr("Kept scene"));
+    m_choice->setToolTip(tr("The kept scenes, the last one first"));
+    // A long name shall not hold the window open.
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_choice->setMinimumContentsLength(16);
+    const auto button = [](const QString &text, const QString &tip) {
+        auto *widget = new QPushButton(text);
+        widget->setToolTip(tip);
+        return widget;
+    };
+    QPushButton *recover =
+        button(tr("&Recover"), tr("Open the scene with these changes; its file stays as it is until you save"));
+    QPushButton *discard = button(tr("&Discard"), tr("Delete these changes for good"));
+    QPushButton *later = button(tr("&Later"), tr("Keep the changes and ask again at the next start"));
+
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_choice, 1);
+    buttons->addStretch();
+    for (QPushButton *each : {recover, discard, later})
+        buttons->addWidget(each);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(10, 8, 8, 8);
+    layout->addWidget(m_text);
+    layout->addLayout(buttons);
+    connect(recover, &QPushButton::clicked, this, [this] { emit recoverRequested(m_choice->currentIndex()); });
+    connect(discard, &QPushButton::clicked, this, [this] { emit discardRequested(m_choice->currentIndex()); });
+    connect(later, &QPushButton::clicked, this, &RecoveryBar::laterRequested);
+}
+
+void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
+{
+    m_choice->clear();
+    for (const RecoveryInfo &info : kept) {
+        m_choice->addItem(tr("%1, %2").arg(info.name, dateText(info.time)));
+        m_choice->setItemData(m_choice->count() - 1, pathText(info.sceneFile), Qt::ToolTipRole);
+    }
+    if (kept.empty()) {
+        hide();
+        return;
+    }
+    m_choice->setVisible(kept.size() > 1);
+    if (kept.size() == 1) {
+        const QString name =
+            fontMetrics().elidedText(kept.front().name, Qt::ElideMiddle, 40 * fontMetrics().averageCharWidth());
+        m_text->setText(tr("The program ended unexpectedly on %1. The unsaved changes to %2 were kept.")
+                            .arg(dateText(kept.front().time), name));
+        m_text->setToolTip(pathText(kept.front().sceneFile));
+    } else {
+        m_text->setText(tr("The program ended unexpectedly. The unsaved changes to %n scenes were kept:", nullptr,
+                           static_cast<int>(kept.size())));
+        m_text->setToolTip({});
+    }
+    show();
+    // It takes no focus from the view; who cannot see it hears of it.
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+LoadingBar::LoadingBar(QWidget *parent)
+    : QFrame(parent), m_text(new QLabel), m_progress(new QProgressBar), m_delay(new QTimer(this))
+{
+    makeOverlay(this, "#f4f6f8", "#a9b3bd");
+    m_progress->setRange(0, 100);
+    m_progress->setAccessibleName(tr("Opening"));
+    m_progress->setMinimumWidth(180);
+    auto *cancel = new QPushButton(tr("Cancel"));
+    cancel->setToolTip(tr("Stop opening and keep the scene as it is"));
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(10, 6, 6, 6);
+    layout->addWidget(m_text);
+    layout->addWidget(m_progress, 1);
+    layout->addWidget(cancel);
+    connect(cancel, &QPushButton::clicked, this, &LoadingBar::cancelRequested);
+    m_delay->setSingleShot(true);
+    m_delay->setInterval(150);
+    connect(m_delay, &QTimer::timeout, this, [this] {
+        show();
+        raise();
+    });
+}
+
+void LoadingBar::start()
+{
+    m_text->setText(tr("Opening …"));
+    m_progress->setValue(0);
+    m_delay->start();
+}
+
+void LoadingBar::setProgress(const QString &fileName, double share)
+{
+    m_text->setText(tr("Opening %1").arg(fileName));
+    m_progress->setValue(static_cast<int>(std::lround(share * 100.0)));
+}
+
+void LoadingBar::finish()
+{
+    m_delay->stop();
+    hide();
+}
+
+} // namespace unprojector::gui

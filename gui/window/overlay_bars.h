@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QFrame>
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QTimer;
+class QToolButton;
+
+namespace unprojector::gui {
+
+struct RecoveryInfo;
+
+/// A message over the top of the view that stays until it is closed: it tells what went wrong and stops nothing.
+class MessageBar : public QFrame {
+    Q_OBJECT
+public:
+    explicit MessageBar(QWidget *parent = nullptr);
+    void showMessage(const QString &text);
+    QString text() const;
+
+private:
+    QLabel *m_text;
+    QToolButton *m_close;
+};
+
+/// Asks over the top of the view what to do with unsaved changes that an unexpected end has left, and stops nothing.
+class RecoveryBar : public QFrame {
+    Q_OBJECT
+public:
+    explicit RecoveryBar(QWidget *parent = nullptr);
+    /// Offers these, the first one at first; goes where there are none.
+    void offer(const std::vector<RecoveryInfo> &kept);
+
+signals:
+    // With the place of the chosen one among those offered.
+    void recoverRequested(int place);
+    void discardRequested(int place);
+    void laterRequested();
+
+private:
+    QLabel *m_text;
+    QComboBox *m_choice; ///< shown where there are several
+};
+
+/// What is being opened, how far it is, and a button to stop it. Shown after a moment, so that small files don't flash.
+class LoadingBar : public QFrame {
+    Q_OBJECT
+public:
+    explicit LoadingBar(QWidget *parent = nullptr);
+    void start();
+    void setProgress(const QString &fileName, double share);
+    void finish();
+
+signals:
+    void cancelRequested();
+
+private:
+    QLabel *m_text;
+    QProgressBar *m_progress;
+    QTimer *m_delay;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gui/window/main_window.h"
+
+#include <QObject>
+#include <QSize>
+#include <QString>
+
+#include <vector>
+
+namespace unprojector::gui {
+
+/// The program without a user: opens what it was given, presses the left button at each position, saves a picture of
+/// the whole window, prints the clicks as JSON, and quits.
+class ScreenshotRun : public QObject {
+    Q_OBJECT
+public:
+    struct Request {
+        QString picture;                          ///< the file to write
+        QSize windowSize{1280, 800};              ///< logical pixels
+        std::vector<WidgetPoint> clicks;          ///< logical pixels of the view
+        std::vector<std::filesystem::path> files; ///< none: the bundled scene
+        int samples = 0;
+    };
+    explicit ScreenshotRun(Request request);
+    ~ScreenshotRun() override;
+
+    /// Starts; `ended` follows with the exit code: 0, or 2 after a message on stderr.
+    void start();
+
+signals:
+    void ended(int exitCode);
+
+private:
+    void pressAndSave();
+    void fail(const QString &reason);
+
+    Request m_request;
+    std::unique_ptr<MainWindow> m_window;
+    bool m_hasEnded = false;
+};
+
+} // namespace unprojector::gui
