@@ -6,10 +6,7 @@
 #include "core/scene_file/strict_json.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fstream>
-#include <system_error>
 
 namespace unprojector::scene_file {
 using namespace geometry;
@@ -371,36 +368,6 @@ Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::s
         return scene;
     error->file = name;
     return *error;
-}
-
-Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file)
-{
-    const auto failed = [&file](SceneFileErrorCode code, std::string detail = {}) {
-        SceneFileError error;
-        error.code = code;
-        error.file = utf8FromPath(file);
-        error.detail = std::move(detail);
-        return error;
-    };
-    std::error_code system;
-    const std::filesystem::file_status status = std::filesystem::status(file, system);
-    if (status.type() == std::filesystem::file_type::not_found)
-        return failed(SceneFileErrorCode::NotFound);
-    if (std::filesystem::is_directory(status))
-        return failed(SceneFileErrorCode::IsDirectory);
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-        return failed(SceneFileErrorCode::NotReadable, system ? system.message() : std::string());
-
-    std::string text;
-    std::array<char, 65536> block;
-    do { // A block more than there may be is enough to know that the file is too large, whatever it is.
-        stream.read(block.data(), block.size());
-        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    } while (stream && text.size() <= kMostSceneBytes);
-    if (stream.bad())
-        return failed(SceneFileErrorCode::NotReadable);
-    return parseScene(text, utf8FromPath(file));
 }
 
 } // namespace unprojector::scene_file

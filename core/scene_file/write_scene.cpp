@@ -3,10 +3,6 @@
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_file.h"
 
-#include <cstdio>
-#include <fstream>
-#include <system_error>
-
 namespace unprojector::scene_file {
 using namespace geometry;
 using namespace files;
@@ -232,49 +228,6 @@ Result<std::string, SceneFileError> sceneText(const SceneFile &scene)
         error.keyPath = keyOfBadName(scene);
     }
     return error;
-}
-
-Result<std::monostate, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene)
-{
-    const auto failed = [&file](SceneFileError error) {
-        error.file = utf8FromPath(file);
-        return error;
-    };
-    const Result<std::string, SceneFileError> text = sceneText(scene);
-    if (!text)
-        return failed(text.error());
-
-    SceneFileError error;
-    error.code = SceneFileErrorCode::NotWritable;
-    std::error_code system;
-    // Of a link it is the file it points to that is replaced.
-    std::filesystem::path target = std::filesystem::weakly_canonical(file, system);
-    if (system)
-        target = file;
-    if (std::filesystem::is_directory(target, system)) {
-        error.code = SceneFileErrorCode::IsDirectory;
-        return failed(error);
-    }
-    std::filesystem::path fresh = target;
-    fresh += ".new";
-    {
-        std::ofstream stream(fresh, std::ios::binary | std::ios::trunc);
-        stream.write(text->data(), static_cast<std::streamsize>(text->size()));
-        stream.close();
-        if (!stream) {
-            std::filesystem::remove(fresh, system);
-            return failed(error);
-        }
-    }
-    if (const auto status = std::filesystem::status(target, system); std::filesystem::exists(status))
-        std::filesystem::permissions(fresh, status.permissions(), system);
-    std::filesystem::rename(fresh, target, system);
-    if (system) {
-        error.detail = system.message();
-        std::filesystem::remove(fresh, system);
-        return failed(error);
-    }
-    return std::monostate{};
 }
 
 } // namespace unprojector::scene_file
