@@ -87,7 +87,12 @@ std::string sentence(const SceneFileError &e)
     case SceneFileErrorCode::NotFound: return "there is no such file";
     case SceneFileErrorCode::IsDirectory: return "this is a folder, not a scene file";
     case SceneFileErrorCode::NotReadable: return withDetail("the file cannot be read", e.detail);
-    case SceneFileErrorCode::NotWritable: return withDetail("the file cannot be written", e.detail);
+    case SceneFileErrorCode::NotAFile: return "this is a pipe or a device, not a scene file";
+    case SceneFileErrorCode::NotWritable: return e.detail;
+    case SceneFileErrorCode::ChangedMeanwhile:
+        return "the file was changed by another program or window since it was opened";
+    case SceneFileErrorCode::IsOwnModel:
+        return "the scene shows this model and would be written over it; give another name";
     case SceneFileErrorCode::EmptyFile: return "the file is empty";
     case SceneFileErrorCode::TooLarge: return "a scene may have at most " + bytesText(e.limit);
     case SceneFileErrorCode::Syntax: return e.detail;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/files/file_stamp.h"
 #include "core/scene/scene.h"
 #include "core/scene_file/scene_file_error.h"
 #include "core/unproject/picture_geometry.h"
@@ -75,16 +76,25 @@ constexpr int kMostWindowPixels = 65536;
 /// @param name  of the file, for the error
 Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name);
 
-/// @return NotFound, IsDirectory, NotReadable, TooLarge; the errors of parseScene
+/// @return NotFound, IsDirectory, NotAFile, NotReadable, TooLarge; the errors of parseScene
 Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file);
+
+/// Whether a file is meant as a scene, whatever its name: a JSON object with the key "unprojector". It may still be one
+/// that cannot be read; readSceneFile says why. A glTF file is JSON too, and has no such key.
+bool isSceneFile(const std::filesystem::path &file);
+bool isSceneText(std::string_view text);
 
 /// The text of a scene file. Numbers have all their digits: parseScene gives the same ones back.
 /// @return NotUtf8; TooLarge
 Result<std::string, SceneFileError> sceneText(const SceneFile &scene);
 
-/// Writes a scene file by way of a new file beside it, so that what was there is whole or replaced, never half.
-/// @return the errors of sceneText; IsDirectory, NotWritable
-Result<std::monostate, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene);
+/// Writes a scene file by way of a new file beside it, so that what was there is whole or replaced, never half. A model
+/// that the scene shows is not written over.
+/// @param onlyIf  what the file must still be like, so that nobody else's work is overwritten unseen
+/// @return the stamp of what the file holds now; the errors of sceneText; IsDirectory, IsOwnModel, ChangedMeanwhile,
+///         NotWritable
+Result<files::FileStamp, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,
+                                                        const std::optional<files::FileStamp> &onlyIf = std::nullopt);
 
 /// The picture that a scene file describes, in a window of its own size. To show it, take viewGeometry of that.
 PictureGeometry pictureGeometry(const SceneFile &scene);

@@ -14,26 +14,29 @@ using namespace geometry;
 enum class SceneFileErrorCode {
     NotFound,
     IsDirectory,
-    NotReadable,
-    NotWritable,
-    EmptyFile,      ///< nothing but blanks
-    TooLarge,       ///< limit: the most bytes a scene may have
-    Syntax,         ///< line, column; detail: what the JSON parser met, English
-    NumberTooLarge, ///< line, column; found: the number as written, beyond the range of doubles
-    TooDeep,        ///< line, column; limit: the most levels of brackets
-    DuplicateKey,   ///< line, column; found: the key
-    UnknownVersion, ///< keyPath; value: the version found, limit: the one that can be read
-    Missing,        ///< keyPath
-    WrongType,      ///< keyPath; expected, found
-    NotWhole,       ///< keyPath; value: a number with a fraction where a count is wanted
-    OutOfRange,     ///< keyPath; value; lowest, limit: the ends of what is allowed, both inside
-    WrongCount,     ///< keyPath; value: how many elements there are, limit: how many there must be
-    TooMany,        ///< keyPath; value: how many elements there are, limit: the most there may be
-    UnknownChoice,  ///< keyPath; found; choices
-    NotOneChoice,   ///< keyPath; choices: the keys of which exactly one must be there, and no other
-    BadFileName,    ///< keyPath; empty, or with a zero byte
-    NotUtf8,        ///< keyPath; a name that JSON cannot hold
-    InvalidValue,   ///< keyPath; cause: what core says of the value
+    NotAFile,         ///< a device, a pipe or a socket
+    NotReadable,      ///< detail: the system's reason
+    NotWritable,      ///< detail: files::fileErrorText
+    ChangedMeanwhile, ///< by somebody else, since its stamp was taken
+    IsOwnModel,       ///< to be written over the model of keyPath
+    EmptyFile,        ///< nothing but blanks
+    TooLarge,         ///< limit: the most bytes a scene may have
+    Syntax,           ///< line, column; detail: what the JSON parser met, English
+    NumberTooLarge,   ///< line, column; found: the number as written, beyond the range of doubles
+    TooDeep,          ///< line, column; limit: the most levels of brackets
+    DuplicateKey,     ///< line, column; found: the key
+    UnknownVersion,   ///< keyPath; value: the version found, limit: the one that can be read
+    Missing,          ///< keyPath
+    WrongType,        ///< keyPath; expected, found
+    NotWhole,         ///< keyPath; value: a number with a fraction where a count is wanted
+    OutOfRange,       ///< keyPath; value; lowest, limit: the ends of what is allowed, both inside
+    WrongCount,       ///< keyPath; value: how many elements there are, limit: how many there must be
+    TooMany,          ///< keyPath; value: how many elements there are, limit: the most there may be
+    UnknownChoice,    ///< keyPath; found; choices
+    NotOneChoice,     ///< keyPath; choices: the keys of which exactly one must be there, and no other
+    BadFileName,      ///< keyPath; empty, or with a zero byte
+    NotUtf8,          ///< keyPath; a name that JSON cannot hold
+    InvalidValue,     ///< keyPath; cause: what core says of the value
 };
 
 /// The kinds of JSON values, and what is wanted of them.

@@ -1,31 +1,56 @@
 #include "core/files/path_text.h"
+#include "core/files/replace_file.h"
 #include "core/scene_file/scene_file.h"
 
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <system_error>
 
 namespace unprojector::scene_file {
 using namespace files;
+namespace {
+
+SceneFileError failed(const std::filesystem::path &file, SceneFileErrorCode code, std::string detail = {})
+{
+    SceneFileError error;
+    error.code = code;
+    error.file = utf8FromPath(file);
+    error.detail = std::move(detail);
+    return error;
+}
+
+SceneFileError failed(const std::filesystem::path &file, const FileError &error)
+{
+    switch (error.code) {
+    case FileErrorCode::IsDirectory: return failed(file, SceneFileErrorCode::IsDirectory);
+    case FileErrorCode::ChangedMeanwhile: return failed(file, SceneFileErrorCode::ChangedMeanwhile);
+    case FileErrorCode::IsReadOnly:
+    case FileErrorCode::NotAFile:
+    case FileErrorCode::NoFolder:
+    case FileErrorCode::System: break;
+    }
+    return failed(file, SceneFileErrorCode::NotWritable, fileErrorText(error));
+}
+
+} // namespace
 
 Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file)
 {
-    const auto failed = [&file](SceneFileErrorCode code, std::string detail = {}) {
-        SceneFileError error;
-        error.code = code;
-        error.file = utf8FromPath(file);
-        error.detail = std::move(detail);
-        return error;
-    };
     std::error_code system;
     const std::filesystem::file_status status = std::filesystem::status(file, system);
     if (status.type() == std::filesystem::file_type::not_found)
-        return failed(SceneFileErrorCode::NotFound);
+        return failed(file, SceneFileErrorCode::NotFound);
     if (std::filesystem::is_directory(status))
-        return failed(SceneFileErrorCode::IsDirectory);
+        return failed(file, SceneFileErrorCode::IsDirectory);
+    // Opening a named pipe waits for whoever writes to it, perhaps for ever. One that the program was given open does not.
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !isOwnDescriptor(file))
+        return failed(file, SceneFileErrorCode::NotAFile);
+    errno = 0;
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        return failed(SceneFileErrorCode::NotReadable, system ? system.message() : std::string());
+        return failed(file, SceneFileErrorCode::NotReadable,
+                      errno != 0 ? std::generic_category().message(errno) : system.message());
 
     std::string text;
     std::array<char, 65536> block;
@@ -34,51 +59,29 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
         text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     } while (stream && text.size() <= kMostSceneBytes);
     if (stream.bad())
-        return failed(SceneFileErrorCode::NotReadable);
+        return failed(file, SceneFileErrorCode::NotReadable);
     return parseScene(text, utf8FromPath(file));
 }
 
-Result<std::monostate, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene)
+Result<FileStamp, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,
+                                                 const std::optional<FileStamp> &onlyIf)
 {
-    const auto failed = [&file](SceneFileError error) {
+    const Result<std::string, SceneFileError> text = sceneText(scene);
+    if (!text) {
+        SceneFileError error = text.error();
         error.file = utf8FromPath(file);
         return error;
-    };
-    const Result<std::string, SceneFileError> text = sceneText(scene);
-    if (!text)
-        return failed(text.error());
-
-    SceneFileError error;
-    error.code = SceneFileErrorCode::NotWritable;
-    std::error_code system;
-    // Of a link it is the file it points to that is replaced.
-    std::filesystem::path target = std::filesystem::weakly_canonical(file, system);
-    if (system)
-        target = file;
-    if (std::filesystem::is_directory(target, system)) {
-        error.code = SceneFileErrorCode::IsDirectory;
-        return failed(error);
     }
-    std::filesystem::path fresh = target;
-    fresh += ".new";
-    {
-        std::ofstream stream(fresh, std::ios::binary | std::ios::trunc);
-        stream.write(text->data(), static_cast<std::streamsize>(text->size()));
-        stream.close();
-        if (!stream) {
-            std::filesystem::remove(fresh, system);
-            return failed(error);
-        }
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (scene.objects[i].file.empty() || !isSameFile(objectFile(scene.objects[i], file), file))
+            continue;
+        SceneFileError error = failed(file, SceneFileErrorCode::IsOwnModel);
+        error.keyPath = "objects[" + std::to_string(i) + "].file";
+        return error;
     }
-    if (const auto status = std::filesystem::status(target, system); std::filesystem::exists(status))
-        std::filesystem::permissions(fresh, status.permissions(), system);
-    std::filesystem::rename(fresh, target, system);
-    if (system) {
-        error.detail = system.message();
-        std::filesystem::remove(fresh, system);
-        return failed(error);
-    }
-    return std::monostate{};
+    if (const Written written = replaceFile(file, *text, onlyIf); !written)
+        return failed(file, written.error());
+    return stampOfContents(*text);
 }
 
 } // namespace unprojector::scene_file

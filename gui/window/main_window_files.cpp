@@ -198,7 +198,7 @@ bool MainWindow::saveScene(const std::filesystem::path &file)
 {
     const std::filesystem::path path = absolutePath(file);
     SceneFile contents = sceneFileFrom(m_document->scene(), m_document->geometry(), path, m_sceneFile);
-    const Result<std::monostate, SceneFileError> written = writeSceneFile(path, contents);
+    const Result<files::FileStamp, SceneFileError> written = writeSceneFile(path, contents);
     if (!written) {
         showFailure(QString::fromStdString(sceneErrorText(written.error())));
         return false;

@@ -1,0 +1,112 @@
+#include "core/files/replace_file.h"
+
+#include <utility>
+
+namespace unprojector::files {
+using namespace geometry;
+namespace {
+
+FileError systemError(const std::error_code &error)
+{
+    return {FileErrorCode::System, error.message()};
+}
+
+Written checked(const std::error_code &error)
+{
+    if (error)
+        return systemError(error);
+    return std::monostate{};
+}
+
+/// What stands at the target, before anything is written.
+Written checkTarget(const std::filesystem::path &target)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(target, error);
+    if (std::filesystem::is_directory(status))
+        return FileError{FileErrorCode::IsDirectory, {}};
+    if (isStream(target))
+        return FileError{FileErrorCode::NotAFile, {}};
+    if (!std::filesystem::exists(status)) {
+        const std::filesystem::path folder = target.parent_path();
+        if (!target.has_filename() || (!folder.empty() && !std::filesystem::exists(folder, error)))
+            return FileError{FileErrorCode::NoFolder, {}};
+        return std::monostate{};
+    }
+    // To an administrator nothing is closed, but somebody took the permission away from all, and meant it.
+    using std::filesystem::perms;
+    if ((status.permissions() & (perms::owner_write | perms::group_write | perms::others_write)) == perms::none)
+        return FileError{FileErrorCode::IsReadOnly, {}};
+    if (const std::error_code closed = checkWritable(target))
+        return FileError{FileErrorCode::IsReadOnly, closed.message()};
+    return std::monostate{};
+}
+
+} // namespace
+
+std::string fileErrorText(const FileError &error)
+{
+    const std::string reason = error.reason.empty() ? std::string() : " (" + error.reason + ")";
+    switch (error.code) {
+    case FileErrorCode::IsDirectory: return "this is a folder; give the name of a file";
+    case FileErrorCode::IsReadOnly:
+        return "the file is read-only" + reason + "; allow writing to it or give another name";
+    case FileErrorCode::NotAFile: return "this is a device or a pipe; give the name of a file";
+    case FileErrorCode::NoFolder: return "there is no such folder; make it or give another name";
+    case FileErrorCode::ChangedMeanwhile: return "the file was changed by another program meanwhile";
+    case FileErrorCode::System: return "the file cannot be written" + reason;
+    }
+    return {};
+}
+
+Result<ReplacingFile, FileError> ReplacingFile::open(const std::filesystem::path &file)
+{
+    if (isOwnDescriptor(file)) // behind that link there may be a file, but it is open already
+        return FileError{FileErrorCode::NotAFile, {}};
+    std::error_code error;
+    ReplacingFile replacing;
+    replacing.m_target = behindLinks(file, error);
+    if (error)
+        return systemError(error);
+    if (const Written free = checkTarget(replacing.m_target); !free)
+        return free.error();
+    if (const std::error_code failed = replacing.m_fresh.create(
+            replacing.m_target.has_parent_path() ? replacing.m_target.parent_path() : ".", replacing.m_target))
+        return systemError(failed);
+    return replacing;
+}
+
+Written ReplacingFile::write(std::string_view bytes)
+{
+    return checked(m_fresh.write(bytes));
+}
+
+Written ReplacingFile::commit(const std::optional<FileStamp> &onlyIf)
+{
+    if (const std::error_code error = m_fresh.sync())
+        return systemError(error);
+    if (onlyIf && !isAsAt(*onlyIf, m_target))
+        return FileError{FileErrorCode::ChangedMeanwhile, {}};
+    return checked(m_fresh.moveTo(m_target));
+}
+
+Written replaceFile(const std::filesystem::path &file, std::string_view contents,
+                    const std::optional<FileStamp> &onlyIf)
+{
+    Result<ReplacingFile, FileError> replacing = ReplacingFile::open(file);
+    if (!replacing)
+        return replacing.error();
+    ReplacingFile writing = std::move(replacing).value();
+    if (const Written written = writing.write(contents); !written)
+        return written;
+    return writing.commit(onlyIf);
+}
+
+bool isSameFile(const std::filesystem::path &a, const std::filesystem::path &b)
+{
+    std::error_code error;
+    return std::filesystem::is_regular_file(a, error) && std::filesystem::is_regular_file(b, error)
+           && std::filesystem::equivalent(a, b, error) && !error;
+}
+
+} // namespace unprojector::files

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+// What writing files asks of the system beyond standard C++: the only place of this folder where systems differ.
+
+namespace unprojector::files {
+
+/// A new file of a random name that belongs to nobody yet. It goes away with this object unless it has been moved to its
+/// place.
+class FreshFile {
+public:
+    FreshFile() = default;
+    ~FreshFile() { remove(); }
+    FreshFile(FreshFile &&other) noexcept;
+    FreshFile &operator=(FreshFile &&other) noexcept;
+
+    /// Makes it, empty. A file that exists is never opened, and no link is followed.
+    /// @param replaced  the file whose place it will take: it gets that one's permissions and, where the system lets it,
+    ///                  its owner; none there: those of any new file
+    std::error_code create(const std::filesystem::path &folder, const std::filesystem::path &replaced);
+    std::error_code write(std::string_view bytes);
+    /// Waits until the disk has all that was written.
+    std::error_code sync();
+    /// Takes a file's place, in one step. After sync().
+    std::error_code moveTo(const std::filesystem::path &target);
+
+private:
+    std::error_code close();
+    void remove();
+
+    std::filesystem::path m_path; ///< empty: there is no file
+#ifdef _WIN32
+    void *m_handle = nullptr;
+#else
+    int m_descriptor = -1;
+#endif
+};
+
+/// Whether this process may write to a file that exists.
+std::error_code checkWritable(const std::filesystem::path &file);
+
+/// Whether a name means something to write to as it comes, with nothing in it to be replaced: a device, a pipe, a socket,
+/// or one of the program's own open files (/dev/stdout), whatever that is.
+bool isStream(const std::filesystem::path &file);
+
+/// Whether a name means one of the program's own open files, as /dev/stdin and the shell's <(command) do.
+bool isOwnDescriptor(const std::filesystem::path &file);
+
+/// The file that a chain of links ends at, be it there or not; the path itself where it is no link.
+std::filesystem::path behindLinks(std::filesystem::path file, std::error_code &error);
+
+} // namespace unprojector::files
