@@ -2,20 +2,12 @@
 
 #include "core/scene_file/strict_json.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace unprojector::scene_file {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const Json &nullJson()
-{
-    static const Json null;
-    return null;
-}
 
 JsonKind kindOf(const Json &json)
 {
@@ -30,19 +22,24 @@ JsonKind kindOf(const Json &json)
     return json.is_array() ? JsonKind::Array : JsonKind::Object;
 }
 
-bool isOneOf(std::initializer_list<const char *> keys, const std::string &key)
-{
-    return std::any_of(keys.begin(), keys.end(), [&](const char *one) { return key == one; });
-}
-
 } // namespace
+
+std::string JsonNode::path() const
+{
+    if (m_parent == nullptr)
+        return {};
+    const std::string before = m_parent->path();
+    if (m_key == nullptr)
+        return before + '[' + std::to_string(m_place) + ']';
+    return before.empty() ? m_key : before + '.' + m_key;
+}
 
 void JsonNode::fail(SceneFileError error) const
 {
     if (failed())
         return;
     if (error.keyPath.empty())
-        error.keyPath = m_path;
+        error.keyPath = path();
     *m_error = std::move(error);
 }
 
@@ -61,17 +58,14 @@ void JsonNode::fail(const Error &cause) const
     fail(std::move(error));
 }
 
-JsonNode JsonNode::child(const Json &json, const std::string &step) const
-{
-    JsonNode node(json, *m_error);
-    node.m_path = m_path.empty() || step.front() == '[' ? m_path + step : m_path + "." + step;
-    return node;
-}
-
 bool JsonNode::is(JsonKind kind, JsonKind expected) const
 {
     if (failed())
         return false;
+    if (!exists()) {
+        fail(SceneFileErrorCode::Missing);
+        return false;
+    }
     if (kindOf(*m_json) == kind)
         return true;
     SceneFileError error;
@@ -84,60 +78,33 @@ bool JsonNode::is(JsonKind kind, JsonKind expected) const
     return false;
 }
 
-void JsonNode::mustBeObject() const
-{
-    static_cast<void>(is(JsonKind::Object, JsonKind::Object));
-}
-
-std::string JsonNode::shown() const
-{
-    return shortened(m_json->dump());
-}
-
-std::optional<JsonNode> JsonNode::optionalMember(const char *key) const
-{
-    if (!is(JsonKind::Object, JsonKind::Object))
-        return std::nullopt;
-    const auto found = m_json->find(key);
-    if (found == m_json->end())
-        return std::nullopt;
-    return child(*found, key);
-}
-
 JsonNode JsonNode::member(const char *key) const
 {
-    if (std::optional<JsonNode> found = optionalMember(key))
-        return *found;
-    const JsonNode missing = child(nullJson(), key);
-    missing.fail(SceneFileErrorCode::Missing); // unless it was noted already that this is no object
-    return missing;
+    if (isObject()) {
+        if (const auto found = m_json->find(key); found != m_json->end())
+            return {*found, *this, key, 0};
+    }
+    return {*this, key};
 }
 
-std::vector<JsonNode> JsonNode::elements() const
+std::size_t JsonNode::size() const
 {
-    std::vector<JsonNode> nodes;
-    if (!is(JsonKind::Array, JsonKind::Array))
-        return nodes;
-    nodes.reserve(m_json->size());
-    for (const Json &element : *m_json)
-        nodes.push_back(child(element, "[" + std::to_string(nodes.size()) + "]"));
-    return nodes;
+    return is(JsonKind::Array, JsonKind::Array) ? m_json->size() : 0;
 }
 
-std::vector<JsonNode> JsonNode::elements(std::size_t count, JsonKind expected) const
+bool JsonNode::hasSize(std::size_t count, JsonKind expected) const
 {
     if (!is(JsonKind::Array, expected))
-        return {};
-    if (m_json->size() != count) {
-        SceneFileError error;
-        error.code = SceneFileErrorCode::WrongCount;
-        error.expectedKind = expected;
-        error.value = double(m_json->size());
-        error.limit = double(count);
-        fail(std::move(error));
-        return {};
-    }
-    return elements();
+        return false;
+    if (m_json->size() == count)
+        return true;
+    SceneFileError error;
+    error.code = SceneFileErrorCode::WrongCount;
+    error.expectedKind = expected;
+    error.value = double(m_json->size());
+    error.limit = double(count);
+    fail(std::move(error));
+    return false;
 }
 
 double JsonNode::number() const
@@ -184,63 +151,29 @@ std::string JsonNode::text() const
     return is(JsonKind::Text, JsonKind::Text) ? m_json->get<std::string>() : std::string();
 }
 
-glm::dvec3 JsonNode::vector3() const
+std::size_t JsonNode::oneOf(std::span<const char *const> words) const
 {
-    glm::dvec3 v(0.0);
-    int i = 0;
-    for (const JsonNode &node : elements(3, JsonKind::ThreeNumbers))
-        v[i++] = node.number();
-    return v;
-}
-
-glm::dvec4 JsonNode::vector4() const
-{
-    glm::dvec4 v(0.0);
-    int i = 0;
-    for (const JsonNode &node : elements(4, JsonKind::FourNumbers))
-        v[i++] = node.number();
-    return v;
-}
-
-glm::dmat4 JsonNode::matrix() const
-{
-    glm::dmat4 m(0.0);
-    int i = 0;
-    for (const JsonNode &node : elements(16, JsonKind::Matrix)) {
-        m[i / 4][i % 4] = node.number();
-        ++i;
+    const std::string word = text();
+    std::size_t place = 0;
+    for (const char *candidate : words) {
+        if (word == candidate)
+            return place;
+        ++place;
     }
-    return m;
-}
-
-std::string JsonNode::oneKeyOf(std::initializer_list<const char *> choices) const
-{
-    if (!is(JsonKind::Object, JsonKind::Object))
-        return {};
-    if (m_json->size() == 1 && isOneOf(choices, m_json->begin().key()))
-        return m_json->begin().key();
     SceneFileError error;
-    error.code = SceneFileErrorCode::NotOneChoice;
-    error.choices.assign(choices.begin(), choices.end());
+    error.code = SceneFileErrorCode::UnknownChoice;
+    error.found = shortened(word);
+    error.choices.assign(words.begin(), words.end());
     fail(std::move(error));
-    return {};
+    return 0;
 }
 
-JsonNode::Json JsonNode::except(std::initializer_list<const char *> known) const
+void JsonNode::numbers(double *numbers, std::size_t count, JsonKind expected) const
 {
-    Json rest;
-    if (failed() || !m_json->is_object())
-        return rest;
-    const auto &members = m_json->get_ref<const Json::object_t &>();
-    for (const auto &[key, value] : members) {
-        if (isOneOf(known, key)) {
-            continue;
-        }
-        if (rest.is_null())
-            rest = Json::object();
-        static_cast<Json::object_t::Container &>(rest.get_ref<Json::object_t &>()).emplace_back(key, value);
-    }
-    return rest;
+    if (!hasSize(count, expected))
+        return;
+    for (std::size_t i = 0; i < count; ++i)
+        numbers[i] = element(i).number();
 }
 
 } // namespace unprojector::scene_file

@@ -4,56 +4,55 @@
 
 #include <nlohmann/json.hpp>
 
-#include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-
-#include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace unprojector::scene_file {
 
-/// A value of a JSON document and the path to it. What is asked of it and is not so is noted as the document's error,
-/// with the path; only the first is kept. After an error everything reads as a default, so that a reader need not ask
-/// after each step: it asks `failed` once at the end.
+/// A value of a JSON document and its place in it, or the place of one that is missing. What is asked of it and is not so
+/// is noted as the document's error, with the place; only the first is kept. After an error everything reads as a default,
+/// so that a reader need not ask after each step: it asks `failed` once at the end.
+///
+/// A node leans on the one it is a part of, which must live as long: the path is only put together for an error.
 class JsonNode {
 public:
     using Json = nlohmann::ordered_json;
     using FirstError = std::optional<SceneFileError>;
 
-    JsonNode(const Json &json, FirstError &error) : m_json(&json), m_error(&error) {}
+    JsonNode(const Json &root, FirstError &error) : m_json(&root), m_error(&error) {}
+    JsonNode(const JsonNode &) = delete;
+    JsonNode &operator=(const JsonNode &) = delete;
 
     bool failed() const { return m_error->has_value(); }
-    const std::string &path() const { return m_path; }
+    bool exists() const { return m_json != nullptr; }
+    /// "objects[0].transform[1].rotate"; empty for the whole document.
+    std::string path() const;
+    /// @pre exists()
+    const Json &json() const { return *m_json; }
 
-    /// A member that must be there, or one that may be missing.
+    /// A member of an object, there or missing.
     JsonNode member(const char *key) const;
-    std::optional<JsonNode> optionalMember(const char *key) const;
-    /// All elements of an array.
-    std::vector<JsonNode> elements() const;
-    /// Exactly so many elements.
-    std::vector<JsonNode> elements(std::size_t count, JsonKind expected) const;
+    /// How many elements the array has; 0 after an error.
+    std::size_t size() const;
+    /// Whether it is an array of exactly so many elements.
+    bool hasSize(std::size_t count, JsonKind expected) const;
+    /// @pre place < size()
+    JsonNode element(std::size_t place) const { return {(*m_json)[place], *this, nullptr, place}; }
 
+    bool isObject() const { return is(JsonKind::Object, JsonKind::Object); }
     double number() const;
+    double numberBetween(double lowest, double highest) const;
     /// A whole number within both ends.
     int count(int lowest, int highest) const;
-    double numberBetween(double lowest, double highest) const;
     bool boolean() const;
     std::string text() const;
-    glm::dvec3 vector3() const;
-    glm::dvec4 vector4() const;
-    /// 16 numbers, column by column.
-    glm::dmat4 matrix() const;
-
-    /// The one key of `choices` that the object has; it must have no other key. Empty after an error.
-    std::string oneKeyOf(std::initializer_list<const char *> choices) const;
-    /// The members whose keys are none of these; null where there are none.
-    Json except(std::initializer_list<const char *> known) const;
-    void mustBeObject() const;
-    /// The value as JSON, shortened, for a message.
-    std::string shown() const;
+    /// The place of a text among the words that it may be; 0 after an error.
+    std::size_t oneOf(std::span<const char *const> words) const;
+    /// Exactly so many numbers.
+    /// @param expected  what an error calls them
+    void numbers(double *numbers, std::size_t count, JsonKind expected) const;
 
     void fail(SceneFileError error) const;
     void fail(SceneFileErrorCode code) const;
@@ -61,12 +60,19 @@ public:
     void fail(const Error &cause) const;
 
 private:
-    JsonNode child(const Json &json, const std::string &step) const;
+    JsonNode(const Json &json, const JsonNode &parent, const char *key, std::size_t place)
+        : m_json(&json), m_error(parent.m_error), m_parent(&parent), m_key(key), m_place(place)
+    {
+    }
+    JsonNode(const JsonNode &parent, const char *key) : m_error(parent.m_error), m_parent(&parent), m_key(key) {}
+
     bool is(JsonKind kind, JsonKind expected) const;
 
-    const Json *m_json;
+    const Json *m_json = nullptr;
     FirstError *m_error;
-    std::string m_path;
+    const JsonNode *m_parent = nullptr;
+    const char *m_key = nullptr; ///< none for an element
+    std::size_t m_place = 0;
 };
 
 } // namespace unprojector::scene_file

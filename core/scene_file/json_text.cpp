@@ -1,6 +1,7 @@
 #include "core/scene_file/json_text.h"
 
 #include <cmath>
+#include <optional>
 
 namespace unprojector::scene_file {
 namespace {
@@ -59,13 +60,49 @@ void append(std::string &text, const Json &json, std::size_t indent, std::size_t
     text += isObject ? '}' : ']';
 }
 
+bool isUtf8(const Json &text)
+{
+    try {
+        static_cast<void>(text.dump());
+        return true;
+    } catch (const Json::type_error &) {
+        return false;
+    }
+}
+
+/// "objects[1].name" of the first text that is not UTF-8; nothing where all are.
+std::optional<std::string> placeOfBadText(const Json &json)
+{
+    if (json.is_string() && !isUtf8(json))
+        return std::string();
+    if (!json.is_structured())
+        return std::nullopt;
+    std::size_t place = 0;
+    for (auto it = json.begin(); it != json.end(); ++it, ++place) {
+        const std::optional<std::string> within = placeOfBadText(*it);
+        if (!within)
+            continue;
+        const bool isNamed = !within->empty() && within->front() != '[';
+        return (json.is_object() ? it.key() : '[' + std::to_string(place) + ']') + (isNamed ? "." : "") + *within;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
-std::string readableJson(const Json &json)
+Result<std::string, SceneFileError> readableJson(const Json &json)
 {
-    std::string text;
-    append(text, json, 0, 0, false);
-    return text + '\n';
+    try {
+        std::string text;
+        append(text, json, 0, 0, false);
+        text += '\n';
+        return text;
+    } catch (const Json::type_error &) {
+        SceneFileError error;
+        error.code = SceneFileErrorCode::NotUtf8;
+        error.keyPath = placeOfBadText(json).value_or(std::string());
+        return error;
+    }
 }
 
 Json jsonNumber(double value)

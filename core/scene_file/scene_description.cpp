@@ -1,7 +1,9 @@
 #include "core/scene_file/scene_file.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 namespace unprojector::scene_file {
@@ -33,12 +35,38 @@ void keepMatrices(SceneFile &file, const SceneFile &before)
         file.view = *view;
 }
 
+std::filesystem::path absolutePath(const std::filesystem::path &path)
+{
+    std::error_code failed;
+    std::filesystem::path result = path.empty() ? path : std::filesystem::absolute(path, failed);
+    return (failed ? path : result).lexically_normal();
+}
+
+/// What an object or a plane that is written again had of keys that are not ours: those of the first one `isIt` of those
+/// before, each taken once.
+template <class Thing, class IsIt>
+nlohmann::ordered_json takeExtra(std::vector<Thing> &before, const IsIt &isIt)
+{
+    const auto found = std::find_if(before.begin(), before.end(), isIt);
+    if (found == before.end())
+        return nullptr;
+    nlohmann::ordered_json extra = std::move(found->extra);
+    before.erase(found);
+    return extra;
+}
+
 } // namespace
 
 PictureGeometry pictureGeometry(const SceneFile &scene)
 {
     const Surface surface = surfaceFromWidget(scene.windowWidth, scene.windowHeight, scene.devicePixelRatio);
     return {surface, scene.viewport.value_or(wholeSurface(surface)), scene.depthRange, scene.projection, scene.view};
+}
+
+void locateObjects(SceneFile &scene, const std::filesystem::path &sceneFile)
+{
+    for (SceneFileObject &object : scene.objects)
+        object.absoluteFile = absolutePath(objectFile(object, sceneFile));
 }
 
 std::filesystem::path objectFile(const SceneFileObject &object, const std::filesystem::path &sceneFile)
@@ -71,7 +99,8 @@ Result<Scene> sceneFromFile(const SceneFile &file, const std::filesystem::path &
         scene.objects.push_back({object.name, objectFile(object, sceneFile), models[i], object.transform});
     }
     scene.clipPlanes = file.clipPlanes;
-    scene.clipPlanesOff = file.ui.clipPlanesOff;
+    for (const SceneFilePlaneOff &off : file.ui.clipPlanesOff)
+        scene.clipPlanesOff.push_back({off.place, off.plane});
     return scene;
 }
 
@@ -82,7 +111,7 @@ SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const 
     file.windowWidth = logicalFromDevice(geometry.surface, geometry.surface.widthPixels);
     file.windowHeight = logicalFromDevice(geometry.surface, geometry.surface.heightPixels);
     file.devicePixelRatio = geometry.surface.devicePixelRatio;
-    if (scene.viewport.kind != ViewportRule::Kind::WholeWindow)
+    if (scene.viewport.kind != ViewportRule::Kind::WholeWindow || before.viewport)
         file.viewport = geometry.viewport;
     file.depthRange = geometry.depthRange;
     file.projection = geometry.projection;
@@ -90,27 +119,31 @@ SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const 
         scene.projectionFollowsViewport && std::holds_alternative<Perspective>(geometry.projection);
     file.view = geometry.camera;
     file.clipPlanes = scene.clipPlanes;
-    file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home,
-               scene.clipPlanesOff};
+    file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home, {}};
     file.extra = before.extra;
     keepMatrices(file, before);
 
-    std::vector<SceneFileObject> known = before.objects;
+    std::vector<SceneFilePlaneOff> knownPlanes = before.ui.clipPlanesOff;
+    for (const ClipPlaneOff &off : scene.clipPlanesOff) {
+        const auto isIt = [&](const SceneFilePlaneOff &known) { return known.plane == off.plane; };
+        file.ui.clipPlanesOff.push_back({off.place, off.plane, takeExtra(knownPlanes, isIt)});
+    }
+
+    std::vector<SceneFileObject> knownObjects = before.objects;
+    const std::filesystem::path folder = absolutePath(sceneFile).parent_path();
     for (const SceneObject &object : scene.objects) {
         SceneFileObject described;
         described.name = object.name;
         if (object.file.empty())
             described.bundled = object.model ? object.model->name : object.name;
-        else
-            described.file = object.file.lexically_proximate(sceneFile.parent_path());
+        described.absoluteFile = absolutePath(object.file);
+        described.file = described.absoluteFile.lexically_proximate(folder);
         described.transform = object.transform;
-        for (auto it = known.begin(); it != known.end(); ++it) {
-            if (it->name == described.name && it->file == described.file && it->bundled == described.bundled) {
-                described.extra = std::move(it->extra);
-                known.erase(it);
-                break;
-            }
-        }
+        described.extra = takeExtra(knownObjects, [&](const SceneFileObject &known) {
+            const bool isSameFile = known.absoluteFile.empty() ? known.file == described.file
+                                                               : known.absoluteFile == described.absoluteFile;
+            return isSameFile && known.name == described.name && known.bundled == described.bundled;
+        });
         file.objects.push_back(std::move(described));
     }
     return file;

@@ -24,6 +24,7 @@ const char *kindText(JsonKind kind)
     case JsonKind::Text: return "a text in quotes";
     case JsonKind::Array: return "a list in [ ]";
     case JsonKind::Object: return "an object in { }";
+    case JsonKind::TwoNumbers: return "a list of 2 numbers";
     case JsonKind::ThreeNumbers: return "a list of 3 numbers";
     case JsonKind::FourNumbers: return "a list of 4 numbers";
     case JsonKind::Matrix: return "a list of 16 numbers, column by column";
@@ -116,6 +117,9 @@ std::string sentence(const SceneFileError &e)
         return (e.foundKind == JsonKind::Array ? e.found : "\"" + e.found + "\"") + " must be "
                + choicesText(e.choices);
     case SceneFileErrorCode::NotOneChoice: return "must have exactly one of " + choicesText(e.choices);
+    case SceneFileErrorCode::OtherAngle:
+        return shortestText(e.value) + " is not the angle of " + e.found + ", " + shortestText(e.limit)
+               + " degrees; remove the one that does not hold";
     case SceneFileErrorCode::BadFileName: return "this is no name of a file";
     case SceneFileErrorCode::NotUtf8: return "the name is not UTF-8 and cannot be written; rename it";
     case SceneFileErrorCode::InvalidValue: return e.cause ? causeText(*e.cause) : std::string();

@@ -24,6 +24,15 @@ struct SceneFileObject {
     std::string bundled;        ///< name of a model that the program brings along, UTF-8; empty where there is a file
     std::vector<TransformStep> transform;
     nlohmann::ordered_json extra; ///< keys that this version does not know; null or an object
+
+    std::filesystem::path absoluteFile; ///< where `file` is, once that is known (see locateObjects)
+};
+
+/// A plane that does not cut, see ClipPlaneOff.
+struct SceneFilePlaneOff {
+    std::size_t place = 0;
+    glm::dvec4 plane{0.0};
+    nlohmann::ordered_json extra;
 };
 
 /// What only the window uses of a scene: "ui". Whatever is left out has no value here.
@@ -32,7 +41,7 @@ struct SceneFileUi {
     std::optional<bool> projectionFollowsViewport;
     std::optional<bool> clipDistancesFitObjects;
     std::optional<LookAt> home;
-    std::vector<ClipPlaneOff> clipPlanesOff;
+    std::vector<SceneFilePlaneOff> clipPlanesOff;
 };
 
 /// What a scene file says, independent of any loaded model: the picture's numbers and where its objects are.
@@ -41,6 +50,8 @@ struct SceneFileUi {
 /// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "ui", the window's
 /// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
 /// written again after those it knows; only a transform's steps and a clip plane have no room for any.
+/// Where no number of degrees makes an angle's radians, "fovyRadians", "thetaRadians" or "phiRadians" say them as well.
+/// What each key is, is said in scene_fields.h.
 ///
 /// A projection of type "matrix" has "matrix", 16 numbers column by column, and may have "ndcDepth", [-1, 1] or [0, 1]; a
 /// view may be {"matrix": [...]} too. Any finite matrix that has an inverse is read, whatever its form.
@@ -57,11 +68,9 @@ struct SceneFile {
     std::vector<glm::dvec4> clipPlanes;
     SceneFileUi ui;
 
-    /// Unknown keys of the document and of its parts; each null or an object.
-    struct Extra {
-        nlohmann::ordered_json document, window, viewport, projection, view, ui;
-    };
-    Extra extra;
+    /// Unknown keys, each where it stood: {"author": "A", "window": {"title": "T"}}; null or an object. Objects and planes
+    /// that do not cut have their own.
+    nlohmann::ordered_json extra;
 };
 
 /// A scene file may have this many bytes, and brackets nested this deep: enough for tens of thousands of objects, and
@@ -99,6 +108,10 @@ Result<files::FileStamp, SceneFileError> writeSceneFile(const std::filesystem::p
 /// The picture that a scene file describes, in a window of its own size. To show it, take viewGeometry of that.
 PictureGeometry pictureGeometry(const SceneFile &scene);
 
+/// Notes where the files of the objects are, so that the objects are known again when the scene is saved elsewhere.
+/// @param sceneFile  the file that the scene was read from
+void locateObjects(SceneFile &scene, const std::filesystem::path &sceneFile);
+
 /// Where an object's file is.
 /// @param sceneFile  the file that the scene was read from
 std::filesystem::path objectFile(const SceneFileObject &object, const std::filesystem::path &sceneFile);
@@ -116,7 +129,7 @@ Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path 
 /// @param geometry   of the scene, in the window that shows it
 /// @param sceneFile  to be written; the objects' files are given relative to its folder
 /// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its name
-///                   and file); a matrix as well, to the last digit, while the scene has just the projection or the camera
+///                   and file, wherever the scene is written; those of a plane that is off while it lies where it did); a matrix as well, to the last digit, while the scene has just the projection or the camera
 ///                   that was read from it. Otherwise their parameters are written
 SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const std::filesystem::path &sceneFile,
                         const SceneFile &before = {});

@@ -34,13 +34,14 @@ enum class SceneFileErrorCode {
     TooMany,          ///< keyPath; value: how many elements there are, limit: the most there may be
     UnknownChoice,    ///< keyPath; found; choices
     NotOneChoice,     ///< keyPath; choices: the keys of which exactly one must be there, and no other
+    OtherAngle,       ///< keyPath; value: radians that are not the angle that `found` says, limit: in degrees
     BadFileName,      ///< keyPath; empty, or with a zero byte
     NotUtf8,          ///< keyPath; a name that JSON cannot hold
     InvalidValue,     ///< keyPath; cause: what core says of the value
 };
 
 /// The kinds of JSON values, and what is wanted of them.
-enum class JsonKind { Null, Boolean, Number, Text, Array, Object, ThreeNumbers, FourNumbers, Matrix };
+enum class JsonKind { Null, Boolean, Number, Text, Array, Object, TwoNumbers, ThreeNumbers, FourNumbers, Matrix };
 
 struct SceneFileError {
     SceneFileErrorCode code = SceneFileErrorCode::Syntax;

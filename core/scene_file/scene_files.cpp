@@ -60,7 +60,12 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
     } while (stream && text.size() <= kMostSceneBytes);
     if (stream.bad())
         return failed(file, SceneFileErrorCode::NotReadable);
-    return parseScene(text, utf8FromPath(file));
+    Result<SceneFile, SceneFileError> scene = parseScene(text, utf8FromPath(file));
+    if (!scene)
+        return scene;
+    SceneFile located = std::move(scene).value();
+    locateObjects(located, file);
+    return located;
 }
 
 Result<FileStamp, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,

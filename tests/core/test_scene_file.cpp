@@ -12,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace unprojector;
 using namespace unprojector::geometry;
@@ -35,6 +36,43 @@ QByteArray written(const SceneFile &scene)
     return QByteArray::fromStdString(sceneText(scene).value());
 }
 
+using Json = nlohmann::ordered_json;
+
+/// Puts a key that nobody knows into every object that has room for one.
+/// @return how many there are
+std::size_t mark(Json &json)
+{
+    std::size_t marks = 0;
+    for (auto it = json.begin(); it != json.end(); ++it) {
+        const bool isSteps = json.is_object() && it.key() == "transform";
+        if (it->is_structured() && !isSteps)
+            marks += mark(*it);
+    }
+    if (!json.is_object())
+        return marks;
+    json["mark"] = {{"deep", {1, 2.5, nullptr, true}}};
+    return marks + 1;
+}
+
+/// How many marks stand where they stood.
+std::size_t marksIn(const Json &json, const Json &marked)
+{
+    std::size_t marks = 0;
+    if (marked.is_array()) {
+        for (std::size_t i = 0; i < marked.size() && i < json.size(); ++i)
+            marks += marksIn(json[i], marked[i]);
+    }
+    if (!marked.is_object() || !json.is_object())
+        return marks;
+    for (const auto &[key, value] : marked.items()) {
+        if (key == "mark")
+            marks += json.contains(key) && json[key] == value ? 1 : 0;
+        else if (json.contains(key))
+            marks += marksIn(json[key], value);
+    }
+    return marks;
+}
+
 bool isSame(const LookAt &a, const LookAt &b)
 {
     return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates()
@@ -53,14 +91,20 @@ private slots:
     void aPerspectiveWithoutAspectTakesTheViewports();
     void whatIsReadIsWrittenAndReadAgain_data();
     void whatIsReadIsWrittenAndReadAgain();
-    void unknownKeysAreKept();
+    void unknownKeysAreKeptEverywhere_data();
+    void unknownKeysAreKeptEverywhere();
+    void nothingIsLeftOfAnotherProjection();
     void aTextForPeople();
     void everyDoubleSurvives();
     void degreesSurvive();
+    void everyAngleSurvives();
+    void radiansThatContradictTheDegreesAreRefused();
     void filesAreReadAndWritten();
     void writingReplacesWholeFilesOnly();
     void aNameThatIsNotUtf8IsRefused();
     void aWindowsSceneSurvivesASave();
+    void aSceneSavedElsewhereKeepsUnknownKeys_data();
+    void aSceneSavedElsewhereKeepsUnknownKeys();
     void withoutUiTheFilesNumbersHold();
     void aWindowShowsWhatMatricesOfItsCamerasSay();
 };
@@ -186,36 +230,46 @@ void TestSceneFile::whatIsReadIsWrittenAndReadAgain()
     QVERIFY(second.clipPlanes == first.clipPlanes);
 }
 
-void TestSceneFile::unknownKeysAreKept()
+void TestSceneFile::unknownKeysAreKeptEverywhere_data()
 {
-    const char *const text = R"({
-      "unprojector": 1, "author": "A", "nested": {"deep": [1, 2.5, null, true]},
-      "window": {"width": 800, "height": 600, "title": "W"},
-      "viewport": {"x": 0, "y": 0, "width": 80, "height": 60, "why": "V"},
-      "projection": {"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "lens": "P"},
-      "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0], "taken": "E"},
-      "objects": [{"file": "a.obj", "colour": [1, 0, 0]}],
-      "ui": {"theme": "dark"}
-    })";
-    const SceneFile scene = parsed(text);
-    const auto json = nlohmann::ordered_json::parse(written(scene).toStdString());
-    QVERIFY(json["author"] == "A");
-    QVERIFY(json["nested"] == nlohmann::ordered_json::parse(R"({"deep": [1, 2.5, null, true]})"));
-    QVERIFY(json["window"]["title"] == "W");
-    QVERIFY(json["viewport"]["why"] == "V");
-    QVERIFY(json["projection"]["lens"] == "P");
-    QVERIFY(json["view"]["taken"] == "E");
-    QVERIFY(json["objects"][0]["colour"] == nlohmann::ordered_json::parse("[1, 0, 0]"));
-    QVERIFY(json["ui"]["theme"] == "dark");
-    // The keys that are known come first, in their own order.
-    QCOMPARE(json.begin().key(), "unprojector");
-    QCOMPARE(std::prev(json.end()).key(), "nested");
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("every key") << QByteArray(kFullScene);
+    QTest::newRow("perspective") << withProjection(
+        R"({"type": "perspective", "fovy": 33.3, "aspect": 1.7, "near": 1, "far": 9})");
+    QTest::newRow("oblique") << withProjection(R"({"type": "oblique", "left": -1, "right": 1, "bottom": -1, "top": 1,
+                                                   "near": 1, "far": 9, "theta": 44.690708, "phi": 135})");
+    QTest::newRow("matrix") << withProjection(kMatrix);
+    QTest::newRow("view matrix") << withView("{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.1,1]}");
+}
 
-    // A change of the projection's type leaves nothing of the old one.
-    SceneFile other = scene;
-    other.projection = Projection(Perspective{1, 1.5, 1, 9});
-    const auto otherJson = nlohmann::ordered_json::parse(written(other).toStdString());
-    QVERIFY(!otherJson["projection"].contains("left") && otherJson["projection"]["lens"] == "P");
+void TestSceneFile::unknownKeysAreKeptEverywhere()
+{
+    QFETCH(QByteArray, text);
+    Json marked = Json::parse(text.toStdString());
+    const std::size_t marks = mark(marked);
+    QVERIFY(marks >= 4);
+    const SceneFile scene = parsed(QByteArray::fromStdString(marked.dump()));
+    const Json again = Json::parse(written(scene).toStdString());
+    QCOMPARE(marksIn(again, marked), marks);
+    // Behind the keys that are known.
+    QCOMPARE(again.begin().key(), "unprojector");
+    QCOMPARE(std::prev(again.end()).key(), "mark");
+    QCOMPARE(written(parsed(written(scene))), written(scene));
+}
+
+void TestSceneFile::nothingIsLeftOfAnotherProjection()
+{
+    SceneFile scene = parsed(withProjection(
+        R"({"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "lens": "P"})"));
+    scene.projection = Projection(Perspective{1, 1.5, 1, 9});
+    const Json json = Json::parse(written(scene).toStdString());
+    QVERIFY(!json["projection"].contains("left") && json["projection"]["lens"] == "P");
+    // A key that meant nothing and now means something is written once.
+    scene = parsed(withProjection(
+        R"({"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "fovy": 12})"));
+    scene.projection = Projection(Perspective{1, 1.5, 1, 9});
+    QCOMPARE(written(scene).count("\"fovy\""), 1);
+    QVERIFY(std::get<Projection>(parsed(written(scene)).projection) == Projection(Perspective{1, 1.5, 1, 9}));
 }
 
 void TestSceneFile::aTextForPeople()
@@ -241,7 +295,7 @@ void TestSceneFile::everyDoubleSurvives()
             while (!std::isfinite(std::bit_cast<double>(bits)));
             v[k] = std::bit_cast<double>(bits);
         }
-        scene.objects.push_back({"", "a.obj", "", {Translate{v}}, {}});
+        scene.objects.push_back({"", "a.obj", "", {Translate{v}}, {}, {}});
     }
     const SceneFile again = parsed(written(scene));
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
@@ -256,6 +310,44 @@ void TestSceneFile::degreesSurvive()
             withProjection("{\"type\": \"perspective\", \"fovy\": " + degrees + ", \"near\": 1, \"far\": 9}");
         QVERIFY2(written(parsed(text)).contains("\"fovy\": " + degrees + ","), degrees);
     }
+}
+
+void TestSceneFile::everyAngleSurvives()
+{
+    std::mt19937_64 random(20261121);
+    std::uniform_real_distribution<double> angle(1e-3, std::numbers::pi - 1e-3);
+    int withRadians = 0;
+    for (int i = 0; i < 2000; ++i) {
+        SceneFile scene = parsed(kLeastScene);
+        const Oblique oblique{{-1, 1, -1, 1, 1, 9}, angle(random), angle(random)};
+        scene.projection = Projection(oblique);
+        const QByteArray text = written(scene);
+        withRadians += text.count("Radians");
+        QVERIFY2(std::get<Projection>(parsed(text).projection) == Projection(oblique), text);
+    }
+    // One in ten has no degrees that give it.
+    QVERIFY2(withRadians > 200 && withRadians < 800, QByteArray::number(withRadians));
+}
+
+void TestSceneFile::radiansThatContradictTheDegreesAreRefused()
+{
+    const auto read = [](const char *angles) {
+        const QByteArray text = withProjection(QByteArray("{\"type\": \"perspective\", ")
+                                                   .append(angles)
+                                                   .append(", \"aspect\": 1, \"near\": 1, \"far\": 9}")
+                                                   .constData());
+        return parseScene(text.toStdString(), "scene.json");
+    };
+    const auto fovyOf = [](const SceneFile &scene) {
+        return std::get<Perspective>(std::get<Projection>(scene.projection)).verticalFovRadians;
+    };
+    QCOMPARE(fovyOf(*read(R"("fovy": 57.2957795, "fovyRadians": 1)")), 1.0); // shortened by another program
+    const auto edited = read(R"("fovy": 45, "fovyRadians": 1)");
+    QVERIFY(!edited);
+    QCOMPARE(
+        QByteArray::fromStdString(sceneErrorText(edited.error())),
+        QByteArray("scene.json: projection.fovyRadians: 1 is not the angle of fovy, 45 degrees; remove the one that "
+                   "does not hold"));
 }
 
 void TestSceneFile::filesAreReadAndWritten()
@@ -345,12 +437,66 @@ void TestSceneFile::aWindowsSceneSurvivesASave()
     }
 
     SceneFile before = parsed(kLeastScene);
-    before.extra.document = {{"author", "A"}};
-    before.objects = {{"a", std::filesystem::path("models") / "a.obj", "", {}, {{"colour", "red"}}}};
+    before.extra = {{"author", "A"}};
+    before.objects = {{"a", std::filesystem::path("models") / "a.obj", "", {}, {{"colour", "red"}}, {}}};
     const SceneFile kept =
         sceneFileFrom(scene, viewGeometry(scene, {100, 75, 1}, {}).value(), "/there/scene.json", before);
-    QVERIFY(kept.extra.document["author"] == "A");
+    QVERIFY(kept.extra["author"] == "A");
     QVERIFY(kept.objects[0].extra["colour"] == "red" && kept.objects[1].extra.is_null());
+}
+
+void TestSceneFile::aSceneSavedElsewhereKeepsUnknownKeys_data()
+{
+    QTest::addColumn<QString>("target");
+    QTest::addColumn<bool>("isAbsolute");
+    QTest::addColumn<QString>("path"); // of the object, as it is to be written
+    QTest::newRow("the same file") << "here/scene.json" << false << "models/a.obj";
+    QTest::newRow("the folder above") << "scene.json" << false << "here/models/a.obj";
+    QTest::newRow("another folder") << "there/other.json" << false << "../here/models/a.obj";
+    QTest::newRow("beside the model") << "here/models/scene.json" << false << "a.obj";
+    QTest::newRow("absolute path, the same file") << "here/scene.json" << true << "models/a.obj";
+    QTest::newRow("absolute path, another folder") << "there/other.json" << true << "../here/models/a.obj";
+}
+
+void TestSceneFile::aSceneSavedElsewhereKeepsUnknownKeys()
+{
+    QFETCH(QString, target);
+    QFETCH(bool, isAbsolute);
+    QFETCH(QString, path);
+    const QTemporaryDir folder;
+    for (const char *name : {"here/models", "there"})
+        QVERIFY(QDir(folder.path()).mkpath(name));
+    const std::filesystem::path root(folder.path().toStdU16String());
+    const std::filesystem::path source = root / "here" / "scene.json";
+
+    Json marked = Json::parse(kFullScene);
+    marked["objects"][0]["file"] = isAbsolute ? (folder.path() + "/here/models/a.obj").toStdString() : "models/a.obj";
+    const std::size_t marks = mark(marked);
+    QCOMPARE(marks, std::size_t(12));
+    marked["objects"][0]["mark"] = "of the first object";
+    QFile file(folder.filePath("here/scene.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(marked.dump()));
+    file.close();
+
+    const auto model = std::make_shared<Model>();
+    model->name = "Teapot";
+    const SceneFile before = readSceneFile(source).value();
+    const Scene scene = sceneFromFile(before, source, {model, model}).value();
+    const std::filesystem::path written = root / target.toStdU16String();
+    const SceneFile after = sceneFileFrom(scene, viewGeometry(scene, {801, 599, 1.25}, {}).value(), written, before);
+    QVERIFY(writeSceneFile(written, after).hasValue());
+    const SceneFile again = readSceneFile(written).value();
+    const Json json = Json::parse(sceneText(again).value());
+    marked["objects"][0]["file"] = path.toStdString();
+    QVERIFY2(marksIn(json, marked) == marks, json.dump(2).c_str());
+    QVERIFY(json["objects"][0]["mark"] == "of the first object");
+    QCOMPARE(QString::fromStdString(json["objects"][0]["file"]), path);
+    QVERIFY(again.objects[0].absoluteFile == before.objects[0].absoluteFile);
+    // And from there to where it was.
+    const SceneFile back = sceneFileFrom(sceneFromFile(again, written, {model, model}).value(),
+                                         viewGeometry(scene, {801, 599, 1.25}, {}).value(), source, after);
+    QVERIFY(back.objects[0].extra["mark"] == "of the first object");
 }
 
 void TestSceneFile::withoutUiTheFilesNumbersHold()

@@ -1,0 +1,220 @@
+#pragma once
+
+#include "core/scene_file/json_fields.h"
+#include "core/scene_file/scene_file.h"
+
+namespace unprojector::scene_file {
+
+// What a scene file is made of, key by key, in the order in which it is written: see json_fields.h. Reading, writing,
+// unknown keys and the places of errors all follow from this.
+
+constexpr int kSceneVersion = 1;
+
+/// What a variant holds; when reading it is made to hold that.
+template <class T, class Variant>
+auto &as(Variant &variant)
+{
+    if constexpr (!std::is_const_v<Variant>) {
+        if (!std::holds_alternative<T>(variant))
+            variant = T{};
+    }
+    return std::get<T>(variant);
+}
+
+inline Check checkPositive(double value, ErrorCode code)
+{
+    return value > 0.0 ? Check(std::monostate{}) : Check(Error{code, value});
+}
+
+template <class Fields, Is<Viewport> T>
+void describe(Fields &json, T &viewport)
+{
+    json.required("x", viewport.x);
+    json.required("y", viewport.y);
+    json.required("width", viewport.width);
+    json.required("height", viewport.height);
+    json.check([&] { return check(viewport); }, viewport.width > 0.0 ? "height" : "width");
+}
+
+template <class Fields, Is<LookAt> T>
+void describe(Fields &json, T &camera)
+{
+    json.required("eye", camera.eye);
+    json.required("center", camera.center);
+    json.required("up", camera.up);
+    json.check(
+        [&] {
+            const Result<EyeFrame> frame = eyeFrame(camera);
+            return frame ? Check(std::monostate{}) : Check(frame.error());
+        },
+        [](const Error &error) {
+            const bool isUp = error.code == ErrorCode::UpIsZero || error.code == ErrorCode::UpParallelToView;
+            return isUp ? "up" : "center";
+        });
+}
+
+template <class Fields, class Box>
+requires(Is<Box, Frustum> || Is<Box, Ortho>) void describe(Fields &json, Box &box)
+{
+    json.required("left", box.left);
+    json.required("right", box.right);
+    json.required("bottom", box.bottom);
+    json.required("top", box.top);
+    json.required("near", box.nearDistance);
+    json.required("far", box.farDistance);
+}
+
+template <class Fields, Is<Oblique> T>
+void describe(Fields &json, T &oblique)
+{
+    describe(json, oblique.box);
+    json.angle("theta", "thetaRadians", oblique.thetaRadians);
+    json.angle("phi", "phiRadians", oblique.phiRadians);
+}
+
+template <class Fields, Is<MatrixProjection> T>
+void describe(Fields &json, T &projection)
+{
+    json.required("matrix", projection.clipFromEye, InvertibleMatrix{});
+    json.optional("ndcDepth", projection.ndcDepth);
+}
+
+/// A perspective may leave its aspect to the viewport.
+template <class Fields, Is<Perspective> T, Is<SceneFile> Scene>
+void describe(Fields &json, T &perspective, Scene &scene)
+{
+    json.angle("fovy", "fovyRadians", perspective.verticalFovRadians);
+    const bool hasAspect = json.has("aspect", !scene.aspectFromViewport);
+    if (hasAspect)
+        json.required("aspect", perspective.aspect);
+    if constexpr (Fields::kReads) {
+        scene.aspectFromViewport = !hasAspect;
+        if (const Viewport viewport = pictureGeometry(scene).viewport; !hasAspect)
+            perspective.aspect = viewport.width / viewport.height;
+    }
+    json.required("near", perspective.nearDistance);
+    json.required("far", perspective.farDistance);
+}
+
+/// The key that an error of a projection is about.
+inline const char *keyOf(const Error &error, const Projection &projection)
+{
+    switch (error.code) {
+    case ErrorCode::LeftEqualsRight: return "left";
+    case ErrorCode::BottomEqualsTop: return "bottom";
+    case ErrorCode::FieldOfViewOutOfRange: return "fovy";
+    case ErrorCode::AspectNotPositive: return "aspect";
+    case ErrorCode::ShearAngleOutOfRange: {
+        const auto *oblique = std::get_if<Oblique>(&projection);
+        return oblique && oblique->thetaRadians == error.value ? "theta" : "phi";
+    }
+    default: return "near"; // near not above 0, not before far
+    }
+}
+
+template <class Fields, Is<SceneFile> T>
+void describeProjection(Fields &json, T &scene)
+{
+    enum class Type { Frustum, Ortho, Perspective, Oblique, Matrix };
+    static constexpr std::array kTypes{"frustum", "ortho", "perspective", "oblique", "matrix"};
+    Type type = Type::Matrix;
+    if (const auto *parameters = std::get_if<Projection>(&scene.projection))
+        type = static_cast<Type>(parameters->index());
+    json.required("type", type, Words{kTypes});
+    if (json.failed())
+        return;
+    if (type == Type::Matrix)
+        return describe(json, as<MatrixProjection>(scene.projection));
+    auto &projection = as<Projection>(scene.projection);
+    switch (type) {
+    case Type::Frustum: describe(json, as<Frustum>(projection)); break;
+    case Type::Ortho: describe(json, as<Ortho>(projection)); break;
+    case Type::Perspective: describe(json, as<Perspective>(projection), scene); break;
+    case Type::Oblique: describe(json, as<Oblique>(projection)); break;
+    case Type::Matrix: break;
+    }
+    json.check([&] { return check(projection); }, [&](const Error &error) { return keyOf(error, projection); });
+}
+
+template <class Fields, Is<TransformStep> T>
+void describe(Fields &json, T &step)
+{
+    static constexpr std::array kSteps{"translate", "rotate", "scale"};
+    const std::size_t kind = json.onlyKeyOf(kSteps, step.index());
+    switch (kind) {
+    case 0: json.required(kSteps[kind], as<Translate>(step).offset); break;
+    case 1: json.required(kSteps[kind], as<Rotate>(step)); break;
+    default: json.required(kSteps[kind], as<Scale>(step).factors); break;
+    }
+    json.check([&] { return check(step); }, kSteps[kind]);
+}
+
+template <class Fields, Is<SceneFileObject> T>
+void describe(Fields &json, T &object)
+{
+    static constexpr std::array kSources{"file", "bundled"};
+    json.optional("name", object.name);
+    if (json.oneKeyOf(kSources, object.file.empty() ? 1 : 0) == 0)
+        json.required("file", object.file);
+    else
+        json.required("bundled", object.bundled, SomeText{});
+    json.list("transform", object.transform);
+}
+
+template <class Fields, Is<ViewportRule> T>
+void describe(Fields &json, T &rule)
+{
+    static constexpr std::array kKinds{"wholeWindow", "fixed", "keepAspect", "quarter"};
+    json.required("kind", rule.kind, Words{kKinds});
+    json.optional("aspect", rule.aspect);
+    json.check([&] { return checkPositive(rule.aspect, ErrorCode::AspectNotPositive); }, "aspect");
+    json.optional("fixed", rule.fixed);
+}
+
+template <class Fields, Is<SceneFile> T>
+void describeUi(Fields &json, T &scene)
+{
+    auto &ui = scene.ui;
+    json.optional("viewportRule", ui.viewportRule);
+    json.optional("projectionFollowsViewport", ui.projectionFollowsViewport);
+    json.optional("clipDistancesFitObjects", ui.clipDistancesFitObjects);
+    json.optional("home", ui.home);
+    if (!json.has("clipPlanesOff", !ui.clipPlanesOff.empty()))
+        return;
+    const std::size_t cutting = scene.clipPlanes.size();
+    json.list("clipPlanesOff", ui.clipPlanesOff, kMostClipPlanes - cutting, [&](auto &entry, auto &off) {
+        const int last = static_cast<int>(cutting + ui.clipPlanesOff.size()) - 1;
+        entry.required("place", off.place, Count{0, last});
+        entry.required("plane", off.plane, ClipPlaneNumbers{});
+    });
+}
+
+template <class Fields, Is<SceneFile> T>
+void describe(Fields &json, T &scene)
+{
+    int version = kSceneVersion;
+    json.required("unprojector", version, Version{kSceneVersion});
+    json.object("window", [&](auto &window) {
+        window.required("width", scene.windowWidth, Count{1, kMostWindowPixels});
+        window.required("height", scene.windowHeight, Count{1, kMostWindowPixels});
+        window.optional("devicePixelRatio", scene.devicePixelRatio,
+                        PixelRatio{scene.windowWidth, scene.windowHeight, kMostWindowPixels});
+    });
+    json.optional("viewport", scene.viewport);
+    json.optional("depthRange", scene.depthRange);
+    json.check([&] { return check(scene.depthRange); }, "depthRange");
+    if (json.failed()) // a perspective may take its aspect from these
+        return;
+    json.object("projection", [&](auto &projection) { describeProjection(projection, scene); });
+    json.object("view", [&](auto &view) {
+        if (view.has("matrix", std::holds_alternative<glm::dmat4>(scene.view)))
+            view.required("matrix", as<glm::dmat4>(scene.view), InvertibleMatrix{});
+        else
+            describe(view, as<LookAt>(scene.view));
+    });
+    json.list("objects", scene.objects);
+    json.list("clipPlanes", scene.clipPlanes, kMostClipPlanes, ClipPlaneNumbers{});
+    json.optionalObject("ui", [&](auto &ui) { describeUi(ui, scene); });
+}
+
+} // namespace unprojector::scene_file

@@ -1,0 +1,35 @@
+#include "core/scene_file/json_text.h"
+#include "core/scene_file/scene_fields.h"
+#include "core/scene_file/scene_file.h"
+#include "core/scene_file/strict_json.h"
+
+namespace unprojector::scene_file {
+
+Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name)
+{
+    const Result<nlohmann::ordered_json, SceneFileError> json = parseStrictJson(text);
+    JsonNode::FirstError error;
+    if (json) {
+        SceneFile scene;
+        static_cast<void>(FieldReader::read(JsonNode(*json, error), scene, Plain{}));
+        if (!error)
+            return scene;
+    } else {
+        error = json.error();
+    }
+    error->file = name;
+    return *error;
+}
+
+Result<std::string, SceneFileError> sceneText(const SceneFile &scene)
+{
+    Result<std::string, SceneFileError> text = readableJson(FieldWriter::write(scene, Plain{}, nullptr));
+    if (!text || text->size() <= kMostSceneBytes)
+        return text;
+    SceneFileError error;
+    error.code = SceneFileErrorCode::TooLarge;
+    error.limit = double(kMostSceneBytes);
+    return error;
+}
+
+} // namespace unprojector::scene_file
