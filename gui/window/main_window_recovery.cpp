@@ -109,7 +109,9 @@ void MainWindow::recover(std::size_t place)
     if (!mayLeaveScene())
         return;
     m_message->hide();
-    load({info->sceneFile, std::move(scene).value(), info->name, &file});
+    SceneFile recovered = std::move(scene).value();
+    locateObjects(recovered, info->sceneFile);
+    load({info->sceneFile, std::move(recovered), info->name, &file});
     m_recovery->setEnabled(!isLoading());
 }
 
