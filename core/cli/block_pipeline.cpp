@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace unprojector::cli {
@@ -20,7 +21,27 @@ public:
     {
     }
 
-    void work(const BlockWorker &worker)
+    /// What a worker throws, out of memory for one, ends the work of all.
+    void work(const std::function<BlockWorker()> &makeWorker) noexcept
+    {
+        try {
+            workThrough(makeWorker());
+        } catch (...) {
+            fail(std::current_exception());
+        }
+    }
+
+    /// After all work. Throws what a worker threw.
+    void finish()
+    {
+        m_progress.finish();
+        if (m_failure)
+            std::rethrow_exception(m_failure);
+    }
+    bool hasBadRows() const { return m_badRows > 0; }
+
+private:
+    void workThrough(const BlockWorker &worker)
     {
         LineBlock block;
         BlockResult result;
@@ -35,11 +56,24 @@ public:
         }
     }
 
-    /// After all work.
-    void finish() { m_progress.finish(); }
-    bool hasBadRows() const { return m_badRows > 0; }
+    /// The others write no block behind the one that will never come, and wait for it no longer.
+    void fail(std::exception_ptr failure)
+    {
+        stopReading();
+        {
+            const std::lock_guard lock(m_writing);
+            if (!m_failure)
+                m_failure = std::move(failure);
+        }
+        m_turn.notify_all();
+    }
 
-private:
+    void stopReading()
+    {
+        const std::lock_guard lock(m_reading);
+        m_isDone = true;
+    }
+
     bool read(LineBlock &block, std::size_t &ticket)
     {
         const std::lock_guard lock(m_reading);
@@ -56,7 +90,9 @@ private:
     void write(const BlockResult &result, std::size_t ticket)
     {
         std::unique_lock lock(m_writing);
-        m_turn.wait(lock, [&] { return m_nextWritten == ticket; });
+        m_turn.wait(lock, [&] { return m_nextWritten == ticket || m_failure; });
+        if (m_failure)
+            return;
         m_badRows += result.badRows;
         m_sink.write(result.output);
         m_sink.flush(); // whoever reads need not wait for a buffer to fill, and that he is gone is seen now
@@ -66,10 +102,8 @@ private:
         ++m_nextWritten;
         lock.unlock();
         m_turn.notify_all();
-        if (isOver) {
-            const std::lock_guard reading(m_reading);
-            m_isDone = true;
-        }
+        if (isOver)
+            stopReading();
     }
 
     LineBlocks &m_blocks;
@@ -78,6 +112,7 @@ private:
     std::mutex m_reading, m_writing;
     std::condition_variable m_turn;
     std::size_t m_nextRead = 0, m_nextWritten = 0, m_badRows = 0;
+    std::exception_ptr m_failure;   ///< the first one; m_writing guards it
     std::uint64_t m_bytesKnown = 0; ///< to the progress bar
     bool m_isDone = false;
 };
@@ -91,20 +126,20 @@ ExitCode runBlocks(LineBlocks &blocks, ByteSource &source, ByteSink &sink, unsig
     std::vector<std::thread> others;
     try {
         for (unsigned i = 1; i < threads; ++i)
-            others.emplace_back([&] { pipeline.work(worker()); });
-    } catch (const std::system_error &) { // the system gives no more threads: fewer do the work as well
+            others.emplace_back([&] { pipeline.work(worker); });
+    } catch (const std::exception &) { // the system gives no more threads: fewer do the work as well
     }
-    pipeline.work(worker());
+    pipeline.work(worker);
     for (std::thread &thread : others)
         thread.join();
     pipeline.finish();
-    sink.flush();
+    const ExitCode written = sink.finish();
     if (source.hasFailed()) {
         complain(source.name() + ": reading stopped at an error; the results are not complete");
         return ExitCode::UnusableInput;
     }
-    if (sink.state() == ByteSink::State::Failed)
-        return ExitCode::UnusableInput;
+    if (written != ExitCode::Done)
+        return written;
     return pipeline.hasBadRows() ? ExitCode::SomeRowsBad : ExitCode::Done;
 }
 

@@ -6,19 +6,29 @@
 
 #include <cerrno>
 #include <csignal>
+#include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace unprojector::cli {
 using namespace files;
+using geometry::Result;
 namespace {
 
+/// What is written to goes on behind what others have written there.
 std::FILE *opened(const std::string &file, bool isWriting)
 {
 #ifdef _WIN32
-    return _wfopen(pathFromUtf8(file).c_str(), isWriting ? L"wb" : L"rb");
+    return _wfopen(pathFromUtf8(file).c_str(), isWriting ? L"ab" : L"rb");
 #else
-    return std::fopen(file.c_str(), isWriting ? "wb" : "rb");
+    return std::fopen(file.c_str(), isWriting ? "ab" : "rb");
 #endif
+}
+
+/// The standard streams have names where they can be files.
+std::filesystem::path namedPath(const std::string &file, const char *standardStream)
+{
+    return file == "-" ? std::filesystem::path(standardStream) : pathFromUtf8(file);
 }
 
 } // namespace
@@ -81,48 +91,89 @@ void ByteSink::Close::operator()(std::FILE *file) const
 
 ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : file)
 {
-    if (file != "-") {
-        errno = 0;
-        m_file.reset(opened(file, true));
-        if (!m_file)
-            complain(file + ": cannot be written: " + std::generic_category().message(errno));
-        return;
-    }
-    m_file.reset(stdout);
-    setBinary(stdout);
 #ifdef SIGPIPE
     std::signal(SIGPIPE, SIG_IGN); // writing to a closed pipe then fails, and is seen here
 #endif
+    if (file == "-") {
+        m_stream.reset(stdout);
+        setBinary(stdout);
+        return;
+    }
+    const std::filesystem::path path = pathFromUtf8(file);
+    if (isStream(path)) {
+        errno = 0;
+        m_stream.reset(opened(file, true));
+        if (!m_stream)
+            complain(file + ": cannot be written: " + std::generic_category().message(errno));
+        return;
+    }
+    Result<ReplacingFile, FileError> replacing = ReplacingFile::open(path);
+    if (replacing)
+        m_file = std::move(replacing).value();
+    else
+        complain(file + ": " + fileErrorText(replacing.error()));
 }
 
 bool ByteSink::isTerminal() const
 {
-    return cli::isTerminal(m_file.get());
+    return m_stream != nullptr && cli::isTerminal(m_stream.get());
 }
 
 void ByteSink::write(std::string_view bytes)
 {
-    if (m_state == State::Open && std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size())
-        fail();
+    if (m_state != State::Open)
+        return;
+    if (m_file)
+        check(m_file->write(bytes));
+    else if (std::fwrite(bytes.data(), 1, bytes.size(), m_stream.get()) != bytes.size())
+        failStream();
 }
 
 void ByteSink::flush()
 {
-    if (m_state == State::Open && std::fflush(m_file.get()) != 0)
-        fail();
+    if (m_state == State::Open && m_stream != nullptr && std::fflush(m_stream.get()) != 0)
+        failStream();
 }
 
-void ByteSink::fail()
+ExitCode ByteSink::finish()
+{
+    flush();
+    if (m_state == State::Open && m_file)
+        check(m_file->commit());
+    return m_state == State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
+}
+
+void ByteSink::failStream()
 {
     const int error = errno;
     bool isReaderGone = error == EPIPE;
 #ifdef _WIN32
     // The C library knows some of the system's words for a closed pipe, and calls the others invalid.
-    isReaderGone = isReaderGone || (error == EINVAL && !regularFileSize(m_file.get()));
+    isReaderGone = isReaderGone || (error == EINVAL && !regularFileSize(m_stream.get()));
 #endif
     m_state = isReaderGone ? State::ReaderGone : State::Failed;
     if (!isReaderGone)
         complain(m_name + ": cannot be written: " + std::generic_category().message(error));
+}
+
+void ByteSink::check(const Written &written)
+{
+    if (written)
+        return;
+    m_state = State::Failed;
+    complain(m_name + ": " + fileErrorText(written.error()));
+}
+
+bool isOverInput(const std::string &output, std::initializer_list<std::string> inputs)
+{
+    for (const std::string &input : inputs) {
+        if (!isSameFile(namedPath(output, "/dev/stdout"), namedPath(input, "/dev/stdin")))
+            continue;
+        complain((output == "-" ? "stdout" : output) + ": this is the input " + (input == "-" ? "stdin" : input)
+                 + " too and would be destroyed; give another name");
+        return true;
+    }
+    return false;
 }
 
 } // namespace unprojector::cli

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/cli/exit_code.h"
+#include "core/files/replace_file.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,17 +45,21 @@ private:
     bool m_hasFailed = false;
 };
 
-/// Bytes as they are to stdout, or to a file. Whoever reads may go away at any time, as `head` does: that is no error.
+/// Bytes as they are to stdout, to a device or a pipe as they come, or to a file, which is replaced when all is written.
+/// Whoever reads may go away at any time, as `head` does: that is no error.
 class ByteSink {
 public:
     enum class State { Open, ReaderGone, Failed };
 
-    /// @param file  "-" for stdout; what cannot be opened is said on stderr, and `isOpen` is false
+    /// @param file  UTF-8, "-" for stdout; what cannot be opened is said on stderr, and `isOpen` is false
     explicit ByteSink(const std::string &file = "-");
 
-    bool isOpen() const { return m_file != nullptr; }
+    bool isOpen() const { return m_stream != nullptr || m_file; }
     void write(std::string_view bytes);
     void flush();
+    /// After the last byte: only now does a file take its place. Without it nothing has happened to one that was there.
+    /// @return UnusableInput where not all could be written, which stderr has been told
+    ExitCode finish();
     State state() const { return m_state; }
     /// Whether somebody reads along.
     bool isTerminal() const;
@@ -61,11 +68,17 @@ private:
     struct Close {
         void operator()(std::FILE *file) const;
     };
-    void fail();
+    void failStream();
+    void check(const files::Written &written);
 
-    std::unique_ptr<std::FILE, Close> m_file;
+    std::unique_ptr<std::FILE, Close> m_stream;
+    std::optional<files::ReplacingFile> m_file; ///< or this
     std::string m_name;
     State m_state = State::Open;
 };
+
+/// Whether writing an output would destroy one of the inputs; if so, stderr has been told.
+/// @param output, inputs  UTF-8; "-" stands for stdout and stdin
+bool isOverInput(const std::string &output, std::initializer_list<std::string> inputs);
 
 } // namespace unprojector::cli

@@ -42,8 +42,8 @@ std::string plyHeader(std::size_t count)
 
 /// @param seen  how many depths are of a surface
 template <class Scalar>
-ExitCode writeCloud(const CloudOptions &options, const BatchUnprojection &unprojection, const PictureGeometry &g,
-                    const DepthImage &image, std::size_t seen)
+ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnprojection &unprojection,
+                    const PictureGeometry &g, const DepthImage &image, std::size_t seen)
 {
     const DepthCloud<Scalar> cloud(unprojection, g, image);
     constexpr std::size_t kBufferNumbers = std::size_t{1} << 16;
@@ -56,9 +56,6 @@ ExitCode writeCloud(const CloudOptions &options, const BatchUnprojection &unproj
             count += cloud.row(j, buffer.data());
     }
 
-    ByteSink sink(options.output);
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
     sink.write(plyHeader<Scalar>(count));
     ProgressBar progress(pixelsOf(g), ProgressBar::Unit::Points);
     std::size_t filled = 0;
@@ -71,10 +68,10 @@ ExitCode writeCloud(const CloudOptions &options, const BatchUnprojection &unproj
         }
         progress.advance(image.width);
     }
-    sink.flush();
+    const ExitCode written = sink.finish();
     progress.finish();
-    if (sink.state() == ByteSink::State::Failed)
-        return ExitCode::UnusableInput;
+    if (written != ExitCode::Done)
+        return written;
     if (count < seen) {
         complain(options.depth + ": " + std::to_string(seen - count) + " points lie beyond the range of "
                  + (std::is_same_v<Scalar, double> ? "double precision"
@@ -98,6 +95,11 @@ ExitCode runCloud(const CloudOptions &options)
         complain(options.scene + ": " + errorText(unprojection.error()));
         return ExitCode::UnusableInput;
     }
+    if (isOverInput(options.output, {options.scene, options.depth}))
+        return ExitCode::UnusableInput;
+    ByteSink sink(options.output); // what cannot be written is known before all is computed
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
     // PLY says first how many points there are: they are counted as they come.
     const auto &[dn, df] = g.depthRange;
     const Surfaces surfaces(g.depthRange);
@@ -113,8 +115,9 @@ ExitCode runCloud(const CloudOptions &options)
     progress.finish();
     if (!image)
         return ExitCode::UnusableInput;
-    return options.precision == PointPrecision::Double ? writeCloud<double>(options, *unprojection, g, *image, seen)
-                                                       : writeCloud<float>(options, *unprojection, g, *image, seen);
+    return options.precision == PointPrecision::Double
+               ? writeCloud<double>(options, sink, *unprojection, g, *image, seen)
+               : writeCloud<float>(options, sink, *unprojection, g, *image, seen);
 }
 
 } // namespace unprojector::cli

@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 
 namespace unprojector::cli {
@@ -205,6 +206,13 @@ void addScene(CLI::App &app, Run &run)
     command->callback([options, &run] { run = [options] { return runScene(*options); }; });
 }
 
+std::string withoutLineEnd(std::string text)
+{
+    if (text.ends_with('\n'))
+        text.pop_back();
+    return text;
+}
+
 } // namespace
 
 ExitCode runCommandLine(const std::vector<std::string> &arguments)
@@ -241,7 +249,14 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
             words.push_back(argument.c_str());
         app.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::ParseError &error) {
-        return app.exit(error) == 0 ? ExitCode::Done : ExitCode::UnusableInput;
+        std::ostringstream output, errors;
+        const bool isDone = app.exit(error, output, errors) == 0; // help and version come this way too
+        if (!errors.str().empty())
+            complain(withoutLineEnd(errors.str()));
+        ByteSink sink;
+        sink.write(output.str());
+        const ExitCode written = sink.finish();
+        return isDone ? written : ExitCode::UnusableInput;
     }
     return run();
 }

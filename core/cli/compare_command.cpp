@@ -242,8 +242,7 @@ ExitCode runCompare(const CompareOptions &options)
     progress.finish();
     ByteSink sink;
     sink.write(options.isJson ? json(ways, points) : table(ways, points));
-    sink.flush();
-    return sink.state() == ByteSink::State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
+    return sink.finish();
 }
 
 } // namespace unprojector::cli

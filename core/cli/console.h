@@ -8,7 +8,7 @@
 #include <vector>
 
 // What the command asks of the system beyond standard C++; the only place where systems differ, besides the opening of
-// files in byte_stream.
+// streams in byte_stream.
 
 namespace unprojector::cli {
 

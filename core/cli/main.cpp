@@ -3,13 +3,16 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 
 int main(int argc, char **argv)
 {
     const unprojector::cli::Utf8Console console;
     try {
         return static_cast<int>(unprojector::cli::runCommandLine(unprojector::cli::utf8Arguments(argc, argv)));
-    } catch (const std::exception &error) { // out of memory
+    } catch (const std::bad_alloc &) {
+        std::fputs("unproject: out of memory; the results are not complete\n", stderr);
+    } catch (const std::exception &error) {
         std::fprintf(stderr, "unproject: %s\n", error.what());
     }
     return static_cast<int>(unprojector::cli::ExitCode::UnusableInput);

@@ -149,8 +149,7 @@ ExitCode runMatrices(const MatricesOptions &options)
     }
     ByteSink sink;
     sink.write(written(matrices, options));
-    sink.flush();
-    return sink.state() == ByteSink::State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
+    return sink.finish();
 }
 
 } // namespace unprojector::cli

@@ -31,6 +31,9 @@ std::unique_ptr<RowStream> openRows(const RowOptions &options, const std::array<
 ExitCode runRows(RowStream &rows, const RowOptions &options, const std::vector<std::string> &names,
                  const std::function<BlockWorker()> &worker)
 {
+    // What is added to the input would be read as input, without end.
+    if (isOverInput("-", {options.input}))
+        return ExitCode::UnusableInput;
     ByteSink sink;
     if (!options.isHeaderless) {
         std::string header;

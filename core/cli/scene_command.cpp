@@ -113,6 +113,7 @@ glm::dmat4 matrixOf(const std::vector<double> &numbers, bool isRowByRow)
 
 struct Pasted {
     std::string text, name;
+    bool isFile = false; ///< or stdin
 };
 
 /// What was pasted: the words themselves, or a file's text. What is wrong is said on stderr.
@@ -137,7 +138,7 @@ std::optional<Pasted> pasted(const std::vector<std::string> &words)
                  + (source.hasFailed() ? ": cannot be read" : ": too long for two matrices and a viewport"));
         return std::nullopt;
     }
-    return Pasted{text, source.name()};
+    return Pasted{text, source.name(), true};
 }
 
 /// The window's size: asked for, or up to where the viewport reaches.
@@ -198,16 +199,13 @@ ExitCode runScene(const SceneOptions &options)
         complain(sceneErrorText(readAgain.error()));
         return ExitCode::UnusableInput;
     }
-    if (options.output != "-") {
-        const auto done = writeSceneFile(pathFromUtf8(options.output), scene);
-        if (!done)
-            complain(sceneErrorText(done.error()));
-        return done ? ExitCode::Done : ExitCode::UnusableInput;
-    }
-    ByteSink sink;
+    if (given->isFile && isOverInput(options.output, {options.fromMatrices[0]}))
+        return ExitCode::UnusableInput;
+    ByteSink sink(options.output);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
     sink.write(*written);
-    sink.flush();
-    return sink.state() == ByteSink::State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
+    return sink.finish();
 }
 
 } // namespace unprojector::cli

@@ -163,7 +163,7 @@ bool isOwnDescriptor(const std::filesystem::path &)
 
 bool isStream(const std::filesystem::path &file)
 {
-    HANDLE handle = opened(file, 0); // NUL and CON have no entry in any folder
+    HANDLE handle = opened(file, GENERIC_WRITE); // NUL and CON have no entry in any folder
     if (handle == INVALID_HANDLE_VALUE)
         return false;
     const bool isOnDisk = GetFileType(handle) == FILE_TYPE_DISK;

@@ -11,6 +11,7 @@ private slots:
     void helpNamesAllCommandsAndExitCodes();
     void wordsAreChecked_data();
     void wordsAreChecked();
+    void resultsThatCannotBeWritten_data();
     void resultsThatCannotBeWritten();
 
 private:
@@ -106,21 +107,38 @@ void TestCommandLine::wordsAreChecked()
     QCOMPARE(run.exitCode, 2);
 }
 
-void TestCommandLine::resultsThatCannotBeWritten()
+void TestCommandLine::resultsThatCannotBeWritten_data()
 {
-    if (!QFile::exists("/dev/full"))
-        QSKIP("no device that is always full");
+    QTest::addColumn<QStringList>("words");
     const QString scene = m_folder.write("scene.json", kFrustumScene);
     const QString rows = m_folder.write("rows.csv", "px,py,depth\n" + QByteArray("1,2,0.5\n").repeated(100000));
-    for (const QStringList &words :
-         {QStringList{"points", scene, rows}, {"matrices", scene}, {"compare", "--pixels", "2", scene}}) {
-        QProcess process;
-        process.setStandardOutputFile("/dev/full");
-        process.start(QStringLiteral(UNPROJECT_COMMAND), words);
-        QVERIFY(process.waitForFinished());
-        QCOMPARE(process.readAllStandardError(), QByteArray("stdout: cannot be written: No space left on device\n"));
-        QCOMPARE(process.exitCode(), 2);
-    }
+    const QString places = m_folder.write("places.csv", "x,y,z\n1,2,0.5\n");
+    const QString depth = m_folder.write("depth.raw", QByteArray(800 * 600 * 4, '\0'));
+    const QString numbers = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300";
+    QTest::newRow("help") << QStringList{"--help"};
+    QTest::newRow("help of a command") << QStringList{"points", "--help"};
+    QTest::newRow("version") << QStringList{"--version"};
+    QTest::newRow("points") << QStringList{"points", scene, rows};
+    QTest::newRow("points, one thread") << QStringList{"points", "--threads", "1", scene, rows};
+    QTest::newRow("project") << QStringList{"project", scene, places};
+    QTest::newRow("matrices") << QStringList{"matrices", scene};
+    QTest::newRow("compare") << QStringList{"compare", "--pixels", "2", scene};
+    QTest::newRow("compare as JSON") << QStringList{"compare", "--json", "--pixels", "2", scene};
+    QTest::newRow("cloud") << QStringList{"cloud", "--size", "800x600", scene, depth, "-o", "-"};
+    QTest::newRow("scene") << QStringList{"scene", "--from-matrices", numbers};
+}
+
+void TestCommandLine::resultsThatCannotBeWritten()
+{
+    QFETCH(QStringList, words);
+    if (!QFile::exists("/dev/full"))
+        QSKIP("no device that is always full");
+    QProcess process;
+    process.setStandardOutputFile("/dev/full");
+    process.start(QStringLiteral(UNPROJECT_COMMAND), words);
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.readAllStandardError(), QByteArray("stdout: cannot be written: No space left on device\n"));
+    QCOMPARE(process.exitCode(), 2);
 }
 
 QTEST_GUILESS_MAIN(TestCommandLine)

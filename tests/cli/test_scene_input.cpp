@@ -2,6 +2,10 @@
 
 #include "tests/cli/command.h"
 
+#ifndef Q_OS_WIN
+#include <sys/stat.h>
+#endif
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -112,6 +116,8 @@ private slots:
     void hugeFiles_data();
     void hugeFiles();
     void noSuchFile();
+    void aNamedPipeIsNotWaitedFor();
+    void aPipeOfTheShellIsRead();
     void otherEncodingsOfTheSameScene_data();
     void otherEncodingsOfTheSameScene();
     void everyCommandSaysTheSame();
@@ -323,6 +329,32 @@ void TestSceneInput::noSuchFile()
     const Run folder = runCommand({"points", m_folder.path(".")});
     QCOMPARE(folder.errors, m_folder.path(".").toUtf8() + ": this is a folder, not a scene file\n");
     QCOMPARE(folder.exitCode, 2);
+}
+
+void TestSceneInput::aNamedPipeIsNotWaitedFor()
+{
+#ifdef Q_OS_WIN
+    QSKIP("no named pipes among the files");
+#else
+    const QString pipe = m_folder.path("pipe.json");
+    QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
+    for (const QString &path : {pipe, QStringLiteral("/dev/zero")}) {
+        const Run run = runCommand({"matrices", path});
+        QCOMPARE(run.errors, path.toUtf8() + ": this is a pipe or a device, not a scene file\n");
+        QCOMPARE(run.exitCode, 2);
+    }
+#endif
+}
+
+/// That is open already, and whoever writes is there.
+void TestSceneInput::aPipeOfTheShellIsRead()
+{
+    if (!QFile::exists("/dev/stdin"))
+        QSKIP("stdin has no name here");
+    const Run run = runCommand({"matrices", "/dev/stdin"}, kScene);
+    QCOMPARE(run.errors, QByteArray());
+    QCOMPARE(run.output, runCommand({"matrices", m_folder.write("plain", kScene)}).output);
+    QCOMPARE(run.exitCode, 0);
 }
 
 void TestSceneInput::otherEncodingsOfTheSameScene_data()
