@@ -58,19 +58,32 @@ public:
         assert(hasValue());
         return *std::get_if<0>(&m_state);
     }
-    T &&value() &&
+    /// Of a temporary, a value and no reference: `const T &kept = f().value()` would dangle otherwise.
+    T value() &&
     {
         assert(hasValue());
         return std::move(*std::get_if<0>(&m_state));
     }
-    const T &operator*() const & { return value(); }
-    const T *operator->() const { return &value(); }
+    T value() const && = delete;
 
-    const E &error() const
+    const T &operator*() const & { return value(); }
+    T operator*() && { return std::move(*this).value(); }
+    T operator*() const && = delete;
+
+    const T *operator->() const & { return &value(); }
+    const T *operator->() const && = delete; // it would point into the temporary: say f().value().member
+
+    const E &error() const &
     {
         assert(!hasValue());
         return *std::get_if<1>(&m_state);
     }
+    E error() &&
+    {
+        assert(!hasValue());
+        return std::move(*std::get_if<1>(&m_state));
+    }
+    E error() const && = delete;
 
 private:
     std::variant<T, E> m_state;

@@ -11,7 +11,6 @@
 
 using namespace unprojector;
 using namespace unprojector::geometry;
-using namespace unprojector::scene;
 
 namespace {
 
@@ -210,7 +209,7 @@ void TestCameraMotion::orbitStopsShortOfThePoles()
     const LookAt camera = orbited(obliqueCamera(), WorldPoint(1.0, 2.0, 3.0), 0.7, pitch);
     QVERIFY(isNear(elevationOf(camera), elevation, 1e-9));
     QVERIFY(eyeFrame(camera).hasValue());
-    QVERIFY(eyeFrame(camera)->upward.y > 0.0);
+    QVERIFY(eyeFrame(camera).value().upward.y > 0.0);
     // Pulling on changes nothing, and the way back is open at once.
     const LookAt further = orbited(camera, WorldPoint(1.0, 2.0, 3.0), 0.0, pitch);
     QVERIFY(isNear(elevationOf(further), elevation, 1e-9));

@@ -279,13 +279,14 @@ void TestExamples::threeProjectionsAreNotEqual()
                    perspective = pipelineOf("derivation-perspective");
     QVERIFY(matrix.geometry.projection == frustum.geometry.projection);
     for (const ObjectPoint &corner : {ObjectPoint(30, 20, -40), ObjectPoint(40, 10, -30)}) {
-        const double across = pointsForward(matrix, corner).ndc->x / pointsForward(perspective, corner).ndc->x;
+        const double across =
+            pointsForward(matrix, corner).ndc.value().x / pointsForward(perspective, corner).ndc.value().x;
         QVERIFY(std::abs(across - 16.0 / 9.0) <= kRounding);
-        QVERIFY(std::abs(pointsForward(matrix, corner).ndc->y - pointsForward(perspective, corner).ndc->y)
+        QVERIFY(std::abs(pointsForward(matrix, corner).ndc.value().y - pointsForward(perspective, corner).ndc.value().y)
                 <= kRounding);
     }
     // Translated by (0, 0, 10), which glTranslatef between glBegin and glEnd does not do.
-    QVERIFY(isAt(pointsForward(matrix, ObjectPoint(0, 0, -20)).eye->coordinates(), {0, 0, -10}));
+    QVERIFY(isAt(pointsForward(matrix, ObjectPoint(0, 0, -20)).eye.value().coordinates(), {0, 0, -10}));
 }
 
 void TestExamples::aCircleIsDrawnWiderByTwoOfThem()
@@ -321,7 +322,8 @@ void TestExamples::theOriginGoesToPixel150AndBack()
     }
     // In a larger window the window coordinates are the same.
     QVERIFY(isAt(glm::dvec2(pointsForward(pipelineOf("opencascade-round-trip", {1280, 720, 1.0}), WorldPoint(0, 0, 0))
-                                .window->coordinates()),
+                                .window.value()
+                                .coordinates()),
                  {150, 150}));
 }
 

@@ -147,7 +147,7 @@ void TestMatrixProjection::withoutAWordOpenGlIsMeantUnlessItCannotBe()
 {
     const auto depth = [](Style style) {
         const MatrixProjection p{perspectiveMatrix(style, -1, 1, -1, 1, 1, 100), {}};
-        return recognised(p)->ndcDepth == ndcDepthOf(p) ? recognised(p)->ndcDepth : NdcDepth(-1);
+        return recognised(p).value().ndcDepth == ndcDepthOf(p) ? recognised(p).value().ndcDepth : NdcDepth(-1);
     };
     QVERIFY(depth(Style::OpenGl) == NdcDepth::MinusOneToOne);
     QVERIFY(depth(Style::Infinite) == NdcDepth::MinusOneToOne);
@@ -155,7 +155,7 @@ void TestMatrixProjection::withoutAWordOpenGlIsMeantUnlessItCannotBe()
     QVERIFY(depth(Style::InfiniteReversed) == NdcDepth::ZeroToOne);
     // [0, 1] with far beyond near is OpenGL's with another near.
     const MatrixProjection p{perspectiveMatrix(Style::ZeroToOne, -1, 1, -1, 1, 1, 100), {}};
-    QVERIFY(std::abs(std::get<Frustum>(recognised(p)->parameters).nearDistance - 100.0 / 199.0) < 1e-15);
+    QVERIFY(std::abs(std::get<Frustum>(recognised(p).value().parameters).nearDistance - 100.0 / 199.0) < 1e-15);
 }
 
 void TestMatrixProjection::singlePrecisionNumbersAreReadAsMeant()
@@ -187,7 +187,7 @@ void TestMatrixProjection::boxesAndShearsAreRecognised()
     glm::dmat4 zeroToOne = clipFromEye(box).value();
     zeroToOne[2][2] = -1.0 / 11.0;
     zeroToOne[3][2] = 2.0 / 11.0;
-    QVERIFY(std::get<Ortho>(recognised({zeroToOne, NdcDepth::ZeroToOne})->parameters) == box);
+    QVERIFY(std::get<Ortho>(recognised({zeroToOne, NdcDepth::ZeroToOne}).value().parameters) == box);
     zeroToOne[2][2] = 1.0 / 11.0;
     zeroToOne[3][2] = 9.0 / 11.0;
     const RecognisedProjection reversed = recognised({zeroToOne, NdcDepth::ZeroToOne}).value();
@@ -293,7 +293,7 @@ void TestMatrixProjection::perspectivesHitTheExactPoint()
                 unprojectClosedForm(MatrixProjection{m, depthOf(s)}, oracle::coreViewport(scene.target),
                                     oracle::coreDepthRange(scene.target), WindowPoint(at[0], at[1], at[2]));
             if (!eye) {
-                QVERIFY(s >= Style::Infinite || recognised({m, depthOf(s)})->infiniteFar);
+                QVERIFY(s >= Style::Infinite || recognised({m, depthOf(s)}).value().infiniteFar);
                 QVERIFY(eye.error().code == ErrorCode::PointAtInfinity);
                 continue;
             }
@@ -395,7 +395,7 @@ void TestMatrixProjection::viewsAreReadBackFromTheirMatrix()
     glm::dmat4 mirrored(1.0);
     mirrored[0][0] = -1.0;
     QVERIFY(lookAtFrom(mirrored, 1.0).error().code == ErrorCode::ViewNotRigid);
-    QVERIFY(worldFromEye(mirrored, EyePoint(1, 2, 3))->coordinates() == glm::dvec3(-1, 2, 3));
+    QVERIFY(worldFromEye(mirrored, EyePoint(1, 2, 3)).value().coordinates() == glm::dvec3(-1, 2, 3));
 }
 
 void TestMatrixProjection::viewMatricesHitTheExactPoint()
@@ -475,8 +475,8 @@ void TestMatrixProjection::theWindowsPictureIsTheSame()
                             eyeFromWorld(eyeFrame(camera).value())};
     const ViewGeometry shown = viewGeometry(g).value();
     for (const glm::dvec3 &p : {glm::dvec3(0.25, -0.5, 0.125), glm::dvec3(-9, 3, -40)}) {
-        const glm::dvec3 a = windowFromWorld(g, WorldPoint(p))->coordinates();
-        const glm::dvec3 b = windowFromWorld(shown, WorldPoint(p))->coordinates();
+        const glm::dvec3 a = windowFromWorld(g, WorldPoint(p)).value().coordinates();
+        const glm::dvec3 b = windowFromWorld(shown, WorldPoint(p)).value().coordinates();
         QVERIFY(glm::length(glm::dvec2(a) - glm::dvec2(b)) < 1e-9);
         QVERIFY(std::abs(a.z - b.z) < (s >= Style::Infinite ? 1e-6 : 1e-13));
     }

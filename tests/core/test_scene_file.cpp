@@ -506,13 +506,13 @@ void TestSceneFile::withoutUiTheFilesNumbersHold()
     QVERIFY(scene.viewport.kind == ViewportRule::Kind::WholeWindow);
     QVERIFY(isSame(scene.home, scene.camera));
     const auto rule = [](const QByteArray &viewport) {
-        return sceneFromFile(parsed(withMember("\"viewport\": " + viewport)), "scene.json", {})->viewport;
+        return sceneFromFile(parsed(withMember("\"viewport\": " + viewport)), "scene.json", {}).value().viewport;
     };
     QVERIFY(rule(R"({"x": 0, "y": 0, "width": 800, "height": 600})").kind == ViewportRule::Kind::WholeWindow);
     QVERIFY(rule(R"({"x": 1, "y": 0, "width": 800, "height": 600})").kind == ViewportRule::Kind::Fixed);
     QVERIFY(rule(R"({"x": 1, "y": 0, "width": 800, "height": 600})").fixed == (Viewport{1, 0, 800, 600}));
     const auto perspective = parsed(withProjection(R"({"type": "perspective", "fovy": 45, "near": 1, "far": 9})"));
-    QVERIFY(sceneFromFile(perspective, "scene.json", {})->projectionFollowsViewport);
+    QVERIFY(sceneFromFile(perspective, "scene.json", {}).value().projectionFollowsViewport);
 }
 
 void TestSceneFile::aWindowShowsWhatMatricesOfItsCamerasSay()

@@ -237,7 +237,7 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
                      Frustum{-0.15 * aspect, 0.15 * aspect, -0.15, 0.15, 1.0, 100.0});
     const ViewGeometry &g = document.geometry();
     const glm::dvec3 normal = glm::normalize(glm::cross(steep, level));
-    const auto depthAt = [&](const glm::dvec3 &p) { return windowFromWorld(g, WorldPoint(p))->z; };
+    const auto depthAt = [&](const glm::dvec3 &p) { return windowFromWorld(g, WorldPoint(p)).value().z; };
 
     const int w = view.width(), h = view.height();
     std::vector<QPoint> positions{{0, 0}, {w - 1, 0}, {0, h - 1}, {w - 1, h - 1}, {w / 2, h / 2}};

@@ -265,7 +265,7 @@ void TestUnsavedChanges::theAnswerIsObeyed()
     const auto window = this->window();
     window->openBundledScene();
     QVERIFY(window->saveScene(path()));
-    const auto planesInFile = [this] { return readSceneFile(path())->clipPlanes.size(); };
+    const auto planesInFile = [this] { return readSceneFile(path()).value().clipPlanes.size(); };
     change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
     {
         const Answers answers(QMessageBox::Cancel);
