@@ -200,6 +200,9 @@ void unproject(const typename Method::Constants &constants, const Scalar *px, co
         loop.run(0, count);
 }
 
+/// Outside every range of depths. A constant: called where it is needed, the library's function could be compiled.
+constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
+
 constexpr unsigned kAllLanes = (1u << Pack::kLanes) - 1;
 
 /// What a coordinate in double must stay below for a finite one of another kind of number.
@@ -262,7 +265,7 @@ std::size_t unprojectRow(const typename Method::Constants &constants, const Dept
         float depth[Pack::kLanes];
         Scalar last[3 * Pack::kLanes];
         for (std::size_t lane = 0; lane < Pack::kLanes; ++lane)
-            depth[lane] = i + lane < row.count ? row.depth[i + lane] : std::numeric_limits<float>::quiet_NaN();
+            depth[lane] = i + lane < row.count ? row.depth[i + lane] : kNoDepth;
         const Scalar *end = addPoints(depth, px, last);
         for (const Scalar *from = last; from != end; ++from)
             *next++ = *from;
