@@ -3,13 +3,13 @@
 
 #include "core/geometry/camera.h"
 #include "core/geometry/projection.h"
+#include "core/geometry/transform.h"
 #include "core/geometry/viewport.h"
 #include "core/unproject/closed_form.h"
 #include "core/unproject/matrix_inverse.h"
 
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/mat3x3.hpp>
 
 #include <numbers>
 
@@ -83,25 +83,25 @@ private slots:
     void theCotangentOfTheObliqueProgramIsNotOne();
 };
 
-// Affine 2-D: columns of GLM are the columns of the printed matrix.
+/// The original's plane has two coordinates; the third is left alone here. Its viewer looks in a mirror, so it is no
+/// camera but a chain of OpenGL's calls, as the model is.
 void TestFormulaNumbers::thePlaneExampleTakesAModelPointToTheViewer()
 {
-    const glm::dmat3 worldFromModel{{-1, 0, 0}, {0, 1, 0}, {4, 3, 1}};
-    const glm::dmat3 viewerFromWorld{{1, 0, 0}, {0, -1, 0}, {-5, 2, 1}};
-    const glm::dmat3 viewerFromModel{{-1, 0, 0}, {0, -1, 0}, {-1, -1, 1}};
+    const std::vector<TransformStep> model{Translate{{4, 3, 0}}, Scale{{-1, 1, 1}}};
+    const std::vector<TransformStep> viewer{Translate{{-5, 2, 0}}, Scale{{1, -1, 1}}};
+    std::vector<TransformStep> both = viewer;
+    both.insert(both.end(), model.begin(), model.end());
+    const glm::dmat4 viewerFromModel{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 1, 0}, {-1, -1, 0, 1}};
 
-    QVERIFY(worldFromModel * glm::dvec3(1, 1, 1) == glm::dvec3(3, 4, 1));
-    QVERIFY(viewerFromWorld * glm::dvec3(3, 4, 1) == glm::dvec3(-2, -2, 1));
-    QVERIFY(viewerFromWorld * worldFromModel == viewerFromModel);
-    QVERIFY(viewerFromModel * glm::dvec3(1, 1, 1) == glm::dvec3(-2, -2, 1));
-    QVERIFY(glm::inverse(viewerFromModel) * glm::dvec3(-2, -2, 1) == glm::dvec3(1, 1, 1));
+    QVERIFY(worldFromObject(model) * glm::dvec4(1, 1, 0, 1) == glm::dvec4(3, 4, 0, 1));
+    QVERIFY(worldFromObject(viewer) * glm::dvec4(3, 4, 0, 1) == glm::dvec4(-2, -2, 0, 1));
+    QVERIFY(worldFromObject(both) == viewerFromModel);
 }
 
 void TestFormulaNumbers::aViewFromFiveWithAModelAtMinusThreePutsTheModelAtMinusEight()
 {
     const EyeFrame frame = eyeFrame({WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}}).value();
-    const glm::dmat4 worldFromObject = glm::translate(glm::dmat4(1.0), {0.0, 0.0, -3.0});
-    const glm::dmat4 eyeFromObject = eyeFromWorld(frame) * worldFromObject;
+    const glm::dmat4 eyeFromObject = eyeFromWorld(frame) * worldFromObject({Translate{{0, 0, -3}}});
 
     const double printed[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -8, 1};
     for (int index = 0; index < 16; ++index)

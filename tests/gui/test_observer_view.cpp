@@ -1,8 +1,8 @@
 // The view from outside: it draws without errors, its hand moves what it says it moves, and nothing else.
 
+#include "core/geometry/angle.h"
 #include "core/geometry/view_volume.h"
 #include "core/scene/bundled_scene.h"
-#include "core/geometry/angle.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/view/observer_view.h"
 
