@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# bash .ci/fuzz.sh [SECONDS [NAME …]]: runs the fuzzers of build/fuzz, two at a time, each for so many seconds (60). An input
+# that breaks something is left in build/fuzz/findings, and its fuzzer's last words are shown.
+# shellcheck source=.ci/common.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+export seconds=${1:-60}
+shift $(($# > 0 ? 1 : 0))
+export build=$root/build/fuzz findings=$root/build/fuzz/findings
+mkdir -p "$findings"
+
+fuzzOne() {
+    local name=$1 corpus=$build/corpus/$1 log=$findings/$1.log
+    mkdir -p "$corpus"
+    if "$build/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -max_len=8192 -timeout=20 -rss_limit_mb=3000 \
+        -artifact_prefix="$findings/$name-" -print_final_stats=1 -close_fd_mask=1 \
+        "$corpus" "$root/tests/fuzz/seeds/$name" >"$log" 2>&1 </dev/null; then
+        printf 'fuzz_%s: %s inputs in %s s, nothing found\n' "$name" \
+            "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$seconds"
+    else
+        printf 'fuzz_%s: found something\n' "$name"
+        tail -n 60 "$log"
+        return 1
+    fi
+}
+export -f fuzzOne
+
+names=("$@")
+if [ ${#names[@]} -eq 0 ]; then
+    for program in "$build"/tests/fuzz/fuzz_*; do
+        [ -x "$program" ] && [ -f "$program" ] && names+=("${program##*/fuzz_}")
+    done
+fi
+[ ${#names[@]} -gt 0 ] || { echo "There are no fuzzers in $build/tests/fuzz" >&2; exit 1; }
+printf '%s\0' "${names[@]}" | xargs -0 -n 1 -P 2 bash -c 'fuzzOne "$1"' _

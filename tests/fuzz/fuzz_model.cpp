@@ -1,0 +1,30 @@
+// A model file of one format, its suffix given by UNPROJECTOR_FUZZ_SUFFIX, as it comes from a disk.
+
+#include "core/geometry/finite.h"
+#include "core/mesh_import/mesh_import.h"
+#include "tests/fuzz/fuzzing.h"
+
+#include <algorithm>
+
+using namespace unprojector;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    const auto read = mesh_import::importModel(fuzz::fileOf("model." UNPROJECTOR_FUZZ_SUFFIX, data, size), {});
+    if (!read)
+        return 0;
+    const scene::Model &model = **read;
+    fuzz::require(!model.meshes.empty(), "a model that opens has something to show");
+    for (const scene::Mesh &mesh : model.meshes) {
+        fuzz::require(!mesh.indices.empty() && mesh.indices.size() % 3 == 0, "faces are triangles");
+        fuzz::require(std::all_of(mesh.indices.begin(), mesh.indices.end(),
+                                  [&](std::uint32_t i) { return i < mesh.positions.size(); }),
+                      "triangles have vertices of their mesh");
+        fuzz::require(std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                                  [](const glm::vec3 &p) { return geometry::isFinite(p); }),
+                      "coordinates are finite");
+        fuzz::require(mesh.normals.size() == mesh.positions.size(), "every vertex has a normal");
+        fuzz::require(mesh.texture < static_cast<int>(model.textures.size()), "a mesh's texture is one of the model's");
+    }
+    return 0;
+}
