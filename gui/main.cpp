@@ -1,4 +1,5 @@
 #include "gui/text/error_text.h"
+#include "gui/text/print.h"
 #include "gui/text/translation.h"
 #include "gui/window/main_window.h"
 #include "gui/window/screenshot_run.h"
@@ -44,6 +45,16 @@ int usageError(const QString &reason)
 {
     std::fprintf(stderr, "unprojector: %s\n", reason.toLocal8Bit().constData());
     return 2;
+}
+
+/// To whoever asked for it. A full disk is no answer.
+[[maybe_unused]] int told(const QString &text)
+{
+    const std::string problem = print(text.toLocal8Bit().toStdString());
+    return problem.empty()
+               ? 0
+               : usageError(
+                   CommandLine::tr("Standard output cannot be written: %1.").arg(QString::fromStdString(problem)));
 }
 
 bool hasDisplay()
@@ -96,10 +107,18 @@ int main(int argc, char **argv)
 
     if (!parser.parse(words->arguments()))
         return usageError(CommandLine::tr("%1 See --help.").arg(parser.errorText()));
+#ifdef Q_OS_WIN
+    // A program with windows has no standard output there: Qt shows a box.
     if (parser.isSet(help))
         parser.showHelp(0);
     if (parser.isSet(version))
         parser.showVersion();
+#else
+    if (parser.isSet(help))
+        return told(parser.helpText());
+    if (parser.isSet(version))
+        return told(QCoreApplication::applicationName() + u' ' + QCoreApplication::applicationVersion() + u'\n');
+#endif
     const std::optional<QSize> windowSize = parsedSize(parser.value(size));
     if (!windowSize)
         return usageError(

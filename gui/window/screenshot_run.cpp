@@ -1,10 +1,14 @@
 #include "gui/window/screenshot_run.h"
 
+#include "core/files/replace_file.h"
 #include "core/scene_file/pick_json.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
+#include "gui/text/print.h"
 #include "gui/view/scene_view.h"
 
+#include <QBuffer>
+#include <QFileInfo>
 #include <QPixmap>
 #include <QTimer>
 
@@ -48,6 +52,19 @@ void ScreenshotRun::fail(const QString &reason)
     emit ended(2);
 }
 
+QString ScreenshotRun::savePicture()
+{
+    // All of it first: a name that is no picture's must not cost the file that has it.
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!m_window->grab().save(&buffer, QFileInfo(m_request.picture).suffix().toLatin1().constData()))
+        return tr("%1 is no picture's name; let it end in .png.").arg(m_request.picture);
+    const files::Written written = files::replaceFile(std::filesystem::path(m_request.picture.toStdU16String()),
+                                                      {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return written ? QString()
+                   : m_request.picture + ": " + QString::fromStdString(files::fileErrorText(written.error()));
+}
+
 void ScreenshotRun::pressAndSave()
 {
     if (m_hasEnded)
@@ -73,14 +90,15 @@ void ScreenshotRun::pressAndSave()
         }
         clicks.push_back(toJson(*document.pick()));
     }
-    if (!m_window->grab().save(m_request.picture)) {
-        fail(tr("%1 could not be written. Check the folder, and that the name ends in .png.").arg(m_request.picture));
+    if (const QString problem = savePicture(); !problem.isEmpty()) {
+        fail(problem);
+        return;
+    }
+    if (const std::string problem = print(clicks.dump(2) + '\n'); !problem.empty()) {
+        fail(tr("The clicks could not be written to standard output: %1.").arg(QString::fromStdString(problem)));
         return;
     }
     m_hasEnded = true;
-    const std::string text = clicks.dump(2) + '\n';
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fflush(stdout);
     emit ended(0);
 }
 

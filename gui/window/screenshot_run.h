@@ -33,6 +33,8 @@ signals:
 
 private:
     void pressAndSave();
+    /// @return what is wrong, or nothing
+    QString savePicture();
     void fail(const QString &reason);
 
     Request m_request;

@@ -51,6 +51,10 @@
         <source>There is no display. Set DISPLAY, or run under xvfb-run.</source>
         <translation>没有可用的显示。请设置 DISPLAY，或在 xvfb-run 下运行。</translation>
     </message>
+    <message>
+        <source>Standard output cannot be written: %1.</source>
+        <translation>无法写入标准输出：%1。</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -2244,8 +2248,12 @@ in logical pixels from the top-left corner, y down</source>
         <translation>无法读取点击 %1,%2。</translation>
     </message>
     <message>
-        <source>%1 could not be written. Check the folder, and that the name ends in .png.</source>
-        <translation>无法写入 %1。请检查文件夹，以及文件名是否以 .png 结尾。</translation>
+        <source>%1 is no picture&apos;s name; let it end in .png.</source>
+        <translation>%1 不是图片的文件名；请让它以 .png 结尾。</translation>
+    </message>
+    <message>
+        <source>The clicks could not be written to standard output: %1.</source>
+        <translation>无法把点击写到标准输出：%1。</translation>
     </message>
 </context>
 <context>

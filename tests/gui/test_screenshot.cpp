@@ -34,7 +34,8 @@ struct Run {
 };
 
 /// @param environment  "NAME=value"; "NAME" alone takes it away
-Run run(const QStringList &arguments, const QStringList &environment = {})
+/// @param output       a file for standard output; empty: it is in the result
+Run run(const QStringList &arguments, const QStringList &environment = {}, const QString &output = {})
 {
     QProcess process;
     QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
@@ -46,6 +47,8 @@ Run run(const QStringList &arguments, const QStringList &environment = {})
             variables.remove(variable);
     }
     process.setProcessEnvironment(variables);
+    if (!output.isEmpty())
+        process.setStandardOutputFile(output);
     process.start(QStringLiteral(UNPROJECTOR_EXECUTABLE), arguments);
     Run result;
     const bool ended = process.waitForFinished(kRunMilliseconds);
@@ -127,6 +130,8 @@ private slots:
     void aModelFileIsShown();
     void aMistakeIsToldOnStderr_data();
     void aMistakeIsToldOnStderr();
+    void whatCannotBePrintedIsTold_data();
+    void whatCannotBePrintedIsTold();
     void helpAndVersionNeedNoDisplay_data();
     void helpAndVersionNeedNoDisplay();
 
@@ -344,8 +349,9 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     row("click without a picture", {"--click", "10,10"}, "--screenshot");
     row("samples", {"--screenshot", picture, "--samples", "3"}, "--samples is 3");
     row("unknown option", {"--screnshot", picture}, "screnshot");
-    row("no such folder", {"--screenshot", path("no/such/folder/out.png")}, "could not be written");
-    row("unknown picture format", {"--screenshot", path("out.xyz")}, "could not be written");
+    row("no such folder", {"--screenshot", path("no/such/folder/out.png")}, "there is no such folder");
+    row("unknown picture format", {"--screenshot", path("out.xyz")}, "out.xyz is no picture's name");
+    row("a model for a picture", {"--screenshot", path("broken.obj")}, "broken.obj is no picture's name");
 }
 
 void TestScreenshot::aMistakeIsToldOnStderr()
@@ -361,6 +367,26 @@ void TestScreenshot::aMistakeIsToldOnStderr()
     QVERIFY2(errors.contains(words), qPrintable(errors));
     QVERIFY2(result.output.isEmpty(), result.output.constData());
     QVERIFY(!QFile::exists(path("never.png")));
+    QVERIFY(QFileInfo(path("broken.obj")).size() > 0);
+}
+
+void TestScreenshot::whatCannotBePrintedIsTold_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("help") << QStringList{"--help"};
+    QTest::newRow("version") << QStringList{"--version"};
+    QTest::newRow("clicks") << QStringList{"--screenshot", path("full.png"), "--click", "10,10"};
+}
+
+void TestScreenshot::whatCannotBePrintedIsTold()
+{
+    QFETCH(QStringList, arguments);
+    if (!QFile::exists("/dev/full"))
+        QSKIP("no device that is always full");
+    const Run result = run(arguments, {}, "/dev/full");
+    QVERIFY(result.hasExited);
+    QCOMPARE(result.exitCode, 2);
+    QVERIFY2(result.errors.contains("No space left on device"), result.errors.constData());
 }
 
 void TestScreenshot::helpAndVersionNeedNoDisplay_data()

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace unprojector::gui {
+
+/// Writes to standard output at once.
+/// @return what went wrong, in the system's words, as where the disk is full; empty when all is written
+inline std::string print(std::string_view text)
+{
+    errno = 0;
+    const bool isWritten = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    return isWritten ? std::string() : std::generic_category().message(errno);
+}
+
+} // namespace unprojector::gui
