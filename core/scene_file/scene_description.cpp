@@ -134,10 +134,12 @@ SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const 
     for (const SceneObject &object : scene.objects) {
         SceneFileObject described;
         described.name = object.name;
-        if (object.file.empty())
+        if (object.file.empty()) {
             described.bundled = object.model ? object.model->name : object.name;
-        described.absoluteFile = absolutePath(object.file);
-        described.file = described.absoluteFile.lexically_proximate(folder);
+        } else {
+            described.absoluteFile = absolutePath(object.file);
+            described.file = described.absoluteFile.lexically_proximate(folder);
+        }
         described.transform = object.transform;
         described.extra = takeExtra(knownObjects, [&](const SceneFileObject &known) {
             const bool isSameFile = known.absoluteFile.empty() ? known.file == described.file

@@ -436,6 +436,11 @@ void TestSceneFile::aWindowsSceneSurvivesASave()
         QVERIFY(again.clipPlanesOff[0].place == 0 && again.clipPlanesOff[0].plane == scene.clipPlanesOff[0].plane);
     }
 
+    // Of a scene that has no file yet the paths are absolute, and a bundled model has none.
+    const SceneFile unnamed = sceneFileFrom(scene, viewGeometry(scene, {100, 75, 1}, {}).value(), {});
+    QVERIFY(unnamed.objects[0].file == unnamed.objects[0].absoluteFile && unnamed.objects[0].file.is_absolute());
+    QVERIFY(unnamed.objects[1].file.empty() && unnamed.objects[1].bundled == "Teapot");
+
     SceneFile before = parsed(kLeastScene);
     before.extra = {{"author", "A"}};
     before.objects = {{"a", std::filesystem::path("models") / "a.obj", "", {}, {{"colour", "red"}}, {}}};
