@@ -96,10 +96,11 @@ int main(int argc, char **argv)
         CommandLine::tr("With --screenshot: press the left button at this position of the view, logical pixels from "
                         "its top-left corner. May be given several times."),
         QStringLiteral("X,Y"));
-    const QCommandLineOption samples(QStringLiteral("samples"),
-                                     CommandLine::tr("Samples a pixel for smooth edges: 0, 2, 4 or 8."),
-                                     QStringLiteral("N"));
-    parser.addOptions({screenshot, size, click, samples});
+    const QCommandLineOption smooth(QStringLiteral("smooth-edges"),
+                                    CommandLine::tr("Whether the edges of surfaces are drawn without steps: on or off. "
+                                                    "What clicks read is the same."),
+                                    QStringLiteral("ON|OFF"));
+    parser.addOptions({screenshot, size, click, smooth});
     parser.addPositionalArgument(
         QStringLiteral("MODEL"),
         CommandLine::tr("Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."),
@@ -133,12 +134,12 @@ int main(int argc, char **argv)
     }
     if (!clicks.empty() && !parser.isSet(screenshot))
         return usageError(CommandLine::tr("--click works together with --screenshot OUT.png."));
-    int sampleCount = -1;
-    if (parser.isSet(samples)) {
-        bool isNumber = false;
-        sampleCount = parser.value(samples).toInt(&isNumber);
-        if (!isNumber || (sampleCount != 0 && sampleCount != 2 && sampleCount != 4 && sampleCount != 8))
-            return usageError(CommandLine::tr("--samples is %1; give 0, 2, 4 or 8.").arg(parser.value(samples)));
+    std::optional<bool> smoothEdges;
+    if (parser.isSet(smooth)) {
+        const QString choice = parser.value(smooth);
+        if (choice != QStringLiteral("on") && choice != QStringLiteral("off"))
+            return usageError(CommandLine::tr("--smooth-edges is %1; give on or off.").arg(choice));
+        smoothEdges = choice == QStringLiteral("on");
     }
     std::vector<std::filesystem::path> files;
     for (const QString &file : parser.positionalArguments())
@@ -152,15 +153,14 @@ int main(int argc, char **argv)
     translation.emplace();
 
     if (parser.isSet(screenshot)) {
-        ScreenshotRun run(
-            {parser.value(screenshot), *windowSize, std::move(clicks), std::move(files), std::max(0, sampleCount)});
+        ScreenshotRun run({parser.value(screenshot), *windowSize, std::move(clicks), std::move(files), smoothEdges});
         QObject::connect(&run, &ScreenshotRun::ended, &application, &QCoreApplication::exit, Qt::QueuedConnection);
         run.start();
         return application.exec();
     }
 
     MainWindow::Options options;
-    options.samples = sampleCount;
+    options.smoothEdges = smoothEdges;
     MainWindow window(options);
     if (parser.isSet(size))
         window.resize(*windowSize);

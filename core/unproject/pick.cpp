@@ -23,6 +23,7 @@ Result<Pick> pickAt(const ViewGeometry &geometry, const WidgetPoint &position, c
                 *pixel,
                 window,
                 sample.hit,
+                sample.object,
                 geometry,
                 std::move(point),
                 certainty,

@@ -2,13 +2,17 @@
 
 #include "core/unproject/comparison.h"
 
+#include <cstddef>
+#include <optional>
+
 namespace unprojector::unproject {
 
 /// What the framebuffer says of one pixel.
 struct DepthSample {
-    double depth = 1.0; ///< as read, in the depth range
-    bool hit = false;   ///< a surface was drawn there; false: background, the depth is the one it was cleared to
+    double depth = 1.0; ///< in the depth range: as read on a surface, that of the far plane on background
+    bool hit = false;   ///< a surface was drawn there; false: background
     int depthBits = 24; ///< of the depth buffer
+    std::optional<std::size_t> object = {}; ///< whose surface, its place in the scene's list
 };
 
 /// A click, followed back to the world.
@@ -17,6 +21,7 @@ struct Pick {
     DevicePixel devicePixel;
     WindowPoint window; ///< the pixel's centre, with the depth as read
     bool hit = false;
+    std::optional<std::size_t> object; ///< whose surface was hit, its place in the scene's list at the click
     ViewGeometry geometry; ///< as it was at the click
 
     Comparison point;    ///< of the surface; meaningful when `hit`

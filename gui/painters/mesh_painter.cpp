@@ -1,14 +1,20 @@
 #include "gui/painters/mesh_painter.h"
 
+#include "core/geometry/view_volume.h"
+#include "gui/painters/gl_errors.h"
 #include "gui/painters/shader.h"
 
 #include <QImage>
 
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+#include <array>
 #include <set>
+#include <utility>
 
 namespace unprojector::gui {
 
@@ -36,17 +42,8 @@ namespace {
 
 enum Attribute : GLuint { kPosition, kNormal, kColor, kTexcoord };
 
-/// QOpenGLBuffer counts bytes in int, which ends at 2 GB; glBufferData does not.
-template <class T>
-std::unique_ptr<QOpenGLBuffer> filledBuffer(QOpenGLExtraFunctions &gl, QOpenGLBuffer::Type type,
-                                            const std::vector<T> &data)
-{
-    auto buffer = std::make_unique<QOpenGLBuffer>(type);
-    buffer->create();
-    buffer->bind();
-    gl.glBufferData(type, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
-    return buffer;
-}
+/// OpenGL guarantees as many.
+constexpr std::size_t kClipDistances = 8;
 
 /// The GPU multiplies in float: a model far from its origin would lose its digits there, and the depths with them. About
 /// its own centre it keeps them; the way back is part of the matrix, which is made in double.
@@ -80,13 +77,22 @@ std::unique_ptr<QOpenGLTexture> decoded(const Texture &texture)
 
 } // namespace
 
+bool fillBuffer(QOpenGLExtraFunctions &gl, unsigned target, std::size_t bytes, const void *data)
+{
+    clearErrors(gl);
+    // QOpenGLBuffer counts bytes in int, which ends at 2 GB; glBufferData does not.
+    gl.glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+    return gl.glGetError() == GL_NO_ERROR;
+}
+
 MeshPainter::MeshPainter() = default;
 MeshPainter::~MeshPainter() = default;
 
-void MeshPainter::initialize()
+void MeshPainter::initialize(ObjectIds ids)
 {
     initializeOpenGLFunctions();
-    m_program = loadProgram(QStringLiteral("mesh"));
+    m_program = loadProgram(QStringLiteral("mesh"),
+                            ids == ObjectIds::Colors ? QByteArrayLiteral("OBJECT_IDS_ARE_COLORS") : QByteArray());
 }
 
 void MeshPainter::release()
@@ -95,66 +101,111 @@ void MeshPainter::release()
     m_program.reset();
 }
 
-void MeshPainter::upload(const std::vector<SceneObject> &objects)
+QStringList MeshPainter::takeFailures()
+{
+    return std::exchange(m_failures, {});
+}
+
+/// Drops the models that no object shows any more.
+void MeshPainter::dropUnshown(const std::vector<SceneObject> &objects)
 {
     std::set<const Model *> shown;
     for (const SceneObject &object : objects)
         shown.insert(object.model.get());
     std::erase_if(m_models, [&shown](const auto &entry) { return !shown.contains(entry.first); });
-    for (const SceneObject &object : objects) {
-        auto &slot = m_models[object.model.get()];
-        if (!slot)
-            slot = uploaded(object.model);
-    }
 }
 
-std::unique_ptr<MeshPainter::GpuModel> MeshPainter::uploaded(const std::shared_ptr<const Model> &model)
+const MeshPainter::GpuModel &MeshPainter::uploaded(const std::shared_ptr<const Model> &model)
 {
-    auto gpu = std::make_unique<GpuModel>();
-    gpu->source = model;
-    gpu->center = centerOf(*model);
-    for (const Texture &texture : model->textures)
-        gpu->textures.push_back(decoded(texture));
-    for (const Mesh &mesh : model->meshes) {
-        auto target = std::make_unique<GpuMesh>();
-        target->vertexArray.create();
-        target->vertexArray.bind();
-        const auto attribute = [&](GLuint index, const auto &data, GLint size, GLenum type, GLboolean normalized) {
-            if (data.empty())
-                return;
-            target->buffers.push_back(filledBuffer(*this, QOpenGLBuffer::VertexBuffer, data));
-            glEnableVertexAttribArray(index);
-            glVertexAttribPointer(index, size, type, normalized, 0, nullptr);
-        };
-        attribute(kPosition, relativeTo(gpu->center, mesh.positions), 3, GL_FLOAT, GL_FALSE);
-        attribute(kNormal, mesh.normals, 3, GL_FLOAT, GL_FALSE);
-        attribute(kColor, mesh.colors, 4, GL_UNSIGNED_BYTE, GL_TRUE);
-        attribute(kTexcoord, mesh.texcoords, 2, GL_FLOAT, GL_FALSE);
-        target->buffers.push_back(filledBuffer(*this, QOpenGLBuffer::IndexBuffer, mesh.indices));
-        target->vertexArray.release();
-        target->indexCount = static_cast<GLsizei>(mesh.indices.size());
-        const bool isTextured = mesh.texture >= 0 && gpu->textures[static_cast<std::size_t>(mesh.texture)];
-        target->texture = isTextured ? mesh.texture : -1;
-        target->baseColor = mesh.baseColor;
-        gpu->meshes.push_back(std::move(target));
+    std::unique_ptr<GpuModel> &slot = m_models[model.get()];
+    if (slot)
+        return *slot;
+    slot = std::make_unique<GpuModel>();
+    slot->source = model;
+    slot->center = centerOf(*model);
+    for (const Texture &texture : model->textures) {
+        slot->textures.push_back(decoded(texture));
+        if (!slot->textures.back() && !texture.encoded.empty())
+            m_failures
+                << tr("A texture of %1 could not be decoded and is not shown. Convert it to PNG or JPEG, or make "
+                      "it smaller.")
+                       .arg(QString::fromStdString(model->name));
     }
-    return gpu;
+    for (const Mesh &mesh : model->meshes) {
+        std::unique_ptr<GpuMesh> target = uploaded(mesh, slot->center);
+        if (!target) {
+            m_failures << tr("The graphics memory does not hold %1, which is not drawn whole. Close other programs, or "
+                             "open a smaller model.")
+                              .arg(QString::fromStdString(model->name));
+            break;
+        }
+        const bool isTextured = mesh.texture >= 0 && slot->textures[static_cast<std::size_t>(mesh.texture)];
+        target->texture = isTextured ? mesh.texture : -1;
+        slot->meshes.push_back(std::move(target));
+    }
+    return *slot;
+}
+
+/// @return null when the graphics memory does not hold it
+std::unique_ptr<MeshPainter::GpuMesh> MeshPainter::uploaded(const Mesh &mesh, const glm::dvec3 &center)
+{
+    auto target = std::make_unique<GpuMesh>();
+    target->vertexArray.create();
+    target->vertexArray.bind();
+    bool fits = true;
+    const auto buffer = [&](QOpenGLBuffer::Type type, const auto &data) {
+        target->buffers.push_back(std::make_unique<QOpenGLBuffer>(type));
+        target->buffers.back()->create();
+        target->buffers.back()->bind();
+        fits = fits && fillBuffer(*this, type, data.size() * sizeof(data[0]), data.data());
+    };
+    const auto attribute = [&](GLuint index, const auto &data, GLint size, GLenum type, GLboolean normalized) {
+        if (data.empty())
+            return;
+        buffer(QOpenGLBuffer::VertexBuffer, data);
+        glEnableVertexAttribArray(index);
+        glVertexAttribPointer(index, size, type, normalized, 0, nullptr);
+    };
+    attribute(kPosition, relativeTo(center, mesh.positions), 3, GL_FLOAT, GL_FALSE);
+    attribute(kNormal, mesh.normals, 3, GL_FLOAT, GL_FALSE);
+    attribute(kColor, mesh.colors, 4, GL_UNSIGNED_BYTE, GL_TRUE);
+    attribute(kTexcoord, mesh.texcoords, 2, GL_FLOAT, GL_FALSE);
+    buffer(QOpenGLBuffer::IndexBuffer, mesh.indices);
+    target->vertexArray.release();
+    target->indexCount = static_cast<GLsizei>(mesh.indices.size());
+    target->baseColor = mesh.baseColor;
+    return fits ? std::move(target) : nullptr;
+}
+
+/// Cuts the model at the planes. Mesa's software renderers go on cutting at a distance that is no longer enabled, so the
+/// distances that no plane needs are those of a plane that cuts nothing.
+void MeshPainter::setClipPlanes(const std::vector<glm::dvec4> &planes, const glm::dmat4 &worldFromUploaded)
+{
+    std::array<glm::vec4, kClipDistances> distances;
+    distances.fill(glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    for (std::size_t i = 0; i < std::min(planes.size(), kClipDistances); ++i) {
+        // In double, and about the model's centre, so that a plane cuts where it says far from the origin too.
+        const glm::dvec4 plane = planeInSource(planes[i], worldFromUploaded);
+        const double length = glm::length(glm::dvec3(plane));
+        distances[i] = glm::vec4(length > 0.0 ? plane / length : plane);
+    }
+    glUniform4fv(m_program->uniformLocation("clipPlanes"), static_cast<GLsizei>(kClipDistances),
+                 glm::value_ptr(distances[0]));
 }
 
 void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4 &clipFromWorld,
                        const glm::dmat4 &eyeFromWorld, const std::vector<glm::dvec4> &clipPlanes)
 {
+    dropUnshown(objects);
     m_program->bind();
     m_program->setUniformValue("baseTexture", 0);
     const auto location = [this](const char *name) { return m_program->uniformLocation(name); };
-    for (std::size_t i = 0; i < clipPlanes.size(); ++i) {
-        const glm::vec4 plane(clipPlanes[i]);
-        const QByteArray name = "clipPlanes[" + QByteArray::number(static_cast<int>(i)) + "]";
-        glUniform4fv(location(name.constData()), 1, glm::value_ptr(plane));
+    const std::size_t planeCount = std::min(clipPlanes.size(), kClipDistances);
+    for (std::size_t i = 0; i < planeCount; ++i)
         glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
-    }
-    for (const SceneObject &object : objects) {
-        const GpuModel &model = *m_models.at(object.model.get());
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const SceneObject &object = objects[i];
+        const GpuModel &model = uploaded(object.model);
         // Products in double: only the final matrix is rounded to what the GPU takes.
         const glm::dmat4 placement = worldFromObject(object.transform);
         const glm::dmat4 worldFromUploaded = placement * glm::translate(glm::dmat4(1.0), model.center);
@@ -164,8 +215,9 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
         const double handedness = glm::determinant(eyeFromObject) < 0.0 ? -1.0 : 1.0;
         const glm::mat3 normalMatrix(handedness * glm::transpose(glm::inverse(eyeFromObject)));
         glUniformMatrix4fv(location("clipFromObject"), 1, GL_FALSE, glm::value_ptr(clipFromObject));
-        glUniformMatrix4fv(location("worldFromObject"), 1, GL_FALSE, glm::value_ptr(glm::mat4(worldFromUploaded)));
         glUniformMatrix3fv(location("eyeNormalFromObject"), 1, GL_FALSE, glm::value_ptr(normalMatrix));
+        glUniform1ui(location("object"), static_cast<GLuint>(i + 1));
+        setClipPlanes(clipPlanes, worldFromUploaded);
         for (const auto &mesh : model.meshes) {
             m_program->setUniformValue("baseColor", mesh->baseColor.r, mesh->baseColor.g, mesh->baseColor.b,
                                        mesh->baseColor.a);
@@ -179,7 +231,7 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
             mesh->vertexArray.release();
         }
     }
-    for (std::size_t i = 0; i < clipPlanes.size(); ++i)
+    for (std::size_t i = 0; i < planeCount; ++i)
         glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     m_program->release();
 }

@@ -1,13 +1,17 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "gui/painters/object_ids.h"
 
+#include <QCoreApplication>
 #include <QOpenGLBuffer>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLTexture>
 #include <QOpenGLVertexArrayObject>
+#include <QStringList>
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <vector>
@@ -15,32 +19,41 @@
 namespace unprojector::gui {
 using namespace scene;
 
-/// The objects' triangles, lit from the camera. Each model is uploaded once, however many objects show it.
+/// Fills the buffer that is bound to a target.
+/// @return false when the graphics memory does not hold so much
+bool fillBuffer(QOpenGLExtraFunctions &gl, unsigned target, std::size_t bytes, const void *data);
+
+/// The objects' triangles, lit from the camera, into a Frame: colours, depths, and the object's place in the list as its
+/// id. Each model is uploaded when it is first drawn, once, however many objects show it.
 /// All calls need the OpenGL context current.
 class MeshPainter : protected QOpenGLExtraFunctions {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::MeshPainter)
 public:
-    void initialize();
+    MeshPainter();
+    ~MeshPainter();
+
+    void initialize(ObjectIds ids);
     void release();
 
-    /// Uploads the models that are new and drops those that no object shows any more.
-    void upload(const std::vector<SceneObject> &objects);
-
-    /// @param clipPlanes  world space; what lies on the negative side of one is not drawn
+    /// @param clipPlanes  world space; what lies on the negative side of one is not drawn. At most 8
     void draw(const std::vector<SceneObject> &objects, const glm::dmat4 &clipFromWorld, const glm::dmat4 &eyeFromWorld,
               const std::vector<glm::dvec4> &clipPlanes);
+
+    /// What could not be uploaded since the last call, in sentences for the user.
+    QStringList takeFailures();
 
 private:
     struct GpuMesh;
     struct GpuModel;
 
-    std::unique_ptr<GpuModel> uploaded(const std::shared_ptr<const Model> &model);
+    void dropUnshown(const std::vector<SceneObject> &objects);
+    const GpuModel &uploaded(const std::shared_ptr<const Model> &model);
+    std::unique_ptr<GpuMesh> uploaded(const Mesh &mesh, const glm::dvec3 &center);
+    void setClipPlanes(const std::vector<glm::dvec4> &planes, const glm::dmat4 &worldFromUploaded);
 
     std::unique_ptr<QOpenGLShaderProgram> m_program;
     std::map<const Model *, std::unique_ptr<GpuModel>> m_models;
-
-public:
-    MeshPainter();
-    ~MeshPainter();
+    QStringList m_failures;
 };
 
 } // namespace unprojector::gui

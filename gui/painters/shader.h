@@ -6,7 +6,9 @@
 
 namespace unprojector::gui {
 
-/// Compiles and links :/shaders/NAME.vert and :/shaders/NAME.frag, with the version line in front. A shader of ours that does not build is our own mistake: it ends the program with the log.
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const QString &name);
+/// Compiles and links :/shaders/NAME.vert and :/shaders/NAME.frag, with the version line in front. A shader of ours that
+/// does not build is our own mistake: it ends the program with the log.
+/// @param definition  a name for `#ifdef`; empty: none
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const QString &name, const QByteArray &definition = {});
 
 } // namespace unprojector::gui

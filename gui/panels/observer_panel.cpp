@@ -62,8 +62,8 @@ QLabel *endLabel(const QString &text, const QString &toolTip)
 
 } // namespace
 
-ObserverPanel::ObserverPanel(SceneDocument &document, int samples, QWidget *parent)
-    : QWidget(parent), m_document(document), m_view(new ObserverView(document, samples))
+ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
+    : QWidget(parent), m_document(document), m_view(new ObserverView(document))
 {
     m_slider = new QSlider(Qt::Horizontal);
     m_slider->setRange(0, kSteps);

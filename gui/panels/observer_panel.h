@@ -17,8 +17,7 @@ class SceneDocument;
 class ObserverPanel : public QWidget {
     Q_OBJECT
 public:
-    /// @param samples  for multisampling of the view; 0: none
-    ObserverPanel(SceneDocument &document, int samples, QWidget *parent = nullptr);
+    explicit ObserverPanel(SceneDocument &document, QWidget *parent = nullptr);
 
     ObserverView &view() { return *m_view; }
 

@@ -1,5 +1,6 @@
 #include "gui/view/observer_view.h"
 
+#include "gui/painters/clip_plane_shapes.h"
 #include "gui/painters/observer_shapes.h"
 #include "gui/painters/scene_lines.h"
 #include "gui/view/scene_view.h"
@@ -34,10 +35,9 @@ glm::vec4 withAlpha(glm::vec4 color, float alpha)
 
 } // namespace
 
-ObserverView::ObserverView(SceneDocument &document, int samples, QWidget *parent)
-    : QOpenGLWidget(parent), m_document(document)
+ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : QOpenGLWidget(parent), m_document(document)
 {
-    setFormat(SceneView::preCreateWindow(samples));
+    setFormat(SceneView::preCreateWindow());
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
@@ -48,12 +48,16 @@ ObserverView::ObserverView(SceneDocument &document, int samples, QWidget *parent
 
     // A hidden view is told as well, and draws nothing.
     connect(&m_document, &SceneDocument::objectsChanged, this, [this] {
+        m_isStale = true;
         m_isPlaced = m_isTouched = false;
         m_drag = Drag::None;
         setHotPlane(std::nullopt);
         update();
     });
-    connect(&m_document, &SceneDocument::geometryChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_document, &SceneDocument::geometryChanged, this, [this] {
+        m_isStale = true;
+        update();
+    });
     connect(&m_document, &SceneDocument::pickChanged, this, qOverload<>(&QWidget::update));
 }
 
@@ -72,6 +76,12 @@ void ObserverView::setMorph(double t)
     emit morphChanged(m_t);
 }
 
+void ObserverView::setSmoothEdges(bool smooth)
+{
+    m_smoothEdges = smooth;
+    update();
+}
+
 void ObserverView::initializeGL()
 {
     initializeOpenGLFunctions();
@@ -82,11 +92,14 @@ void ObserverView::initializeGL()
                         .arg(actual.minorVersion()));
         return;
     }
+    m_frame.initialize();
+    m_framePainter.initialize();
     m_background.initialize();
-    m_meshes.initialize();
+    m_meshes.initialize(m_frame.ids());
     m_lines.initialize();
     m_faces.initialize();
     m_pickPainter.initialize();
+    m_isStale = true;
     m_isCreated = true;
     // The context is a new one when the widget moves to another window: everything in the old one is released first.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ObserverView::releaseGL, Qt::UniqueConnection);
@@ -97,6 +110,8 @@ void ObserverView::releaseGL()
     if (!m_isCreated)
         return;
     makeCurrent();
+    m_frame.release();
+    m_framePainter.release();
     m_background.release();
     m_meshes.release();
     m_lines.release();
@@ -187,21 +202,19 @@ void ObserverView::paintGL()
         return;
     updateSurface(); // a pixel ratio can change without a change of size
     placeObserver();
-    m_meshes.upload(m_document.objects());
     const std::optional<ObserverPicture> p = picture();
-
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-    glClearDepthf(1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    glDepthRangef(0.0f, 1.0f);
-    glDepthFunc(GL_LEQUAL);
-    m_background.draw();
-    if (!p)
+    if (p)
+        updateFrame(*p);
+    if (!p || !m_frame.picture()) {
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         return;
+    }
+    m_framePainter.draw(m_frame.colors(), m_frame.depths(), p->observer.surface.widthPixels,
+                        p->observer.surface.heightPixels, m_smoothEdges);
     glEnable(GL_DEPTH_TEST);
-    drawScene(*p);
+    glDepthFunc(GL_LEQUAL);
+    drawGround(*p);
+    drawClipPlanes(*p);
     drawVolume(*p);
     drawCamera(*p);
     drawPick(*p);
@@ -209,9 +222,8 @@ void ObserverView::paintGL()
     glDepthMask(GL_TRUE);
 }
 
-void ObserverView::drawScene(const ObserverPicture &p)
+std::vector<glm::dvec4> ObserverView::cuttingPlanes(const ObserverPicture &p) const
 {
-    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
     // First the near plane, which keeps what is behind the eye from being folded over; then the scene's own planes; then
     // as many of the volume's other sides as OpenGL has room for.
     constexpr std::size_t kRoom = 8;
@@ -222,15 +234,56 @@ void ObserverView::drawScene(const ObserverPicture &p)
     planes.insert(planes.end(), own.begin(), own.end());
     for (std::size_t i = 1; i < p.planes.size() && p.t > 0.0 && planes.size() < kRoom; ++i)
         planes.push_back(p.planes[i]);
-    m_meshes.draw(m_document.objects(), clipFromWorld, p.observerFromWorld, planes);
+    return planes;
+}
 
+void ObserverView::updateFrame(const ObserverPicture &p)
+{
+    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
+    const bool isOfThisSize = m_frame.picture() && m_frame.picture()->surface == p.observer.surface;
+    if (!m_isStale && isOfThisSize && m_drawnFrom == clipFromWorld)
+        return;
+    m_isStale = false;
+    m_drawnFrom = clipFromWorld;
+    if (!m_frame.begin(p.observer)) {
+        emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
+                       "driver.")
+                        .arg(p.observer.surface.widthPixels)
+                        .arg(p.observer.surface.heightPixels));
+        return;
+    }
+    m_background.draw();
+    m_frame.beginObjects();
+    m_meshes.draw(m_document.objects(), clipFromWorld, p.observerFromWorld, cuttingPlanes(p));
+    m_frame.end();
+    for (const QString &failure : m_meshes.takeFailures())
+        emit failed(failure);
+}
+
+void ObserverView::drawGround(const ObserverPicture &p)
+{
     glDepthMask(GL_FALSE);
     const float opacity = static_cast<float>(0.8 - 0.4 * p.t);
     const Surface &surface = p.observer.surface;
     const glm::vec2 size(surface.widthPixels, surface.heightPixels);
     const float ratio = static_cast<float>(surface.devicePixelRatio);
     m_lines.draw(clippedLines(groundLines(m_document.ground(), m_document.groundSpacing()), p.planes, opacity),
-                 clipFromWorld, size, ratio);
+                 p.clipFromDrawn * p.drawnFromWorld, size, ratio);
+    glDepthMask(GL_TRUE);
+}
+
+void ObserverView::drawClipPlanes(const ObserverPicture &p)
+{
+    glDepthMask(GL_FALSE);
+    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
+    const Surface &surface = p.observer.surface;
+    const std::vector<glm::dvec4> bounds(p.planes.begin(), p.planes.end());
+    for (const glm::dvec4 &plane : m_document.scene().clipPlanes) {
+        const ClipPlaneShape shape = clipPlaneShape(plane, m_document.bounds(), bounds);
+        m_faces.draw(shape.faces, clipFromWorld);
+        m_lines.draw(shape.border, clipFromWorld, glm::vec2(surface.widthPixels, surface.heightPixels),
+                     static_cast<float>(surface.devicePixelRatio));
+    }
     glDepthMask(GL_TRUE);
 }
 

@@ -3,9 +3,11 @@
 #include "gui/document/scene_document.h"
 #include "gui/painters/background_painter.h"
 #include "gui/painters/face_painter.h"
+#include "gui/painters/frame_painter.h"
 #include "gui/painters/line_painter.h"
 #include "gui/painters/mesh_painter.h"
 #include "gui/painters/pick_painter.h"
+#include "gui/view/frame.h"
 #include "gui/view/observer_picture.h"
 
 #include <QOpenGLExtraFunctions>
@@ -22,13 +24,14 @@ namespace unprojector::gui {
 class ObserverView : public QOpenGLWidget, protected QOpenGLExtraFunctions {
     Q_OBJECT
 public:
-    /// @param samples  for multisampling; 0: none
-    ObserverView(SceneDocument &document, int samples, QWidget *parent = nullptr);
+    explicit ObserverView(SceneDocument &document, QWidget *parent = nullptr);
     ~ObserverView() override;
 
     /// 0: eye space, as it is; 1: the canonical view volume. Between them it morphs.
     double morph() const { return m_t; }
     void setMorph(double t);
+
+    void setSmoothEdges(bool smooth);
 
     /// Shows the eye and the view volume fully, from the direction that the observer looks in.
     void fit();
@@ -39,7 +42,7 @@ public:
 
 signals:
     void morphChanged(double t);
-    /// OpenGL cannot draw here; for a message.
+    /// OpenGL cannot draw here, or not all of it; for a message.
     void failed(const QString &reason);
 
 protected:
@@ -65,7 +68,12 @@ private:
     void placeObserver();
     std::optional<ObserverPicture> picture() const;
 
-    void drawScene(const ObserverPicture &p);
+    /// The planes that the objects are cut at, world space.
+    std::vector<glm::dvec4> cuttingPlanes(const ObserverPicture &p) const;
+    /// Draws the objects into the frame where it does not show the document from here, as it is.
+    void updateFrame(const ObserverPicture &p);
+    void drawGround(const ObserverPicture &p);
+    void drawClipPlanes(const ObserverPicture &p);
     void drawVolume(const ObserverPicture &p);
     void drawCamera(const ObserverPicture &p);
     void drawPick(const ObserverPicture &p);
@@ -80,6 +88,8 @@ private:
     void zoom(const QPointF &position, double factor);
 
     SceneDocument &m_document;
+    Frame m_frame;
+    FramePainter m_framePainter;
     BackgroundPainter m_background;
     MeshPainter m_meshes;
     LinePainter m_lines;
@@ -87,6 +97,9 @@ private:
     PickPainter m_pickPainter;
 
     bool m_isCreated = false;
+    bool m_smoothEdges = true;
+    bool m_isStale = true;       ///< the frame does not show the document as it is
+    glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame
     double m_t = 0.0;
     ViewGeometry m_observer;
     Placement m_reference; ///< where the cube stands

@@ -1,19 +1,20 @@
 #include "gui/view/scene_view.h"
 
-#include "gui/painters/scene_lines.h"
+#include "gui/view/scene_overlay.h"
 
 #include <QElapsedTimer>
-#include <QMimeData>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
-#include <QWheelEvent>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
+
+// The hand is in scene_view_input.cpp.
 
 namespace unprojector::gui {
 namespace {
+
+const QString kObjectCalls = QStringLiteral("glBindFramebuffer, glClearBuffer, glDrawElements");
 
 double milliseconds(const QElapsedTimer &timer)
 {
@@ -22,23 +23,21 @@ double milliseconds(const QElapsedTimer &timer)
 
 } // namespace
 
-QSurfaceFormat SceneView::preCreateWindow(int samples)
+QSurfaceFormat SceneView::preCreateWindow()
 {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
     format.setStencilBufferSize(8);
-    format.setSamples(samples);
+    format.setSamples(0);
     return format;
 }
 
-SceneView::SceneView(SceneDocument &document, int samples, QWidget *parent)
-    : QOpenGLWidget(parent), m_document(document)
+SceneView::SceneView(SceneDocument &document, QWidget *parent)
+    : QOpenGLWidget(parent), m_document(document), m_overlay(std::make_unique<SceneOverlay>())
 {
-    setFormat(preCreateWindow(samples));
-    // The depth buffer is read between two pictures, so its content must outlive the drawing.
-    setUpdateBehavior(QOpenGLWidget::PartialUpdate);
+    setFormat(preCreateWindow());
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
@@ -46,13 +45,13 @@ SceneView::SceneView(SceneDocument &document, int samples, QWidget *parent)
     setCursor(Qt::CrossCursor);
     setAccessibleName(tr("3-D view"));
     setAccessibleDescription(tr("Press the left button on the model to read the world coordinate of that pixel"));
+    m_hoverTimer.setSingleShot(true);
 
-    connect(&m_document, &SceneDocument::objectsChanged, this, [this] {
-        m_needsUpload = true;
-        redraw();
-    });
+    connect(&m_document, &SceneDocument::objectsChanged, this, &SceneView::redraw);
     connect(&m_document, &SceneDocument::geometryChanged, this, &SceneView::redraw);
-    connect(&m_document, &SceneDocument::pickChanged, this, &SceneView::redraw);
+    // The mark of the pick is drawn over the frame.
+    connect(&m_document, &SceneDocument::pickChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_hoverTimer, &QTimer::timeout, this, &SceneView::takeHover);
 }
 
 SceneView::~SceneView()
@@ -60,9 +59,16 @@ SceneView::~SceneView()
     onDestroy();
 }
 
+void SceneView::setSmoothEdges(bool smooth)
+{
+    m_smoothEdges = smooth;
+    update();
+}
+
 void SceneView::redraw()
 {
-    m_needsDraw = true;
+    m_isStale = true;
+    m_wheelPivot.reset();
     update();
 }
 
@@ -78,12 +84,12 @@ void SceneView::onCreate()
                         .arg(actual.minorVersion()));
         return;
     }
-    m_depthReader.initialize();
+    m_frame.initialize();
+    m_framePainter.initialize();
     m_background.initialize();
-    m_meshes.initialize();
-    m_lines.initialize();
-    m_pickPainter.initialize();
-    m_needsUpload = true;
+    m_meshes.initialize(m_frame.ids());
+    m_overlay->initialize();
+    m_isStale = true;
     m_isCreated = true;
     const QSurfaceFormat asked = format();
     emit happened({LifecycleEvent::Kind::PreCreateWindow, QString(),
@@ -110,17 +116,12 @@ void SceneView::onSize()
 {
     QElapsedTimer timer;
     timer.start();
-    m_needsDraw = true;
     const Surface surface = currentSurface();
     m_document.setSurface(surface);
-    const Viewport &v = m_document.geometry().viewport;
+    const DrawnNumbers n = drawnNumbers(m_document.geometry());
     emit happened({LifecycleEvent::Kind::OnSize,
                    QStringLiteral("%1, %2").arg(surface.widthPixels).arg(surface.heightPixels),
-                   QStringLiteral("glViewport(%1, %2, %3, %4)")
-                       .arg(std::lround(v.x))
-                       .arg(std::lround(v.y))
-                       .arg(std::lround(v.width))
-                       .arg(std::lround(v.height)),
+                   QStringLiteral("glViewport(%1, %2, %3, %4)").arg(n.x).arg(n.y).arg(n.width).arg(n.height),
                    milliseconds(timer)});
 }
 
@@ -130,73 +131,52 @@ void SceneView::onDraw()
         return;
     QElapsedTimer timer;
     timer.start();
-    draw();
-    emit happened({LifecycleEvent::Kind::OnDraw, QString(), QStringLiteral("glClear, glDrawElements, glDrawArrays"),
+    const bool hasDrawnObjects = updateFrame();
+    if (m_frame.picture()) {
+        const Surface &surface = m_frame.picture()->surface;
+        m_framePainter.draw(m_frame.colors(), m_frame.depths(), surface.widthPixels, surface.heightPixels,
+                            m_smoothEdges);
+        m_overlay->draw(m_document);
+    } else {
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); // why has been told
+    }
+    emit happened({LifecycleEvent::Kind::OnDraw, QString(),
+                   hasDrawnObjects ? kObjectCalls + QStringLiteral(", glDrawArrays")
+                                   : QStringLiteral("glDrawArrays: the objects are as they were drawn before"),
                    milliseconds(timer)});
+    requestHover();
 }
 
-void SceneView::draw()
+bool SceneView::updateFrame()
 {
     // A pixel ratio can change without a change of size.
     if (m_document.geometry().surface != currentSurface())
         m_document.setSurface(currentSurface());
-    if (m_needsUpload) {
-        m_meshes.upload(m_document.objects());
-        m_needsUpload = false;
-    }
-
+    if (!m_isStale)
+        return false;
+    m_isStale = false;
+    // What the pointer was to be told of the last picture is read in this one.
+    if (const std::optional<WidgetPoint> dropped = std::exchange(m_requested, std::nullopt); dropped && !m_hovered)
+        m_hovered = dropped;
     const ViewGeometry &g = m_document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera);
     if (!matrix || !frame)
-        return;
-
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-    glClearColor(0.80f, 0.82f, 0.84f, 1.0f);
-    glClearDepthf(static_cast<float>(g.depthRange.atFar));
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    glViewport(std::lround(g.viewport.x), std::lround(g.viewport.y), std::lround(g.viewport.width),
-               std::lround(g.viewport.height));
-    glDepthRangef(static_cast<float>(g.depthRange.atNear), static_cast<float>(g.depthRange.atFar));
-
-    m_background.draw();
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(g.depthRange.atNear < g.depthRange.atFar ? GL_LESS : GL_GREATER);
-    m_meshes.draw(m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes);
-
-    // What is only drawn must not be picked: it leaves the depth buffer alone.
-    glDepthMask(GL_FALSE);
-    const float ratio = static_cast<float>(g.surface.devicePixelRatio);
-    const glm::vec2 viewportSize(g.viewport.width, g.viewport.height);
-    m_lines.draw(groundLines(m_document.ground(), m_document.groundSpacing()), *matrix, viewportSize, ratio);
-    m_lines.draw(axisLines(m_document.ground()), *matrix, viewportSize, 2.0f * ratio);
-    if (const auto &pick = m_document.pick(); pick && pick->hit && pick->point.world.formula) {
-        const WorldPoint &point = *pick->point.world.formula;
-        const std::vector<LineSegment> drops = dropLines(point, m_document.ground());
-        m_lines.draw(drops, *matrix, viewportSize, 2.0f * ratio);
-        glDisable(GL_DEPTH_TEST);
-        m_lines.draw(faded(drops), *matrix, viewportSize, 1.5f * ratio);
-        m_pickPainter.draw(point, *matrix, viewportSize, ratio);
+        return false;
+    if (!m_frame.begin(g)) {
+        emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
+                       "driver.")
+                        .arg(g.surface.widthPixels)
+                        .arg(g.surface.heightPixels));
+        return false;
     }
-    glDisable(GL_DEPTH_TEST);
-    drawAxes(*frame);
-    glDepthMask(GL_TRUE);
-    m_needsDraw = false;
-}
-
-void SceneView::drawAxes(const EyeFrame &frame)
-{
-    const Surface surface = m_document.geometry().surface;
-    const double ratio = surface.devicePixelRatio;
-    const int side = static_cast<int>(std::lround(84 * ratio));
-    if (surface.widthPixels < 3 * side || surface.heightPixels < 3 * side)
-        return;
-    glViewport(0, 0, side, side);
-    const Result<glm::dmat4> box = clipFromEye(Ortho{-1.45, 1.45, -1.45, 1.45, -2.0, 2.0});
-    if (box)
-        m_lines.draw(triadLines(frame), *box, glm::vec2(side, side), 2.0f * static_cast<float>(ratio));
+    m_background.draw();
+    m_frame.beginObjects();
+    m_meshes.draw(m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes);
+    m_frame.end();
+    for (const QString &failure : m_meshes.takeFailures())
+        emit failed(failure);
+    return true;
 }
 
 void SceneView::onDestroy()
@@ -206,34 +186,33 @@ void SceneView::onDestroy()
     QElapsedTimer timer;
     timer.start();
     makeCurrent();
-    m_depthReader.release();
+    m_frame.release();
+    m_framePainter.release();
     m_background.release();
     m_meshes.release();
-    m_lines.release();
-    m_pickPainter.release();
+    m_overlay->release();
     m_isCreated = false;
-    m_needsUpload = true;
+    m_requested.reset();
     disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneView::onDestroy);
     doneCurrent();
     emit happened({LifecycleEvent::Kind::OnDestroy, QString(),
-                   QStringLiteral("glDeleteProgram, glDeleteBuffers, glDeleteVertexArrays, glDeleteTextures"),
+                   QStringLiteral("glDeleteFramebuffers, glDeleteProgram, glDeleteBuffers, glDeleteVertexArrays, "
+                                  "glDeleteTextures"),
                    milliseconds(timer)});
 }
 
-std::optional<DepthSample> SceneView::depthAt(const WidgetPoint &position)
+std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)
 {
     makeCurrent();
     if (!m_isCreated)
         return std::nullopt;
-    glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-    if (m_needsDraw)
-        onDraw();
-    const Surface surface = m_document.geometry().surface;
-    const Result<DevicePixel> pixel = devicePixelFromWidget(surface, position);
+    QElapsedTimer timer;
+    timer.start();
+    if (updateFrame())
+        emit happened({LifecycleEvent::Kind::OnDraw, QString(), kObjectCalls, milliseconds(timer)});
     std::optional<DepthSample> sample;
-    if (pixel) {
-        sample =
-            m_depthReader.read(defaultFramebufferObject(), surface, *pixel, m_document.geometry().depthRange.atFar);
+    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position)) {
+        sample = m_frame.sample(*pixel);
         if (!sample)
             emit failed(tr("The depth of this pixel could not be read: OpenGL reported an error."));
     }
@@ -245,137 +224,21 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
 {
     QElapsedTimer timer;
     timer.start();
-    const std::optional<DepthSample> sample = depthAt(position);
+    const std::optional<DepthSample> sample = sampleAt(position);
     if (!sample)
         return;
     const Surface &surface = m_document.geometry().surface;
     if (const Result<DevicePixel> pixel = devicePixelFromWidget(surface, position)) {
         emit happened({LifecycleEvent::Kind::OnLButtonDown, QStringLiteral("%1, %2").arg(position.x).arg(position.y),
-                       QStringLiteral("glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, …) = %3")
+                       QStringLiteral("glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, …) = %3; object id %4")
                            .arg(pixel->i)
                            .arg(framebufferRow(surface, *pixel))
-                           .arg(sample->depth, 0, 'g', 9),
+                           .arg(sample->depth, 0, 'g', 9)
+                           .arg(sample->object ? *sample->object + 1 : 0),
                        milliseconds(timer)});
     }
     m_pivot = m_document.pivotAt(position, *sample);
     emit clicked(position, *sample);
-}
-
-WidgetPoint SceneView::widgetPosition(const QPointF &local) const
-{
-    const QPointF corner = mapTo(window(), QPointF(0.0, 0.0));
-    return widgetOnSurface(currentSurface(), WidgetPoint(local.x(), local.y()), WidgetPoint(corner.x(), corner.y()));
-}
-
-void SceneView::mousePressEvent(QMouseEvent *event)
-{
-    const bool pans = event->button() == Qt::MiddleButton
-                      || (event->button() == Qt::LeftButton && event->modifiers().testFlag(Qt::ShiftModifier));
-    if (!pans && event->button() != Qt::LeftButton)
-        return;
-    m_lastPosition = event->position();
-    m_hasMoved = false;
-    m_gesture = QStringLiteral("drag %1").arg(++m_gestureCount);
-    const WidgetPoint position = widgetPosition(event->position());
-    if (pans) {
-        if (const std::optional<DepthSample> sample = depthAt(position))
-            m_pivot = m_document.pivotAt(position, *sample);
-        m_drag = Drag::Pan;
-        return;
-    }
-    onLButtonDown(position);
-    m_drag = Drag::Orbit;
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent *event)
-{
-    const QPointF delta = event->position() - m_lastPosition;
-    // A hand that only clicks trembles by a pixel or two: that is no drag yet.
-    constexpr double kTremblePixels = 3.0;
-    if (m_drag != Drag::None && !m_hasMoved && std::hypot(delta.x(), delta.y()) < kTremblePixels)
-        return;
-    m_hasMoved = true;
-    m_lastPosition = event->position();
-    const ViewGeometry &g = m_document.geometry();
-    switch (m_drag) {
-    case Drag::None:
-        if (event->buttons() == Qt::NoButton)
-            reportHover(event->position());
-        return;
-    case Drag::Orbit: {
-        // Half a turn for the height of the view.
-        const double radiansPerPixel = 3.14159265358979323846 / std::max(1, height());
-        m_document.setCamera(orbited(g.camera, m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel),
-                             m_gesture);
-        return;
-    }
-    case Drag::Pan: {
-        const Result<EyeFrame> frame = eyeFrame(g.camera);
-        if (!frame)
-            return;
-        const double scale = worldPerPixel(g, m_pivot) * g.surface.devicePixelRatio;
-        m_document.setCamera(moved(g.camera, (frame->upward * delta.y() - frame->side * delta.x()) * scale), m_gesture);
-        return;
-    }
-    }
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent *event)
-{
-    m_drag = Drag::None;
-    if (event->buttons() == Qt::NoButton && rect().contains(event->position().toPoint()))
-        reportHover(event->position());
-}
-
-void SceneView::reportHover(const QPointF &local)
-{
-    const WidgetPoint position = widgetPosition(local);
-    if (const std::optional<DepthSample> sample = depthAt(position))
-        emit hovered(position, *sample);
-}
-
-void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
-{
-    if (event->button() != Qt::LeftButton)
-        return;
-    const WidgetPoint position = widgetPosition(event->position());
-    const std::optional<DepthSample> sample = depthAt(position);
-    if (!sample || !sample->hit)
-        return;
-    emit clicked(position, *sample);
-    m_document.setCamera(recentered(m_document.geometry(), m_document.pivotAt(position, *sample)));
-}
-
-void SceneView::wheelEvent(QWheelEvent *event)
-{
-    const WidgetPoint position = widgetPosition(event->position());
-    const std::optional<DepthSample> sample = depthAt(position);
-    if (!sample)
-        return;
-    const double notches = event->angleDelta().y() / 120.0;
-    const double factor = std::pow(1.2, notches);
-    const ViewGeometry next = zoomed(m_document.geometry(), m_document.pivotAt(position, *sample), factor);
-    m_document.setView(next.camera, next.projection, QStringLiteral("wheel"));
-    reportHover(event->position());
-    event->accept();
-}
-
-void SceneView::leaveEvent(QEvent *event)
-{
-    QOpenGLWidget::leaveEvent(event);
-    emit pointerLeft();
-}
-
-void SceneView::dragEnterEvent(QDragEnterEvent *event)
-{
-    if (event->mimeData()->hasUrls())
-        event->acceptProposedAction();
-}
-
-void SceneView::dropEvent(QDropEvent *event)
-{
-    event->acceptProposedAction();
-    emit filesDropped(event->mimeData()->urls());
 }
 
 } // namespace unprojector::gui

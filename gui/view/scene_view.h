@@ -2,32 +2,44 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/painters/background_painter.h"
-#include "gui/painters/line_painter.h"
+#include "gui/painters/frame_painter.h"
 #include "gui/painters/mesh_painter.h"
-#include "gui/painters/pick_painter.h"
-#include "gui/view/depth_reader.h"
+#include "gui/view/frame.h"
 #include "gui/view/lifecycle_event.h"
 
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <QUrl>
 
+#include <memory>
+
 namespace unprojector::gui {
+
+class SceneOverlay;
 
 /// The picture of a document's scene. Its life mirrors the paper's MFC view (Weng et al. 2008, section 4) by name:
 /// preCreateWindow, onCreate, onSize, onDraw, onLButtonDown, onDestroy, called from Qt's own hooks. It reads depths
 /// and reports positions; it never unprojects.
+///
+/// The objects are drawn into a Frame, once a change; the frame is what clicks are read from. Onto the widget goes a copy
+/// of it, with smooth edges if wanted, and over that what cannot be clicked.
 class SceneView : public QOpenGLWidget, protected QOpenGLExtraFunctions {
     Q_OBJECT
 public:
-    /// The surface format of a view: OpenGL 3.3 core, 24-bit depth. Stands for the pixel format that the paper sets
-    /// up before the window exists.
-    /// @param samples  for multisampling; 0: none, and a depth is then read where it is unprojected, at the centre
-    ///                 of the pixel, instead of at the driver's first sample
-    static QSurfaceFormat preCreateWindow(int samples);
+    /// The surface format of a view: OpenGL 3.3 core, 24-bit depth, one sample. Stands for the pixel format that the
+    /// paper sets up before the window exists.
+    static QSurfaceFormat preCreateWindow();
 
-    SceneView(SceneDocument &document, int samples, QWidget *parent = nullptr);
+    explicit SceneView(SceneDocument &document, QWidget *parent = nullptr);
     ~SceneView() override;
+
+    /// A matter of looks alone: the depths that are read are the same.
+    void setSmoothEdges(bool smooth);
+    bool smoothEdges() const { return m_smoothEdges; }
+
+    /// How this driver tells the object under a pixel; valid once the view is ready.
+    ObjectIds objectIds() const { return m_frame.ids(); }
 
     /// The left button pressed at a widget position in logical pixels: the depth there is read and `clicked` emitted.
     /// A position outside the view is ignored.
@@ -43,7 +55,7 @@ signals:
     void clicked(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
     void hovered(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
     void pointerLeft();
-    /// OpenGL cannot draw here, or not read depths; for a message.
+    /// OpenGL cannot draw here, or not all of it, or not read depths; for a message.
     void failed(const QString &reason);
     /// A step of the view's life has been taken; for a log.
     void happened(const unprojector::gui::LifecycleEvent &event);
@@ -70,31 +82,42 @@ private:
     void onSize();
     void onDraw();
     void onDestroy();
-    /// The picture itself, into the framebuffer that is bound.
-    void draw();
 
     Surface currentSurface() const;
-    /// The depth at a position, of a picture that is up to date.
-    std::optional<DepthSample> depthAt(const WidgetPoint &position);
-    void reportHover(const QPointF &local);
-    void drawAxes(const EyeFrame &frame);
+    /// Draws the objects into the frame where it does not show the document as it is.
+    /// @return whether it had to
+    bool updateFrame();
+    /// What is under a position in a picture that is up to date.
+    std::optional<DepthSample> sampleAt(const WidgetPoint &position);
     void redraw();
 
+    // The pointer's readout waits for nothing: it is asked for, and reported when the GPU has it.
+    void reportHover(const QPointF &local);
+    void requestHover();
+    void takeHover();
+
     SceneDocument &m_document;
-    DepthReader m_depthReader;
+    Frame m_frame;
+    FramePainter m_framePainter;
     BackgroundPainter m_background;
     MeshPainter m_meshes;
-    LinePainter m_lines;
-    PickPainter m_pickPainter;
+    std::unique_ptr<SceneOverlay> m_overlay;
 
     bool m_isCreated = false;
-    bool m_needsUpload = true;
-    bool m_needsDraw = true; ///< the framebuffer does not show the document as it is
+    bool m_smoothEdges = true;
+    bool m_isStale = true; ///< the frame does not show the document as it is
+
+    std::optional<WidgetPoint> m_hovered;   ///< to be read
+    std::optional<WidgetPoint> m_requested; ///< being read
+    QTimer m_hoverTimer;
+
     Drag m_drag = Drag::None;
     bool m_hasMoved = false; ///< far enough from the press to be a drag
     QPointF m_lastPosition;
     WorldPoint m_pivot;
-    QString m_gesture; ///< the drag that is under way, undone as one
+    QPointF m_wheelPosition;
+    std::optional<WorldPoint> m_wheelPivot; ///< under m_wheelPosition, until the next picture
+    QString m_gesture;                      ///< the drag that is under way, undone as one
     int m_gestureCount = 0;
 };
 

@@ -44,14 +44,14 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     m_sceneName = tr("the scene"); // until one is opened
     setWindowTitle(tr("Unprojector") + QStringLiteral("[*]"));
     resize(1280, 800);
-    const bool smooth = options.remembers && QSettings().value(QStringLiteral("view/smoothEdges"), false).toBool();
-    m_samples = options.samples >= 0 ? options.samples : smooth ? kSmoothSamples : 0;
+    const bool chosen = !options.remembers || QSettings().value(QStringLiteral("view/smoothEdges"), true).toBool();
+    m_smoothEdges = options.smoothEdges.value_or(chosen);
 
     createCenter();
     createDocks();
     createStatusBar();
     createActions();
-    createView(m_samples);
+    createView();
 
     connect(m_document, &SceneDocument::pickChanged, this, [this] { m_comparison->setPick(m_document->pick()); });
     connect(m_document, &SceneDocument::pickFailed, this,
@@ -100,11 +100,10 @@ void MainWindow::createCenter()
     setCentralWidget(m_splitter);
 }
 
-void MainWindow::createView(int samples)
+void MainWindow::createView()
 {
-    m_samples = samples;
-    delete m_view;
-    m_view = new SceneView(*m_document, samples);
+    m_view = new SceneView(*m_document);
+    m_view->setSmoothEdges(m_smoothEdges);
     m_center->addWidget(m_view, 0, 0);
     m_center->addWidget(m_topBars, 0, 0, Qt::AlignTop);
     m_center->addWidget(m_loading, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
@@ -124,6 +123,16 @@ void MainWindow::createView(int samples)
             files.emplace_back((url.isLocalFile() ? url.toLocalFile() : url.toString()).toStdU16String());
         openFiles(std::move(files));
     });
+}
+
+void MainWindow::setSmoothEdges(bool smooth)
+{
+    m_smoothEdges = smooth;
+    m_view->setSmoothEdges(smooth);
+    if (m_observer)
+        m_observer->view().setSmoothEdges(smooth);
+    if (m_options.remembers)
+        QSettings().setValue(QStringLiteral("view/smoothEdges"), smooth);
 }
 
 void MainWindow::showFailure(const QString &reason)
@@ -220,7 +229,8 @@ void MainWindow::showObserver(bool isShown)
     if (!m_observer) {
         if (!isShown)
             return;
-        m_observer = new ObserverPanel(*m_document, m_samples);
+        m_observer = new ObserverPanel(*m_document);
+        m_observer->view().setSmoothEdges(m_smoothEdges);
         connect(&m_observer->view(), &ObserverView::failed, this, &MainWindow::showFailure);
         m_splitter->addWidget(m_observer);
         const int half = m_splitter->width() / 2;

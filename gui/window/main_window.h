@@ -39,8 +39,8 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
     struct Options {
-        int samples = -1;      ///< of the view; -1: as the user chose in the menu
-        bool remembers = true; ///< layout, choices and recent files are read and kept
+        std::optional<bool> smoothEdges = {}; ///< nothing: as the user chose in the menu
+        bool remembers = true;                ///< layout, choices and recent files are read and kept
         /// Where unsaved changes are kept in case of a crash; empty: with the user's data if it `remembers`, else nowhere.
         QString recoveryFolder = {};
         AutosaveTiming autosave = {};
@@ -85,13 +85,12 @@ protected:
     void closeEvent(QCloseEvent *event) override;
 
 private:
-    /// How many samples "smooth edges" means.
-    static constexpr int kSmoothSamples = 4;
     /// How long the status bar tells what needs no answer.
     static constexpr int kNoticeMilliseconds = 12000;
 
     void createCenter();
-    void createView(int samples);
+    void createView();
+    void setSmoothEdges(bool smooth);
     void createDocks();
     void createStatusBar();
     /// The panels where they are at first, as many as fit beside the view.
@@ -151,7 +150,7 @@ private:
     void showControls();
 
     Options m_options;
-    int m_samples = 0;
+    bool m_smoothEdges = true;
     bool m_isArranged = false; ///< by the user's last session, or for the size it is first shown with
     SceneDocument *m_document;
     ModelLoader *m_loader;

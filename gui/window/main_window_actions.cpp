@@ -103,16 +103,12 @@ void MainWindow::createViewMenu(QToolBar &bar)
     observer->setCheckable(true);
     connect(observer, &QAction::toggled, this, &MainWindow::showObserver);
     bar.addAction(observer);
-    QAction *smooth = addAction(
-        menu, tr("&Smooth Edges"), {},
-        tr("Multisampling: smoother edges, but a depth is then read at a sample beside the pixel's centre"), [] {});
+    QAction *smooth =
+        addAction(menu, tr("&Smooth Edges"), {},
+                  tr("Draw the edges of surfaces without steps. The depths that clicks read stay the same"), [] {});
     smooth->setCheckable(true);
-    smooth->setChecked(m_samples > 0);
-    connect(smooth, &QAction::toggled, this, [this](bool on) {
-        createView(on ? kSmoothSamples : 0);
-        if (m_options.remembers)
-            QSettings().setValue(QStringLiteral("view/smoothEdges"), on);
-    });
+    smooth->setChecked(m_smoothEdges);
+    connect(smooth, &QAction::toggled, this, &MainWindow::setSmoothEdges);
     menu->addSeparator();
     for (QDockWidget *dock : m_docks)
         menu->addAction(dock->toggleViewAction());
@@ -163,13 +159,18 @@ void MainWindow::showControls()
 
 void MainWindow::showAbout()
 {
+    const QString wayBack = m_view->objectIds() == ObjectIds::Colors
+                                ? tr("<p>This graphics driver draws no integers, so the view tells by colours which "
+                                     "object was clicked.</p>")
+                                : QString();
     QMessageBox::about(this, tr("About Unprojector"),
                        tr("<p><b>Unprojector %1</b></p><p>Click a pixel of a 3-D view and get its world coordinate, "
                           "computed twice: by the "
                           "closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, with "
                           "the difference, its "
                           "cause and how certain the coordinate is.</p><p>MIT licence.</p>")
-                           .arg(QStringLiteral(UNPROJECTOR_VERSION)));
+                               .arg(QStringLiteral(UNPROJECTOR_VERSION))
+                           + wayBack);
 }
 
 } // namespace unprojector::gui

@@ -24,7 +24,7 @@ ScreenshotRun::~ScreenshotRun() = default;
 void ScreenshotRun::start()
 {
     MainWindow::Options options;
-    options.samples = m_request.samples;
+    options.smoothEdges = m_request.smoothEdges;
     options.remembers = false;
     m_window = std::make_unique<MainWindow>(options);
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);

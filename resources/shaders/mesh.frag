@@ -6,7 +6,17 @@ uniform vec4 baseColor;
 uniform bool isTextured;
 uniform sampler2D baseTexture;
 
-out vec4 fragment;
+layout(location = 0) out vec4 fragment;
+
+// Which object this is, 1 for the first. Where a driver has no framebuffers of integers, its four bytes are a colour.
+uniform uint object;
+#ifdef OBJECT_IDS_ARE_COLORS
+layout(location = 1) out vec4 objectId;
+vec4 written(uint id) { return vec4((uvec4(id) >> uvec4(0u, 8u, 16u, 24u)) & 255u) / 255.0; }
+#else
+layout(location = 1) out uint objectId;
+uint written(uint id) { return id; }
+#endif
 
 // A key light over the camera's left shoulder and a dim fill from the right: both move with the camera, so no side of
 // a model is ever dark. Surfaces are lit on both sides, because scans are often wound the wrong way.
@@ -23,4 +33,5 @@ void main()
     float light = 0.38 + 0.58 * max(dot(n, key), 0.0) + 0.18 * max(dot(n, fill), 0.0);
     float gloss = 0.12 * pow(max(dot(n, normalize(key + vec3(0.0, 0.0, 1.0))), 0.0), 40.0);
     fragment = vec4(color.rgb * light + gloss, 1.0);
+    objectId = written(object);
 }

@@ -4,8 +4,7 @@ layout(location = 2) in vec4 color;
 layout(location = 3) in vec2 texcoord;
 
 uniform mat4 clipFromObject;
-uniform mat4 worldFromObject;
-uniform vec4 clipPlanes[8];
+uniform vec4 clipPlanes[8]; // in the space of the positions
 uniform mat3 eyeNormalFromObject;
 
 out float gl_ClipDistance[8];
@@ -16,9 +15,8 @@ out vec2 uv;
 void main()
 {
     gl_Position = clipFromObject * vec4(position, 1.0);
-    vec4 world = worldFromObject * vec4(position, 1.0);
     for (int i = 0; i < 8; ++i)
-        gl_ClipDistance[i] = dot(clipPlanes[i], world);
+        gl_ClipDistance[i] = dot(clipPlanes[i], vec4(position, 1.0));
     eyeNormal = eyeNormalFromObject * normal;
     vertexColor = color;
     uv = texcoord;

@@ -20,10 +20,6 @@
         <translation>与 --screenshot 连用：在视图的这个位置按下左键，以逻辑像素计，原点在视图左上角。可以给出多次。</translation>
     </message>
     <message>
-        <source>Samples a pixel for smooth edges: 0, 2, 4 or 8.</source>
-        <translation>平滑边缘时每像素的采样数：0、2、4 或 8。</translation>
-    </message>
-    <message>
         <source>Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene.</source>
         <translation>要打开的模型文件：OBJ、STL、PLY、OFF、glTF、GLB。不给出时打开自带场景。</translation>
     </message>
@@ -44,16 +40,20 @@
         <translation>--click 须与 --screenshot OUT.png 连用。</translation>
     </message>
     <message>
-        <source>--samples is %1; give 0, 2, 4 or 8.</source>
-        <translation>--samples 为 %1；请给出 0、2、4 或 8。</translation>
-    </message>
-    <message>
         <source>There is no display. Set DISPLAY, or run under xvfb-run.</source>
         <translation>没有可用的显示。请设置 DISPLAY，或在 xvfb-run 下运行。</translation>
     </message>
     <message>
         <source>Standard output cannot be written: %1.</source>
         <translation>无法写入标准输出：%1。</translation>
+    </message>
+    <message>
+        <source>Whether the edges of surfaces are drawn without steps: on or off. What clicks read is the same.</source>
+        <translation>是否把表面的边缘画得没有锯齿：on 或 off。点击读到的内容不变。</translation>
+    </message>
+    <message>
+        <source>--smooth-edges is %1; give on or off.</source>
+        <translation>--smooth-edges 为 %1；请给出 on 或 off。</translation>
     </message>
 </context>
 <context>
@@ -1148,10 +1148,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>平滑边缘(&amp;S)</translation>
     </message>
     <message>
-        <source>Multisampling: smoother edges, but a depth is then read at a sample beside the pixel&apos;s centre</source>
-        <translation>多重采样：边缘更平滑，但深度读自像素中心旁的采样点</translation>
-    </message>
-    <message>
         <source>H&amp;ide All Panels</source>
         <translation>隐藏所有面板(&amp;I)</translation>
     </message>
@@ -1323,6 +1319,14 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <source>In case of a crash unsaved changes would be lost: %1 cannot be written.</source>
         <translation>无法写入 %1：如果程序意外退出，未保存的更改将会丢失。</translation>
     </message>
+    <message>
+        <source>Draw the edges of surfaces without steps. The depths that clicks read stay the same</source>
+        <translation>把表面的边缘画得没有锯齿。点击读到的深度不变</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;This graphics driver draws no integers, so the view tells by colours which object was clicked.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;此显卡驱动不能绘制整数，因此视图用颜色来辨认点击的是哪个物体。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MatrixModel</name>
@@ -1410,6 +1414,17 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>Closed</source>
         <translation>折叠</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::MeshPainter</name>
+    <message>
+        <source>A texture of %1 could not be decoded and is not shown. Convert it to PNG or JPEG, or make it smaller.</source>
+        <translation>%1 的一张纹理无法解码，未予显示。请把它转换为 PNG 或 JPEG，或将其缩小。</translation>
+    </message>
+    <message>
+        <source>The graphics memory does not hold %1, which is not drawn whole. Close other programs, or open a smaller model.</source>
+        <translation>显存容纳不下 %1，它没有被完整绘制。请关闭其他程序，或打开较小的模型。</translation>
     </message>
 </context>
 <context>
@@ -1670,6 +1685,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Far plane</source>
         <translation>远裁剪面</translation>
+    </message>
+    <message>
+        <source>OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
+        <translation>OpenGL 无法绘制 %1 × %2 像素的画面。请缩小窗口，或更新显卡驱动。</translation>
     </message>
 </context>
 <context>
@@ -2235,6 +2254,10 @@ in logical pixels from the top-left corner, y down</source>
     <message>
         <source>The depth of this pixel could not be read: OpenGL reported an error.</source>
         <translation>无法读取该像素的深度：OpenGL 报告了错误。</translation>
+    </message>
+    <message>
+        <source>OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
+        <translation>OpenGL 无法绘制 %1 × %2 像素的画面。请缩小窗口，或更新显卡驱动。</translation>
     </message>
 </context>
 <context>

@@ -95,10 +95,10 @@ std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &
 
 // ---- windows -----------------------------------------------------------------------------------------------------
 
-std::unique_ptr<MainWindow> shownWindow(int samples, const QSize &size, bool withDock)
+std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock)
 {
     MainWindow::Options options;
-    options.samples = samples;
+    options.smoothEdges = smoothEdges;
     options.remembers = false;
     auto window = std::make_unique<MainWindow>(options);
     if (!withDock)

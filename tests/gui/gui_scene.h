@@ -48,7 +48,7 @@ std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &
 // ---- windows -----------------------------------------------------------------------------------------------------
 
 /// On the screen, its view ready, without the dock unless asked for. Remembers nothing.
-std::unique_ptr<MainWindow> shownWindow(int samples, const QSize &size, bool withDock = false);
+std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock = false);
 /// Resizes and waits until the view has its new size.
 bool resized(MainWindow &window, const QSize &size);
 

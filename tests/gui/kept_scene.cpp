@@ -34,7 +34,7 @@ std::filesystem::path pathOf(const QString &name)
 std::unique_ptr<MainWindow> windowKeepingIn(const QString &folder)
 {
     MainWindow::Options options;
-    options.samples = 0;
+    options.smoothEdges = false;
     options.remembers = false;
     options.recoveryFolder = folder;
     options.autosave = {20ms, 200ms};

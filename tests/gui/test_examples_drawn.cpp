@@ -28,7 +28,7 @@ const Example &example(const std::string &id)
 
 /// A document and its view on the screen.
 struct Stage {
-    Stage() : view(document, 0)
+    Stage() : view(document)
     {
         QObject::connect(&view, &SceneView::clicked, &document, &SceneDocument::pickAt);
         view.resize(800, 600);

@@ -198,7 +198,7 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     QVERIFY(document.change(scene, QStringLiteral("Viewport")).hasValue());
 
     LifecycleLog log;
-    auto view = std::make_unique<SceneView>(document, 0);
+    auto view = std::make_unique<SceneView>(document);
     connect(view.get(), &SceneView::happened, &log, &LifecycleLog::append);
     view->resize(800, 600);
     view->show();

@@ -36,7 +36,7 @@ QAction *actionOf(const MainWindow &window, const QString &text)
 std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remembers = false)
 {
     MainWindow::Options options;
-    options.samples = 0;
+    options.smoothEdges = false;
     options.remembers = remembers;
     auto window = std::make_unique<MainWindow>(options);
     if (!remembers)
@@ -155,17 +155,10 @@ void TestMainWindow::anotherKindOfEdgesKeepsTheScene()
     const std::size_t objects = window->document().objects().size();
     const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
     actionOf(*window, QStringLiteral("Smooth Edges"))->trigger();
-    QTRY_VERIFY(window->view().isReady());
+    QVERIFY(window->view().smoothEdges());
     QCOMPARE(window->document().objects().size(), objects);
     QVERIFY(window->document().scene().camera.eye.coordinates() == eye);
     QVERIFY(window->document().pick());
-    // The log saw the old view go and the new one come.
-    const LifecycleLog &log = window->lifecycle();
-    QStringList steps;
-    for (int row = 0; row < log.rowCount(); ++row)
-        steps << log.index(row, LifecycleLog::Step).data().toString();
-    const qsizetype gone = steps.indexOf(QStringLiteral("OnDestroy()"));
-    QVERIFY2(gone > 0 && steps.indexOf(QStringLiteral("OnCreate()"), gone) > gone, qPrintable(steps.join(u' ')));
 }
 
 void TestMainWindow::aChangeIsUndoneFromTheMenu()

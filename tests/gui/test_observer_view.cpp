@@ -106,7 +106,7 @@ void TestObserverView::init()
     m_document = std::make_unique<SceneDocument>();
     m_document->setSurface({900, 600, 1.0});
     m_document->setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
-    m_panel = std::make_unique<ObserverPanel>(*m_document, 0);
+    m_panel = std::make_unique<ObserverPanel>(*m_document);
     m_panel->resize(500, 600);
     m_panel->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));

@@ -158,7 +158,7 @@ QStringList TestOpenFiles::bigFiles()
 
 void TestOpenFiles::aNamedFileIsShown()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     QVERIFY(openAndWait(*window, {write(QStringLiteral("triangle.obj"), kTriangleObj)}));
     QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("triangle.obj")});
     QVERIFY(window->windowTitle().startsWith(QStringLiteral("triangle.obj")));
@@ -173,7 +173,7 @@ void TestOpenFiles::aNamedFileIsShown()
 
 void TestOpenFiles::aDroppedFileIsShown()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     SceneView &view = window->view();
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(write(QStringLiteral("dropped file.obj"), kTriangleObj))});
@@ -198,7 +198,7 @@ void TestOpenFiles::aDroppedFileIsShown()
 
 void TestOpenFiles::severalFilesAreOneScene()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     QVERIFY(openAndWait(
         *window, {write(QStringLiteral("b.obj"), kTriangleObj), write(QStringLiteral("a.stl"), triangleStl(2))}));
     QCOMPARE(namesOf(window->document()), (QStringList{QStringLiteral("b.obj"), QStringLiteral("a.stl")}));
@@ -207,7 +207,7 @@ void TestOpenFiles::severalFilesAreOneScene()
 
 void TestOpenFiles::theGoodOfSeveralFilesAreShownAndTheBrokenNamed()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     const QString good = write(QStringLiteral("good.obj"), kTriangleObj),
                   other = write(QStringLiteral("other.stl"), triangleStl(2));
     const QString broken = write(QStringLiteral("broken.obj"), "v 0 0 0\nf 1 2 9\n");
@@ -262,7 +262,7 @@ void TestOpenFiles::aBrokenFileChangesNothing()
     else if (content != "(none)")
         path = write(name, content);
 
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     window->document().setObjects(cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
     QVERIFY(window->document().pick() && window->document().pick()->hit);
@@ -281,7 +281,7 @@ void TestOpenFiles::aBrokenFileChangesNothing()
 
 void TestOpenFiles::aMessageGoesWithTheNextFile()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     QVERIFY(openAndWait(*window, {m_folder.filePath(QStringLiteral("nowhere.obj"))}));
     QVERIFY(!window->message().isEmpty());
     QVERIFY(openAndWait(*window, {write(QStringLiteral("triangle.obj"), kTriangleObj)}));
@@ -290,7 +290,7 @@ void TestOpenFiles::aMessageGoesWithTheNextFile()
 
 void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     window->document().setObjects(cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
     const State before(*window);
@@ -321,7 +321,7 @@ void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
 
 void TestOpenFiles::aSecondLoadingTakesTheFirstOnesPlace()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     const QString small = write(QStringLiteral("small.obj"), kTriangleObj);
     std::vector<std::filesystem::path> files;
     for (const QString &file : bigFiles())
@@ -342,7 +342,7 @@ void TestOpenFiles::theWindowClosesWhileLoading()
 {
     QElapsedTimer timer;
     for (const int milliseconds : {0, 60, 250}) {
-        auto window = shownWindow(0, {500, 400});
+        auto window = shownWindow(false, {500, 400});
         std::vector<std::filesystem::path> files;
         for (const QString &file : bigFiles())
             files.push_back(pathOf(file));
@@ -361,7 +361,7 @@ void TestOpenFiles::theWindowClosesWhileLoading()
 void TestOpenFiles::recentFilesAreRemembered()
 {
     MainWindow::Options options;
-    options.samples = 0;
+    options.smoothEdges = false;
     const QString first = write(QStringLiteral("first.obj"), kTriangleObj),
                   second = write(QStringLiteral("second & third.obj"), kTriangleObj);
     const QString broken = write(QStringLiteral("broken.obj"), "f 1 2 3\n");
@@ -410,7 +410,7 @@ void TestOpenFiles::recentFilesAreRemembered()
 
 void TestOpenFiles::aWindowThatRemembersNothingLeavesTheSettingsAlone()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     QVERIFY(openAndWait(*window, {write(QStringLiteral("triangle.obj"), kTriangleObj)}));
     window->comparison().setShowsFloat(true);
     QVERIFY(window->close());
@@ -419,7 +419,7 @@ void TestOpenFiles::aWindowThatRemembersNothingLeavesTheSettingsAlone()
 
 void TestOpenFiles::namesInOtherScriptsOpen()
 {
-    const auto window = shownWindow(0, {500, 400});
+    const auto window = shownWindow(false, {500, 400});
     const QString name = QString::fromUtf8("模型 – ёлка.obj");
     const QString path = write(name, kTriangleObj);
     if (!QFile::exists(path) || QFile::decodeName(QFile::encodeName(name)) != name)

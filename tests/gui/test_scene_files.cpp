@@ -51,7 +51,7 @@ private:
 
 void TestSceneFiles::whatIsSavedOpensAgainAsItWas()
 {
-    const auto window = shownWindow(0, {640, 480});
+    const auto window = shownWindow(false, {640, 480});
     window->openBundledScene();
     SceneDocument &document = window->document();
     Scene changed = document.scene();
@@ -92,7 +92,7 @@ void TestSceneFiles::modelsAreFoundBesideTheScene()
         "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
         "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
         "objects": [{"name": "t", "file": "triangle.obj", "transform": [{"translate": [0.25, 0, 0]}]}]})");
-    const auto window = shownWindow(0, {640, 480});
+    const auto window = shownWindow(false, {640, 480});
     openAndWait(*window, path("beside.json"));
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     QCOMPARE(window->document().objects().size(), std::size_t(1));
@@ -108,7 +108,7 @@ void TestSceneFiles::matricesStayUntilTheyAreChanged()
     write("matrices.json", R"({"unprojector": 1, "window": {"width": 300, "height": 200},
         "projection": {"type": "matrix", "matrix": )"
                                + projection + R"(}, "view": {"matrix": )" + view + "}}");
-    const auto window = shownWindow(0, {640, 480});
+    const auto window = shownWindow(false, {640, 480});
     openAndWait(*window, path("matrices.json"));
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     const auto saved = [&] {
@@ -145,7 +145,7 @@ void TestSceneFiles::modelsOpenedByARelativeNameAreFoundAgain()
     QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("elsewhere")));
     const QString before = QDir::currentPath();
     QVERIFY(QDir::setCurrent(m_folder.path()));
-    const auto window = shownWindow(0, {640, 480});
+    const auto window = shownWindow(false, {640, 480});
     openAndWait(*window, "triangle.obj");
     QVERIFY(QDir::setCurrent(before));
     QVERIFY(window->saveScene(path("elsewhere/scene.json")));
@@ -180,7 +180,7 @@ void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing()
     QFETCH(QByteArray, text);
     QFETCH(QString, named);
     write("bad.json", text);
-    const auto window = shownWindow(0, {640, 480});
+    const auto window = shownWindow(false, {640, 480});
     window->openBundledScene();
     const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
     openAndWait(*window, path("bad.json"));
@@ -191,7 +191,7 @@ void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing()
 
 void TestSceneFiles::aFolderThatIsNotThereIsTold()
 {
-    const auto window = shownWindow(0, {640, 480});
+    const auto window = shownWindow(false, {640, 480});
     window->openBundledScene();
     QVERIFY(!window->saveScene(path("no/such/folder/scene.json")));
     QVERIFY2(window->message().contains(QStringLiteral("scene.json")), qPrintable(window->message()));

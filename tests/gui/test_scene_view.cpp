@@ -1,11 +1,9 @@
 // Clicks on a drawn scene, followed from the mouse event to the world. Run at several pixel ratios (QT_SCALE_FACTOR),
-// each with and without multisampling.
+// each with and without smooth edges.
 
 #include "tests/gui/gui_scene.h"
 
 #include <QDockWidget>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QScreen>
 #include <QToolBar>
 
@@ -23,15 +21,6 @@ namespace {
 constexpr double kRasterizerSteps = 6.0;
 /// Corners are snapped to 1/256 of a pixel before depth is interpolated between them.
 constexpr double kSubpixel = 1.0 / 256.0;
-/// A multisampled depth is the driver's first sample's, which lies up to half a pixel beside the centre in each
-/// direction: on a surface of slope alpha that is half a footprint times tan alpha.
-constexpr double kSampleReach = 0.5;
-
-double sampleReach(int samples)
-{
-    return samples > 0 ? kSampleReach : kSubpixel;
-}
-
 /// The farthest that a quantity of the plane point is from its value at the centre when the sample lies beside it.
 template <class Quantity>
 double slopeTerm(const ViewGeometry &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point,
@@ -80,16 +69,6 @@ LookAt cameraBefore(const Face &face, const ViewGeometry &g)
     return recentered(seen, WorldPoint(middle));
 }
 
-/// Of the framebuffer that is drawn into; the context's own format says nothing of it.
-int drawnSamples(SceneView &view)
-{
-    view.makeCurrent();
-    GLint samples = 0;
-    view.context()->functions()->glGetIntegerv(GL_SAMPLES, &samples);
-    view.doneCurrent();
-    return samples;
-}
-
 } // namespace
 
 class TestSceneView : public QObject {
@@ -106,14 +85,14 @@ private slots:
     void theViewIsComposedOntoWholeDevicePixels();
 
 private:
-    void clickFace(MainWindow &window, const Face &face, const glm::dvec2 &place, int samples);
+    void clickFace(MainWindow &window, const Face &face, const glm::dvec2 &place);
 };
 
 void TestSceneView::theFramebufferHasTheSizeThatDeviceCoordinatesAssume()
 {
     const QByteArray wanted = qgetenv("QT_SCALE_FACTOR");
     for (const QSize &size : {QSize(500, 400), QSize(501, 403), QSize(507, 411)}) {
-        const auto window = shownWindow(0, size);
+        const auto window = shownWindow(false, size);
         if (!wanted.isEmpty())
             QCOMPARE(window->view().devicePixelRatio(), wanted.toDouble());
         const Surface &surface = window->document().geometry().surface;
@@ -125,16 +104,17 @@ void TestSceneView::theFramebufferHasTheSizeThatDeviceCoordinatesAssume()
 
 void TestSceneView::aClickOnAFaceGivesItsPlane_data()
 {
-    QTest::addColumn<int>("samples");
+    QTest::addColumn<bool>("smooth");
     QTest::addColumn<QString>("projection");
-    for (const int samples : {0, 4}) {
+    for (const bool smooth : {false, true}) {
         for (const char *projection : {"frustum", "frustum, off-centre", "ortho", "oblique"})
-            QTest::addRow("%s, %d samples", projection, samples) << samples << QString::fromLatin1(projection);
+            QTest::addRow("%s%s", projection, smooth ? ", smooth edges" : "")
+                << smooth << QString::fromLatin1(projection);
     }
 }
 
 /// @param place  on the face, in half-edges from its middle
-void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::dvec2 &place, int samples)
+void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::dvec2 &place)
 {
     SceneView &view = window.view();
     SceneDocument &document = window.document();
@@ -164,7 +144,7 @@ void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::d
     const glm::dvec3 expected = onPlane(ray, aimed, face.normal);
     const double step = 2.0 * pick.certainty.halfDepthStep;
     const double tolerance = step * kRasterizerSteps
-                             + slopeTerm(g, center, sampleReach(samples), aimed, face.normal,
+                             + slopeTerm(g, center, kSubpixel, aimed, face.normal,
                                          [&](const glm::dvec3 &p) { return distanceOf(g.camera, p); });
     for (const Result<WorldPoint> &point : {pick.point.world.formula, pick.point.world.matrix}) {
         QVERIFY(point.hasValue());
@@ -187,10 +167,9 @@ void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::d
 
 void TestSceneView::aClickOnAFaceGivesItsPlane()
 {
-    QFETCH(int, samples);
+    QFETCH(bool, smooth);
     QFETCH(QString, projection);
-    const auto window = shownWindow(samples, {500, 400});
-    QCOMPARE(drawnSamples(window->view()) > 0, samples > 0);
+    const auto window = shownWindow(smooth, {500, 400});
     window->document().setObjects(cubeScene());
     for (const QSize &size : {QSize(500, 400), QSize(417, 431)}) {
         QVERIFY(resized(*window, size));
@@ -200,7 +179,7 @@ void TestSceneView::aClickOnAFaceGivesItsPlane()
             QCOMPARE(window->document().geometry().projection.index(),
                      projectionNamed(projection, window->view()).index());
             for (const glm::dvec2 &place : {glm::dvec2(0.0, 0.0), glm::dvec2(0.8, -0.7), glm::dvec2(-0.75, 0.6)}) {
-                clickFace(*window, face, place, samples);
+                clickFace(*window, face, place);
                 if (QTest::currentTestFailed())
                     return;
             }
@@ -210,24 +189,24 @@ void TestSceneView::aClickOnAFaceGivesItsPlane()
 
 void TestSceneView::depthIsReadInTheRowAndColumnClicked_data()
 {
-    QTest::addColumn<int>("samples");
+    QTest::addColumn<bool>("smooth");
     QTest::addColumn<glm::dvec3>("steep");
     QTest::addColumn<glm::dvec3>("level");
-    for (const int samples : {0, 4}) {
-        QTest::addRow("from row to row, %d samples", samples)
-            << samples << glm::dvec3(0.0, 8.0, 9.0) << glm::dvec3(12.0, 0.0, 0.0);
-        QTest::addRow("from column to column, %d samples", samples)
-            << samples << glm::dvec3(10.0, 0.0, 9.0) << glm::dvec3(0.0, 12.0, 0.0);
+    for (const bool smooth : {false, true}) {
+        QTest::addRow("from row to row%s", smooth ? ", smooth edges" : "")
+            << smooth << glm::dvec3(0.0, 8.0, 9.0) << glm::dvec3(12.0, 0.0, 0.0);
+        QTest::addRow("from column to column%s", smooth ? ", smooth edges" : "")
+            << smooth << glm::dvec3(10.0, 0.0, 9.0) << glm::dvec3(0.0, 12.0, 0.0);
     }
 }
 
 void TestSceneView::depthIsReadInTheRowAndColumnClicked()
 {
-    QFETCH(int, samples);
+    QFETCH(bool, smooth);
     QFETCH(glm::dvec3, steep);
     QFETCH(glm::dvec3, level);
     const bool byRow = steep.y != 0.0;
-    const auto window = shownWindow(samples, {400, 360});
+    const auto window = shownWindow(smooth, {400, 360});
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     const glm::dvec3 middle(0.0, 0.0, -30.0);
@@ -252,7 +231,7 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
         const glm::dvec2 center = windowOf(view, pixel);
         const double expected = depthAt(onPlane(rayThrough(g, center), middle, normal));
         const double tolerance =
-            kRasterizerSteps / 16777215.0 + slopeTerm(g, center, sampleReach(samples), middle, normal, depthAt);
+            kRasterizerSteps / 16777215.0 + slopeTerm(g, center, kSubpixel, middle, normal, depthAt);
         QVERIFY2(std::abs(pick.window.z - expected) <= tolerance,
                  qPrintable(QStringLiteral("pixel (%1, %2): depth %3, not %4 ± %5")
                                 .arg(pixel.i)
@@ -260,9 +239,8 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
                                 .arg(pick.window.z, 0, 'g', 12)
                                 .arg(expected, 0, 'g', 12)
                                 .arg(tolerance)));
-        // The test can fail: a row or column beside, and without multisampling half a pixel, are outside that.
-        const double least = samples > 0 ? 1.0 : 0.5;
-        for (const double aside : {-least, least}) {
+        // The test can fail: half a pixel beside is outside that.
+        for (const double aside : {-0.5, 0.5}) {
             const glm::dvec2 wrong = center + (byRow ? glm::dvec2(0.0, aside) : glm::dvec2(aside, 0.0));
             QVERIFY(std::abs(depthAt(onPlane(rayThrough(g, wrong), middle, normal)) - expected) > 1.5 * tolerance);
         }
@@ -271,7 +249,7 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
 
 void TestSceneView::everyDevicePixelCanBeClicked()
 {
-    const auto window = shownWindow(0, {430, 420});
+    const auto window = shownWindow(false, {430, 420});
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     document.setObjects(cubeScene());
@@ -306,7 +284,7 @@ void TestSceneView::everyDevicePixelCanBeClicked()
 void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
 {
     // Docked at the left, and with a tool bar above: the view's corner falls between device pixels at 1.25 and 1.5.
-    const auto window = shownWindow(0, {400, 361});
+    const auto window = shownWindow(false, {400, 361});
     auto *bar = new QDockWidget;
     bar->setFixedWidth(61);
     window->addDockWidget(Qt::LeftDockWidgetArea, bar);

@@ -191,33 +191,33 @@ void TestScreenshot::theJsonHasItsContractedShape()
 void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame_data()
 {
     QTest::addColumn<QString>("factor");
-    QTest::addColumn<QString>("samples");
+    QTest::addColumn<QString>("smooth");
     QTest::addColumn<QString>("size");
     // Windows keeps a window on its screen, which may be 1280 x 1024.
     QTest::newRow("1x") << "1"
-                        << "0"
+                        << "off"
                         << "900x640";
-    QTest::newRow("1x, multisampled") << "1"
-                                      << "4"
+    QTest::newRow("1x, smooth edges") << "1"
+                                      << "on"
                                       << "900x640";
     QTest::newRow("1.25x") << "1.25"
-                           << "0"
+                           << "off"
                            << "900x640";
     QTest::newRow("1.5x") << "1.5"
-                          << "0"
+                          << "off"
                           << "840x600";
     QTest::newRow("2x") << "2"
-                        << "0"
+                        << "off"
                         << "700x560";
 }
 
 void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame()
 {
     QFETCH(QString, factor);
-    QFETCH(QString, samples);
+    QFETCH(QString, smooth);
     QFETCH(QString, size);
     const double ratio = factor.toDouble();
-    const Run result = run({"--screenshot", path("again.png"), "--size", size, "--samples", samples, "--click",
+    const Run result = run({"--screenshot", path("again.png"), "--size", size, "--smooth-edges", smooth, "--click",
                             "86,200", "--click", "91.4,187.7", "--click", "0,0"},
                            {"QT_SCALE_FACTOR=" + factor});
     QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
@@ -347,7 +347,7 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     row("one click inside, one outside", {"--screenshot", picture, "--click", "10,10", "--click", "10,5000"},
         "10,5000 lies outside the view");
     row("click without a picture", {"--click", "10,10"}, "--screenshot");
-    row("samples", {"--screenshot", picture, "--samples", "3"}, "--samples is 3");
+    row("edges", {"--screenshot", picture, "--smooth-edges", "3"}, "--smooth-edges is 3");
     row("unknown option", {"--screnshot", picture}, "screnshot");
     row("no such folder", {"--screenshot", path("no/such/folder/out.png")}, "there is no such folder");
     row("unknown picture format", {"--screenshot", path("out.xyz")}, "out.xyz is no picture's name");

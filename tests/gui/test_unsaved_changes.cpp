@@ -53,7 +53,7 @@ void type(MainWindow &window, const char *field, const QString &text)
 std::unique_ptr<MainWindow> askingWindow(const QString &recoveryFolder)
 {
     MainWindow::Options options;
-    options.samples = 0;
+    options.smoothEdges = false;
     options.recoveryFolder = recoveryFolder;
     return std::make_unique<MainWindow>(options);
 }
@@ -185,7 +185,7 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
 
 void TestUnsavedChanges::theWindowsSizeIsNoChange()
 {
-    const auto titled = shownWindow(0, {640, 480});
+    const auto titled = shownWindow(false, {640, 480});
     titled->openBundledScene();
     QVERIFY(titled->saveScene(path()));
     QVERIFY(resized(*titled, {700, 500}));

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "core/unproject/pick.h"
+#include "gui/painters/object_ids.h"
+
+#include <QOpenGLExtraFunctions>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
+/// The arguments of glViewport and glDepthRange.
+struct DrawnNumbers {
+    int x = 0, y = 0, width = 0, height = 0;
+    float atNear = 0.0f, atFar = 1.0f;
+};
+
+/// What OpenGL takes of a picture.
+DrawnNumbers drawnNumbers(const ViewGeometry &picture);
+
+/// A framebuffer of our own: the colour, the depth and the object of every pixel, one sample each, and the picture that
+/// they were drawn with. Whether there is a surface under a pixel is told by the object, never by comparing depths.
+/// All calls need the OpenGL context current.
+///
+/// The environment variable UNPROJECTOR_OBJECT_IDS=colors makes it take the way back of drivers that have no framebuffers
+/// of integers.
+class Frame : protected QOpenGLExtraFunctions {
+public:
+    void initialize();
+    void release();
+
+    /// How objects are written into the frame: valid from initialize() on.
+    ObjectIds ids() const { return m_ids; }
+
+    /// Takes the picture's size, clears everything, and is drawn into from now on, at first with colours alone: what is
+    /// drawn is background. The depth is cleared to that of the far plane.
+    /// @return false when OpenGL gives no such framebuffer; then nothing is bound, and there is nothing to end
+    bool begin(const ViewGeometry &picture);
+    /// From now on objects are drawn: colour, depth and object id.
+    void beginObjects();
+    /// What was bound before is drawn into again.
+    void end();
+
+    /// The picture that was drawn; nothing before the first.
+    const std::optional<ViewGeometry> &picture() const { return m_picture; }
+    unsigned colors() const { return m_colors; }
+    unsigned depths() const { return m_depths; }
+
+    /// What was drawn at a pixel. Waits until it is drawn.
+    /// @return nothing without a picture, and when OpenGL reports an error
+    std::optional<DepthSample> sample(const DevicePixel &pixel);
+
+    /// Asks for a sample without waiting. There is one request at a time: another one, or another picture, drops it.
+    void request(const DevicePixel &pixel);
+    bool isRequested() const { return m_fence != nullptr; }
+    /// The sample that was asked for, once it has come; then nothing is requested any more. When OpenGL reports an
+    /// error, nothing comes, and nothing is requested any more.
+    std::optional<DepthSample> takeRequested();
+
+private:
+    /// As glReadPixels writes them, one after the other.
+    struct Raw {
+        std::uint32_t depth = 0; ///< of 2^32 - 1
+        std::array<std::uint8_t, 4> object{};
+    };
+    static_assert(sizeof(Raw) == 8);
+
+    bool allocate(int widthPixels, int heightPixels);
+    void releaseTextures();
+    void readPixel(const DevicePixel &pixel, void *depth, void *object);
+    DepthSample decoded(const Raw &raw) const;
+    void dropRequest();
+
+    ObjectIds m_ids = ObjectIds::Integers;
+    unsigned m_framebuffer = 0;
+    unsigned m_colors = 0, m_objects = 0, m_depths = 0; ///< textures
+    int m_widthPixels = 0, m_heightPixels = 0;
+    int m_depthBits = 24;
+    int m_boundBefore = 0;
+    std::optional<ViewGeometry> m_begun;
+    std::optional<ViewGeometry> m_picture;
+    unsigned m_requestBuffer = 0;
+    GLsync m_fence = nullptr;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,97 @@
+#include "gui/view/scene_overlay.h"
+
+#include "gui/painters/clip_plane_shapes.h"
+#include "gui/painters/scene_lines.h"
+#include "gui/view/frame.h"
+
+#include <cmath>
+
+namespace unprojector::gui {
+namespace {
+
+glm::vec2 viewportPixels(const ViewGeometry &g)
+{
+    return glm::vec2(g.viewport.width, g.viewport.height);
+}
+
+float pixelRatio(const ViewGeometry &g)
+{
+    return static_cast<float>(g.surface.devicePixelRatio);
+}
+
+} // namespace
+
+void SceneOverlay::initialize()
+{
+    initializeOpenGLFunctions();
+    m_lines.initialize();
+    m_faces.initialize();
+    m_pick.initialize();
+}
+
+void SceneOverlay::release()
+{
+    m_lines.release();
+    m_faces.release();
+    m_pick.release();
+}
+
+void SceneOverlay::draw(const SceneDocument &document)
+{
+    const ViewGeometry &g = document.geometry();
+    const Result<glm::dmat4> matrix = clipFromWorld(g);
+    const Result<EyeFrame> frame = eyeFrame(g.camera);
+    if (!matrix || !frame)
+        return;
+    const DrawnNumbers n = drawnNumbers(g);
+    glViewport(n.x, n.y, n.width, n.height);
+    glDepthRangef(n.atNear, n.atFar);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(n.atNear < n.atFar ? GL_LESS : GL_GREATER);
+    glDepthMask(GL_FALSE);
+    m_lines.draw(groundLines(document.ground(), document.groundSpacing()), *matrix, viewportPixels(g), pixelRatio(g));
+    m_lines.draw(axisLines(document.ground()), *matrix, viewportPixels(g), 2.0f * pixelRatio(g));
+    drawClipPlanes(document, *matrix);
+    drawPick(document, *matrix);
+    glDisable(GL_DEPTH_TEST);
+    drawAxes(*frame, g.surface);
+    glDepthMask(GL_TRUE);
+}
+
+void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
+{
+    const ViewGeometry &g = document.geometry();
+    for (const glm::dvec4 &plane : document.scene().clipPlanes) {
+        const ClipPlaneShape shape = clipPlaneShape(plane, document.bounds());
+        m_faces.draw(shape.faces, clipFromWorld);
+        m_lines.draw(shape.border, clipFromWorld, viewportPixels(g), pixelRatio(g));
+    }
+}
+
+void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
+{
+    const std::optional<Pick> &pick = document.pick();
+    if (!pick || !pick->hit || !pick->point.world.formula)
+        return;
+    const ViewGeometry &g = document.geometry();
+    const WorldPoint &point = *pick->point.world.formula;
+    const std::vector<LineSegment> drops = dropLines(point, document.ground());
+    m_lines.draw(drops, clipFromWorld, viewportPixels(g), 2.0f * pixelRatio(g));
+    glDisable(GL_DEPTH_TEST);
+    m_lines.draw(faded(drops), clipFromWorld, viewportPixels(g), 1.5f * pixelRatio(g));
+    m_pick.draw(point, clipFromWorld, viewportPixels(g), pixelRatio(g));
+}
+
+void SceneOverlay::drawAxes(const EyeFrame &frame, const Surface &surface)
+{
+    const double ratio = surface.devicePixelRatio;
+    const int side = static_cast<int>(std::lround(84 * ratio));
+    if (surface.widthPixels < 3 * side || surface.heightPixels < 3 * side)
+        return;
+    glViewport(0, 0, side, side);
+    const Result<glm::dmat4> box = clipFromEye(Ortho{-1.45, 1.45, -1.45, 1.45, -2.0, 2.0});
+    if (box)
+        m_lines.draw(triadLines(frame), *box, glm::vec2(side, side), 2.0f * static_cast<float>(ratio));
+}
+
+} // namespace unprojector::gui

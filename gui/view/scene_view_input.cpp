@@ -1,0 +1,174 @@
+// What the mouse does in the view.
+
+#include "gui/view/scene_view.h"
+
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::gui {
+
+WidgetPoint SceneView::widgetPosition(const QPointF &local) const
+{
+    const QPointF corner = mapTo(window(), QPointF(0.0, 0.0));
+    return widgetOnSurface(currentSurface(), WidgetPoint(local.x(), local.y()), WidgetPoint(corner.x(), corner.y()));
+}
+
+void SceneView::mousePressEvent(QMouseEvent *event)
+{
+    const bool pans = event->button() == Qt::MiddleButton
+                      || (event->button() == Qt::LeftButton && event->modifiers().testFlag(Qt::ShiftModifier));
+    if (!pans && event->button() != Qt::LeftButton)
+        return;
+    m_lastPosition = event->position();
+    m_hasMoved = false;
+    m_gesture = QStringLiteral("drag %1").arg(++m_gestureCount);
+    const WidgetPoint position = widgetPosition(event->position());
+    if (pans) {
+        if (const std::optional<DepthSample> sample = sampleAt(position))
+            m_pivot = m_document.pivotAt(position, *sample);
+        m_drag = Drag::Pan;
+        return;
+    }
+    onLButtonDown(position);
+    m_drag = Drag::Orbit;
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent *event)
+{
+    const QPointF delta = event->position() - m_lastPosition;
+    // A hand that only clicks trembles by a pixel or two: that is no drag yet.
+    constexpr double kTremblePixels = 3.0;
+    if (m_drag != Drag::None && !m_hasMoved && std::hypot(delta.x(), delta.y()) < kTremblePixels)
+        return;
+    m_hasMoved = true;
+    m_lastPosition = event->position();
+    const ViewGeometry &g = m_document.geometry();
+    switch (m_drag) {
+    case Drag::None:
+        if (event->buttons() == Qt::NoButton)
+            reportHover(event->position());
+        return;
+    case Drag::Orbit: {
+        // Half a turn for the height of the view.
+        const double radiansPerPixel = 3.14159265358979323846 / std::max(1, height());
+        m_document.setCamera(orbited(g.camera, m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel),
+                             m_gesture);
+        return;
+    }
+    case Drag::Pan: {
+        const Result<EyeFrame> frame = eyeFrame(g.camera);
+        if (!frame)
+            return;
+        const double scale = worldPerPixel(g, m_pivot) * g.surface.devicePixelRatio;
+        m_document.setCamera(moved(g.camera, (frame->upward * delta.y() - frame->side * delta.x()) * scale), m_gesture);
+        return;
+    }
+    }
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent *event)
+{
+    m_drag = Drag::None;
+    if (event->buttons() == Qt::NoButton && rect().contains(event->position().toPoint()))
+        reportHover(event->position());
+}
+
+void SceneView::reportHover(const QPointF &local)
+{
+    m_hovered = widgetPosition(local);
+    requestHover();
+}
+
+void SceneView::requestHover()
+{
+    // A request under way is not overtaken, or a pointer that never rests would never be answered. A picture that is
+    // about to be drawn is not drawn for the pointer's sake: it asks again.
+    if (!m_isCreated || !m_hovered || m_isStale || m_frame.isRequested())
+        return;
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, *m_hovered);
+    m_requested = std::exchange(m_hovered, std::nullopt);
+    if (!pixel)
+        return;
+    makeCurrent();
+    m_frame.request(*pixel);
+    doneCurrent();
+    m_hoverTimer.start(0);
+}
+
+void SceneView::takeHover()
+{
+    constexpr int kPollMilliseconds = 2;
+    if (!m_isCreated || !m_requested)
+        return;
+    makeCurrent();
+    const std::optional<DepthSample> sample = m_frame.takeRequested();
+    doneCurrent();
+    if (m_frame.isRequested()) {
+        m_hoverTimer.start(kPollMilliseconds);
+        return;
+    }
+    const WidgetPoint position = *std::exchange(m_requested, std::nullopt);
+    if (sample && !m_isStale)
+        emit hovered(position, *sample);
+    requestHover();
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    if (event->button() != Qt::LeftButton)
+        return;
+    const WidgetPoint position = widgetPosition(event->position());
+    const std::optional<DepthSample> sample = sampleAt(position);
+    if (!sample || !sample->hit)
+        return;
+    emit clicked(position, *sample);
+    m_document.setCamera(recentered(m_document.geometry(), m_document.pivotAt(position, *sample)));
+}
+
+void SceneView::wheelEvent(QWheelEvent *event)
+{
+    // Notches can come faster than pictures. What was under the pointer stays there, so nothing is drawn to read it again.
+    std::optional<WorldPoint> pivot = m_wheelPivot;
+    if (!pivot || m_wheelPosition != event->position()) {
+        const WidgetPoint position = widgetPosition(event->position());
+        const std::optional<DepthSample> sample = sampleAt(position);
+        if (!sample)
+            return;
+        pivot = m_document.pivotAt(position, *sample);
+    }
+    const double notches = event->angleDelta().y() / 120.0;
+    const double factor = std::pow(1.2, notches);
+    const ViewGeometry next = zoomed(m_document.geometry(), *pivot, factor);
+    m_document.setView(next.camera, next.projection, QStringLiteral("wheel"));
+    m_wheelPosition = event->position();
+    m_wheelPivot = pivot;
+    reportHover(event->position());
+    event->accept();
+}
+
+void SceneView::leaveEvent(QEvent *event)
+{
+    QOpenGLWidget::leaveEvent(event);
+    m_hovered.reset();
+    m_requested.reset();
+    emit pointerLeft();
+}
+
+void SceneView::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (event->mimeData()->hasUrls())
+        event->acceptProposedAction();
+}
+
+void SceneView::dropEvent(QDropEvent *event)
+{
+    event->acceptProposedAction();
+    emit filesDropped(event->mimeData()->urls());
+}
+
+} // namespace unprojector::gui
