@@ -1,6 +1,5 @@
 #include "core/cli/byte_stream.h"
 
-#include "core/cli/console.h"
 #include "core/cli/progress_bar.h"
 #include "core/files/path_text.h"
 
@@ -91,8 +90,12 @@ void ByteSink::Close::operator()(std::FILE *file) const
 
 ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : file)
 {
+    // Writing to a closed pipe or beyond a limit then fails, and is seen here.
 #ifdef SIGPIPE
-    std::signal(SIGPIPE, SIG_IGN); // writing to a closed pipe then fails, and is seen here
+    std::signal(SIGPIPE, SIG_IGN);
+#endif
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN);
 #endif
     if (file == "-") {
         m_stream.reset(stdout);
@@ -108,10 +111,12 @@ ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : fi
         return;
     }
     Result<ReplacingFile, FileError> replacing = ReplacingFile::open(path);
-    if (replacing)
-        m_file = std::move(replacing).value();
-    else
+    if (!replacing) {
         complain(file + ": " + fileErrorText(replacing.error()));
+        return;
+    }
+    m_file = std::move(replacing).value();
+    m_guard.emplace(m_file->freshFile());
 }
 
 bool ByteSink::isTerminal() const

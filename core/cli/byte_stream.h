@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cli/console.h"
 #include "core/cli/exit_code.h"
 #include "core/files/replace_file.h"
 
@@ -72,7 +73,8 @@ private:
     void check(const files::Written &written);
 
     std::unique_ptr<std::FILE, Close> m_stream;
-    std::optional<files::ReplacingFile> m_file; ///< or this
+    std::optional<RemovedWhenInterrupted> m_guard; ///< of the new file, as long as there is one
+    std::optional<files::ReplacingFile> m_file;    ///< where there is no stream
     std::string m_name;
     State m_state = State::Open;
 };

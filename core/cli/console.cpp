@@ -1,7 +1,10 @@
 #include "core/cli/console.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -43,6 +46,27 @@ HANDLE handleOf(std::FILE *stream)
     return reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(stream)));
 }
 #endif
+
+/// Read inside a signal handler, so nothing but plain memory.
+std::array<std::filesystem::path::value_type, 4096> interruptedFile;
+
+/// The signals that end a program from outside and can be heard.
+constexpr int kInterruptions[] = {SIGINT, SIGTERM,
+#ifdef SIGHUP
+                                  SIGHUP
+#endif
+};
+
+extern "C" void removeAndEnd(int signal)
+{
+#ifdef _WIN32
+    _wunlink(interruptedFile.data());
+#else
+    unlink(interruptedFile.data());
+#endif
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
 
 /// Of the terminal itself; 0 where it does not tell.
 std::size_t columnsOf([[maybe_unused]] std::FILE *stream)
@@ -92,6 +116,25 @@ Utf8Console::~Utf8Console()
     if (m_before != 0)
         SetConsoleOutputCP(m_before);
 #endif
+}
+
+RemovedWhenInterrupted::RemovedWhenInterrupted(const std::filesystem::path &file)
+{
+    if (file.native().size() >= interruptedFile.size())
+        return;
+    std::copy_n(file.c_str(), file.native().size() + 1, interruptedFile.begin());
+    for (const int signal : kInterruptions) {
+        if (std::signal(signal, removeAndEnd) == SIG_IGN) // as nohup wants it
+            std::signal(signal, SIG_IGN);
+    }
+}
+
+RemovedWhenInterrupted::~RemovedWhenInterrupted()
+{
+    for (const int signal : kInterruptions) {
+        if (std::signal(signal, SIG_DFL) == SIG_IGN)
+            std::signal(signal, SIG_IGN);
+    }
 }
 
 bool isTerminal(std::FILE *stream)

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,16 @@ public:
 
 private:
     unsigned m_before = 0; ///< 0: nothing to put back
+};
+
+/// While it lives, a file goes away when somebody ends the program: with Ctrl+C, with kill, by closing its terminal. One at
+/// a time.
+class RemovedWhenInterrupted {
+public:
+    explicit RemovedWhenInterrupted(const std::filesystem::path &file);
+    ~RemovedWhenInterrupted();
+    RemovedWhenInterrupted(const RemovedWhenInterrupted &) = delete;
+    RemovedWhenInterrupted &operator=(const RemovedWhenInterrupted &) = delete;
 };
 
 /// Whether somebody sees at once what is written to a stream.

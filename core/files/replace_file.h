@@ -26,6 +26,8 @@ public:
     /// @param onlyIf  what the old file must still hold, so that nobody else's work is overwritten unseen
     /// @return ChangedMeanwhile; System
     Written commit(const std::optional<FileStamp> &onlyIf = std::nullopt);
+    /// The new file, for whoever must remove it where this object cannot; empty after commit().
+    const std::filesystem::path &freshFile() const { return m_fresh.path(); }
 
 private:
     ReplacingFile() = default;

@@ -101,8 +101,8 @@ std::error_code FreshFile::create(const std::filesystem::path &folder, const std
 {
     for (int i = 0; i < 100; ++i) { // the new file gets the folder's rights; a file's attributes are not copied
         const std::filesystem::path path = folder / randomName();
-        HANDLE handle = CreateFileW(path.c_str(), GENERIC_WRITE, FILE_SHARE_READ, nullptr, CREATE_NEW,
-                                    FILE_ATTRIBUTE_NORMAL, nullptr);
+        HANDLE handle = CreateFileW(path.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr,
+                                    CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr);
         if (handle != INVALID_HANDLE_VALUE) {
             m_path = path;
             m_handle = handle;

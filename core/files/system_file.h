@@ -26,12 +26,14 @@ public:
     std::error_code sync();
     /// Takes a file's place, in one step. After sync().
     std::error_code moveTo(const std::filesystem::path &target);
+    /// Empty while there is no file.
+    const std::filesystem::path &path() const { return m_path; }
 
 private:
     std::error_code close();
     void remove();
 
-    std::filesystem::path m_path; ///< empty: there is no file
+    std::filesystem::path m_path;
 #ifdef _WIN32
     void *m_handle = nullptr;
 #else

@@ -33,6 +33,8 @@ private slots:
     void rowsAreNotAddedToTheirOwnInput();
     void aFullDiskLeavesWhatWasThere();
     void whatFailsLeavesWhatWasThere();
+    void anInterruptionLeavesWhatWasThere_data();
+    void anInterruptionLeavesWhatWasThere();
     void devicesAreWrittenTo();
     void standardOutputByItsName();
     void aNamedPipeIsWrittenTo();
@@ -194,7 +196,6 @@ void TestOutputFiles::aFullDiskLeavesWhatWasThere()
     // The system then refuses to write on, as it does where a disk is full.
     process.setChildProcessModifier([] {
         const rlimit small{100000, 100000};
-        std::signal(SIGXFSZ, SIG_IGN);
         setrlimit(RLIMIT_FSIZE, &small);
     });
     process.start(QStringLiteral(UNPROJECT_COMMAND), cloudTo(path("cloud.ply")));
@@ -216,6 +217,37 @@ void TestOutputFiles::whatFailsLeavesWhatWasThere()
     QCOMPARE(run.exitCode, 2);
     QCOMPARE(read("cloud.ply"), QByteArray("before"));
     QCOMPARE(names(), QStringList("cloud.ply"));
+}
+
+void TestOutputFiles::anInterruptionLeavesWhatWasThere_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::newRow("Ctrl+C") << SIGINT;
+    QTest::newRow("kill") << SIGTERM;
+#ifdef SIGHUP
+    QTest::newRow("closed terminal") << SIGHUP;
+#endif
+}
+
+void TestOutputFiles::anInterruptionLeavesWhatWasThere()
+{
+#ifdef Q_OS_WIN
+    QSKIP("no signals between programs here");
+#else
+    QFETCH(int, signal);
+    m_folder->write("files/cloud.ply", "before");
+    QProcess process;
+    process.start(QStringLiteral(UNPROJECT_COMMAND),
+                  {"cloud", "--size", "800x600", m_scene, "-", "-o", path("cloud.ply")});
+    QVERIFY(process.waitForStarted());
+    QTRY_COMPARE(names().size(), qsizetype(2)); // it has begun, and waits for depths
+    QCOMPARE(kill(pid_t(process.processId()), signal), 0);
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit); // whoever started it sees that it was ended
+    QCOMPARE(process.exitCode(), signal);
+    QCOMPARE(read("cloud.ply"), QByteArray("before"));
+    QCOMPARE(names(), QStringList("cloud.ply"));
+#endif
 }
 
 void TestOutputFiles::devicesAreWrittenTo()
