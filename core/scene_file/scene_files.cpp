@@ -46,11 +46,14 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
     // Opening a named pipe waits for whoever writes to it, perhaps for ever. One that the program was given open does not.
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !isOwnDescriptor(file))
         return failed(file, SceneFileErrorCode::NotAFile);
+    const auto notReadable = [&file] {
+        return failed(file, SceneFileErrorCode::NotReadable,
+                      errno != 0 ? std::generic_category().message(errno) : std::string());
+    };
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        return failed(file, SceneFileErrorCode::NotReadable,
-                      errno != 0 ? std::generic_category().message(errno) : system.message());
+        return notReadable();
 
     std::string text;
     std::array<char, 65536> block;
@@ -59,7 +62,7 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
         text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     } while (stream && text.size() <= kMostSceneBytes);
     if (stream.bad())
-        return failed(file, SceneFileErrorCode::NotReadable);
+        return notReadable();
     Result<SceneFile, SceneFileError> scene = parseScene(text, utf8FromPath(file));
     if (!scene)
         return scene;

@@ -177,6 +177,11 @@ void TestSceneOnDisk::theSystemsReasonIsTold()
     const auto read = readSceneFile(folder / QString(256, 'a'));
     QVERIFY(!read && read.error().code == SceneFileErrorCode::NotReadable);
     QVERIFY(textOf(read.error()).endsWith("a: the file cannot be read (File name too long)"));
+    if (!QFile::exists("/proc/self/mem"))
+        return;
+    const auto broken = readSceneFile("/proc/self/mem"); // opens, and fails on its first byte
+    QVERIFY(!broken && broken.error().code == SceneFileErrorCode::NotReadable);
+    QVERIFY(textOf(broken.error()).endsWith("mem: the file cannot be read (Input/output error)"));
 #endif
 }
 
