@@ -22,7 +22,7 @@ struct Pick {
     WindowPoint window; ///< the pixel's centre, with the depth as read
     bool hit = false;
     std::optional<std::size_t> object; ///< whose surface was hit, its place in the scene's list at the click
-    ViewGeometry geometry; ///< as it was at the click
+    ViewGeometry geometry;             ///< as it was at the click
 
     Comparison point;    ///< of the surface; meaningful when `hit`
     Certainty certainty; ///< of the surface; meaningful when `hit`
