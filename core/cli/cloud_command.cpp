@@ -27,7 +27,7 @@ void makeLittleEndian([[maybe_unused]] std::span<Scalar> values)
         swapBytes(values);
 }
 
-std::uint64_t pixelsOf(const PictureGeometry &g)
+std::uint64_t pixelsOf(const Picture &g)
 {
     return static_cast<std::uint64_t>(g.surface.widthPixels) * static_cast<std::uint64_t>(g.surface.heightPixels);
 }
@@ -43,7 +43,7 @@ std::string plyHeader(std::size_t count)
 /// @param seen  how many depths are of a surface
 template <class Scalar>
 ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnprojection &unprojection,
-                    const PictureGeometry &g, const DepthImage &image, std::size_t seen)
+                    const Picture &g, const DepthImage &image, std::size_t seen)
 {
     const DepthCloud<Scalar> cloud(unprojection, g, image);
     constexpr std::size_t kBufferNumbers = std::size_t{1} << 16;
@@ -88,7 +88,7 @@ ExitCode runCloud(const CloudOptions &options)
     const std::optional<SceneInput> scene = sceneInput(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
-    const PictureGeometry &g = scene->geometry;
+    const Picture &g = scene->geometry;
     const Result<BatchUnprojection> unprojection =
         options.method == Methods::Matrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {});
     if (!unprojection) {

@@ -7,12 +7,13 @@
 #include "core/cli/scene_input.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
-#include "core/unproject/comparison.h"
+#include "core/unproject/unprojector.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -26,14 +27,18 @@ constexpr double kShare = 0.9999;
 
 /// One way to compute, and how it did.
 struct Way {
+    using Function = std::function<Result<WorldPoint>(const WindowPoint &)>;
+
     const char *method, *precision;
     bool isFloat = false;
+    Function by;
     std::vector<Distribution> of; ///< x, y, z in world units; units in the last place of the largest coordinate
     std::size_t withoutAnswer = 0;
     std::string reason; ///< of the first point without an answer
 
-    Way(const char *methodName, const char *precisionName, bool isInFloat, std::size_t points)
-        : method(methodName), precision(precisionName), isFloat(isInFloat), of(4, Distribution(kShare, points))
+    Way(const char *methodName, const char *precisionName, bool isInFloat, std::size_t points, Function function)
+        : method(methodName), precision(precisionName), isFloat(isInFloat), by(std::move(function)),
+          of(4, Distribution(kShare, points))
     {
     }
 
@@ -76,14 +81,14 @@ struct Way {
 /// The closed form wholly in single precision, as a program does it that stores its numbers so.
 class FormulaInFloat {
 public:
-    explicit FormulaInFloat(const PictureGeometry &geometry)
+    explicit FormulaInFloat(const Picture &geometry)
     {
-        const Result<ViewGeometry> view = viewGeometry(geometry);
+        const Result<Picture> view = byParameters(geometry);
         m_problem = view ? std::nullopt : std::optional(view.error());
         if (!view)
             return;
         m_geometry = *view;
-        const Result<EyeFrame> frame = eyeFrame(view->camera);
+        const Result<EyeFrame> frame = eyeFrame(view->camera());
         if (frame)
             m_frame = *frame;
         else
@@ -94,9 +99,9 @@ public:
     {
         if (m_problem)
             return *m_problem;
-        const ViewGeometry &g = m_geometry;
-        const ProjectionWindow w = projectionWindow(g.projection);
-        const bool perspective = isPerspective(g.projection);
+        const Picture &g = m_geometry;
+        const ProjectionWindow w = projectionWindow(g.projection());
+        const bool perspective = isPerspective(g.projection());
         const auto n = float(w.nearDistance), f = float(w.farDistance);
         const auto dn = float(g.depthRange.atNear), df = float(g.depthRange.atFar);
         const float d = (float(window.z) - dn) / (df - dn);
@@ -107,7 +112,7 @@ public:
         };
         float x = between(w.left, w.right, window.x, g.viewport.x, g.viewport.width);
         float y = between(w.bottom, w.top, window.y, g.viewport.y, g.viewport.height);
-        if (const auto *oblique = std::get_if<Oblique>(&g.projection)) {
+        if (const auto *oblique = std::get_if<Oblique>(&g.projection())) {
             x += float(cotangent(oblique->thetaRadians)) * z;
             y += float(cotangent(oblique->phiRadians)) * z;
         }
@@ -120,14 +125,14 @@ public:
     }
 
 private:
-    ViewGeometry m_geometry;
+    Picture m_geometry;
     EyeFrame m_frame;
     std::optional<Error> m_problem;
 };
 
 /// The centres of pixels spread over the viewport, times depths from one end to the other.
 template <class Function>
-void forEachPoint(const PictureGeometry &g, const CompareOptions &options, Function function)
+void forEachPoint(const Picture &g, const CompareOptions &options, Function function)
 {
     const auto spread = [&](double start, double size, int i) {
         return start + std::floor((i + 0.5) / options.pixels * size) + kHalfPixel;
@@ -218,13 +223,21 @@ ExitCode runCompare(const CompareOptions &options)
         complain(options.scene + ": " + errorText(Error{ErrorCode::SingularMatrix}));
         return ExitCode::UnusableInput;
     }
+    const Result<Unprojector> unprojector = Unprojector::of(scene->geometry);
+    if (!unprojector) {
+        complain(options.scene + ": " + errorText(unprojector.error()));
+        return ExitCode::UnusableInput;
+    }
     const FormulaInFloat formulaInFloat(scene->geometry);
+    const auto by = [&](Method method) {
+        return [&, method](const WindowPoint &window) { return unprojector->worldAt(method, window); };
+    };
     const std::size_t most = static_cast<std::size_t>(options.pixels) * static_cast<std::size_t>(options.pixels)
                              * static_cast<std::size_t>(options.depths);
-    std::vector<Way> ways{{"formula", "double", false, most},
-                          {"matrix", "double", false, most},
-                          {"formula", "float", true, most},
-                          {"matrix", "float", true, most}};
+    std::vector<Way> ways{{"formula", "double", false, most, by(Method::Formula)},
+                          {"matrix", "double", false, most, by(Method::Matrix)},
+                          {"formula", "float", true, most, std::cref(formulaInFloat)},
+                          {"matrix", "float", true, most, by(Method::MatrixInFloat)}};
     ProgressBar progress(most, ProgressBar::Unit::Points);
     std::size_t points = 0;
     forEachPoint(scene->geometry, options, [&](const WindowPoint &window) {
@@ -233,11 +246,8 @@ ExitCode runCompare(const CompareOptions &options)
         if (!world)
             return; // a far plane at infinity
         ++points;
-        const TwoWays<WorldSpace> computed = compareUnprojections(scene->geometry, window).world;
-        ways[0].add(*world, computed.formula);
-        ways[1].add(*world, computed.matrix);
-        ways[2].add(*world, formulaInFloat(window));
-        ways[3].add(*world, computed.matrixInFloat);
+        for (Way &way : ways)
+            way.add(*world, way.by(window));
     });
     progress.finish();
     ByteSink sink;

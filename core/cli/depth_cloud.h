@@ -27,7 +27,7 @@ template <class Scalar>
 class DepthCloud {
 public:
     /// @param image  kept by reference; as large as the picture's surface
-    DepthCloud(const BatchUnprojection &unprojection, const PictureGeometry &picture, const DepthImage &image);
+    DepthCloud(const BatchUnprojection &unprojection, const Picture &picture, const DepthImage &image);
 
     /// Whether the numbers of some pixel could leave the range of Scalar.
     bool canOverflow() const { return m_canOverflow; }

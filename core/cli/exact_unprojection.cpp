@@ -107,7 +107,7 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
     return m;
 }
 
-ExactUnprojection::Matrix ExactUnprojection::windowFromNdc(const PictureGeometry &g)
+ExactUnprojection::Matrix ExactUnprojection::windowFromNdc(const Picture &g)
 {
     const Extended dn = g.depthRange.atNear, df = g.depthRange.atFar;
     const bool zeroToOne = ndcDepthOf(g) == NdcDepth::ZeroToOne;
@@ -150,13 +150,12 @@ std::optional<ExactUnprojection::Matrix> ExactUnprojection::inverse(Matrix m)
     return result;
 }
 
-std::optional<ExactUnprojection> ExactUnprojection::of(const PictureGeometry &g)
+std::optional<ExactUnprojection> ExactUnprojection::of(const Picture &g)
 {
-    const auto *projection = std::get_if<MatrixProjection>(&g.projection);
-    const auto *view = std::get_if<glm::dmat4>(&g.view);
-    const Matrix clip =
-        projection ? extended(projection->clipFromEye) : clipFromEye(std::get<Projection>(g.projection));
-    const Matrix eye = view ? extended(*view) : eyeFromWorld(std::get<LookAt>(g.view));
+    const auto *projection = std::get_if<MatrixProjection>(&g.lens);
+    const auto *view = std::get_if<glm::dmat4>(&g.pose);
+    const Matrix clip = projection ? extended(projection->clipFromEye) : clipFromEye(std::get<Projection>(g.lens));
+    const Matrix eye = view ? extended(*view) : eyeFromWorld(std::get<LookAt>(g.pose));
     const std::optional<Matrix> worldFromWindow = inverse(product(windowFromNdc(g), product(clip, eye)));
     if (!worldFromWindow)
         return std::nullopt;

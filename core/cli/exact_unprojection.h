@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/unproject/picture_geometry.h"
+#include "core/unproject/unprojector.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -20,7 +20,7 @@ class ExactUnprojection {
 public:
     /// Nothing where the product has no inverse.
     /// @pre the geometry's parts are valid
-    static std::optional<ExactUnprojection> of(const PictureGeometry &geometry);
+    static std::optional<ExactUnprojection> of(const Picture &geometry);
 
     /// Nothing for a point at infinity.
     std::optional<std::array<Extended, 3>> world(const WindowPoint &window) const;
@@ -32,7 +32,7 @@ private:
     static Matrix extended(const glm::dmat4 &m);
     static Matrix eyeFromWorld(const LookAt &camera);
     static Matrix clipFromEye(const Projection &projection);
-    static Matrix windowFromNdc(const PictureGeometry &geometry);
+    static Matrix windowFromNdc(const Picture &geometry);
     static std::optional<Matrix> inverse(Matrix m);
 
     explicit ExactUnprojection(const Matrix &worldFromWindow) : m_worldFromWindow(worldFromWindow) {}

@@ -40,7 +40,7 @@ std::string onOneLine(std::string name)
     return name;
 }
 
-glm::dmat4 windowMatrix(const PictureGeometry &g)
+glm::dmat4 windowMatrix(const Picture &g)
 {
     glm::dmat4 m = windowFromNdc(g.viewport, g.depthRange);
     if (ndcDepthOf(g) == NdcDepth::ZeroToOne) {

@@ -204,7 +204,7 @@ ExitCode runPoints(const PointsOptions &options)
     const std::unique_ptr<RowStream> rows = openRows(options.rows, {"px", "py", "depth"});
     if (!rows)
         return ExitCode::UnusableInput;
-    const PictureGeometry &geometry = rows->scene.geometry;
+    const Picture &geometry = rows->scene.geometry;
     Task task{options,
               NumberReader(rows->source.name(), rows->columns),
               geometry.depthRange,

@@ -21,7 +21,7 @@ const std::vector<std::string> kNames{"x",        "y",        "z",        "eye_x
 struct Task {
     RowFormat format;
     NumberReader reader;
-    PictureGeometry geometry;
+    Picture geometry;
     NdcDepth ndcDepth;
     glm::dmat4 eyeFromSource, clipFromEye;
     glm::dmat4 eyeMagnitudes; ///< of what each entry of eyeFromSource was added up from
@@ -85,7 +85,7 @@ struct Stages {
 /// @return whether every stage has an answer
 bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
 {
-    const PictureGeometry &g = task.geometry;
+    const Picture &g = task.geometry;
     const glm::dvec4 source(point, 1.0);
     const glm::dvec4 eye = task.eyeFromSource * source;
     const glm::dvec4 clip = task.clipFromEye * eye;
@@ -154,7 +154,7 @@ ExitCode runProject(const RowOptions &options)
     const std::unique_ptr<RowStream> rows = openRows(options, {"x", "y", "z"});
     if (!rows)
         return ExitCode::UnusableInput;
-    const PictureGeometry &geometry = rows->scene.geometry;
+    const Picture &geometry = rows->scene.geometry;
     const Result<glm::dmat4> view = eyeFromWorld(geometry), projection = clipFromEye(geometry);
     for (const auto *matrix : {&view, &projection}) {
         if (!*matrix) {

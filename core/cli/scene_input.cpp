@@ -18,7 +18,7 @@ std::optional<SceneInput> sceneInput(const std::string &file)
         complain(sceneErrorText(scene.error()));
         return std::nullopt;
     }
-    SceneInput input{pictureGeometry(*scene), {}};
+    SceneInput input{pictureOf(*scene), {}};
     for (const SceneFileObject &object : scene->objects)
         input.objects.push_back({object.name, worldFromObject(object.transform)});
     return input;

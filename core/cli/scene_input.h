@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/unproject/batch/batch_unproject.h"
-#include "core/unproject/picture_geometry.h"
+#include "core/unproject/unprojector.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -19,7 +19,7 @@ struct PlacedObject {
 
 /// What the command needs of a scene file: models are not loaded.
 struct SceneInput {
-    PictureGeometry geometry;
+    Picture geometry;
     std::vector<PlacedObject> objects;
 };
 

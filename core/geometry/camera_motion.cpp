@@ -1,6 +1,7 @@
 #include "core/geometry/camera_motion.h"
 
 #include "core/geometry/angle.h"
+#include "core/geometry/proportions.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -107,29 +108,29 @@ LookAt seenFrom(const LookAt &camera, StandardView side)
     return {WorldPoint(camera.center.coordinates() + towardsViewer * centerDistance(camera)), camera.center, up};
 }
 
-double worldPerPixel(const ViewGeometry &geometry, const WorldPoint &anchor)
+double worldPerPixel(const Picture &geometry, const WorldPoint &anchor)
 {
-    const double distance = -eyeFromWorld(frameOf(geometry.camera), anchor).z;
-    return certaintyAt(geometry, distance, 24).footprintHeight;
+    const double distance = -eyeFromWorld(frameOf(geometry.camera()), anchor).z;
+    return pixelFootprint(geometry, distance).y;
 }
 
-ViewGeometry zoomed(const ViewGeometry &geometry, const WorldPoint &anchor, double factor)
+Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor)
 {
-    ViewGeometry result = geometry;
-    const EyeFrame frame = frameOf(geometry.camera);
+    Picture result = geometry;
+    const EyeFrame frame = frameOf(geometry.camera());
     const EyePoint inEye = eyeFromWorld(frame, anchor);
-    const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(geometry.camera);
-    if (isPerspective(geometry.projection)) {
+    const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(geometry.camera());
+    if (isPerspective(geometry.projection())) {
         const glm::dvec3 toAnchor = anchor.coordinates() - frame.eye.coordinates();
-        result.camera.eye = WorldPoint(frame.eye.coordinates() + toAnchor * (1.0 - 1.0 / factor));
+        result.camera().eye = WorldPoint(frame.eye.coordinates() + toAnchor * (1.0 - 1.0 / factor));
     } else {
         // The eye of a box comes along: that changes nothing in the picture of a glOrtho, and a perspective that is
         // switched to later has the field of view it had.
         const double step = distance * (1.0 - 1.0 / factor);
-        result.camera.eye = WorldPoint(frame.eye.coordinates() + frame.forward * step);
-        if (auto *ortho = std::get_if<Ortho>(&result.projection))
+        result.camera().eye = WorldPoint(frame.eye.coordinates() + frame.forward * step);
+        if (auto *ortho = std::get_if<Ortho>(&result.projection()))
             *ortho = scaledAbout(*ortho, inEye.x, inEye.y, 1.0 / factor);
-        else if (auto *oblique = std::get_if<Oblique>(&result.projection)) {
+        else if (auto *oblique = std::get_if<Oblique>(&result.projection())) {
             // A sheared picture shifts as the eye steps forward.
             const glm::dvec2 slope(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians));
             const glm::dvec2 onWindow = glm::dvec2(inEye.x, inEye.y) + slope * inEye.z;
@@ -139,38 +140,38 @@ ViewGeometry zoomed(const ViewGeometry &geometry, const WorldPoint &anchor, doub
                             box.top + shift.y,  box.nearDistance,    box.farDistance};
         }
     }
-    result.camera.center = WorldPoint(result.camera.eye.coordinates() + frame.forward * (distance / factor));
+    result.camera().center = WorldPoint(result.camera().eye.coordinates() + frame.forward * (distance / factor));
     return result;
 }
 
-LookAt recentered(const ViewGeometry &geometry, const WorldPoint &point)
+LookAt recentered(const Picture &geometry, const WorldPoint &point)
 {
-    const EyeFrame frame = frameOf(geometry.camera);
+    const EyeFrame frame = frameOf(geometry.camera());
     const EyePoint inEye = eyeFromWorld(frame, point);
     // The middle of the picture is the middle of the projection's window, which need not be on the view axis.
-    const ProjectionWindow w = projectionWindow(geometry.projection);
-    const double scale = isPerspective(geometry.projection) ? -inEye.z / w.nearDistance : 1.0;
+    const ProjectionWindow w = projectionWindow(geometry.projection());
+    const double scale = isPerspective(geometry.projection()) ? -inEye.z / w.nearDistance : 1.0;
     glm::dvec2 middle((w.left + w.right) / 2.0 * scale, (w.bottom + w.top) / 2.0 * scale);
-    if (const auto *oblique = std::get_if<Oblique>(&geometry.projection))
+    if (const auto *oblique = std::get_if<Oblique>(&geometry.projection()))
         middle -= glm::dvec2(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)) * inEye.z;
     const glm::dvec3 offset = (inEye.x - middle.x) * frame.side + (inEye.y - middle.y) * frame.upward;
-    LookAt camera = moved(geometry.camera, offset);
+    LookAt camera = moved(geometry.camera(), offset);
     const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(camera);
     camera.center = WorldPoint(camera.eye.coordinates() + frame.forward * distance);
     return camera;
 }
 
-ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds)
+Picture framed(const Picture &geometry, const Box &bounds)
 {
-    ViewGeometry result = geometry;
+    Picture result = geometry;
     const double radius = bounds.diagonal() > 0.0 ? bounds.diagonal() / 2.0 : 1.0;
-    const EyeFrame frame = frameOf(geometry.camera);
-    const ProjectionWindow w = projectionWindow(geometry.projection);
+    const EyeFrame frame = frameOf(geometry.camera());
+    const ProjectionWindow w = projectionWindow(geometry.projection());
     const double halfWidth = std::abs(w.right - w.left) / 2.0;
     const double halfHeight = std::abs(w.top - w.bottom) / 2.0;
     constexpr double kMargin = 1.05;
-    double distance = centerDistance(geometry.camera);
-    if (isPerspective(geometry.projection)) {
+    double distance = centerDistance(geometry.camera());
+    if (isPerspective(geometry.projection())) {
         // Where the ball about the box, in the middle of the window, touches the steeper of two opposite edges.
         const auto needed = [&](double low, double high, double half) {
             return radius * kMargin * std::hypot(w.nearDistance, std::max(std::abs(low), std::abs(high))) / half;
@@ -178,29 +179,29 @@ ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds)
         distance = std::max(needed(w.left, w.right, halfWidth), needed(w.bottom, w.top, halfHeight));
     } else {
         // A shear stretches the ball sideways.
-        const auto *sheared = std::get_if<Oblique>(&geometry.projection);
+        const auto *sheared = std::get_if<Oblique>(&geometry.projection());
         const double stretchX = sheared ? std::hypot(1.0, cotangent(sheared->thetaRadians)) : 1.0;
         const double stretchY = sheared ? std::hypot(1.0, cotangent(sheared->phiRadians)) : 1.0;
         const double scale = radius * kMargin * std::max(stretchX / halfWidth, stretchY / halfHeight);
         distance *= scale; // see zoomed: the eye comes along
         const double x = (w.left + w.right) / 2.0, y = (w.bottom + w.top) / 2.0;
-        if (auto *ortho = std::get_if<Ortho>(&result.projection))
+        if (auto *ortho = std::get_if<Ortho>(&result.projection()))
             *ortho = scaledAbout(*ortho, x, y, scale);
-        else if (auto *oblique = std::get_if<Oblique>(&result.projection))
+        else if (auto *oblique = std::get_if<Oblique>(&result.projection()))
             oblique->box = scaledAbout(oblique->box, x, y, scale);
     }
     const WorldPoint center(bounds.isEmpty() ? glm::dvec3(0.0) : bounds.center());
-    result.camera.center = center;
-    result.camera.eye = WorldPoint(center.coordinates() - frame.forward * distance);
-    result.camera = recentered(result, center);
+    result.camera().center = center;
+    result.camera().eye = WorldPoint(center.coordinates() - frame.forward * distance);
+    result.camera() = recentered(result, center);
     return result;
 }
 
-Projection withFittedClipDistances(const ViewGeometry &geometry, const Box &bounds, const Box &reach)
+Projection withFittedClipDistances(const Picture &geometry, const Box &bounds, const Box &reach)
 {
     if (bounds.isEmpty())
-        return geometry.projection;
-    const EyeFrame frame = frameOf(geometry.camera);
+        return geometry.projection();
+    const EyeFrame frame = frameOf(geometry.camera());
     const auto distances = [&frame](const Box &box) {
         double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
         for (int corner = 0; corner < 8; ++corner) {
@@ -212,17 +213,17 @@ Projection withFittedClipDistances(const ViewGeometry &geometry, const Box &boun
         }
         return std::pair(lowest, highest);
     };
-    const double margin = std::max(bounds.diagonal() * 0.01, centerDistance(geometry.camera) * 1e-3);
+    const double margin = std::max(bounds.diagonal() * 0.01, centerDistance(geometry.camera()) * 1e-3);
     auto [lowest, highest] = distances(bounds);
     if (!reach.isEmpty())
         highest = std::max(highest, distances(reach).second);
     double n = lowest - margin;
     double f = highest + margin;
-    if (isPerspective(geometry.projection)) {
-        n = std::max(n, centerDistance(geometry.camera) * 0.01);
+    if (isPerspective(geometry.projection())) {
+        n = std::max(n, centerDistance(geometry.camera()) * 0.01);
         f = std::max(f, n * 2.0);
     }
-    return withClipDistances(geometry.projection, n, f);
+    return withClipDistances(geometry.projection(), n, f);
 }
 
 } // namespace unprojector::geometry

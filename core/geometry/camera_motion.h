@@ -2,7 +2,7 @@
 
 #include "core/geometry/box.h"
 #include "core/geometry/camera.h"
-#include "core/geometry/view_geometry.h"
+#include "core/geometry/picture.h"
 
 namespace unprojector::geometry {
 
@@ -25,22 +25,22 @@ LookAt seenFrom(const LookAt &camera, StandardView side);
 
 /// World size of one device pixel at the depth of `anchor`, for panning with the hand.
 /// @pre the geometry is valid
-double worldPerPixel(const ViewGeometry &geometry, const WorldPoint &anchor);
+double worldPerPixel(const Picture &geometry, const WorldPoint &anchor);
 
 /// Zooms by `factor` (> 1: closer) so that `anchor` stays where it is in the picture: a perspective's eye moves
 /// along the ray to it, a box shrinks about it while its eye steps forward. The centre moves to the anchor's depth.
-ViewGeometry zoomed(const ViewGeometry &geometry, const WorldPoint &anchor, double factor);
+Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor);
 
 /// Shifts the camera sideways so that `point` comes to the middle of the picture, and makes its depth the centre's.
-LookAt recentered(const ViewGeometry &geometry, const WorldPoint &point);
+LookAt recentered(const Picture &geometry, const WorldPoint &point);
 
 /// Backs off along the view direction until the box fills the viewport, and centres it.
-ViewGeometry framed(const ViewGeometry &geometry, const Box &bounds);
+Picture framed(const Picture &geometry, const Box &bounds);
 
 /// Clip distances that hold the box tightly, which gives the depth buffer's steps to the scene; what lies in front
 /// of the eye by less than 1% of the centre's distance is cut off in a perspective.
 /// @param bounds  of what is picked; empty: the distances stay
 /// @param reach   of what is only drawn (ground, axes): it stretches the far plane, not the near one
-Projection withFittedClipDistances(const ViewGeometry &geometry, const Box &bounds, const Box &reach);
+Projection withFittedClipDistances(const Picture &geometry, const Box &bounds, const Box &reach);
 
 } // namespace unprojector::geometry

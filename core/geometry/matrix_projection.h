@@ -17,6 +17,7 @@ struct MatrixProjection {
     /// Which NDC depths the window's depth range stands for. A matrix alone does not tell: each that goes by [0, 1] is
     /// one of [-1, 1] with another near plane. Without a word it is taken for OpenGL's, unless it can only be [0, 1].
     std::optional<NdcDepth> ndcDepth;
+    friend bool operator==(const MatrixProjection &, const MatrixProjection &) = default;
 };
 
 /// The numbers that a matrix of one of the known forms is made of. With side = -1 where eye space looks down -z, else

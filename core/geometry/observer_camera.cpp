@@ -57,12 +57,12 @@ LookAt observerOf(const EyeFrame &watched, const WorldPoint &center)
     return {WorldPoint(center.coordinates() + offset), center, kWorldUp};
 }
 
-LookAt framedTightly(const ViewGeometry &observer, const std::vector<WorldPoint> &points)
+LookAt framedTightly(const Picture &observer, const std::vector<WorldPoint> &points)
 {
-    const Result<EyeFrame> found = eyeFrame(observer.camera);
+    const Result<EyeFrame> found = eyeFrame(observer.camera());
     assert(found && !points.empty());
     const EyeFrame &frame = *found;
-    const ProjectionWindow w = projectionWindow(observer.projection);
+    const ProjectionWindow w = projectionWindow(observer.projection());
     constexpr double kFill = 0.88;
     const double slopeX = w.right / w.nearDistance * kFill, slopeY = w.top / w.nearDistance * kFill;
 
@@ -83,7 +83,7 @@ LookAt framedTightly(const ViewGeometry &observer, const std::vector<WorldPoint>
     const double x = (rightmost - leftmost) / 2.0, y = (topmost - bottommost) / 2.0;
     const double z = std::max((rightmost + leftmost) / (2.0 * slopeX), (topmost + bottommost) / (2.0 * slopeY));
     const double distance = z - middle > 0.0 ? z - middle : 1.0; // a single point has no size to fill anything with
-    LookAt camera = observer.camera;
+    LookAt camera = observer.camera();
     camera.center = worldFromEye(frame, EyePoint(x, y, middle));
     camera.eye = WorldPoint(camera.center.coordinates() - frame.forward * distance);
     return camera;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/view_geometry.h"
+#include "core/geometry/picture.h"
 #include "core/geometry/view_volume.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -34,7 +34,7 @@ LookAt observerOf(const EyeFrame &watched, const WorldPoint &center);
 
 /// Backs off or comes closer along the view direction, and shifts, until the points just fill the picture.
 /// @pre a symmetric perspective; there are points
-LookAt framedTightly(const ViewGeometry &observer, const std::vector<WorldPoint> &points);
+LookAt framedTightly(const Picture &observer, const std::vector<WorldPoint> &points);
 
 enum class ClipPlane { Near, Far };
 

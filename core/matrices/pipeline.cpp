@@ -41,7 +41,7 @@ Result<Point<Target>> affine(const glm::dmat4 &targetFromSource, const Result<Po
 
 PipelinePoints forwardOf(const Pipeline &pipeline, const Result<ObjectPoint> &object, const Result<WorldPoint> &world)
 {
-    const ViewGeometry &geometry = pipeline.geometry;
+    const Picture &geometry = pipeline.geometry;
     const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Forward); };
     const Result<EyePoint> eye = affine<EyeSpace>(matrix(PipelineStage::ViewMatrix), world);
     const Result<ClipPoint> clip = next<ClipSpace>(eye, [&](const EyePoint &p) {
@@ -72,16 +72,16 @@ const glm::dmat4 &Pipeline::matrix(PipelineStage stage, PipelineDirection direct
     return direction == PipelineDirection::Forward ? forward[index] : backward[index];
 }
 
-Result<Pipeline> pipeline(const ViewGeometry &geometry, const glm::dmat4 &worldFromObject)
+Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromObject)
 {
     if (const Check valid = check(geometry); !valid)
         return valid.error();
     if (const std::optional<double> value = firstNotFinite(worldFromObject))
         return Error{ErrorCode::NotFinite, *value};
-    const EyeFrame frame = eyeFrame(geometry.camera).value();
+    const EyeFrame frame = eyeFrame(geometry.camera()).value();
 
     const glm::dmat4 view = eyeFromWorld(frame);
-    const glm::dmat4 projection = clipFromEye(geometry.projection).value();
+    const glm::dmat4 projection = clipFromEye(geometry.projection()).value();
     const glm::dmat4 viewport = windowFromNdc(geometry.viewport, geometry.depthRange);
     if (std::isinf(conditionNumber(worldFromObject)) || std::isinf(conditionNumber(projection)))
         return Error{ErrorCode::SingularMatrix};

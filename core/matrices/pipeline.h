@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/view_geometry.h"
+#include "core/geometry/picture.h"
 
 #include <array>
 
@@ -25,7 +25,7 @@ enum class PipelineDirection { Forward, Backward };
 
 /// How one object of a picture gets to the window, and back.
 struct Pipeline {
-    ViewGeometry geometry;
+    Picture geometry;
     std::array<glm::dmat4, kPipelineStages.size()> forward;
     /// objectFromWorld, worldFromEye, eyeFromClip, ndcFromWindow, objectFromEye, objectFromWindow
     std::array<glm::dmat4, kPipelineStages.size()> backward;
@@ -39,7 +39,7 @@ struct Pipeline {
 /// @param worldFromObject  of the object looked at, affine; the identity where there is none
 /// @return the errors of check(geometry); NotFinite (the value of the entry); SingularMatrix, also where the inverse
 ///         overflows
-Result<Pipeline> pipeline(const ViewGeometry &geometry, const glm::dmat4 &worldFromObject);
+Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromObject);
 
 /// One point in every space. Each stage says for itself why it has no answer; the stages after it have the same reason.
 struct PipelinePoints {

@@ -62,7 +62,7 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
     try {
         texture.encoded = readFile(texture.file);
     } catch (const Failure &) {
-        // The model is shown without a picture that cannot be read.
+        // A picture that cannot be read is no reason to show nothing.
         texture.encoded.clear();
     }
     return texture;

@@ -81,18 +81,17 @@ Check check(const Scene &scene)
     return std::monostate{};
 }
 
-Result<ViewGeometry> viewGeometry(const Scene &scene, const Surface &surface, const Box &reach)
+Result<Picture> pictureOf(const Scene &scene, const Surface &surface, const Box &reach)
 {
     if (const Check valid = check(scene); !valid)
         return valid.error();
     if (const Check valid = check(surface); !valid)
         return valid.error();
-    ViewGeometry geometry{surface, viewportIn(scene.viewport, surface), scene.depthRange, scene.projection,
-                          scene.camera};
+    Picture geometry{surface, viewportIn(scene.viewport, surface), scene.depthRange, scene.projection, scene.camera};
     if (scene.projectionFollowsViewport)
-        geometry.projection = withAspect(geometry.projection, geometry.viewport.width / geometry.viewport.height);
+        geometry.projection() = withAspect(geometry.projection(), geometry.viewport.width / geometry.viewport.height);
     if (scene.clipDistancesFitObjects)
-        geometry.projection = withFittedClipDistances(geometry, boundsOf(scene), reach);
+        geometry.projection() = withFittedClipDistances(geometry, boundsOf(scene), reach);
     if (const Check valid = check(geometry); !valid)
         return valid.error();
     return geometry;

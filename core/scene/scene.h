@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/geometry/picture.h"
 #include "core/geometry/transform.h"
-#include "core/geometry/view_geometry.h"
 #include "core/scene/mesh.h"
 
 #include <filesystem>
@@ -77,6 +77,6 @@ Check check(const Scene &scene);
 /// where it follows it, near and far fitted where they are to.
 /// @param reach  of what is drawn besides the objects (the ground): it only stretches the far plane
 /// @return the errors of check(scene), check(surface)
-Result<ViewGeometry> viewGeometry(const Scene &scene, const Surface &surface, const Box &reach);
+Result<Picture> pictureOf(const Scene &scene, const Surface &surface, const Box &reach);
 
 } // namespace unprojector::scene

@@ -22,9 +22,12 @@ Json toJson(const Result<Point<Space>> &point)
 }
 
 template <class Space>
-Json toJson(const TwoWays<Space> &point)
+Json toJson(const Answers<Space> &point)
 {
-    return {{"formula", toJson(point.formula)}, {"matrix", toJson(point.matrix)}};
+    Json json = Json::object();
+    for (const Method method : kMethods)
+        json[keyOf(method)] = toJson(point[method]);
+    return json;
 }
 
 Json windowJson(const char *type, const ProjectionWindow &w)
@@ -52,7 +55,7 @@ Json toJson(const Projection &projection)
 
 } // namespace
 
-Json toJson(const ViewGeometry &g)
+Json toJson(const Picture &g)
 {
     Json json = {
         {"window",
@@ -64,10 +67,10 @@ Json toJson(const ViewGeometry &g)
     };
     if (g.depthRange != DepthRange{})
         json["depthRange"] = {g.depthRange.atNear, g.depthRange.atFar};
-    json["projection"] = toJson(g.projection);
-    json["view"] = {{"eye", toJson(g.camera.eye.coordinates())},
-                    {"center", toJson(g.camera.center.coordinates())},
-                    {"up", toJson(g.camera.up)}};
+    json["projection"] = toJson(g.projection());
+    json["view"] = {{"eye", toJson(g.camera().eye.coordinates())},
+                    {"center", toJson(g.camera().center.coordinates())},
+                    {"up", toJson(g.camera().up)}};
     return json;
 }
 

@@ -13,7 +13,7 @@ class SceneKeyFinder {
 public:
     bool hasFound() const { return m_hasFound; }
 
-    // NOLINTBEGIN(readability-identifier-naming): what nlohmann::json::sax_parse calls; false ends it
+    // ---- what nlohmann::json::sax_parse calls; false ends it ----
     bool null() { return m_level > 0; }
     bool boolean(bool) { return m_level > 0; }
     bool number_integer(Json::number_integer_t) { return m_level > 0; }
@@ -31,7 +31,6 @@ public:
         return !m_hasFound;
     }
     bool parse_error(std::size_t, const std::string &, const nlohmann::detail::exception &) { return false; }
-    // NOLINTEND(readability-identifier-naming)
 
 private:
     std::size_t m_level = 0; ///< of the brackets that are open
@@ -56,7 +55,7 @@ bool isSceneFile(const std::filesystem::path &file)
     if (!std::filesystem::is_regular_file(file, error))
         return false;
     std::ifstream stream(file, std::ios::binary);
-    // A model of gigabytes need not be read whole to know that it is not a scene.
+    // Models of gigabytes need not be read to know that they are none.
     constexpr std::size_t kStart = 64;
     std::string text(kStart, '\0');
     const auto read = [&](std::size_t from) {

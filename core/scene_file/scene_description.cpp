@@ -22,16 +22,16 @@ void keepMatrices(SceneFile &file, const SceneFile &before)
     const auto *view = std::get_if<glm::dmat4>(&before.view);
     if (!projection && !view)
         return;
-    const Result<ViewGeometry> read = viewGeometry(pictureGeometry(before));
+    const Result<Picture> read = byParameters(pictureOf(before));
     if (!read)
         return;
-    if (projection && std::get<Projection>(file.projection) == read->projection) {
+    if (projection && std::get<Projection>(file.projection) == read->projection()) {
         file.projection = *projection;
         // Of a reversed matrix the window has turned the depth range round.
         if (const auto form = recognised(*projection); form && form->reversed)
             std::swap(file.depthRange.atNear, file.depthRange.atFar);
     }
-    if (view && isSame(std::get<LookAt>(file.view), read->camera))
+    if (view && isSame(std::get<LookAt>(file.view), read->camera()))
         file.view = *view;
 }
 
@@ -57,7 +57,7 @@ nlohmann::ordered_json takeExtra(std::vector<Thing> &before, const IsIt &isIt)
 
 } // namespace
 
-PictureGeometry pictureGeometry(const SceneFile &scene)
+Picture pictureOf(const SceneFile &scene)
 {
     const Surface surface = surfaceFromWidget(scene.windowWidth, scene.windowHeight, scene.devicePixelRatio);
     return {surface, scene.viewport.value_or(wholeSurface(surface)), scene.depthRange, scene.projection, scene.view};
@@ -78,13 +78,13 @@ Result<Scene> sceneFromFile(const SceneFile &file, const std::filesystem::path &
                             const std::vector<std::shared_ptr<const Model>> &models)
 {
     assert(models.size() == file.objects.size());
-    const Result<ViewGeometry> picture = viewGeometry(pictureGeometry(file));
+    const Result<Picture> picture = byParameters(pictureOf(file));
     if (!picture)
         return picture.error();
     Scene scene;
-    scene.camera = picture->camera;
+    scene.camera = picture->camera();
     scene.home = file.ui.home.value_or(scene.camera);
-    scene.projection = picture->projection;
+    scene.projection = picture->projection();
     scene.projectionFollowsViewport = file.ui.projectionFollowsViewport.value_or(file.aspectFromViewport);
     scene.clipDistancesFitObjects = file.ui.clipDistancesFitObjects.value_or(false);
     if (file.ui.viewportRule)
@@ -104,7 +104,7 @@ Result<Scene> sceneFromFile(const SceneFile &file, const std::filesystem::path &
     return scene;
 }
 
-SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const std::filesystem::path &sceneFile,
+SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile,
                         const SceneFile &before)
 {
     SceneFile file;
@@ -114,10 +114,10 @@ SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const 
     if (scene.viewport.kind != ViewportRule::Kind::WholeWindow || before.viewport)
         file.viewport = geometry.viewport;
     file.depthRange = geometry.depthRange;
-    file.projection = geometry.projection;
+    file.projection = geometry.projection();
     file.aspectFromViewport =
-        scene.projectionFollowsViewport && std::holds_alternative<Perspective>(geometry.projection);
-    file.view = geometry.camera;
+        scene.projectionFollowsViewport && std::holds_alternative<Perspective>(geometry.projection());
+    file.view = geometry.camera();
     file.clipPlanes = scene.clipPlanes;
     file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home, {}};
     file.extra = before.extra;

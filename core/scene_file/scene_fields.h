@@ -89,7 +89,7 @@ void describe(Fields &json, T &perspective, Scene &scene)
         json.required("aspect", perspective.aspect);
     if constexpr (Fields::kReads) {
         scene.aspectFromViewport = !hasAspect;
-        if (const Viewport viewport = pictureGeometry(scene).viewport; !hasAspect)
+        if (const Viewport viewport = pictureOf(scene).viewport; !hasAspect)
             perspective.aspect = viewport.width / viewport.height;
     }
     json.required("near", perspective.nearDistance);

@@ -3,7 +3,7 @@
 #include "core/files/file_stamp.h"
 #include "core/scene/scene.h"
 #include "core/scene_file/scene_file_error.h"
-#include "core/unproject/picture_geometry.h"
+#include "core/unproject/unprojector.h"
 
 #include <nlohmann/json.hpp>
 
@@ -105,8 +105,8 @@ Result<std::string, SceneFileError> sceneText(const SceneFile &scene);
 Result<files::FileStamp, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,
                                                         const std::optional<files::FileStamp> &onlyIf = std::nullopt);
 
-/// The picture that a scene file describes, in a window of its own size. To show it, take viewGeometry of that.
-PictureGeometry pictureGeometry(const SceneFile &scene);
+/// The picture that a scene file describes, in a window of its own size. To show it, take it byParameters.
+Picture pictureOf(const SceneFile &scene);
 
 /// Notes where the files of the objects are, so that the objects are known again when the scene is saved elsewhere.
 /// @param sceneFile  the file that the scene was read from
@@ -121,7 +121,7 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
 /// Without "ui" the file's numbers hold as they stand: near and far are not fitted, and the projection follows the
 /// viewport only where the file leaves its aspect to it. A viewport that takes the whole window keeps doing so.
 /// @param models  one for each of scene.objects
-/// @return the errors of viewGeometry(PictureGeometry): matrices that no camera of the window's makes
+/// @return the errors of byParameters(Picture): matrices that no camera of the window's makes
 Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
                             const std::vector<std::shared_ptr<const Model>> &models);
 
@@ -131,7 +131,7 @@ Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path 
 /// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its name
 ///                   and file, wherever the scene is written; those of a plane that is off while it lies where it did); a matrix as well, to the last digit, while the scene has just the projection or the camera
 ///                   that was read from it. Otherwise their parameters are written
-SceneFile sceneFileFrom(const Scene &scene, const ViewGeometry &geometry, const std::filesystem::path &sceneFile,
+SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile,
                         const SceneFile &before = {});
 
 } // namespace unprojector::scene_file

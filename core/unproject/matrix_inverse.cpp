@@ -1,57 +1,61 @@
 #include "core/unproject/matrix_inverse.h"
 
 #include "core/geometry/condition_number.h"
+#include "core/geometry/finite.h"
 
 #include <glm/matrix.hpp>
 
-#include <cmath>
-
 namespace unprojector::unproject {
-using namespace geometry;
-template <class Space, class Scalar>
-Result<Point<Space>> unprojectByInverse(const glm::dmat4 &clipFromSpace, const Viewport &viewport,
-                                        const DepthRange &range, const WindowPoint &window, NdcDepth ndcDepth)
-{
-    using Vec4 = glm::vec<4, Scalar>;
-    using Mat4 = glm::mat<4, 4, Scalar>;
 
+template <class Space, class Scalar>
+Result<MatrixInverse<Space, Scalar>> MatrixInverse<Space, Scalar>::of(const glm::dmat4 &clipFromSpace,
+                                                                      const Viewport &viewport, const DepthRange &range,
+                                                                      NdcDepth ndcDepth)
+{
     if (const Check valid = check(viewport); !valid)
         return valid.error();
     if (const Check valid = check(range); !valid)
         return valid.error();
-    for (const double value : {window.x, window.y, window.z}) {
-        if (!std::isfinite(value))
-            return Error{ErrorCode::NotFinite, value};
-    }
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            if (!std::isfinite(clipFromSpace[column][row]))
-                return Error{ErrorCode::NotFinite, clipFromSpace[column][row]};
-        }
-    }
+    if (const auto value = firstNotFinite(clipFromSpace))
+        return Error{ErrorCode::NotFinite, *value};
     if (isSingular(clipFromSpace))
         return Error{ErrorCode::SingularMatrix};
+    return MatrixInverse(glm::inverse(Matrix(clipFromSpace)), viewport, range, ndcDepth);
+}
 
+template <class Space, class Scalar>
+Result<glm::vec<4, Scalar>> MatrixInverse<Space, Scalar>::homogeneousAt(const WindowPoint &window) const
+{
+    if (const auto value = firstNotFinite(window.coordinates()))
+        return Error{ErrorCode::NotFinite, *value};
+
+    const auto &[vx, vy, width, height] = m_viewport;
     const Scalar two = 2, one = 1;
-    const Scalar fromNear = Scalar(window.z) - Scalar(range.atNear), depth = Scalar(range.atFar - range.atNear);
-    const Vec4 ndc(two * (Scalar(window.x) - Scalar(viewport.x)) / Scalar(viewport.width) - one,
-                   two * (Scalar(window.y) - Scalar(viewport.y)) / Scalar(viewport.height) - one,
-                   ndcDepth == NdcDepth::ZeroToOne ? fromNear / depth : two * fromNear / depth - one, one);
-    const Vec4 homogeneous = glm::inverse(Mat4(clipFromSpace)) * ndc;
-    const Vec4 p = homogeneous / homogeneous.w;
-    if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
+    const Scalar fromNear = Scalar(window.z) - Scalar(m_range.atNear), depth = Scalar(m_range.atFar - m_range.atNear);
+    const glm::vec<4, Scalar> ndc(two * (Scalar(window.x) - Scalar(vx)) / Scalar(width) - one,
+                                  two * (Scalar(window.y) - Scalar(vy)) / Scalar(height) - one,
+                                  m_ndcDepth == NdcDepth::ZeroToOne ? fromNear / depth : two * fromNear / depth - one,
+                                  one);
+    return m_spaceFromClip * ndc;
+}
+
+template <class Space, class Scalar>
+Result<Point<Space>> MatrixInverse<Space, Scalar>::at(const WindowPoint &window) const
+{
+    const Result<glm::vec<4, Scalar>> homogeneous = homogeneousAt(window);
+    if (!homogeneous)
+        return homogeneous.error();
+    const glm::vec<4, Scalar> p = *homogeneous / homogeneous->w;
+    if (!isFinite(p))
         return Error{ErrorCode::PointAtInfinity};
     return Point<Space>(double(p.x), double(p.y), double(p.z));
 }
 
-#define UNPROJECTOR_INSTANTIATE(Space)                                                                                 \
-    template Result<Point<Space>> unprojectByInverse<Space, double>(                                                   \
-        const glm::dmat4 &, const Viewport &, const DepthRange &, const WindowPoint &, NdcDepth);                      \
-    template Result<Point<Space>> unprojectByInverse<Space, float>(const glm::dmat4 &, const Viewport &,               \
-                                                                   const DepthRange &, const WindowPoint &, NdcDepth)
-UNPROJECTOR_INSTANTIATE(EyeSpace);
-UNPROJECTOR_INSTANTIATE(WorldSpace);
-UNPROJECTOR_INSTANTIATE(ObjectSpace);
-#undef UNPROJECTOR_INSTANTIATE
+template class MatrixInverse<EyeSpace, double>;
+template class MatrixInverse<EyeSpace, float>;
+template class MatrixInverse<WorldSpace, double>;
+template class MatrixInverse<WorldSpace, float>;
+template class MatrixInverse<ObjectSpace, double>;
+template class MatrixInverse<ObjectSpace, float>;
 
 } // namespace unprojector::unproject

@@ -2,33 +2,33 @@
 
 namespace unprojector::unproject {
 
-Result<Pick> pickAt(const ViewGeometry &geometry, const WidgetPoint &position, const DepthSample &sample)
+Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position, const DepthSample &sample)
 {
-    if (const Check valid = check(geometry); !valid)
-        return valid.error();
-    const Result<DevicePixel> pixel = devicePixelFromWidget(geometry.surface, position);
+    const Picture &picture = unprojector.picture();
+    const Result<DevicePixel> pixel = devicePixelFromWidget(picture.surface, position);
     if (!pixel)
         return pixel.error();
-    const auto windowAt = [&](double depth) { return windowFromDevice(geometry.surface, pixelCenter(*pixel), depth); };
+    const auto windowAt = [&](double depth) { return windowFromDevice(picture.surface, pixelCenter(*pixel), depth); };
     const WindowPoint window = windowAt(sample.depth);
 
-    Comparison point = compareUnprojections(geometry, window);
+    Unprojected point = unprojector.at(window);
     Certainty certainty;
     if (sample.hit) {
-        if (!point.eye.formula)
-            return point.eye.formula.error();
-        certainty = certaintyAt(geometry, -point.eye.formula->z, sample.depthBits);
+        const Result<EyePoint> &eye = point.eye[Method::Formula];
+        if (!eye)
+            return eye.error();
+        certainty = certaintyAt(picture, -eye->z, sample.depthBits);
     }
     return Pick{position,
                 *pixel,
                 window,
                 sample.hit,
                 sample.object,
-                geometry,
+                picture,
                 std::move(point),
                 certainty,
-                compareUnprojections(geometry, windowAt(geometry.depthRange.atNear)),
-                compareUnprojections(geometry, windowAt(geometry.depthRange.atFar))};
+                unprojector.at(windowAt(picture.depthRange.atNear)),
+                unprojector.at(windowAt(picture.depthRange.atFar))};
 }
 
 } // namespace unprojector::unproject

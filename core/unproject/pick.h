@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/unproject/comparison.h"
+#include "core/unproject/certainty.h"
+#include "core/unproject/unprojector.h"
 
 #include <cstddef>
 #include <optional>
@@ -22,16 +23,17 @@ struct Pick {
     WindowPoint window; ///< the pixel's centre, with the depth as read
     bool hit = false;
     std::optional<std::size_t> object; ///< whose surface was hit, its place in the scene's list at the click
-    ViewGeometry geometry;             ///< as it was at the click
+    Picture geometry;                  ///< as it was at the click
 
-    Comparison point;    ///< of the surface; meaningful when `hit`
+    Unprojected point;   ///< of the surface; meaningful when `hit`
     Certainty certainty; ///< of the surface; meaningful when `hit`
-    Comparison rayNear;  ///< where the ray through the pixel's centre enters the view volume
-    Comparison rayFar;   ///< where it leaves it
+    Unprojected rayNear; ///< where the ray through the pixel's centre enters the view volume
+    Unprojected rayFar;  ///< where it leaves it
 };
 
-/// The point under a click: the pixel that the position lies in, its centre, and both methods there.
-/// @return the errors of check(geometry) and devicePixelFromWidget; DepthOutsideRange when `sample.hit`
-Result<Pick> pickAt(const ViewGeometry &geometry, const WidgetPoint &position, const DepthSample &sample);
+/// The point under a click: the pixel that the position lies in, its centre, and every method there.
+/// @param unprojector  of the picture that was clicked, by parameters
+/// @return the errors of devicePixelFromWidget; DepthOutsideRange when `sample.hit`
+Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position, const DepthSample &sample);
 
 } // namespace unprojector::unproject

@@ -48,24 +48,25 @@ Check SceneDocument::apply(Scene scene)
     const double spacing = m_groundSpacing;
     m_bounds = boundsOf(scene);
     updateGround();
-    Result<ViewGeometry> geometry = viewGeometry(scene, m_surface, m_ground);
-    if (!geometry) {
+    const Result<Picture> picture = pictureOf(scene, m_surface, m_ground);
+    Result<Unprojector> unprojector = picture ? Unprojector::of(*picture) : picture.error();
+    if (!unprojector) {
         m_bounds = bounds;
         m_ground = ground;
         m_groundSpacing = spacing;
-        return geometry.error();
+        return unprojector.error();
     }
-    m_geometry = std::move(geometry).value();
+    m_unprojector = std::move(unprojector).value();
     m_scene = std::move(scene);
     // What follows the window is kept as it came out, so that fields show the numbers in use.
-    m_scene.projection = m_geometry.projection;
+    m_scene.projection = geometry().projection();
     emit geometryChanged();
     return std::monostate{};
 }
 
 Check SceneDocument::open(Scene scene)
 {
-    if (const Result<ViewGeometry> geometry = viewGeometry(scene, m_surface, {}); !geometry)
+    if (const Result<Picture> geometry = pictureOf(scene, m_surface, {}); !geometry)
         return geometry.error();
     m_savedEdit = m_edit = ++m_lastEdit;
     m_undoStack.clear();
@@ -93,13 +94,13 @@ void SceneDocument::setObjects(std::vector<SceneObject> objects)
     Scene scene;
     scene.objects = std::move(objects);
     // Scans face +z as a rule; a little from above and the side shows that they have depth.
-    ViewGeometry home{m_surface,
-                      wholeSurface(m_surface),
-                      {},
-                      initialProjection(),
-                      {WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
-    home.projection = withAspect(home.projection, home.viewport.width / home.viewport.height);
-    const LookAt camera = framed(home, boundsOf(scene)).camera;
+    Picture home{m_surface,
+                 wholeSurface(m_surface),
+                 {},
+                 initialProjection(),
+                 LookAt{WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+    home.projection() = withAspect(home.projection(), home.viewport.width / home.viewport.height);
+    const LookAt camera = framed(home, boundsOf(scene)).camera();
     setObjects(std::move(scene.objects), camera);
 }
 
@@ -193,8 +194,8 @@ void SceneDocument::setView(const LookAt &camera, const Projection &projection, 
 
 void SceneDocument::fit()
 {
-    const ViewGeometry geometry = framed(m_geometry, m_bounds);
-    setView(geometry.camera, geometry.projection);
+    const Picture fitted = framed(geometry(), m_bounds);
+    setView(fitted.camera(), fitted.projection());
 }
 
 void SceneDocument::goHome()
@@ -209,8 +210,8 @@ void SceneDocument::goHome()
 double SceneDocument::pivotDistance() const
 {
     const Result<EyeFrame> frame = eyeFrame(m_scene.camera);
-    if (frame && m_pick && m_pick->hit && m_pick->point.world.formula) {
-        const double distance = -eyeFromWorld(*frame, *m_pick->point.world.formula).z;
+    if (frame && m_pick && m_pick->hit && m_pick->point.world[Method::Formula]) {
+        const double distance = -eyeFromWorld(*frame, *m_pick->point.world[Method::Formula]).z;
         if (distance > 0.0)
             return distance;
     }
@@ -229,7 +230,7 @@ void SceneDocument::switchProjection()
 
 Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const DepthSample &sample) const
 {
-    return unproject::pickAt(m_geometry, position, sample);
+    return unproject::pickAt(*m_unprojector, position, sample);
 }
 
 void SceneDocument::pickAt(const WidgetPoint &position, const DepthSample &sample)
@@ -253,14 +254,14 @@ void SceneDocument::clearPick()
 
 WorldPoint SceneDocument::pivotAt(const WidgetPoint &position, const DepthSample &sample) const
 {
-    const LookAt &camera = m_geometry.camera;
+    const LookAt &camera = geometry().camera();
     const Result<Pick> pick = unprojected(position, sample);
     if (!pick)
         return camera.center;
     if (pick->hit)
-        return *pick->point.world.formula;
-    const Result<WorldPoint> &enter = pick->rayNear.world.formula;
-    const Result<WorldPoint> &leave = pick->rayFar.world.formula;
+        return *pick->point.world[Method::Formula];
+    const Result<WorldPoint> &enter = pick->rayNear.world[Method::Formula];
+    const Result<WorldPoint> &leave = pick->rayFar.world[Method::Formula];
     const Result<EyeFrame> frame = eyeFrame(camera);
     if (!enter || !leave || !frame)
         return camera.center;

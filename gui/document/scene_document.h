@@ -28,7 +28,9 @@ public:
     const Scene &scene() const { return m_scene; }
     const std::vector<SceneObject> &objects() const { return m_scene.objects; }
     /// The picture of the scene in the view's window, always valid.
-    const ViewGeometry &geometry() const { return m_geometry; }
+    const Picture &geometry() const { return m_unprojector->picture(); }
+    /// The same, prepared for clicks.
+    const Unprojector &unprojector() const { return *m_unprojector; }
     /// The picked surface or background; nothing before the first click and after a change of the scene.
     const std::optional<Pick> &pick() const { return m_pick; }
     QUndoStack &undoStack() { return m_undoStack; }
@@ -51,7 +53,7 @@ public:
     double groundSpacing() const { return m_groundSpacing; }
 
     /// Shows another scene. The pick and the undo stack go.
-    /// @return the errors of viewGeometry; then nothing changed
+    /// @return the errors of pictureOf; then nothing changed
     Check open(Scene scene);
     /// The same objects from a home view in front and a little above that fits them.
     void setObjects(std::vector<SceneObject> objects);
@@ -60,7 +62,7 @@ public:
     /// Makes the scene another one, undoably. It is an edit: the user's work, not only a look around.
     /// @param text      what the user did, for the undo menu: "Near"
     /// @param mergeKey  changes with the same key, one right after the other, are undone as one; empty: never merged
-    /// @return the errors of viewGeometry; then nothing changed: the last good view stays
+    /// @return the errors of pictureOf; then nothing changed: the last good view stays
     Check change(Scene scene, const QString &text, const QString &mergeKey = {});
 
     /// The view's size changed. Not undoable.
@@ -111,7 +113,7 @@ private:
 
     Scene m_scene;
     Surface m_surface{1, 1, 1.0};
-    ViewGeometry m_geometry;
+    std::optional<Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
     std::optional<Pick> m_pick;
     Box m_bounds;
     Box m_ground;

@@ -27,7 +27,7 @@ ComparisonModel::ComparisonModel(QObject *parent) : QAbstractTableModel(parent)
 }
 
 template <typename Space>
-void ComparisonModel::addRows(const QString &space, const TwoWays<Space> &point, std::optional<double> certaintyRadius)
+void ComparisonModel::addRows(const QString &space, const Answers<Space> &point, std::optional<double> certaintyRadius)
 {
     const auto component = [](const Result<Point<Space>> &p, int axis) {
         return p ? std::optional(p->coordinates()[axis]) : std::nullopt;
@@ -35,12 +35,11 @@ void ComparisonModel::addRows(const QString &space, const TwoWays<Space> &point,
     for (int axis = 0; axis < 3; ++axis) {
         Row row;
         row.name = tr("%1 %2").arg(space, QStringLiteral("xyz")[axis]);
-        row.formula = component(point.formula, axis);
-        row.matrix = component(point.matrix, axis);
-        row.matrixInFloat = component(point.matrixInFloat, axis);
-        if (point.formula) {
-            row.ulp = ulpOfLargest(point.formula->coordinates());
-            row.decimals = decimalsFor(point.formula->coordinates(), kDoubleDigits);
+        for (const Method method : kMethods)
+            row.by[static_cast<std::size_t>(method)] = component(point[method], axis);
+        if (const Result<Point<Space>> &formula = point[Method::Formula]) {
+            row.ulp = ulpOfLargest(formula->coordinates());
+            row.decimals = decimalsFor(formula->coordinates(), kDoubleDigits);
         }
         row.certain = certaintyRadius ? std::min(row.decimals, certainDecimals(*certaintyRadius)) : row.decimals;
         m_rows.push_back(std::move(row));
@@ -80,21 +79,27 @@ int ComparisonModel::columnCount(const QModelIndex &parent) const
     return parent.isValid() ? 0 : ColumnCount;
 }
 
+std::optional<double> ComparisonModel::by(Method method, const Row &row)
+{
+    return row.by[static_cast<std::size_t>(method)];
+}
+
 std::optional<double> ComparisonModel::value(const Row &row, int column) const
 {
-    const auto difference = [&row](const std::optional<double> &other) {
-        return row.formula && other ? std::optional(*row.formula - *other) : std::nullopt;
+    const auto difference = [&row](Method method) {
+        const std::optional<double> formula = by(Method::Formula, row), other = by(method, row);
+        return formula && other ? std::optional(*formula - *other) : std::nullopt;
     };
     switch (column) {
-    case Formula: return row.formula;
-    case Matrix: return row.matrix;
-    case Difference: return difference(row.matrix);
+    case Formula: return by(Method::Formula, row);
+    case Matrix: return by(Method::Matrix, row);
+    case Difference: return difference(Method::Matrix);
     case Ulps: {
-        const std::optional<double> d = difference(row.matrix);
+        const std::optional<double> d = difference(Method::Matrix);
         return d ? std::optional(*d / row.ulp) : std::nullopt;
     }
-    case MatrixInFloat: return row.matrixInFloat;
-    case FloatDifference: return difference(row.matrixInFloat);
+    case MatrixInFloat: return by(Method::MatrixInFloat, row);
+    case FloatDifference: return difference(Method::MatrixInFloat);
     default: return std::nullopt;
     }
 }
@@ -116,7 +121,7 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
     switch (role) {
     case Qt::DisplayRole:
         if (!v)
-            return row.formula || row.matrix ? tr("none") : QStringLiteral("–");
+            return by(Method::Formula, row) || by(Method::Matrix, row) ? tr("none") : QStringLiteral("–");
         if (isCoordinate)
             return coordinateText(row, column);
         if (column == Ulps)

@@ -4,6 +4,8 @@
 
 #include <QAbstractTableModel>
 
+#include <array>
+
 #include <optional>
 #include <vector>
 
@@ -39,14 +41,15 @@ public:
 private:
     struct Row {
         QString name;
-        std::optional<double> formula, matrix, matrixInFloat;
+        std::array<std::optional<double>, kMethods.size()> by; ///< each method's coordinate
         double ulp = 0.0;  ///< spacing of doubles at the point's largest component
         int decimals = 15; ///< all digits of the doubles
         int certain = 15;  ///< decimals that are certain
     };
     template <typename Space>
-    void addRows(const QString &space, const TwoWays<Space> &point, std::optional<double> certaintyRadius);
+    void addRows(const QString &space, const Answers<Space> &point, std::optional<double> certaintyRadius);
 
+    static std::optional<double> by(Method method, const Row &row);
     std::optional<double> value(const Row &row, int column) const;
     QString coordinateText(const Row &row, int column) const;
 

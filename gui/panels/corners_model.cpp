@@ -38,7 +38,7 @@ CornersModel::Position CornersModel::position(const WidgetPoint &widget, const D
     return {widget, pixel, window, ndcFromWindow(m_geometry.viewport, m_geometry.depthRange, window)};
 }
 
-void CornersModel::setPicture(const ViewGeometry &geometry)
+void CornersModel::setPicture(const Picture &geometry)
 {
     m_geometry = geometry;
     const Surface &surface = geometry.surface;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/view_geometry.h"
+#include "core/geometry/picture.h"
 
 #include <QAbstractTableModel>
 
@@ -24,7 +24,7 @@ public:
     explicit CornersModel(QObject *parent = nullptr);
 
     /// @pre the geometry is valid
-    void setPicture(const ViewGeometry &geometry);
+    void setPicture(const Picture &geometry);
     /// Nothing, or a position outside the window: the row is empty.
     void setPointer(const std::optional<WidgetPoint> &position);
     /// The centre of the pointer's pixel, with the depth of the near plane.
@@ -49,7 +49,7 @@ private:
     void findPointer();
     QVariant value(const Position &position, int column) const;
 
-    ViewGeometry m_geometry;
+    Picture m_geometry;
     std::array<std::optional<Position>, RowCount> m_rows;
     std::optional<WidgetPoint> m_pointer;
 };

@@ -169,7 +169,7 @@ void ObserverPanel::showMorph(double t)
 
 void ObserverPanel::showDistances()
 {
-    const ProjectionWindow w = projectionWindow(m_document.geometry().projection);
+    const ProjectionWindow w = projectionWindow(m_document.geometry().projection());
     constexpr int kDigits = 5;
     m_nearDistance->setText(significantText(w.nearDistance, kDigits));
     m_farDistance->setText(significantText(w.farDistance, kDigits));

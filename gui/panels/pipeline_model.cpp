@@ -9,14 +9,6 @@ namespace {
 
 using Space = PointModel::Space;
 
-/// Whether nothing of the picture changed since.
-bool isSamePicture(const ViewGeometry &a, const ViewGeometry &b)
-{
-    return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange
-           && a.projection == b.projection && a.camera.eye.coordinates() == b.camera.eye.coordinates()
-           && a.camera.center.coordinates() == b.camera.center.coordinates() && a.camera.up == b.camera.up;
-}
-
 } // namespace
 
 PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
@@ -66,8 +58,8 @@ void PipelineModel::update()
     const std::optional<Pick> &pick = m_document.pick();
     if (m_pickedObjectIsStale) {
         m_pickedObject.reset();
-        if (pick && pick->hit && pick->point.world.formula)
-            m_pickedObject = objectAround(m_document.scene(), *pick->point.world.formula);
+        if (pick && pick->hit && pick->point.world[Method::Formula])
+            m_pickedObject = objectAround(m_document.scene(), *pick->point.world[Method::Formula]);
         m_pickedObjectIsStale = false;
     }
     const std::optional<std::size_t> object = shownObject();
@@ -79,7 +71,7 @@ void PipelineModel::update()
         m_status = errorText(pipeline.error());
         return;
     }
-    const ProjectionKind kind = kindOf(m_document.geometry().projection);
+    const ProjectionKind kind = kindOf(m_document.geometry().projection());
     for (const PipelineStage stage : kPipelineStages)
         matrix(stage)->setMatrix(pipeline->matrix(stage, m_direction), m_direction, kind);
     if (!pick) {
@@ -96,13 +88,13 @@ void PipelineModel::update()
 void PipelineModel::showPoints(const Pipeline &pipeline)
 {
     const Pick &pick = *m_document.pick();
-    const Result<WorldPoint> &world = pick.point.world.formula;
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
     if (!world) {
         clearPoints();
         m_status = errorText(world.error());
         return;
     }
-    const bool isFresh = isSamePicture(pick.geometry, pipeline.geometry);
+    const bool isFresh = pick.geometry == pipeline.geometry;
     PipelinePoints points = pointsForward(pipeline, *world);
     const bool isVisible = points.clip && isInsideViewVolume(*points.clip);
     if (m_direction == PipelineDirection::Backward) {

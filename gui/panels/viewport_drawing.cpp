@@ -69,13 +69,13 @@ ViewportDrawing::ViewportDrawing(QWidget *parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void ViewportDrawing::setPicture(const ViewGeometry &geometry)
+void ViewportDrawing::setPicture(const Picture &geometry)
 {
     m_geometry = geometry;
     m_still = {};
     const Surface &s = geometry.surface;
     const Viewport &v = geometry.viewport;
-    const ProjectionWindow w = projectionWindow(geometry.projection);
+    const ProjectionWindow w = projectionWindow(geometry.projection());
     setAccessibleDescription(
         tr("Window %1 × %2; viewport from (%3, %4), %5 × %6; projection window from %7 to %8 and from %9 to %10")
             .arg(s.widthPixels)
@@ -198,7 +198,7 @@ QRectF ViewportDrawing::paintWindow(QPainter &painter, const QRectF &area) const
     painter.fillRect(viewportRect, faded(palette().color(QPalette::Highlight), 0.22));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0));
-    painter.drawEllipse(circleIn(viewportRect, circleShare(projectionWindow(m_geometry.projection))));
+    painter.drawEllipse(circleIn(viewportRect, circleShare(projectionWindow(m_geometry.projection()))));
     painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
     painter.drawRect(windowRect);
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
@@ -212,7 +212,7 @@ QRectF ViewportDrawing::paintWindow(QPainter &painter, const QRectF &area) const
 
 QRectF ViewportDrawing::paintProjectionWindow(QPainter &painter, const QRectF &area) const
 {
-    const ProjectionWindow w = projectionWindow(m_geometry.projection);
+    const ProjectionWindow w = projectionWindow(m_geometry.projection());
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(QRectF(area.topLeft(), QSizeF(area.width(), captionHeight())), Qt::AlignHCenter | Qt::AlignTop,
                      fontMetrics().horizontalAdvance(tr("Projection window")) <= area.width() ? tr("Projection window")

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/view_geometry.h"
+#include "core/geometry/picture.h"
 
 #include <QPixmap>
 #include <QWidget>
@@ -19,7 +19,7 @@ public:
     explicit ViewportDrawing(QWidget *parent = nullptr);
 
     /// @pre the geometry is valid
-    void setPicture(const ViewGeometry &geometry);
+    void setPicture(const Picture &geometry);
     /// Window position; nothing: no pointer.
     void setPointer(const std::optional<WindowPoint> &pointer);
 
@@ -44,7 +44,7 @@ private:
     QPointF pointerInProjectionWindow() const;
     double captionHeight() const;
 
-    ViewGeometry m_geometry;
+    Picture m_geometry;
     std::optional<WindowPoint> m_pointer;
     QPixmap m_still; ///< null: to be painted anew
     QRectF m_windowRect;

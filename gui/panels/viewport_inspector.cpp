@@ -26,10 +26,10 @@ constexpr int kCellPadding = 10;
 constexpr int kSpacing = 16; ///< between drawing, proportions and table
 
 /// The window and its projection are all that is shown: the camera may move without any work here.
-bool isSamePicture(const ViewGeometry &a, const ViewGeometry &b)
+bool isSameWindow(const Picture &a, const Picture &b)
 {
     return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange
-           && a.projection == b.projection;
+           && a.lens == b.lens;
 }
 
 /// The panel's own font, for headers inside a table that has another: every property is set, none inherited.
@@ -237,7 +237,7 @@ void ViewportInspector::clearPointer()
 
 void ViewportInspector::refresh()
 {
-    if (!isVisible() || (m_shown && isSamePicture(*m_shown, m_document.geometry())))
+    if (!isVisible() || (m_shown && isSameWindow(*m_shown, m_document.geometry())))
         return;
     showPicture();
 }
@@ -257,7 +257,7 @@ void ViewportInspector::showPicture()
                             .arg(significantText(v.x, 6), significantText(v.y, 6), significantText(v.width, 6),
                                  significantText(v.height, 6)));
     const double aspect = circleAspect(*m_shown);
-    const ProjectionWindow w = projectionWindow(m_shown->projection);
+    const ProjectionWindow w = projectionWindow(m_shown->projection());
     m_circle->setText(circleText(aspect));
     m_circle->setToolTip(
         tr("Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1")

@@ -66,7 +66,7 @@ private:
     QLabel *m_formulas;
     QLabel *m_circle;
     QTableView *m_table;
-    std::optional<ViewGeometry> m_shown; ///< the picture that is on display
+    std::optional<Picture> m_shown; ///< the picture that is on display
     std::optional<WidgetPoint> m_pointer;
 };
 

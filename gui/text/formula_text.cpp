@@ -78,14 +78,14 @@ QString vectorText(const glm::dvec3 &v)
 
 QString formulaText(const Pick &pick)
 {
-    const Result<EyePoint> &eye = pick.point.eye.formula;
-    const Result<WorldPoint> &world = pick.point.world.formula;
+    const Result<EyePoint> &eye = pick.point.eye[Method::Formula];
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
     const Result<double> depth = unitDepth(pick.geometry.depthRange, pick.window.z);
-    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera);
+    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera());
     if (!eye || !world || !depth || !frame)
         return {};
     const DevicePoint device = pixelCenter(pick.devicePixel);
-    const Values a{projectionWindow(pick.geometry.projection),
+    const Values a{projectionWindow(pick.geometry.projection()),
                    pick.geometry.viewport,
                    device.x,
                    device.y,
@@ -93,8 +93,8 @@ QString formulaText(const Pick &pick)
                    *depth,
                    -eye->z,
                    *eye,
-                   isPerspective(pick.geometry.projection)};
-    const auto *oblique = std::get_if<Oblique>(&pick.geometry.projection);
+                   isPerspective(pick.geometry.projection())};
+    const auto *oblique = std::get_if<Oblique>(&pick.geometry.projection());
     const double boxX = oblique ? eye->x - cotangent(oblique->thetaRadians) * a.z : eye->x;
     const double boxY = oblique ? eye->y - cotangent(oblique->phiRadians) * a.z : eye->y;
 
@@ -126,8 +126,8 @@ QString formulaText(const Pick &pick)
 
 QString rayText(const Pick &pick)
 {
-    const Result<WorldPoint> &enter = pick.rayNear.world.formula;
-    const Result<WorldPoint> &leave = pick.rayFar.world.formula;
+    const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula];
+    const Result<WorldPoint> &leave = pick.rayFar.world[Method::Formula];
     if (!enter || !leave)
         return {};
     return Formulas::tr("p(t) = near + t (far − near), 0 ≤ t ≤ 1\nnear = %1\nfar = %2")
@@ -136,30 +136,30 @@ QString rayText(const Pick &pick)
 
 QString differenceCauseText(const Pick &pick)
 {
-    const TwoWays<WorldSpace> &world = pick.hit ? pick.point.world : pick.rayFar.world;
-    if (!world.formula || !world.matrix)
+    const Answers<WorldSpace> &world = pick.hit ? pick.point.world : pick.rayFar.world;
+    if (!world[Method::Formula] || !world[Method::Matrix])
         return {};
     const glm::dvec3 d = world.difference();
     const double ulps =
-        std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(world.formula->coordinates());
+        std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(world[Method::Formula]->coordinates());
     if (ulps <= 4.0)
         return Formulas::tr(
             "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
-    const Result<EyePoint> &eye = pick.hit ? pick.point.eye.formula : pick.rayFar.eye.formula;
+    const Result<EyePoint> &eye = pick.hit ? pick.point.eye[Method::Formula] : pick.rayFar.eye[Method::Formula];
     if (!eye)
         return {};
     // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
-    const glm::dvec3 point = world.formula->coordinates(), origin = pick.geometry.camera.eye.coordinates();
+    const glm::dvec3 point = world[Method::Formula]->coordinates(), origin = pick.geometry.camera().eye.coordinates();
     const auto largest = [](const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
     const double cancelled = std::max(largest(origin), largest(eye->coordinates())) / largest(point);
     const QString byCancelling = significantText(std::max(1.0, cancelled), 2);
-    if (!isPerspective(pick.geometry.projection))
+    if (!isPerspective(pick.geometry.projection()))
         return Formulas::tr(
                    "Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
                    "formula inverts nothing.")
             .arg(byCancelling);
     // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
-    const ProjectionWindow w = projectionWindow(pick.geometry.projection);
+    const ProjectionWindow w = projectionWindow(pick.geometry.projection());
     const double n = w.nearDistance, f = w.farDistance, z = -eye->z;
     return Formulas::
         tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "

@@ -41,9 +41,9 @@ QString ProportionText::line() const
            + (share.isEmpty() ? share : QStringLiteral(" = ") + share);
 }
 
-ProportionText proportionText(const ViewGeometry &geometry, Axis axis, const std::optional<WindowPoint> &pointer)
+ProportionText proportionText(const Picture &geometry, Axis axis, const std::optional<WindowPoint> &pointer)
 {
-    const ProjectionWindow w = projectionWindow(geometry.projection);
+    const ProjectionWindow w = projectionWindow(geometry.projection());
     const Viewport &v = geometry.viewport;
     const bool isX = axis == Axis::X;
     const double low = isX ? w.left : w.bottom, high = isX ? w.right : w.top;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/view_geometry.h"
+#include "core/geometry/picture.h"
 
 #include <QString>
 
@@ -25,7 +25,7 @@ enum class Axis { X, Y };
 /// What changes with the pointer is padded with blanks to one width, so that a text does not jump.
 /// @param pointer  window position; nothing: x_w and x_v (y_w and y_v) stand as symbols
 /// @pre the geometry is valid
-ProportionText proportionText(const ViewGeometry &geometry, Axis axis, const std::optional<WindowPoint> &pointer);
+ProportionText proportionText(const Picture &geometry, Axis axis, const std::optional<WindowPoint> &pointer);
 
 /// A circle's shape is told apart from a circle's from about half a percent on.
 bool isDistorted(double circleAspect);

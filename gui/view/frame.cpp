@@ -15,7 +15,7 @@ constexpr std::array<GLenum, 2> kColorsAndObjects{GL_COLOR_ATTACHMENT0, GL_COLOR
 
 } // namespace
 
-DrawnNumbers drawnNumbers(const ViewGeometry &picture)
+DrawnNumbers drawnNumbers(const Picture &picture)
 {
     const auto whole = [](double value) { return static_cast<int>(std::lround(value)); };
     const Viewport &v = picture.viewport;
@@ -106,7 +106,7 @@ bool Frame::allocate(int widthPixels, int heightPixels)
     return true;
 }
 
-bool Frame::begin(const ViewGeometry &picture)
+bool Frame::begin(const Picture &picture)
 {
     dropRequest();
     m_picture.reset();

@@ -20,7 +20,7 @@ struct DrawnNumbers {
 };
 
 /// What OpenGL takes of a picture.
-DrawnNumbers drawnNumbers(const ViewGeometry &picture);
+DrawnNumbers drawnNumbers(const Picture &picture);
 
 /// A framebuffer of our own: the colour, the depth and the object of every pixel, one sample each, and the picture that
 /// they were drawn with. Whether there is a surface under a pixel is told by the object, never by comparing depths.
@@ -39,14 +39,14 @@ public:
     /// Takes the picture's size, clears everything, and is drawn into from now on, at first with colours alone: what is
     /// drawn is background. The depth is cleared to that of the far plane.
     /// @return false when OpenGL gives no such framebuffer; then nothing is bound, and there is nothing to end
-    bool begin(const ViewGeometry &picture);
+    bool begin(const Picture &picture);
     /// From now on objects are drawn: colour, depth and object id.
     void beginObjects();
     /// What was bound before is drawn into again.
     void end();
 
     /// The picture that was drawn; nothing before the first.
-    const std::optional<ViewGeometry> &picture() const { return m_picture; }
+    const std::optional<Picture> &picture() const { return m_picture; }
     unsigned colors() const { return m_colors; }
     unsigned depths() const { return m_depths; }
 
@@ -81,8 +81,8 @@ private:
     int m_widthPixels = 0, m_heightPixels = 0;
     int m_depthBits = 24;
     int m_boundBefore = 0;
-    std::optional<ViewGeometry> m_begun;
-    std::optional<ViewGeometry> m_picture;
+    std::optional<Picture> m_begun;
+    std::optional<Picture> m_picture;
     unsigned m_requestBuffer = 0;
     GLsync m_fence = nullptr;
 };

@@ -29,12 +29,12 @@ float eyeOpacity(const Projection &projection, double t)
     return isPerspective(projection) ? static_cast<float>((1.0 - t) * (1.0 - t)) : 1.0f;
 }
 
-std::optional<ObserverPicture> observerPicture(const ViewGeometry &watched, const Box &extent,
-                                               const Placement &reference, const ViewGeometry &observer, double t)
+std::optional<ObserverPicture> observerPicture(const Picture &watched, const Box &extent, const Placement &reference,
+                                               const Picture &observer, double t)
 {
-    const Result<EyeFrame> frame = eyeFrame(watched.camera);
-    const Result<ViewVolumeMorph> morph = viewVolumeMorph(watched.projection);
-    const Result<EyeFrame> observerFrame = eyeFrame(observer.camera);
+    const Result<EyeFrame> frame = eyeFrame(watched.camera());
+    const Result<ViewVolumeMorph> morph = viewVolumeMorph(watched.projection());
+    const Result<EyeFrame> observerFrame = eyeFrame(observer.camera());
     if (!frame || !morph || !observerFrame)
         return std::nullopt;
     const glm::dmat4 eyeWorld = eyeFromWorld(*frame);
@@ -43,8 +43,8 @@ std::optional<ObserverPicture> observerPicture(const ViewGeometry &watched, cons
     const glm::dmat4 observerDrawn = eyeFromWorld(*observerFrame);
     const glm::dmat4 turned = glm::dmat4(glm::mat3_cast(placement.rotation) * glm::dmat3(eyeWorld));
     ObserverPicture picture{*frame,
-                            watched.projection,
-                            viewVolumeCorners(watched.projection),
+                            watched.projection(),
+                            viewVolumeCorners(watched.projection()),
                             *morph,
                             t,
                             placement,
@@ -74,8 +74,8 @@ std::optional<ObserverPicture> observerPicture(const ViewGeometry &watched, cons
     const double distance = glm::dot(middle - observerFrame->eye.coordinates(), observerFrame->forward);
     const double f = std::max(distance + radius, radius * 0.01);
     const double n = std::max(distance - radius, f * 1e-4);
-    picture.observer.projection = withClipDistances(observer.projection, std::min(n, f * 0.5), f);
-    const Result<glm::dmat4> clip = clipFromEye(picture.observer.projection);
+    picture.observer.projection() = withClipDistances(observer.projection(), std::min(n, f * 0.5), f);
+    const Result<glm::dmat4> clip = clipFromEye(picture.observer.projection());
     if (!clip)
         return std::nullopt;
     picture.clipFromDrawn = *clip * observerDrawn;
@@ -84,11 +84,11 @@ std::optional<ObserverPicture> observerPicture(const ViewGeometry &watched, cons
 
 std::optional<Segment> rayThrough(const Pick &pick, const ObserverPicture &picture)
 {
-    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera);
-    const Result<WorldPoint> &enter = pick.rayNear.world.formula, &leave = pick.rayFar.world.formula;
+    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera());
+    const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula], &leave = pick.rayFar.world[Method::Formula];
     if (!frame || !enter || !leave)
         return std::nullopt;
-    const bool perspective = isPerspective(pick.geometry.projection);
+    const bool perspective = isPerspective(pick.geometry.projection());
     const glm::dvec3 from = perspective ? frame->eye.coordinates() : enter->coordinates();
     const glm::dvec3 along = leave->coordinates() - from;
     const bool isSameCamera = frame->eye.coordinates() == picture.watched.eye.coordinates()

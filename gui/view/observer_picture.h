@@ -29,7 +29,7 @@ struct ObserverPicture {
     glm::dmat4 observerFromDrawn;     ///< rigid
     glm::dmat4 observerFromWorld;     ///< rigid: how the axes of the world stand to the observer; for light
     std::array<glm::dvec4, 6> planes; ///< world space; what they do not hold is not drawn
-    ViewGeometry observer;            ///< with clip distances that hold all that is drawn
+    Picture observer;                 ///< with clip distances that hold all that is drawn
     EyeFrame observerFrame;
 
     /// Of an eye-space point in the drawn space; nothing where it has receded to infinity.
@@ -45,8 +45,8 @@ float eyeOpacity(const Projection &projection, double t);
 /// @param reference  where the cube stands at t = 1; until then it comes from where the watched camera is
 /// @param observer   its camera, its surface and a symmetric perspective
 /// @return nothing when the geometry or the observer is not valid
-std::optional<ObserverPicture> observerPicture(const ViewGeometry &watched, const Box &extent,
-                                               const Placement &reference, const ViewGeometry &observer, double t);
+std::optional<ObserverPicture> observerPicture(const Picture &watched, const Box &extent, const Placement &reference,
+                                               const Picture &observer, double t);
 
 /// The ray through a clicked pixel, world space: from the eye (in a perspective) or the near plane (in a box) to the far
 /// plane. While the camera is the one of the click, it ends on the planes as they are now.

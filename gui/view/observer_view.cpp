@@ -22,7 +22,7 @@ constexpr double kFovyRadians = 0.6108652381980153; // 35 degrees
 constexpr double kSignPixels = 30.0;
 
 /// World size of the camera's sign at a point of the picture: always as many pixels, because it is a sign, not a thing.
-double signSize(const ViewGeometry &observer, const WorldPoint &point)
+double signSize(const Picture &observer, const WorldPoint &point)
 {
     return kSignPixels * worldPerPixel(observer, point) * observer.surface.devicePixelRatio;
 }
@@ -44,7 +44,7 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : QOpenGLWi
     setAccessibleName(tr("Observer view"));
     setAccessibleDescription(
         tr("The camera and its view volume from outside. Arrow keys turn the view, plus and minus zoom, F fits it."));
-    m_observer.projection = Perspective{kFovyRadians, 1.0, 0.1, 100.0};
+    m_observer.projection() = Perspective{kFovyRadians, 1.0, 0.1, 100.0};
 
     // A hidden view is told as well, and draws nothing.
     connect(&m_document, &SceneDocument::objectsChanged, this, [this] {
@@ -134,22 +134,23 @@ void ObserverView::updateSurface()
         return;
     m_observer.surface = surface;
     m_observer.viewport = wholeSurface(surface);
-    m_observer.projection = withAspect(m_observer.projection, m_observer.viewport.width / m_observer.viewport.height);
+    m_observer.projection() =
+        withAspect(m_observer.projection(), m_observer.viewport.width / m_observer.viewport.height);
     if (!m_isTouched)
         m_isPlaced = false;
 }
 
 void ObserverView::placeObserver()
 {
-    const ViewGeometry &g = m_document.geometry();
+    const Picture &g = m_document.geometry();
     const bool isResized = !m_isTouched && m_placedFor != g.surface;
     if (m_isPlaced && !isResized)
         return;
-    const Result<EyeFrame> frame = eyeFrame(g.camera);
-    const Result<ViewVolumeMorph> morph = viewVolumeMorph(g.projection);
+    const Result<EyeFrame> frame = eyeFrame(g.camera());
+    const Result<ViewVolumeMorph> morph = viewVolumeMorph(g.projection());
     if (!frame || !morph)
         return;
-    m_observer.camera = observerOf(*frame, worldFromEye(*frame, morph->center));
+    m_observer.camera() = observerOf(*frame, worldFromEye(*frame, morph->center));
     m_isPlaced = true;
     m_placedFor = g.surface;
     fit();
@@ -157,22 +158,22 @@ void ObserverView::placeObserver()
 
 void ObserverView::fit()
 {
-    const ViewGeometry &g = m_document.geometry();
-    const Result<EyeFrame> frame = eyeFrame(g.camera);
-    const Result<ViewVolumeMorph> morph = viewVolumeMorph(g.projection);
+    const Picture &g = m_document.geometry();
+    const Result<EyeFrame> frame = eyeFrame(g.camera());
+    const Result<ViewVolumeMorph> morph = viewVolumeMorph(g.projection());
     if (!frame || !morph)
         return;
     m_reference = placementOf(*frame, *morph);
     if (const std::optional<ObserverPicture> p = picture()) {
         std::vector<WorldPoint> points = pointsToFit(*p);
-        m_observer.camera = framedTightly(m_observer, points);
+        m_observer.camera() = framedTightly(m_observer, points);
         // The camera's sign has a constant size in the picture: how large it is follows from the first try.
         const double size = signSize(m_observer, frame->eye);
         for (const glm::dvec3 &axis : {frame->side, frame->upward, frame->forward}) {
             for (const double sign : {-1.0, 1.0})
                 points.push_back(WorldPoint(frame->eye.coordinates() + axis * (sign * size)));
         }
-        m_observer.camera = framedTightly(m_observer, points);
+        m_observer.camera() = framedTightly(m_observer, points);
     }
     update();
 }
@@ -383,9 +384,9 @@ void ObserverView::drawPick(const ObserverPicture &p)
         glDepthMask(GL_TRUE);
     }
     glDisable(GL_DEPTH_TEST);
-    if (pick->hit && pick->point.world.formula && p.holds(*pick->point.world.formula)) {
+    if (pick->hit && pick->point.world[Method::Formula] && p.holds(*pick->point.world[Method::Formula])) {
         const Surface &surface = p.observer.surface;
-        m_pickPainter.draw(*pick->point.world.formula, clipFromWorld,
+        m_pickPainter.draw(*pick->point.world[Method::Formula], clipFromWorld,
                            glm::vec2(surface.widthPixels, surface.heightPixels),
                            static_cast<float>(surface.devicePixelRatio));
     }

@@ -36,7 +36,7 @@ public:
     /// Shows the eye and the view volume fully, from the direction that the observer looks in.
     void fit();
 
-    const LookAt &observer() const { return m_observer.camera; }
+    const LookAt &observer() const { return m_observer.camera(); }
     /// Where a world point stands in this view's picture, logical pixels; nothing when it has no place in it.
     std::optional<QPointF> placeOf(const WorldPoint &point) const;
 
@@ -101,7 +101,7 @@ private:
     bool m_isStale = true;       ///< the frame does not show the document as it is
     glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame
     double m_t = 0.0;
-    ViewGeometry m_observer;
+    Picture m_observer;
     Placement m_reference; ///< where the cube stands
     bool m_isPlaced = false;
     bool m_isTouched = false; ///< a hand has moved the observer

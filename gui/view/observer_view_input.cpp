@@ -113,27 +113,27 @@ void ObserverView::dragPlane(const QPointF &position)
 
 void ObserverView::orbit(double yawRadians, double pitchRadians)
 {
-    m_observer.camera = orbited(m_observer.camera, m_observer.camera.center, yawRadians, pitchRadians);
+    m_observer.camera() = orbited(m_observer.camera(), m_observer.camera().center, yawRadians, pitchRadians);
     m_isTouched = true;
     update();
 }
 
 void ObserverView::zoom(const QPointF &position, double factor)
 {
-    const Result<EyeFrame> frame = eyeFrame(m_observer.camera);
+    const Result<EyeFrame> frame = eyeFrame(m_observer.camera());
     if (!frame)
         return;
     // The point under the pointer at the depth of the centre keeps its place.
-    const double scale = worldPerPixel(m_observer, m_observer.camera.center) * m_observer.surface.devicePixelRatio;
-    const glm::dvec3 anchor = m_observer.camera.center.coordinates()
+    const double scale = worldPerPixel(m_observer, m_observer.camera().center) * m_observer.surface.devicePixelRatio;
+    const glm::dvec3 anchor = m_observer.camera().center.coordinates()
                               + frame->side * ((position.x() - width() / 2.0) * scale)
                               - frame->upward * ((position.y() - height() / 2.0) * scale);
-    ViewGeometry next = zoomed(m_observer, WorldPoint(anchor), factor);
+    Picture next = zoomed(m_observer, WorldPoint(anchor), factor);
     // Closer than this the picture would lose its digits, farther off it shows nothing.
-    const double distance = glm::length(next.camera.center.coordinates() - next.camera.eye.coordinates());
+    const double distance = glm::length(next.camera().center.coordinates() - next.camera().eye.coordinates());
     if (distance < 1e-3 * m_reference.scale || distance > 1e3 * m_reference.scale || !check(next))
         return;
-    m_observer.camera = next.camera;
+    m_observer.camera() = next.camera();
     m_isTouched = true;
     update();
 }
@@ -177,11 +177,12 @@ void ObserverView::mouseMoveEvent(QMouseEvent *event)
         return;
     }
     case Drag::Pan: {
-        const Result<EyeFrame> frame = eyeFrame(m_observer.camera);
+        const Result<EyeFrame> frame = eyeFrame(m_observer.camera());
         if (!frame)
             return;
-        const double scale = worldPerPixel(m_observer, m_observer.camera.center) * m_observer.surface.devicePixelRatio;
-        m_observer.camera = moved(m_observer.camera, (frame->upward * delta.y() - frame->side * delta.x()) * scale);
+        const double scale =
+            worldPerPixel(m_observer, m_observer.camera().center) * m_observer.surface.devicePixelRatio;
+        m_observer.camera() = moved(m_observer.camera(), (frame->upward * delta.y() - frame->side * delta.x()) * scale);
         m_isTouched = true;
         update();
         return;

@@ -9,12 +9,12 @@
 namespace unprojector::gui {
 namespace {
 
-glm::vec2 viewportPixels(const ViewGeometry &g)
+glm::vec2 viewportPixels(const Picture &g)
 {
     return glm::vec2(g.viewport.width, g.viewport.height);
 }
 
-float pixelRatio(const ViewGeometry &g)
+float pixelRatio(const Picture &g)
 {
     return static_cast<float>(g.surface.devicePixelRatio);
 }
@@ -38,9 +38,9 @@ void SceneOverlay::release()
 
 void SceneOverlay::draw(const SceneDocument &document)
 {
-    const ViewGeometry &g = document.geometry();
+    const Picture &g = document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
-    const Result<EyeFrame> frame = eyeFrame(g.camera);
+    const Result<EyeFrame> frame = eyeFrame(g.camera());
     if (!matrix || !frame)
         return;
     const DrawnNumbers n = drawnNumbers(g);
@@ -60,7 +60,7 @@ void SceneOverlay::draw(const SceneDocument &document)
 
 void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
-    const ViewGeometry &g = document.geometry();
+    const Picture &g = document.geometry();
     for (const glm::dvec4 &plane : document.scene().clipPlanes) {
         const ClipPlaneShape shape = clipPlaneShape(plane, document.bounds());
         m_faces.draw(shape.faces, clipFromWorld);
@@ -71,10 +71,10 @@ void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat
 void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
     const std::optional<Pick> &pick = document.pick();
-    if (!pick || !pick->hit || !pick->point.world.formula)
+    if (!pick || !pick->hit || !pick->point.world[Method::Formula])
         return;
-    const ViewGeometry &g = document.geometry();
-    const WorldPoint &point = *pick->point.world.formula;
+    const Picture &g = document.geometry();
+    const WorldPoint &point = *pick->point.world[Method::Formula];
     const std::vector<LineSegment> drops = dropLines(point, document.ground());
     m_lines.draw(drops, clipFromWorld, viewportPixels(g), 2.0f * pixelRatio(g));
     glDisable(GL_DEPTH_TEST);

@@ -158,9 +158,9 @@ bool SceneView::updateFrame()
     // What the pointer was to be told of the last picture is read in this one.
     if (const std::optional<WidgetPoint> dropped = std::exchange(m_requested, std::nullopt); dropped && !m_hovered)
         m_hovered = dropped;
-    const ViewGeometry &g = m_document.geometry();
+    const Picture &g = m_document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
-    const Result<EyeFrame> frame = eyeFrame(g.camera);
+    const Result<EyeFrame> frame = eyeFrame(g.camera());
     if (!matrix || !frame)
         return false;
     if (!m_frame.begin(g)) {

@@ -41,13 +41,13 @@ void SceneView::mousePressEvent(QMouseEvent *event)
 void SceneView::mouseMoveEvent(QMouseEvent *event)
 {
     const QPointF delta = event->position() - m_lastPosition;
-    // A hand that only clicks trembles by a pixel or two: that is not yet a drag.
+    // A hand that only clicks trembles by a pixel or two: that is no drag yet.
     constexpr double kTremblePixels = 3.0;
     if (m_drag != Drag::None && !m_hasMoved && std::hypot(delta.x(), delta.y()) < kTremblePixels)
         return;
     m_hasMoved = true;
     m_lastPosition = event->position();
-    const ViewGeometry &g = m_document.geometry();
+    const Picture &g = m_document.geometry();
     switch (m_drag) {
     case Drag::None:
         if (event->buttons() == Qt::NoButton)
@@ -56,16 +56,17 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     case Drag::Orbit: {
         // Half a turn for the height of the view.
         const double radiansPerPixel = 3.14159265358979323846 / std::max(1, height());
-        m_document.setCamera(orbited(g.camera, m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel),
+        m_document.setCamera(orbited(g.camera(), m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel),
                              m_gesture);
         return;
     }
     case Drag::Pan: {
-        const Result<EyeFrame> frame = eyeFrame(g.camera);
+        const Result<EyeFrame> frame = eyeFrame(g.camera());
         if (!frame)
             return;
         const double scale = worldPerPixel(g, m_pivot) * g.surface.devicePixelRatio;
-        m_document.setCamera(moved(g.camera, (frame->upward * delta.y() - frame->side * delta.x()) * scale), m_gesture);
+        m_document.setCamera(moved(g.camera(), (frame->upward * delta.y() - frame->side * delta.x()) * scale),
+                             m_gesture);
         return;
     }
     }
@@ -143,8 +144,8 @@ void SceneView::wheelEvent(QWheelEvent *event)
     }
     const double notches = event->angleDelta().y() / 120.0;
     const double factor = std::pow(1.2, notches);
-    const ViewGeometry next = zoomed(m_document.geometry(), *pivot, factor);
-    m_document.setView(next.camera, next.projection, QStringLiteral("wheel"));
+    const Picture next = zoomed(m_document.geometry(), *pivot, factor);
+    m_document.setView(next.camera(), next.projection(), QStringLiteral("wheel"));
     m_wheelPosition = event->position();
     m_wheelPivot = pivot;
     reportHover(event->position());

@@ -74,7 +74,7 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
 
 MainWindow::~MainWindow()
 {
-    // The undo stack is emptied when it ends; unsaved changes must not be forgotten then.
+    // Its end empties the undo stack, which is no reason to forget the unsaved changes.
     m_document->disconnect(this);
     // The view tells the log of its end, so it goes while the log is there.
     delete m_view;
@@ -255,7 +255,7 @@ void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sampl
 {
     m_inspector->setPointer(position);
     const Result<Pick> pick = m_document->unprojected(position, sample);
-    if (!pick || (pick->hit && !pick->point.world.formula)) {
+    if (!pick || (pick->hit && !pick->point.world[Method::Formula])) {
         m_hover->clear();
         return;
     }
@@ -265,12 +265,12 @@ void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sampl
         return;
     }
     const int decimals = certainDecimals(pick->certainty.radius());
-    m_hover->setText(tr("world %1, %2").arg(pointText(*pick->point.world.formula, decimals), pixel));
+    m_hover->setText(tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], decimals), pixel));
 }
 
 void MainWindow::showCamera()
 {
-    const Projection &projection = m_document->geometry().projection;
+    const Projection &projection = m_document->geometry().projection();
     const ProjectionWindow w = projectionWindow(projection);
     m_projectionAction->setChecked(isPerspective(projection));
     m_camera->setText(tr("%1, near %2, far %3")

@@ -73,7 +73,7 @@ void MainWindow::createEditMenu()
 void MainWindow::createViewMenu(QToolBar &bar)
 {
     const auto look = [this](StandardView side) {
-        return [this, side] { m_document->setCamera(seenFrom(m_document->geometry().camera, side)); };
+        return [this, side] { m_document->setCamera(seenFrom(m_document->geometry().camera(), side)); };
     };
     QMenu *menu = menuBar()->addMenu(tr("&View"));
     bar.addAction(addAction(menu, tr("&Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"),

@@ -148,7 +148,7 @@ void MainWindow::load(PendingScene scene)
             models.push_back(objectFile(object, scene.path));
     }
     m_pendingScene = std::move(scene);
-    m_loader->load(std::move(models)); // an empty list too: it ends with the same signal
+    m_loader->load(std::move(models)); // none is none, and ends like any other
 }
 
 void MainWindow::takeScene(const std::vector<LoadedModel> &models)

@@ -2,8 +2,9 @@
 // against 50 digits, over random cameras. The same clicks for everybody.
 
 #include "core/unproject/batch/batch_unproject.h"
-#include "core/unproject/picture_geometry.h"
+#include "core/unproject/unprojector.h"
 #include "tests/support/core_scene.h"
+#include "tests/support/unprojecting.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #ifdef UNPROJECTOR_GLU
@@ -27,7 +28,7 @@ namespace {
 
 constexpr int kCamerasPerKind = 1500, kClicksPerCamera = 4;
 
-glm::dvec3 byBatch(const Result<BatchUnprojection> &unprojection, const PictureGeometry &g, const WindowPoint &window)
+glm::dvec3 byBatch(const Result<BatchUnprojection> &unprojection, const Picture &g, const WindowPoint &window)
 {
     const DevicePoint device = deviceFromWindow(g.surface, window);
     const double px = device.x, py = device.y, depth = window.z;
@@ -37,7 +38,7 @@ glm::dvec3 byBatch(const Result<BatchUnprojection> &unprojection, const PictureG
 }
 
 template <class Scalar>
-glm::dvec3 byGlm(const PictureGeometry &g, const WindowPoint &window)
+glm::dvec3 byGlm(const Picture &g, const WindowPoint &window)
 {
     using Vector = glm::vec<3, Scalar>;
     using Matrix = glm::mat<4, 4, Scalar>;
@@ -47,9 +48,9 @@ glm::dvec3 byGlm(const PictureGeometry &g, const WindowPoint &window)
 }
 
 /// The formulas as they are mostly programmed: in double, with z = n f / (f - d (f - n)).
-glm::dvec3 byUsualFormula(const PictureGeometry &g, const WindowPoint &window)
+glm::dvec3 byUsualFormula(const Picture &g, const WindowPoint &window)
 {
-    const Projection &projection = std::get<Projection>(g.projection);
+    const Projection &projection = std::get<Projection>(g.lens);
     const ProjectionWindow w = projectionWindow(projection);
     const double n = w.nearDistance, f = w.farDistance, d = window.z;
     const bool perspective = isPerspective(projection);
@@ -61,12 +62,12 @@ glm::dvec3 byUsualFormula(const PictureGeometry &g, const WindowPoint &window)
         x += cotangent(oblique->thetaRadians) * z;
         y += cotangent(oblique->phiRadians) * z;
     }
-    const EyeFrame frame = eyeFrame(std::get<LookAt>(g.view)).value();
+    const EyeFrame frame = eyeFrame(std::get<LookAt>(g.pose)).value();
     return frame.eye.coordinates() + x * frame.side + y * frame.upward + z * frame.forward;
 }
 
 #ifdef UNPROJECTOR_GLU
-glm::dvec3 byGlu(const PictureGeometry &g, const WindowPoint &window)
+glm::dvec3 byGlu(const Picture &g, const WindowPoint &window)
 {
     const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
     const GLint viewport[4] = {GLint(g.viewport.x), GLint(g.viewport.y), GLint(g.viewport.width),
@@ -96,7 +97,7 @@ void printRow(double nearDistance, double farDistance)
         for (int camera = 0; camera < kCamerasPerKind; ++camera) {
             const oracle::Scene s = oracle::randomScene(random, kind, limits);
             const oracle::Oracle exact(s.view, s.projection, s.target);
-            const PictureGeometry g = oracle::corePicture(s);
+            const Picture g = oracle::corePicture(s);
             const auto formula = BatchUnprojection::byFormula(g, {}), matrix = BatchUnprojection::byMatrix(g, {});
             for (int click = 0; click < kClicksPerCamera; ++click) {
                 const std::array<double, 3> at = oracle::randomClick(random, s.target);
@@ -108,7 +109,8 @@ void printRow(double nearDistance, double farDistance)
                     return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(p), truth)) / ulp);
                 };
                 std::size_t place = 0;
-                add(place++, "a click, by the formulas", error(*compareUnprojections(g, window).world.formula));
+                add(place++, "a click, by the formulas",
+                    error(*unprojectedAt(g, window).world[Method::Formula]));
                 add(place++, "a batch, by the formulas", error(byBatch(formula, g, window)));
                 add(place++, "the formulas as mostly programmed", error(byUsualFormula(g, window)));
                 add(place++, "a batch, by the inverted matrix", error(byBatch(matrix, g, window)));

@@ -22,13 +22,13 @@ namespace {
 
 constexpr std::size_t kPoints = 10'000'000;
 
-PictureGeometry geometry()
+Picture geometry()
 {
-    PictureGeometry g;
+    Picture g;
     g.surface = {3840, 2160, 1.0};
     g.viewport = wholeSurface(g.surface);
-    g.projection = Frustum{-1.0, 1.2, -0.5, 0.7, 1.0, 100.0};
-    g.view = LookAt{WorldPoint(3, 4, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
+    g.lens = Frustum{-1.0, 1.2, -0.5, 0.7, 1.0, 100.0};
+    g.pose = LookAt{WorldPoint(3, 4, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
     return g;
 }
 
@@ -109,7 +109,7 @@ void batchInCache(benchmark::State &state, const Result<BatchUnprojection> &unpr
 /// One glm::unProject a point, as it is called in most programs.
 void glmUnProject(benchmark::State &state)
 {
-    const PictureGeometry g = geometry();
+    const Picture g = geometry();
     Arrays<double> &a = arrays<double>();
     const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
     const glm::dvec4 viewport(g.viewport.x, g.viewport.y, g.viewport.width, g.viewport.height);
@@ -129,7 +129,7 @@ void glmUnProject(benchmark::State &state)
 #ifdef UNPROJECTOR_GLU
 void gluUnProjectEach(benchmark::State &state)
 {
-    const PictureGeometry g = geometry();
+    const Picture g = geometry();
     Arrays<double> &a = arrays<double>();
     const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
     const GLint viewport[4] = {0, 0, GLint(g.viewport.width), GLint(g.viewport.height)};
@@ -146,7 +146,7 @@ void gluUnProjectEach(benchmark::State &state)
 
 void glmInverseOnce(benchmark::State &state)
 {
-    const PictureGeometry g = geometry();
+    const Picture g = geometry();
     Arrays<double> &a = arrays<double>();
     const glm::dmat4 inverse = glm::inverse(clipFromEye(g).value() * eyeFromWorld(g).value());
     for (auto _ : state) {
@@ -176,8 +176,8 @@ const char *name(InstructionSet set)
 template <class Scalar>
 void registerBatches(const std::string &scalar)
 {
-    PictureGeometry box = geometry();
-    box.projection = Ortho{-10, 10, -7, 9, 1, 100};
+    Picture box = geometry();
+    box.lens = Ortho{-10, 10, -7, 9, 1, 100};
     const auto add = [&](const std::string &what, const Result<BatchUnprojection> &unprojection, InstructionSet set) {
         benchmark::RegisterBenchmark((what + '/' + scalar + '/' + name(set)).c_str(),
                                      [=](benchmark::State &state) { batch<Scalar>(state, unprojection, set); });

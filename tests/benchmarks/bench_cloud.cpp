@@ -27,13 +27,13 @@ namespace {
 constexpr std::size_t kWidth = 3840, kHeight = 2160;
 constexpr double kNear = 1.0, kFar = 100.0;
 
-PictureGeometry picture()
+Picture picture()
 {
-    PictureGeometry g;
+    Picture g;
     g.surface = {kWidth, kHeight, 1.0};
     g.viewport = wholeSurface(g.surface);
-    g.projection = Frustum{-1.0, 1.0, -0.5625, 0.5625, kNear, kFar};
-    g.view = LookAt{WorldPoint(3, 4, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
+    g.lens = Frustum{-1.0, 1.0, -0.5625, 0.5625, kNear, kFar};
+    g.pose = LookAt{WorldPoint(3, 4, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
     return g;
 }
 
@@ -87,7 +87,7 @@ void openCv(benchmark::State &state)
     }
     const double focal = kWidth / 2.0;
     const cv::Matx33f camera(float(focal), 0, kWidth / 2.0f, 0, float(focal), kHeight / 2.0f, 0, 0, 1);
-    const EyeFrame frame = eyeFrame(std::get<LookAt>(picture().view)).value();
+    const EyeFrame frame = eyeFrame(std::get<LookAt>(picture().pose)).value();
     cv::Matx34f worldFromCamera; // OpenCV's y points down, its z ahead
     for (int row = 0; row < 3; ++row) {
         worldFromCamera(row, 0) = float(frame.side[row]);

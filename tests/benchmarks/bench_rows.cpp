@@ -20,13 +20,13 @@ namespace {
 
 constexpr std::size_t kRows = 4000; // about one block
 
-PictureGeometry geometry()
+Picture geometry()
 {
-    PictureGeometry g;
+    Picture g;
     g.surface = {800, 600, 1.0};
     g.viewport = wholeSurface(g.surface);
-    g.projection = Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 100.0};
-    g.view = LookAt{};
+    g.lens = Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 100.0};
+    g.pose = LookAt{};
     return g;
 }
 

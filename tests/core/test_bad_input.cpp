@@ -6,6 +6,7 @@
 #include "core/geometry/viewport.h"
 #include "core/unproject/closed_form.h"
 #include "core/unproject/matrix_inverse.h"
+#include "tests/support/unprojecting.h"
 
 #include <QTest>
 

@@ -6,6 +6,7 @@
 #include "tests/support/core_scene.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_kinds.h"
+#include "tests/support/unprojecting.h"
 
 #include <QTest>
 #include <glm/matrix.hpp>
@@ -324,11 +325,11 @@ void TestBatchUnproject::matricesOfOtherPrograms()
     QFETCH(glm::dmat4, projection);
     QFETCH(bool, isZeroToOne);
     QFETCH(bool, isFormulaOurs);
-    PictureGeometry g;
+    Picture g;
     g.surface = {640, 480, 1.0};
     g.viewport = {20.0, 30.0, 500.0, 400.0};
-    g.projection = MatrixProjection{projection, isZeroToOne ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne};
-    g.view = eyeFromWorld(eyeFrame({WorldPoint(3, 4, 5), WorldPoint(1, 0, -2), {0, 1, 0}}).value());
+    g.lens = MatrixProjection{projection, isZeroToOne ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne};
+    g.pose = eyeFromWorld(eyeFrame({WorldPoint(3, 4, 5), WorldPoint(1, 0, -2), {0, 1, 0}}).value());
     for (const DepthRange &range : {DepthRange{0.0, 1.0}, DepthRange{1.0, 0.0}, DepthRange{0.2, 0.9}}) {
         g.depthRange = range;
         Triples<double> clicks(7 * 5);
@@ -347,12 +348,12 @@ void TestBatchUnproject::matricesOfOtherPrograms()
         for (std::size_t i = 0; i < clicks.count(); ++i) {
             const WindowPoint window =
                 windowFromDevice(g.surface, DevicePoint(clicks.of[0][i], clicks.of[1][i]), clicks.of[2][i]);
-            const TwoWays<WorldSpace> expected = compareUnprojections(g, window).world;
-            QVERIFY(expected.matrix);
-            const double size = 10.0 + glm::length(expected.matrix->coordinates());
-            QVERIFY(glm::length(byMatrix.at(i) - expected.matrix->coordinates()) <= 1e-11 * size);
+            const Answers<WorldSpace> expected = unprojectedAt(g, window).world;
+            QVERIFY(expected[Method::Matrix]);
+            const double size = 10.0 + glm::length(expected[Method::Matrix]->coordinates());
+            QVERIFY(glm::length(byMatrix.at(i) - expected[Method::Matrix]->coordinates()) <= 1e-11 * size);
             if (isFormulaOurs)
-                QVERIFY(glm::length(byFormula.at(i) - expected.formula->coordinates()) <= 2e-15 * size);
+                QVERIFY(glm::length(byFormula.at(i) - expected[Method::Formula]->coordinates()) <= 2e-15 * size);
         }
     }
 }
@@ -410,13 +411,13 @@ void TestBatchUnproject::noPointsTouchNothing()
 
 void TestBatchUnproject::aBadPictureIsRefused()
 {
-    PictureGeometry g;
+    Picture g;
     g.surface = {4, 3, 1.0};
     g.viewport = wholeSurface(g.surface);
-    g.projection = Frustum{-1, 1, -1, 1, 0.0, 10.0};
+    g.lens = Frustum{-1, 1, -1, 1, 0.0, 10.0};
     QCOMPARE(BatchUnprojection::byFormula(g, {}).error().code, ErrorCode::NearNotPositive);
     QCOMPARE(BatchUnprojection::byMatrix(g, {}).error().code, ErrorCode::NearNotPositive);
-    g.projection = Frustum{};
+    g.lens = Frustum{};
     const BatchSpace flat{BatchSpace::Kind::Object, glm::dmat4(0.0)};
     QCOMPARE(BatchUnprojection::byFormula(g, flat).error().code, ErrorCode::SingularMatrix);
     QCOMPARE(BatchUnprojection::byMatrix(g, flat).error().code, ErrorCode::SingularMatrix);

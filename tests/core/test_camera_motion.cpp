@@ -33,13 +33,13 @@ bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
 }
 
 /// Where a point stands in the picture; NaN where it has no place.
-glm::dvec2 placeOf(const ViewGeometry &g, const WorldPoint &point)
+glm::dvec2 placeOf(const Picture &g, const WorldPoint &point)
 {
     const Result<WindowPoint> window = windowFromWorld(g, point);
     return window ? glm::dvec2(window->x, window->y) : glm::dvec2(std::nan(""));
 }
 
-bool hasSamePlace(const ViewGeometry &before, const ViewGeometry &after, const WorldPoint &point)
+bool hasSamePlace(const Picture &before, const Picture &after, const WorldPoint &point)
 {
     const glm::dvec2 a = placeOf(before, point), b = placeOf(after, point);
     return isNear(a.x, b.x, kRoundingPixels) && isNear(a.y, b.y, kRoundingPixels);
@@ -61,9 +61,9 @@ double elevationOf(const LookAt &camera)
     return std::asin(forwardOf(camera).y);
 }
 
-ViewGeometry withCamera(ViewGeometry g, const LookAt &camera)
+Picture withCamera(Picture g, const LookAt &camera)
 {
-    g.camera = camera;
+    g.camera() = camera;
     return g;
 }
 
@@ -73,14 +73,14 @@ LookAt obliqueCamera()
     return {WorldPoint(5.0, 6.0, 9.0), WorldPoint(1.0, 2.0, 3.0), {0.0, 1.0, 0.0}};
 }
 
-ViewGeometry geometryWith(const Projection &projection)
+Picture geometryWith(const Projection &projection)
 {
     return {{1200, 800, 1.5}, {0.0, 0.0, 1200.0, 800.0}, {}, projection, obliqueCamera()};
 }
 
 void addProjections()
 {
-    QTest::addColumn<ViewGeometry>("geometry");
+    QTest::addColumn<Picture>("geometry");
     const Ortho box{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0};
     QTest::newRow("frustum") << geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
     QTest::newRow("frustum, off-centre") << geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
@@ -88,7 +88,7 @@ void addProjections()
     QTest::newRow("ortho") << geometryWith(Ortho{-6.0, 6.0, -4.0, 4.0, -2.0, 40.0});
     QTest::newRow("ortho, off-centre") << geometryWith(box);
     QTest::newRow("oblique") << geometryWith(Oblique{box, kPi / 3.0, 2.0 * kPi / 3.0});
-    ViewGeometry offset = geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
+    Picture offset = geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
     offset.viewport = {100.0, 50.0, 600.0, 400.0};
     QTest::newRow("frustum, off-centre, in an offset viewport") << offset;
 }
@@ -151,44 +151,44 @@ private slots:
 
 void TestCameraMotion::orbitKeepsThePivotsPlaceAndAllDistances()
 {
-    QFETCH(ViewGeometry, geometry);
+    QFETCH(Picture, geometry);
     for (const WorldPoint &pivot : {WorldPoint(1.0, 2.0, 3.0), WorldPoint(0.0, 1.0, 2.5), WorldPoint(2.0, 0.0, 4.0)}) {
         for (const double yaw : {-2.0, 0.0, 0.3, 3.0}) {
             for (const double pitch : {-0.4, 0.0, 0.5}) {
-                const LookAt camera = orbited(geometry.camera, pivot, yaw, pitch);
-                const ViewGeometry after = withCamera(geometry, camera);
+                const LookAt camera = orbited(geometry.camera(), pivot, yaw, pitch);
+                const Picture after = withCamera(geometry, camera);
                 QVERIFY(check(after).hasValue());
                 QVERIFY(hasSamePlace(geometry, after, pivot));
-                QVERIFY(isNear(distanceOf(camera), distanceOf(geometry.camera), kRounding * 10.0));
+                QVERIFY(isNear(distanceOf(camera), distanceOf(geometry.camera()), kRounding * 10.0));
                 QVERIFY(isNear(glm::length(camera.eye.coordinates() - pivot.coordinates()),
-                               glm::length(geometry.camera.eye.coordinates() - pivot.coordinates()), kRounding * 10.0));
+                               glm::length(geometry.camera().eye.coordinates() - pivot.coordinates()), kRounding * 10.0));
             }
         }
     }
-    const LookAt same = orbited(geometry.camera, WorldPoint(0.0, 1.0, 2.5), 0.0, 0.0);
-    QVERIFY(isNear(same.eye.coordinates(), geometry.camera.eye.coordinates(), kRounding));
-    QVERIFY(isNear(same.center.coordinates(), geometry.camera.center.coordinates(), kRounding * 10.0));
+    const LookAt same = orbited(geometry.camera(), WorldPoint(0.0, 1.0, 2.5), 0.0, 0.0);
+    QVERIFY(isNear(same.eye.coordinates(), geometry.camera().eye.coordinates(), kRounding));
+    QVERIFY(isNear(same.center.coordinates(), geometry.camera().center.coordinates(), kRounding * 10.0));
 }
 
 void TestCameraMotion::orbitTurnsTheSceneWithTheHand()
 {
-    const ViewGeometry g{{800, 800, 1.0},
-                         {0.0, 0.0, 800.0, 800.0},
-                         {},
-                         Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 100.0},
-                         {WorldPoint(0.0, 0.0, 10.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+    const Picture g{{800, 800, 1.0},
+                    {0.0, 0.0, 800.0, 800.0},
+                    {},
+                    Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 100.0},
+                    LookAt{WorldPoint(0.0, 0.0, 10.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
     const WorldPoint pivot(0.0, 0.0, 0.0);
     const WorldPoint nearest(0.0, 0.0, 1.0), top(0.0, 1.0, 0.0);
     // To the right: what is nearest goes right, by the sine of the angle: 1 x sin 0.1 at a distance of 10 - cos 0.1.
-    const ViewGeometry right = withCamera(g, orbited(g.camera, pivot, 0.1, 0.0));
+    const Picture right = withCamera(g, orbited(g.camera(), pivot, 0.1, 0.0));
     QVERIFY(isNear(placeOf(right, nearest).x, 400.0 + 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(right, nearest).y, 400.0, kRoundingPixels));
     // Down: the top comes towards the viewer, so what is nearest sinks.
-    const ViewGeometry down = withCamera(g, orbited(g.camera, pivot, 0.0, 0.1));
+    const Picture down = withCamera(g, orbited(g.camera(), pivot, 0.0, 0.1));
     QVERIFY(isNear(placeOf(down, nearest).y, 400.0 - 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(down, nearest).x, 400.0, kRoundingPixels));
     QVERIFY(isNear(placeOf(down, top).y, 400.0 + 400.0 * std::cos(0.1) / (10.0 - std::sin(0.1)), kRoundingPixels));
-    QVERIFY(isNear(down.camera.eye.coordinates(), {0.0, 10.0 * std::sin(0.1), 10.0 * std::cos(0.1)}, kRounding * 10.0));
+    QVERIFY(isNear(down.camera().eye.coordinates(), {0.0, 10.0 * std::sin(0.1), 10.0 * std::cos(0.1)}, kRounding * 10.0));
 }
 
 void TestCameraMotion::orbitStopsShortOfThePoles_data()
@@ -234,7 +234,7 @@ void TestCameraMotion::orbitLeavesAPoleItStandsAt()
     QFETCH(double, pitch);
     QFETCH(double, elevation);
     const LookAt pole = seenFrom(obliqueCamera(), static_cast<StandardView>(side));
-    const ViewGeometry before = withCamera(geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0}), pole);
+    const Picture before = withCamera(geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0}), pole);
     const WorldPoint pivot(0.5, 2.5, 2.0);
     const LookAt camera = orbited(pole, pivot, 0.4, pitch);
     QVERIFY(hasSamePlace(before, withCamera(before, camera), pivot));
@@ -299,12 +299,12 @@ void TestCameraMotion::seenFromLooksAlongTheNamedAxis()
 
 void TestCameraMotion::worldPerPixelMovesByOnePixel()
 {
-    QFETCH(ViewGeometry, geometry);
-    const EyeFrame frame = *eyeFrame(geometry.camera);
+    QFETCH(Picture, geometry);
+    const EyeFrame frame = *eyeFrame(geometry.camera());
     for (const WorldPoint &anchor : {WorldPoint(1.0, 2.0, 3.0), WorldPoint(-2.0, 1.0, -4.0)}) {
         const double scale = worldPerPixel(geometry, anchor);
-        const ViewGeometry after =
-            withCamera(geometry, moved(geometry.camera, -(frame.side * 30.0 - frame.upward * 20.0) * scale));
+        const Picture after =
+            withCamera(geometry, moved(geometry.camera(), -(frame.side * 30.0 - frame.upward * 20.0) * scale));
         const glm::dvec2 step = placeOf(after, anchor) - placeOf(geometry, anchor);
         QVERIFY(isNear(step.x, 30.0, kRoundingPixels));
         QVERIFY(isNear(step.y, -20.0, kRoundingPixels));
@@ -313,23 +313,23 @@ void TestCameraMotion::worldPerPixelMovesByOnePixel()
 
 void TestCameraMotion::zoomKeepsTheAnchorsPlace()
 {
-    QFETCH(ViewGeometry, geometry);
+    QFETCH(Picture, geometry);
     for (const WorldPoint &anchor : {WorldPoint(1.0, 2.0, 3.0), WorldPoint(0.0, 3.0, 1.0), WorldPoint(2.0, 0.5, 4.0)}) {
         for (const double factor : {0.5, 1.0, 1.2, 8.0}) {
-            const ViewGeometry after = zoomed(geometry, anchor, factor);
+            const Picture after = zoomed(geometry, anchor, factor);
             QVERIFY(check(after).hasValue());
             QVERIFY(hasSamePlace(geometry, after, anchor));
-            QVERIFY(isNear(forwardOf(after.camera), forwardOf(geometry.camera), kRounding));
+            QVERIFY(isNear(forwardOf(after.camera()), forwardOf(geometry.camera()), kRounding));
             // Closer by the factor: something beside the anchor, at its depth, stands that much farther from it.
-            const EyeFrame frame = *eyeFrame(geometry.camera);
+            const EyeFrame frame = *eyeFrame(geometry.camera());
             const WorldPoint beside(anchor.coordinates() + 0.1 * frame.side + 0.2 * frame.upward);
             const glm::dvec2 was = placeOf(geometry, beside) - placeOf(geometry, anchor);
             const glm::dvec2 is = placeOf(after, beside) - placeOf(after, anchor);
             QVERIFY(isNear(is.x, was.x * factor, kRoundingPixels * 10.0));
             QVERIFY(isNear(is.y, was.y * factor, kRoundingPixels * 10.0));
-            if (isPerspective(geometry.projection)) {
-                const double depth = -eyeFromWorld(*eyeFrame(after.camera), anchor).z;
-                QVERIFY(isNear(distanceOf(after.camera), depth, kRounding * 100.0));
+            if (isPerspective(geometry.projection())) {
+                const double depth = -eyeFromWorld(*eyeFrame(after.camera()), anchor).z;
+                QVERIFY(isNear(distanceOf(after.camera()), depth, kRounding * 100.0));
             }
         }
     }
@@ -337,31 +337,31 @@ void TestCameraMotion::zoomKeepsTheAnchorsPlace()
 
 void TestCameraMotion::recenteredBringsThePointToTheMiddle()
 {
-    QFETCH(ViewGeometry, geometry);
+    QFETCH(Picture, geometry);
     for (const WorldPoint &point :
          {WorldPoint(1.0, 2.0, 3.0), WorldPoint(0.0, 3.0, 1.0), WorldPoint(-7.0, 0.5, -4.0)}) {
-        const ViewGeometry after = withCamera(geometry, recentered(geometry, point));
+        const Picture after = withCamera(geometry, recentered(geometry, point));
         const glm::dvec2 place = placeOf(after, point);
         QVERIFY(isNear(place.x, geometry.viewport.x + geometry.viewport.width / 2.0, kRoundingPixels));
         QVERIFY(isNear(place.y, geometry.viewport.y + geometry.viewport.height / 2.0, kRoundingPixels));
         // Sideways only: the point's depth is what it was, and the centre is at that depth.
-        const double before = -eyeFromWorld(*eyeFrame(geometry.camera), point).z;
-        QVERIFY(isNear(-eyeFromWorld(*eyeFrame(after.camera), point).z, before, kRounding * 100.0));
-        QVERIFY(isNear(distanceOf(after.camera), before, kRounding * 100.0));
+        const double before = -eyeFromWorld(*eyeFrame(geometry.camera()), point).z;
+        QVERIFY(isNear(-eyeFromWorld(*eyeFrame(after.camera()), point).z, before, kRounding * 100.0));
+        QVERIFY(isNear(distanceOf(after.camera()), before, kRounding * 100.0));
     }
 }
 
 void TestCameraMotion::framedShowsTheWholeBoxInTheMiddle()
 {
-    QFETCH(ViewGeometry, geometry);
+    QFETCH(Picture, geometry);
     const Box bounds = someBounds();
     for (const StandardView side : {StandardView::Front, StandardView::Left, StandardView::Top}) {
         for (const bool isOblique : {true, false}) {
-            ViewGeometry before = geometry;
+            Picture before = geometry;
             if (!isOblique)
-                before.camera = seenFrom(before.camera, side);
-            ViewGeometry after = framed(before, bounds);
-            after.projection = withFittedClipDistances(after, bounds, {});
+                before.camera() = seenFrom(before.camera(), side);
+            Picture after = framed(before, bounds);
+            after.projection() = withFittedClipDistances(after, bounds, {});
             QVERIFY(check(after).hasValue());
             double widest = 0.0;
             for (const WorldPoint &corner : cornersOf(bounds)) {
@@ -377,32 +377,32 @@ void TestCameraMotion::framedShowsTheWholeBoxInTheMiddle()
             const glm::dvec2 place = placeOf(after, WorldPoint(bounds.center()));
             QVERIFY(isNear(place.x, after.viewport.x + after.viewport.width / 2.0, kRoundingPixels));
             QVERIFY(isNear(place.y, after.viewport.y + after.viewport.height / 2.0, kRoundingPixels));
-            QVERIFY(isNear(forwardOf(after.camera), forwardOf(before.camera), kRounding));
+            QVERIFY(isNear(forwardOf(after.camera()), forwardOf(before.camera()), kRounding));
         }
     }
 }
 
 void TestCameraMotion::framedKnowsWhatToDoWithNoSize()
 {
-    const ViewGeometry g = geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
+    const Picture g = geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
     QVERIFY(check(framed(g, {})).hasValue());
     Box point;
     point.add(glm::dvec3(7.0, 8.0, 9.0));
-    const ViewGeometry after = framed(g, point);
+    const Picture after = framed(g, point);
     QVERIFY(check(after).hasValue());
     QVERIFY(isNear(placeOf(after, WorldPoint(7.0, 8.0, 9.0)).x, 600.0, kRoundingPixels));
 }
 
 void TestCameraMotion::fittedClipDistancesHoldTheBox()
 {
-    QFETCH(ViewGeometry, geometry);
+    QFETCH(Picture, geometry);
     const Box bounds = someBounds();
     Box ground;
     ground.add(glm::dvec3(-20.0, 0.5, -20.0));
     ground.add(glm::dvec3(20.0, 0.5, 5.0));
     const ProjectionWindow tight = projectionWindow(withFittedClipDistances(geometry, bounds, {}));
     const ProjectionWindow wide = projectionWindow(withFittedClipDistances(geometry, bounds, ground));
-    const EyeFrame frame = *eyeFrame(geometry.camera);
+    const EyeFrame frame = *eyeFrame(geometry.camera());
     double nearest = 1e9, farthest = -1e9, farthestGround = -1e9;
     for (const WorldPoint &corner : cornersOf(bounds)) {
         nearest = std::min(nearest, -eyeFromWorld(frame, corner).z);
@@ -421,8 +421,8 @@ void TestCameraMotion::fittedClipDistancesHoldTheBox()
     QVERIFY(wide.farDistance > farthestGround);
 
     // The picture stays: each corner keeps its place, and its depth lies in the range.
-    ViewGeometry after = geometry;
-    after.projection = withFittedClipDistances(geometry, bounds, ground);
+    Picture after = geometry;
+    after.projection() = withFittedClipDistances(geometry, bounds, ground);
     for (const WorldPoint &corner : cornersOf(bounds)) {
         QVERIFY(hasSamePlace(geometry, after, corner));
         const Result<WindowPoint> window = windowFromWorld(after, corner);
@@ -432,40 +432,40 @@ void TestCameraMotion::fittedClipDistancesHoldTheBox()
 
 void TestCameraMotion::clipDistancesOfAnEmptyBoxStay()
 {
-    QFETCH(ViewGeometry, geometry);
-    QVERIFY(withFittedClipDistances(geometry, {}, someBounds()) == geometry.projection);
+    QFETCH(Picture, geometry);
+    QVERIFY(withFittedClipDistances(geometry, {}, someBounds()) == geometry.projection());
 }
 
 void TestCameraMotion::anEyeInsideTheBoxKeepsAValidFrustum()
 {
-    ViewGeometry g = geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
-    g.camera = {WorldPoint(1.0, 1.5, 3.5), WorldPoint(1.0, 1.5, 2.5), {0.0, 1.0, 0.0}};
+    Picture g = geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
+    g.camera() = {WorldPoint(1.0, 1.5, 3.5), WorldPoint(1.0, 1.5, 2.5), {0.0, 1.0, 0.0}};
     const ProjectionWindow w = projectionWindow(withFittedClipDistances(g, someBounds(), {}));
     QVERIFY(isNear(w.nearDistance, 0.01, kRounding)); // 1% of the centre's distance
     QVERIFY(w.farDistance > 1.5);
     // All of the box behind the eye: still a valid frustum.
-    g.camera = {WorldPoint(1.0, 1.5, -10.0), WorldPoint(1.0, 1.5, -11.0), {0.0, 1.0, 0.0}};
+    g.camera() = {WorldPoint(1.0, 1.5, -10.0), WorldPoint(1.0, 1.5, -11.0), {0.0, 1.0, 0.0}};
     QVERIFY(check(withFittedClipDistances(g, someBounds(), {})).hasValue());
 }
 
 void TestCameraMotion::theSwitchedProjectionKeepsThePictureAtTheCenter()
 {
-    QFETCH(ViewGeometry, geometry);
-    const EyeFrame frame = *eyeFrame(geometry.camera);
-    const double distance = glm::length(geometry.camera.center - geometry.camera.eye);
+    QFETCH(Picture, geometry);
+    const EyeFrame frame = *eyeFrame(geometry.camera());
+    const double distance = glm::length(geometry.camera().center - geometry.camera().eye);
     for (const ProjectionKind kind : {ProjectionKind::Frustum, ProjectionKind::Ortho, ProjectionKind::Oblique}) {
-        ViewGeometry other = geometry;
-        other.projection = converted(geometry.projection, kind, distance);
-        QVERIFY(kindOf(other.projection) == kind);
+        Picture other = geometry;
+        other.projection() = converted(geometry.projection(), kind, distance);
+        QVERIFY(kindOf(other.projection()) == kind);
         QVERIFY(check(other).hasValue());
-        ViewGeometry back = geometry;
-        back.projection =
-            converted(other.projection,
-                      isPerspective(geometry.projection) ? ProjectionKind::Frustum : ProjectionKind::Ortho, distance);
+        Picture back = geometry;
+        back.projection() =
+            converted(other.projection(),
+                      isPerspective(geometry.projection()) ? ProjectionKind::Frustum : ProjectionKind::Ortho, distance);
         QVERIFY(check(back).hasValue());
         for (const double x : {-2.0, 0.0, 1.5}) {
             for (const double y : {-1.0, 0.0, 2.5}) {
-                const WorldPoint point(geometry.camera.center.coordinates() + x * frame.side + y * frame.upward);
+                const WorldPoint point(geometry.camera().center.coordinates() + x * frame.side + y * frame.upward);
                 QVERIFY(hasSamePlace(geometry, other, point));
                 QVERIFY(hasSamePlace(geometry, back, point));
             }

@@ -89,11 +89,11 @@ void TestDepthRows::rowsLeaveOutWhatNoFloatHolds()
 {
     QFETCH(InstructionSet, set);
     SKIP_WITHOUT(set);
-    PictureGeometry g;
+    Picture g;
     g.surface = {40, 1, 1.0};
     g.viewport = wholeSurface(g.surface);
-    g.projection = Ortho{0.0, 4e39, -1.0, 1.0, 1.0, 3.0}; // pixel i at x = (i + 1/2) 1e38; floats end at 3.4e38
-    g.view = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
+    g.lens = Ortho{0.0, 4e39, -1.0, 1.0, 1.0, 3.0}; // pixel i at x = (i + 1/2) 1e38; floats end at 3.4e38
+    g.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
     const std::vector<float> depths(40, 0.5f);
     const auto unprojection = BatchUnprojection::byFormula(g, {});
     std::vector<float> points(120);

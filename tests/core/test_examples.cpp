@@ -3,7 +3,7 @@
 
 #include "core/matrices/pipeline.h"
 #include "core/scene/examples.h"
-#include "core/unproject/comparison.h"
+#include "core/unproject/unprojector.h"
 
 #include <QtTest>
 
@@ -44,7 +44,7 @@ const Example &example(const char *id)
 Pipeline pipelineOf(const char *id, const Surface &surface = {800, 600, 1.0})
 {
     const Scene &scene = example(id).scene;
-    const Result<ViewGeometry> geometry = viewGeometry(scene, surface, {});
+    const Result<Picture> geometry = pictureOf(scene, surface, {});
     if (!geometry)
         qFatal("The example %s has no picture.", id);
     const Result<Pipeline> made = pipeline(*geometry, worldFromObject(scene.objects.at(0).transform));
@@ -125,7 +125,7 @@ void TestExamples::everyExampleIsSeen()
     QFETCH(int, surface);
     const Example e = examples().at(std::size_t(index));
     QVERIFY(check(e.scene));
-    const Result<ViewGeometry> geometry = viewGeometry(e.scene, kSurfaces[surface], {});
+    const Result<Picture> geometry = pictureOf(e.scene, kSurfaces[surface], {});
     QVERIFY(geometry);
     QVERIFY(!e.scene.objects.empty());
     const Result<glm::dmat4> clip = clipFromWorld(*geometry);
@@ -144,8 +144,8 @@ void TestExamples::everyExampleIsSeen()
         QVERIFY2(inside > 0, object.name.c_str());
     }
     // The camera and the projection are the tutorial's in every window.
-    QCOMPARE(kindOf(geometry->projection), kindOf(e.scene.projection));
-    QVERIFY(geometry->projection == e.scene.projection);
+    QCOMPARE(kindOf(geometry->projection()), kindOf(e.scene.projection));
+    QVERIFY(geometry->projection() == e.scene.projection);
 }
 
 void TestExamples::theMatricesAreTheTutorials_data()
@@ -240,7 +240,7 @@ void TestExamples::theCubeOfSide10TakesHalfOfTheVolume()
 void TestExamples::farCubesAreSmaller()
 {
     const Scene &scene = example("zhangci-perspective").scene;
-    const Result<ViewGeometry> geometry = viewGeometry(scene, {800, 600, 1.0}, {});
+    const Result<Picture> geometry = pictureOf(scene, {800, 600, 1.0}, {});
     const double distances[] = {5, 11, 19};
     for (std::size_t i = 0; i < 3; ++i) {
         const SceneObject &cube = scene.objects.at(i);
@@ -265,7 +265,7 @@ void TestExamples::theMiddleOfTheVolumeOf50PixelsHasDepth075()
 
 void TestExamples::theQuarterIsTheLowerRight()
 {
-    const Result<ViewGeometry> geometry = viewGeometry(example("zhangci-viewport-quarter").scene, {801, 600, 1.0}, {});
+    const Result<Picture> geometry = pictureOf(example("zhangci-viewport-quarter").scene, {801, 600, 1.0}, {});
     QVERIFY(geometry);
     const Viewport expected{400, 0, 400, 300};
     QVERIFY(geometry->viewport == expected);
@@ -277,7 +277,7 @@ void TestExamples::threeProjectionsAreNotEqual()
 {
     const Pipeline matrix = pipelineOf("derivation-matrix"), frustum = pipelineOf("derivation-frustum"),
                    perspective = pipelineOf("derivation-perspective");
-    QVERIFY(matrix.geometry.projection == frustum.geometry.projection);
+    QVERIFY(matrix.geometry.projection() == frustum.geometry.projection());
     for (const ObjectPoint &corner : {ObjectPoint(30, 20, -40), ObjectPoint(40, 10, -30)}) {
         const double across =
             pointsForward(matrix, corner).ndc.value().x / pointsForward(perspective, corner).ndc.value().x;
@@ -296,7 +296,7 @@ void TestExamples::aCircleIsDrawnWiderByTwoOfThem()
              {std::pair("derivation-matrix", 16.0 / 9.0), std::pair("derivation-perspective", 1.0),
               std::pair("derivation-frustum", 16.0 / 9.0)}) {
             const Scene &scene = example(id).scene;
-            const Result<ViewGeometry> geometry = viewGeometry(scene, surface, {});
+            const Result<Picture> geometry = pictureOf(scene, surface, {});
             const Result<Pipeline> made = pipeline(*geometry, worldFromObject(scene.objects.at(1).transform));
             const PipelinePoints middle = pointsForward(*made, ObjectPoint(0, 0, 0)),
                                  right = pointsForward(*made, ObjectPoint(5, 0, 0)),

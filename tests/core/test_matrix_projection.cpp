@@ -2,8 +2,9 @@
 
 #include "core/geometry/matrix_projection.h"
 #include "core/geometry/view_matrix.h"
-#include "core/unproject/picture_geometry.h"
+#include "core/unproject/unprojector.h"
 #include "tests/support/core_scene.h"
+#include "tests/support/unprojecting.h"
 
 #include <QTest>
 
@@ -340,23 +341,23 @@ void TestMatrixProjection::theMatrixPathHonoursTheDepths()
 {
     QFETCH(int, style);
     const auto s = Style(style);
-    const PictureGeometry g{{800, 600, 1},
-                            {0, 0, 800, 600},
-                            {0, 1},
-                            MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.75, 1, 100), depthOf(s)},
-                            LookAt{{1, 2, 5}, {0, 0, 0}, {0, 1, 0}}};
+    const Picture g{{800, 600, 1},
+                    {0, 0, 800, 600},
+                    {0, 1},
+                    MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.75, 1, 100), depthOf(s)},
+                    LookAt{{1, 2, 5}, {0, 0, 0}, {0, 1, 0}}};
     const WorldPoint point(0.25, -0.5, 0.125);
     const WindowPoint window = windowFromWorld(g, point).value();
     QVERIFY(window.z > 0.0 && window.z < 1.0);
-    const Comparison c = compareUnprojections(g, window);
-    for (const auto &world : {c.world.formula, c.world.matrix})
+    const Unprojected c = unprojectedAt(g, window);
+    for (const auto &world : {c.world[Method::Formula], c.world[Method::Matrix]})
         QVERIFY(glm::all(glm::lessThan(glm::abs(world->coordinates() - point.coordinates()), glm::dvec3(1e-12))));
 
     // Far away a reversed depth keeps its digits; OpenGL's has none left.
     const WorldPoint distant(-2e7, -4e7, -1e8);
     if (s == Style::InfiniteReversed) {
-        const Comparison far = compareUnprojections(g, windowFromWorld(g, distant).value());
-        for (const auto &world : {far.world.formula, far.world.matrix})
+        const Unprojected far = unprojectedAt(g, windowFromWorld(g, distant).value());
+        for (const auto &world : {far.world[Method::Formula], far.world[Method::Matrix]})
             QVERIFY(glm::all(glm::lessThan(glm::abs(world->coordinates() - distant.coordinates()), glm::dvec3(1e-6))));
     }
 }
@@ -409,17 +410,17 @@ void TestMatrixProjection::viewMatricesHitTheExactPoint()
             view = inSinglePrecision(view);
         const glm::dmat4 m = clipFromEye(oracle::coreProjection(scene.projection)).value();
         const oracle::Oracle exact(columns(view), columns(m), scene.target, false);
-        const PictureGeometry g{{100, 100, 1},
-                                oracle::coreViewport(scene.target),
-                                oracle::coreDepthRange(scene.target),
-                                MatrixProjection{m, NdcDepth::MinusOneToOne},
-                                view};
+        const Picture g{{100, 100, 1},
+                        oracle::coreViewport(scene.target),
+                        oracle::coreDepthRange(scene.target),
+                        MatrixProjection{m, NdcDepth::MinusOneToOne},
+                        view};
         const std::array<double, 3> at = oracle::randomClick(random, scene.target);
-        const Comparison c = compareUnprojections(g, WindowPoint(at[0], at[1], at[2]));
+        const Unprojected c = unprojectedAt(g, WindowPoint(at[0], at[1], at[2]));
         const oracle::Vector3 truth = exact.worldUnder(at);
         const Extended scale = std::max(
             {oracle::maxNorm(truth), oracle::maxNorm(exact.eyeUnder(at)), Extended(glm::length(glm::dvec3(view[3])))});
-        worst = std::max(worst, relativeError(c.world.formula.value(), truth, scale));
+        worst = std::max(worst, relativeError(c.world[Method::Formula].value(), truth, scale));
     }
     qInfo("worst: %.3g", worst);
     QVERIFY2(worst <= kClosedForm, qPrintable(QString::number(worst)));
@@ -449,18 +450,20 @@ void TestMatrixProjection::theMatrixAnswersWhereNoFormulaDoes()
     view[1][1] = 2.0;
     view[3][2] = -4.0;
     const WorldPoint point(0.5, 0.25, -1.0);
-    PictureGeometry g{{80, 60, 1}, {0, 0, 80, 60}, {0, 1}, MatrixProjection{projection, {}}, LookAt{}};
-    Comparison c = compareUnprojections(g, windowFromWorld(g, point).value());
-    QVERIFY(!c.eye.formula && c.eye.formula.error().code == ErrorCode::MatrixNotAProjection);
-    QVERIFY(!c.world.formula && c.world.formula.error().code == ErrorCode::MatrixNotAProjection);
-    QVERIFY(glm::all(glm::lessThan(glm::abs(c.world.matrix->coordinates() - point.coordinates()), glm::dvec3(1e-13))));
+    Picture g{{80, 60, 1}, {0, 0, 80, 60}, {0, 1}, MatrixProjection{projection, {}}, LookAt{}};
+    Unprojected c = unprojectedAt(g, windowFromWorld(g, point).value());
+    QVERIFY(!c.eye[Method::Formula] && c.eye[Method::Formula].error().code == ErrorCode::MatrixNotAProjection);
+    QVERIFY(!c.world[Method::Formula] && c.world[Method::Formula].error().code == ErrorCode::MatrixNotAProjection);
+    QVERIFY(glm::all(
+        glm::lessThan(glm::abs(c.world[Method::Matrix]->coordinates() - point.coordinates()), glm::dvec3(1e-13))));
 
-    g.projection = Projection(Frustum{-1, 1, -1, 1, 1, 9});
-    g.view = view;
-    c = compareUnprojections(g, windowFromWorld(g, point).value());
-    QVERIFY(c.eye.formula.hasValue()); // the eye point needs no view
-    QVERIFY(!c.world.formula && c.world.formula.error().code == ErrorCode::ViewNotRigid);
-    QVERIFY(glm::all(glm::lessThan(glm::abs(c.world.matrix->coordinates() - point.coordinates()), glm::dvec3(1e-13))));
+    g.lens = Projection(Frustum{-1, 1, -1, 1, 1, 9});
+    g.pose = view;
+    c = unprojectedAt(g, windowFromWorld(g, point).value());
+    QVERIFY(c.eye[Method::Formula].hasValue()); // the eye point needs no view
+    QVERIFY(!c.world[Method::Formula] && c.world[Method::Formula].error().code == ErrorCode::ViewNotRigid);
+    QVERIFY(glm::all(
+        glm::lessThan(glm::abs(c.world[Method::Matrix]->coordinates() - point.coordinates()), glm::dvec3(1e-13))));
 }
 
 void TestMatrixProjection::theWindowsPictureIsTheSame()
@@ -468,21 +471,21 @@ void TestMatrixProjection::theWindowsPictureIsTheSame()
     QFETCH(int, style);
     const auto s = Style(style);
     const LookAt camera{{1, 2, 5}, {0, 0, 0}, {0, 1, 0}};
-    const PictureGeometry g{{800, 600, 1},
-                            {0, 0, 800, 600},
-                            {0, 0.5},
-                            MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.5, 1, 100), depthOf(s)},
-                            eyeFromWorld(eyeFrame(camera).value())};
-    const ViewGeometry shown = viewGeometry(g).value();
+    const Picture g{{800, 600, 1},
+                    {0, 0, 800, 600},
+                    {0, 0.5},
+                    MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.5, 1, 100), depthOf(s)},
+                    eyeFromWorld(eyeFrame(camera).value())};
+    const Picture shown = byParameters(g).value();
     for (const glm::dvec3 &p : {glm::dvec3(0.25, -0.5, 0.125), glm::dvec3(-9, 3, -40)}) {
         const glm::dvec3 a = windowFromWorld(g, WorldPoint(p)).value().coordinates();
         const glm::dvec3 b = windowFromWorld(shown, WorldPoint(p)).value().coordinates();
         QVERIFY(glm::length(glm::dvec2(a) - glm::dvec2(b)) < 1e-9);
         QVERIFY(std::abs(a.z - b.z) < (s >= Style::Infinite ? 1e-6 : 1e-13));
     }
-    PictureGeometry leftHanded = g;
-    leftHanded.projection = MatrixProjection{perspectiveMatrix(s, -1, 1, -1, 1, 1, 9, 1), depthOf(s)};
-    QVERIFY(viewGeometry(leftHanded).error().code == ErrorCode::MatrixNotAProjection);
+    Picture leftHanded = g;
+    leftHanded.lens = MatrixProjection{perspectiveMatrix(s, -1, 1, -1, 1, 1, 9, 1), depthOf(s)};
+    QVERIFY(byParameters(leftHanded).error().code == ErrorCode::MatrixNotAProjection);
 }
 
 QTEST_GUILESS_MAIN(TestMatrixProjection)

@@ -2,6 +2,7 @@
 // formulas (7) to (12): a lost flip, half pixel, pixel ratio or viewport offset leaves both methods in agreement.
 
 #include "core/unproject/pick.h"
+#include "tests/support/unprojecting.h"
 
 #include <QTest>
 
@@ -42,24 +43,24 @@ bool isRelativelyNear(double a, double b, double tolerance)
 }
 
 /// 800 x 600 logical pixels, looked at from (0, 0, 5) towards the origin.
-ViewGeometry plainFrustum()
+Picture plainFrustum()
 {
     return {{800, 600, 1.0},
             {0.0, 0.0, 800.0, 600.0},
             {},
             Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 10.0},
-            {WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+            LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
 }
 
 /// 1200 x 900 device pixels at ratio 1.5, with a viewport that does not start in the corner nor fill the surface; the
 /// camera looks along -z, so that its axes are the world's.
-ViewGeometry offsetBox()
+Picture offsetBox()
 {
     return {{1200, 900, 1.5},
             {100.0, 50.0, 600.0, 400.0},
             {},
             Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0},
-            {WorldPoint(10.0, 20.0, 30.0), WorldPoint(10.0, 20.0, 20.0), {0.0, 1.0, 0.0}}};
+            LookAt{WorldPoint(10.0, 20.0, 30.0), WorldPoint(10.0, 20.0, 20.0), {0.0, 1.0, 0.0}}};
 }
 
 } // namespace
@@ -82,7 +83,7 @@ private slots:
 
 void TestPick::aClickIsFollowedBackToTheWorld_data()
 {
-    QTest::addColumn<ViewGeometry>("geometry");
+    QTest::addColumn<Picture>("geometry");
     QTest::addColumn<glm::dvec3>("click"); // widget x, y; depth
     QTest::addColumn<QPoint>("pixel");
     QTest::addColumn<glm::dvec3>("window");
@@ -106,27 +107,27 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
     const glm::dvec3 click(300.5, 500.5, 0.25), window(450.5, 149.5, 0.25);
     QTest::newRow("ortho, offset viewport@1.5x") << offsetBox() << click << QPoint(450, 750) << window
                                                  << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
-    ViewGeometry reversed = offsetBox();
+    Picture reversed = offsetBox();
     reversed.depthRange = {1.0, 0.0};
     QTest::newRow("ortho, reversed depth range@1.5x")
         << reversed << glm::dvec3(300.5, 500.5, 0.75) << QPoint(450, 750) << glm::dvec3(450.5, 149.5, 0.75)
         << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
     // cot 45 degrees = 1: x and y grow by z = 3.
-    ViewGeometry oblique = offsetBox();
-    oblique.projection = Oblique{std::get<Ortho>(offsetBox().projection), 0.7853981633974483, 0.7853981633974483};
+    Picture oblique = offsetBox();
+    oblique.projection() = Oblique{std::get<Ortho>(offsetBox().projection()), 0.7853981633974483, 0.7853981633974483};
     QTest::newRow("oblique, offset viewport@1.5x")
         << oblique << click << QPoint(450, 750) << window << glm::dvec3(3.505, 1.995, -3.0)
         << glm::dvec3(13.505, 21.995, 27.0);
     // The same window as a frustum with n = 1, f = 9: z = 9 / (9 x 0.75 + 0.25) = 9 / 7, x = 0.505 z, y = -1.005 z
-    ViewGeometry frustum = offsetBox();
-    frustum.projection = Frustum{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
+    Picture frustum = offsetBox();
+    frustum.projection() = Frustum{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
     const double distance = 9.0 / 7.0;
     QTest::newRow("frustum, offset viewport@1.5x")
         << frustum << click << QPoint(450, 750) << window << glm::dvec3(0.505 * distance, -1.005 * distance, -distance)
         << glm::dvec3(10.0 + 0.505 * distance, 20.0 - 1.005 * distance, 30.0 - distance);
     // Seen along +x with z up: s = -y, u = z, f = x, so world = eye + (z, -x, y).
-    ViewGeometry turned = offsetBox();
-    turned.camera = {WorldPoint(10.0, 20.0, 30.0), WorldPoint(11.0, 20.0, 30.0), {0.0, 0.0, 1.0}};
+    Picture turned = offsetBox();
+    turned.camera() = {WorldPoint(10.0, 20.0, 30.0), WorldPoint(11.0, 20.0, 30.0), {0.0, 0.0, 1.0}};
     QTest::newRow("ortho, turned camera@1.5x") << turned << click << QPoint(450, 750) << window
                                                << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(13.0, 19.495, 28.995);
     // Column 413 of ratio 1.5 comes as 413 / 1.5, whose product with 1.5 may fall just below 413.
@@ -137,7 +138,7 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
 
 void TestPick::aClickIsFollowedBackToTheWorld()
 {
-    QFETCH(ViewGeometry, geometry);
+    QFETCH(Picture, geometry);
     QFETCH(glm::dvec3, click);
     QFETCH(QPoint, pixel);
     QFETCH(glm::dvec3, window);
@@ -151,12 +152,12 @@ void TestPick::aClickIsFollowedBackToTheWorld()
     QCOMPARE(pick->widget.y, click.y);
     QCOMPARE(QPoint(pick->devicePixel.i, pick->devicePixel.j), pixel);
     QVERIFY(isNear(pick->window.coordinates(), window, 0.0));
-    QVERIFY(isNear(pick->point.eye.formula->coordinates(), eye, kRounding));
-    QVERIFY(isNear(pick->point.eye.matrix->coordinates(), eye, kInverseRounding));
-    QVERIFY(isNear(pick->point.eye.matrixInFloat->coordinates(), eye, kFloatRounding));
-    QVERIFY(isNear(pick->point.world.formula->coordinates(), world, kRounding));
-    QVERIFY(isNear(pick->point.world.matrix->coordinates(), world, kInverseRounding));
-    QVERIFY(isNear(pick->point.world.matrixInFloat->coordinates(), world, kFloatRounding));
+    QVERIFY(isNear(pick->point.eye[Method::Formula]->coordinates(), eye, kRounding));
+    QVERIFY(isNear(pick->point.eye[Method::Matrix]->coordinates(), eye, kInverseRounding));
+    QVERIFY(isNear(pick->point.eye[Method::MatrixInFloat]->coordinates(), eye, kFloatRounding));
+    QVERIFY(isNear(pick->point.world[Method::Formula]->coordinates(), world, kRounding));
+    QVERIFY(isNear(pick->point.world[Method::Matrix]->coordinates(), world, kInverseRounding));
+    QVERIFY(isNear(pick->point.world[Method::MatrixInFloat]->coordinates(), world, kFloatRounding));
 
     const Result<WindowPoint> back = windowFromWorld(geometry, WorldPoint(world));
     QVERIFY(back.hasValue());
@@ -165,7 +166,7 @@ void TestPick::aClickIsFollowedBackToTheWorld()
 
 void TestPick::allPositionsInAPixelGiveTheSamePoint()
 {
-    const ViewGeometry geometry = plainFrustum();
+    const Picture geometry = plainFrustum();
     const Result<Pick> middle = pickAt(geometry, WidgetPoint(412.5, 300.5), {0.5, true, 24});
     QVERIFY(middle.hasValue());
     for (const WidgetPoint &position :
@@ -173,8 +174,10 @@ void TestPick::allPositionsInAPixelGiveTheSamePoint()
         const Result<Pick> pick = pickAt(geometry, position, {0.5, true, 24});
         QVERIFY(pick.hasValue());
         QVERIFY(pick->devicePixel == (DevicePixel{412, 300}));
-        QVERIFY(isNear(pick->point.world.formula->coordinates(), middle->point.world.formula->coordinates(), 0.0));
-        QVERIFY(isNear(pick->point.world.matrix->coordinates(), middle->point.world.matrix->coordinates(), 0.0));
+        QVERIFY(isNear(pick->point.world[Method::Formula]->coordinates(),
+                       middle->point.world[Method::Formula]->coordinates(), 0.0));
+        QVERIFY(isNear(pick->point.world[Method::Matrix]->coordinates(),
+                       middle->point.world[Method::Matrix]->coordinates(), 0.0));
     }
 }
 
@@ -184,28 +187,28 @@ void TestPick::aBackgroundClickGivesTheRayOfItsPixel()
     QVERIFY(pick.hasValue());
     QVERIFY(!pick->hit);
     QVERIFY(isNear(pick->window.coordinates(), {0.5, 599.5, 1.0}, 0.0));
-    QVERIFY(isNear(pick->rayNear.eye.formula->coordinates(), {-0.99875, 0.74875, -1.0}, kRounding));
-    QVERIFY(isNear(pick->rayFar.eye.formula->coordinates(), {-9.9875, 7.4875, -10.0}, kRounding));
-    QVERIFY(isNear(pick->rayNear.world.formula->coordinates(), {-0.99875, 0.74875, 4.0}, kRounding));
-    QVERIFY(isNear(pick->rayFar.world.formula->coordinates(), {-9.9875, 7.4875, -5.0}, kRounding));
-    QVERIFY(isNear(pick->rayNear.world.matrix->coordinates(), {-0.99875, 0.74875, 4.0}, kInverseRounding));
-    QVERIFY(isNear(pick->rayFar.world.matrix->coordinates(), {-9.9875, 7.4875, -5.0}, kInverseRounding));
+    QVERIFY(isNear(pick->rayNear.eye[Method::Formula]->coordinates(), {-0.99875, 0.74875, -1.0}, kRounding));
+    QVERIFY(isNear(pick->rayFar.eye[Method::Formula]->coordinates(), {-9.9875, 7.4875, -10.0}, kRounding));
+    QVERIFY(isNear(pick->rayNear.world[Method::Formula]->coordinates(), {-0.99875, 0.74875, 4.0}, kRounding));
+    QVERIFY(isNear(pick->rayFar.world[Method::Formula]->coordinates(), {-9.9875, 7.4875, -5.0}, kRounding));
+    QVERIFY(isNear(pick->rayNear.world[Method::Matrix]->coordinates(), {-0.99875, 0.74875, 4.0}, kInverseRounding));
+    QVERIFY(isNear(pick->rayFar.world[Method::Matrix]->coordinates(), {-9.9875, 7.4875, -5.0}, kInverseRounding));
 
     // The ends are those of the depth range, wherever it puts them.
-    ViewGeometry reversed = plainFrustum();
+    Picture reversed = plainFrustum();
     reversed.depthRange = {1.0, 0.25};
     const Result<Pick> other = pickAt(reversed, WidgetPoint(0.0, 0.0), {0.25, false, 24});
     QVERIFY(other.hasValue());
-    QVERIFY(isNear(other->rayNear.world.formula->coordinates(), {-0.99875, 0.74875, 4.0}, kRounding));
-    QVERIFY(isNear(other->rayFar.world.formula->coordinates(), {-9.9875, 7.4875, -5.0}, kRounding));
+    QVERIFY(isNear(other->rayNear.world[Method::Formula]->coordinates(), {-0.99875, 0.74875, 4.0}, kRounding));
+    QVERIFY(isNear(other->rayFar.world[Method::Formula]->coordinates(), {-9.9875, 7.4875, -5.0}, kRounding));
 }
 
 void TestPick::whatCannotBePickedIsRefused_data()
 {
-    QTest::addColumn<ViewGeometry>("geometry");
+    QTest::addColumn<Picture>("geometry");
     QTest::addColumn<glm::dvec3>("click");
     QTest::addColumn<int>("code");
-    const auto row = [](const char *name, const ViewGeometry &g, const glm::dvec3 &click, ErrorCode code) {
+    const auto row = [](const char *name, const Picture &g, const glm::dvec3 &click, ErrorCode code) {
         QTest::newRow(name) << g << click << static_cast<int>(code);
     };
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -214,7 +217,7 @@ void TestPick::whatCannotBePickedIsRefused_data()
     row("below the view", plainFrustum(), {400.0, 600.0, 0.5}, ErrorCode::OutsideFramebuffer);
     row("above the view", plainFrustum(), {400.0, -0.5, 0.5}, ErrorCode::OutsideFramebuffer);
     row("position NaN", plainFrustum(), {kNan, 0.0, 0.5}, ErrorCode::NotFinite);
-    ViewGeometry g = plainFrustum();
+    Picture g = plainFrustum();
     g.surface.heightPixels = 0;
     row("no framebuffer", g, middle, ErrorCode::EmptyFramebuffer);
     g = plainFrustum();
@@ -224,16 +227,16 @@ void TestPick::whatCannotBePickedIsRefused_data()
     g.depthRange = {0.5, 0.5};
     row("no depth range", g, middle, ErrorCode::EmptyDepthRange);
     g = plainFrustum();
-    g.projection = Frustum{-1.0, 1.0, -1.0, 1.0, 0.0, 1.0};
+    g.projection() = Frustum{-1.0, 1.0, -1.0, 1.0, 0.0, 1.0};
     row("near 0", g, middle, ErrorCode::NearNotPositive);
     g = plainFrustum();
-    g.camera.center = g.camera.eye;
+    g.camera().center = g.camera().eye;
     row("camera without direction", g, middle, ErrorCode::EyeEqualsCenter);
 }
 
 void TestPick::whatCannotBePickedIsRefused()
 {
-    QFETCH(ViewGeometry, geometry);
+    QFETCH(Picture, geometry);
     QFETCH(glm::dvec3, click);
     QFETCH(int, code);
     for (const bool hit : {true, false}) {
@@ -256,7 +259,7 @@ void TestPick::aDepthOutsideItsRangeIsRefusedOnASurfaceOnly()
 
 void TestPick::certaintyIsTheDepthStepAndThePixel_data()
 {
-    QTest::addColumn<ViewGeometry>("geometry");
+    QTest::addColumn<Picture>("geometry");
     QTest::addColumn<double>("distance");
     QTest::addColumn<int>("bits");
     QTest::addColumn<glm::dvec3>("expected"); // half a depth step, pixel's width and height
@@ -276,25 +279,25 @@ void TestPick::certaintyIsTheDepthStepAndThePixel_data()
                                     << 0.005;
     QTest::newRow("ortho, 24 bits, behind the eye")
         << offsetBox() << -3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01) << 0.005;
-    ViewGeometry half = offsetBox();
+    Picture half = offsetBox();
     half.depthRange = {0.75, 0.25};
     QTest::newRow("ortho, half the depth range")
         << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01) << 0.005;
     // gluPerspective(90 degrees, 2, 0.5, 8): window 2 x 1 at n = 0.5; 16 x 7.5 / 4 / (2^24 - 1) / 2; 2 x 4 / 0.5 / 800, 4 / 0.5 / 600
-    ViewGeometry perspective = plainFrustum();
-    perspective.projection = Perspective{1.5707963267948966, 2.0, 0.5, 8.0};
+    Picture perspective = plainFrustum();
+    perspective.projection() = Perspective{1.5707963267948966, 2.0, 0.5, 8.0};
     QTest::newRow("perspective, wide pixels")
         << perspective << 4.0 << 24 << glm::dvec3(8.940697249215677e-7, 0.02, 4.0 / 300.0) << 0.01;
     // A mirrored window: sizes stay positive.
-    ViewGeometry mirrored = plainFrustum();
-    mirrored.projection = Frustum{1.0, -1.0, 0.75, -0.75, 1.0, 10.0};
+    Picture mirrored = plainFrustum();
+    mirrored.projection() = Frustum{1.0, -1.0, 0.75, -0.75, 1.0, 10.0};
     QTest::newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125)
                                       << 0.00625;
 }
 
 void TestPick::certaintyIsTheDepthStepAndThePixel()
 {
-    QFETCH(ViewGeometry, geometry);
+    QFETCH(Picture, geometry);
     QFETCH(double, distance);
     QFETCH(int, bits);
     QFETCH(glm::dvec3, expected);

@@ -26,7 +26,7 @@ constexpr double kRoundTrip = 1e-11;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-ViewGeometry geometryOf(const Projection &projection, const LookAt &camera, int width, int height, double ratio = 1.0)
+Picture geometryOf(const Projection &projection, const LookAt &camera, int width, int height, double ratio = 1.0)
 {
     const Surface surface = surfaceFromWidget(width, height, ratio);
     return {surface, wholeSurface(surface), {}, projection, camera};
@@ -150,8 +150,8 @@ void TestPipeline::theOriginIsTheMiddleOfTheWidgetAtEveryPixelRatio()
 {
     QFETCH(double, ratio);
     QFETCH(double, device);
-    const ViewGeometry geometry = geometryOf(Perspective{std::numbers::pi / 2.0, 1, 1, 100},
-                                             {WorldPoint(3, 4, 12), WorldPoint(0, 0, 0), {0, 1, 0}}, 300, 300, ratio);
+    const Picture geometry = geometryOf(Perspective{std::numbers::pi / 2.0, 1, 1, 100},
+                                        {WorldPoint(3, 4, 12), WorldPoint(0, 0, 0), {0, 1, 0}}, 300, 300, ratio);
     const PipelinePoints points = pointsForward(pipeline(geometry, glm::dmat4(1.0)).value(), WorldPoint(0, 0, 0));
     QVERIFY(isNear({points.device->x, points.device->y, 0}, {device, device, 0}, 1e-10));
     // A surface of 375 or 600 pixels has its middle at the same logical pixel.
@@ -174,7 +174,7 @@ void TestPipeline::backwardUndoesForward()
 {
     QFETCH(Projection, projection);
     QFETCH(ObjectPoint, point);
-    ViewGeometry geometry = geometryOf(projection, aside(), 640, 480, 1.5);
+    Picture geometry = geometryOf(projection, aside(), 640, 480, 1.5);
     geometry.viewport = {13, 7, 400, 300};
     geometry.depthRange = {0.9, 0.1};
     const Pipeline p =
@@ -250,7 +250,7 @@ void TestPipeline::aPointInThePlaneOfTheEyeStopsAtTheDivision()
 
 void TestPipeline::badValuesAreNamed()
 {
-    ViewGeometry geometry = geometryOf(kPerspective, fromFive(), 50, 50);
+    Picture geometry = geometryOf(kPerspective, fromFive(), 50, 50);
     QCOMPARE(pipeline(geometry, glm::dmat4(0.0)).error().code, ErrorCode::SingularMatrix);
     glm::dmat4 broken(1.0);
     broken[3][1] = kNaN;
@@ -260,7 +260,7 @@ void TestPipeline::badValuesAreNamed()
     const Pipeline p = pipeline(geometry, glm::dmat4(1.0)).value();
     QCOMPARE(pointsForward(p, WorldPoint(0, kNaN, 0)).widget.error().code, ErrorCode::NotFinite);
     QCOMPARE(pointsBackward(p, WindowPoint(0, kNaN, 0)).object.error().code, ErrorCode::NotFinite);
-    geometry.camera.eye = geometry.camera.center;
+    geometry.camera().eye = geometry.camera().center;
     QCOMPARE(pipeline(geometry, glm::dmat4(1.0)).error().code, ErrorCode::EyeEqualsCenter);
 }
 
@@ -366,7 +366,7 @@ void TestPipeline::entryNamesMeanTheirNumbers()
     QFETCH(int, column);
     QFETCH(QString, name);
     QFETCH(double, value);
-    ViewGeometry geometry = geometryOf(projection, fromFive(), 640, 480);
+    Picture geometry = geometryOf(projection, fromFive(), 640, 480);
     geometry.viewport = {13, 7, 400, 300};
     geometry.depthRange = {0.25, 0.75};
     const Pipeline p = pipeline(geometry, worldFromObject({Translate{{1, 2, 3}}, Rotate{90, {1, 0, 0}}})).value();
@@ -380,7 +380,7 @@ void TestPipeline::entryNamesMeanTheirNumbers()
 void TestPipeline::entriesNamedAsConstantsAreConstant()
 {
     for (const Projection &projection : {kOffCentre, kPerspective, kOrtho, kOblique}) {
-        ViewGeometry geometry = geometryOf(projection, aside(), 640, 480);
+        Picture geometry = geometryOf(projection, aside(), 640, 480);
         geometry.viewport = {13, 7, 400, 300};
         const Pipeline p = pipeline(geometry, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
         for (const PipelineStage stage : kPipelineStages) {

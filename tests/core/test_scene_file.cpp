@@ -136,7 +136,7 @@ void TestSceneFile::everyKeyIsRead()
     QCOMPARE(scene.ui.clipPlanesOff[0].place, std::size_t(1));
     QVERIFY(scene.ui.clipPlanesOff[0].plane == glm::dvec4(0, 0, 1, 2));
 
-    const PictureGeometry geometry = pictureGeometry(scene);
+    const Picture geometry = pictureOf(scene);
     QVERIFY(geometry.surface == (Surface{801, 599, 1.25}));
     QVERIFY(geometry.viewport == *scene.viewport);
     QVERIFY(objectFile(scene.objects[0], "/there/scene.json") == std::filesystem::path("/there/models/face.obj"));
@@ -148,7 +148,7 @@ void TestSceneFile::whatIsLeftOutHasItsDefault()
     QCOMPARE(scene.devicePixelRatio, 1.0);
     QVERIFY(!scene.viewport && scene.objects.empty() && scene.clipPlanes.empty());
     QVERIFY(scene.depthRange == (DepthRange{0, 1}));
-    QVERIFY(pictureGeometry(scene).viewport == (Viewport{0, 0, 800, 600}));
+    QVERIFY(pictureOf(scene).viewport == (Viewport{0, 0, 800, 600}));
     QVERIFY(!scene.ui.viewportRule && !scene.ui.home && !scene.ui.projectionFollowsViewport);
 }
 
@@ -411,24 +411,24 @@ void TestSceneFile::aWindowsSceneSurvivesASave()
     scene.clipDistancesFitObjects = false;
     for (const bool follows : {true, false}) {
         scene.projectionFollowsViewport = follows;
-        const ViewGeometry geometry = viewGeometry(scene, {1001, 751, 1.25}, {}).value();
+        const Picture geometry = pictureOf(scene, {1001, 751, 1.25}, {}).value();
         SceneFile file = sceneFileFrom(scene, geometry, "/there/scene.json");
         QVERIFY(file.objects[0].file == std::filesystem::path("models") / "a.obj");
         QCOMPARE(file.objects[1].bundled, "Teapot");
         file = parsed(written(file));
 
         // Another program sees what the window showed.
-        const ViewGeometry shown = viewGeometry(pictureGeometry(file)).value();
+        const Picture shown = byParameters(pictureOf(file)).value();
         QVERIFY(shown.surface == geometry.surface && shown.viewport == geometry.viewport);
-        QVERIFY(shown.projection == geometry.projection && shown.depthRange == geometry.depthRange);
-        QVERIFY(isSame(shown.camera, geometry.camera));
+        QVERIFY(shown.projection() == geometry.projection() && shown.depthRange == geometry.depthRange);
+        QVERIFY(isSame(shown.camera(), geometry.camera()));
 
         const Scene again = sceneFromFile(file, "/there/scene.json", {model, model}).value();
         QVERIFY(isSame(again.camera, scene.camera) && isSame(again.home, scene.home));
         QVERIFY(again.viewport == scene.viewport && again.depthRange == scene.depthRange);
         QCOMPARE(again.projectionFollowsViewport, follows);
         QVERIFY(!again.clipDistancesFitObjects);
-        QVERIFY(viewGeometry(again, geometry.surface, {}).value().projection == geometry.projection);
+        QVERIFY(pictureOf(again, geometry.surface, {}).value().projection() == geometry.projection());
         QVERIFY(again.objects[0].file == scene.objects[0].file && again.objects[1].file.empty());
         QVERIFY(again.objects[0].transform == scene.objects[0].transform);
         QVERIFY(again.clipPlanes == scene.clipPlanes);
@@ -437,7 +437,7 @@ void TestSceneFile::aWindowsSceneSurvivesASave()
     }
 
     // Of a scene that has no file yet the paths are absolute, and a bundled model has none.
-    const SceneFile unnamed = sceneFileFrom(scene, viewGeometry(scene, {100, 75, 1}, {}).value(), {});
+    const SceneFile unnamed = sceneFileFrom(scene, pictureOf(scene, {100, 75, 1}, {}).value(), {});
     QVERIFY(unnamed.objects[0].file == unnamed.objects[0].absoluteFile && unnamed.objects[0].file.is_absolute());
     QVERIFY(unnamed.objects[1].file.empty() && unnamed.objects[1].bundled == "Teapot");
 
@@ -445,7 +445,7 @@ void TestSceneFile::aWindowsSceneSurvivesASave()
     before.extra = {{"author", "A"}};
     before.objects = {{"a", std::filesystem::path("models") / "a.obj", "", {}, {{"colour", "red"}}, {}}};
     const SceneFile kept =
-        sceneFileFrom(scene, viewGeometry(scene, {100, 75, 1}, {}).value(), "/there/scene.json", before);
+        sceneFileFrom(scene, pictureOf(scene, {100, 75, 1}, {}).value(), "/there/scene.json", before);
     QVERIFY(kept.extra["author"] == "A");
     QVERIFY(kept.objects[0].extra["colour"] == "red" && kept.objects[1].extra.is_null());
 }
@@ -489,7 +489,7 @@ void TestSceneFile::aSceneSavedElsewhereKeepsUnknownKeys()
     const SceneFile before = readSceneFile(source).value();
     const Scene scene = sceneFromFile(before, source, {model, model}).value();
     const std::filesystem::path written = root / target.toStdU16String();
-    const SceneFile after = sceneFileFrom(scene, viewGeometry(scene, {801, 599, 1.25}, {}).value(), written, before);
+    const SceneFile after = sceneFileFrom(scene, pictureOf(scene, {801, 599, 1.25}, {}).value(), written, before);
     QVERIFY(writeSceneFile(written, after).hasValue());
     const SceneFile again = readSceneFile(written).value();
     const Json json = Json::parse(sceneText(again).value());
@@ -500,7 +500,7 @@ void TestSceneFile::aSceneSavedElsewhereKeepsUnknownKeys()
     QVERIFY(again.objects[0].absoluteFile == before.objects[0].absoluteFile);
     // And from there to where it was.
     const SceneFile back = sceneFileFrom(sceneFromFile(again, written, {model, model}).value(),
-                                         viewGeometry(scene, {801, 599, 1.25}, {}).value(), source, after);
+                                         pictureOf(scene, {801, 599, 1.25}, {}).value(), source, after);
     QVERIFY(back.objects[0].extra["mark"] == "of the first object");
 }
 

@@ -30,7 +30,7 @@ Scene opened(const SceneFile &file)
 
 SceneFile saved(const Scene &scene, const SceneFile &before)
 {
-    const SceneFile file = sceneFileFrom(scene, viewGeometry(scene, kSurface, {}).value(), "/there/saved.json", before);
+    const SceneFile file = sceneFileFrom(scene, pictureOf(scene, kSurface, {}).value(), "/there/saved.json", before);
     return parseScene(sceneText(file).value(), "saved.json").value();
 }
 
@@ -139,7 +139,7 @@ void TestSceneMatrices::projectionsThatFollowTheWindowAreWrittenAsShown()
     Scene scene = opened(file);
     scene.projectionFollowsViewport = true;
     const SceneFile again = saved(scene, file);
-    QVERIFY(std::get<Projection>(again.projection) == viewGeometry(scene, kSurface, {}).value().projection);
+    QVERIFY(std::get<Projection>(again.projection) == pictureOf(scene, kSurface, {}).value().projection());
 }
 
 QTEST_GUILESS_MAIN(TestSceneMatrices)

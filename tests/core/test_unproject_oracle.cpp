@@ -4,6 +4,7 @@
 #include "core/unproject/closed_form.h"
 #include "core/unproject/matrix_inverse.h"
 #include "tests/support/core_scene.h"
+#include "tests/support/unprojecting.h"
 
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>

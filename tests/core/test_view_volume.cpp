@@ -331,14 +331,14 @@ void TestViewVolume::theObserverSeesEverythingItIsToFrame()
         std::vector<WorldPoint> points{frame.eye};
         for (const EyePoint &corner : viewVolumeCorners(watched))
             points.push_back(worldFromEye(frame, corner));
-        ViewGeometry observer{{300, 400, 1.0},
-                              {0.0, 0.0, 300.0, 400.0},
-                              {},
-                              Perspective{0.6, 0.75, 0.1, 1e4},
-                              observerOf(frame, frame.eye)};
-        observer.camera = framedTightly(observer, points);
+        Picture observer{{300, 400, 1.0},
+                         {0.0, 0.0, 300.0, 400.0},
+                         {},
+                         Perspective{0.6, 0.75, 0.1, 1e4},
+                         observerOf(frame, frame.eye)};
+        observer.camera() = framedTightly(observer, points);
         QVERIFY(check(observer).hasValue());
-        const EyeFrame from = *eyeFrame(observer.camera);
+        const EyeFrame from = *eyeFrame(observer.camera());
         QVERIFY(std::abs(std::asin(-from.forward.y) * 180.0 / kPi - 35.0) < 1e-9);
         double left = 300.0, right = 0.0, bottom = 400.0, top = 0.0;
         for (const WorldPoint &point : points) {

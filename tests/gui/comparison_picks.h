@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/unproject/pick.h"
+#include "tests/support/unprojecting.h"
 
 #include <QRegularExpression>
 #include <QString>
@@ -14,25 +15,25 @@ using namespace unprojector::geometry;
 using namespace unprojector::unproject;
 
 /// 800 x 600, window +-0.828427 x +-0.62132 at n = 2, f = 10, from (0, 0, 5) towards the origin.
-inline ViewGeometry frustumGeometry()
+inline Picture frustumGeometry()
 {
     return {{800, 600, 1.0},
             {0.0, 0.0, 800.0, 600.0},
             {},
             Frustum{-0.8284271247461901, 0.8284271247461901, -0.6213203435596426, 0.6213203435596426, 2.0, 10.0},
-            {WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+            LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
 }
 
-inline ViewGeometry boxGeometry(const Projection &projection)
+inline Picture boxGeometry(const Projection &projection)
 {
     return {{600, 400, 1.0},
             {0.0, 0.0, 600.0, 400.0},
             {},
             projection,
-            {WorldPoint(10.0, 20.0, 30.0), WorldPoint(10.0, 20.0, 20.0), {0.0, 1.0, 0.0}}};
+            LookAt{WorldPoint(10.0, 20.0, 30.0), WorldPoint(10.0, 20.0, 20.0), {0.0, 1.0, 0.0}}};
 }
 
-inline Pick picked(const ViewGeometry &geometry, double x, double y, double depth, bool hit = true)
+inline Pick picked(const Picture &geometry, double x, double y, double depth, bool hit = true)
 {
     const Result<Pick> pick = pickAt(geometry, WidgetPoint(x, y), {depth, hit, 24});
     if (!pick)
@@ -45,7 +46,9 @@ inline Pick pickWith(const glm::dvec3 &formula, const glm::dvec3 &matrix, const 
                      double radius)
 {
     Pick pick = picked(frustumGeometry(), 412.0, 299.0, 0.75);
-    pick.point.world = {WorldPoint(formula), WorldPoint(matrix), WorldPoint(matrixInFloat)};
+    pick.point.world = Answers<WorldSpace>::of([&](Method method) {
+        return WorldPoint(method == Method::Formula ? formula : method == Method::Matrix ? matrix : matrixInFloat);
+    });
     pick.certainty = {radius, radius, radius / 2.0};
     return pick;
 }

@@ -153,7 +153,7 @@ glm::dvec2 placeOf(const MainWindow &window, const glm::dvec3 &world)
 QPointF localOf(const MainWindow &window, const glm::dvec3 &world)
 {
     SceneView &view = const_cast<MainWindow &>(window).view();
-    const ViewGeometry &g = const_cast<MainWindow &>(window).document().geometry();
+    const Picture &g = const_cast<MainWindow &>(window).document().geometry();
     const glm::dvec2 place = placeOf(window, world);
     const WidgetPoint widget =
         widgetFromDevice(g.surface, deviceFromWindow(g.surface, WindowPoint(place.x, place.y, 0.0)));
@@ -209,30 +209,30 @@ double distanceOf(const LookAt &camera, const glm::dvec3 &world)
     return glm::dot(world - camera.eye.coordinates(), forwardOf(camera));
 }
 
-Ray rayThrough(const ViewGeometry &g, const glm::dvec2 &window)
+Ray rayThrough(const Picture &g, const glm::dvec2 &window)
 {
-    const glm::dvec3 f = forwardOf(g.camera);
-    const glm::dvec3 s = glm::normalize(glm::cross(f, g.camera.up));
+    const glm::dvec3 f = forwardOf(g.camera());
+    const glm::dvec3 s = glm::normalize(glm::cross(f, g.camera().up));
     const glm::dvec3 u = glm::cross(s, f);
     const auto inWindow = [&](double left, double right, double bottom, double top) {
         return glm::dvec2(left + (right - left) * (window.x - g.viewport.x) / g.viewport.width,
                           bottom + (top - bottom) * (window.y - g.viewport.y) / g.viewport.height);
     };
-    const glm::dvec3 eye = g.camera.eye.coordinates();
-    if (const auto *p = std::get_if<Frustum>(&g.projection)) {
+    const glm::dvec3 eye = g.camera().eye.coordinates();
+    if (const auto *p = std::get_if<Frustum>(&g.projection())) {
         const glm::dvec2 at = inWindow(p->left, p->right, p->bottom, p->top) / p->nearDistance;
         return {eye, f + at.x * s + at.y * u};
     }
-    if (const auto *p = std::get_if<Ortho>(&g.projection)) {
+    if (const auto *p = std::get_if<Ortho>(&g.projection())) {
         const glm::dvec2 at = inWindow(p->left, p->right, p->bottom, p->top);
         return {eye + at.x * s + at.y * u, f};
     }
-    if (const auto *p = std::get_if<Perspective>(&g.projection)) {
+    if (const auto *p = std::get_if<Perspective>(&g.projection())) {
         const double top = std::tan(p->verticalFovRadians / 2.0), right = top * p->aspect;
         const glm::dvec2 at = inWindow(-right, right, -top, top);
         return {eye, f + at.x * s + at.y * u};
     }
-    const auto &p = std::get<Oblique>(g.projection);
+    const auto &p = std::get<Oblique>(g.projection());
     const glm::dvec2 at = inWindow(p.box.left, p.box.right, p.box.bottom, p.box.top);
     return {eye + at.x * s + at.y * u, f + s / std::tan(p.thetaRadians) + u / std::tan(p.phiRadians)};
 }

@@ -82,7 +82,7 @@ struct Ray {
     glm::dvec3 direction; ///< its component along the view is 1
 };
 /// The ray of a window position: from the arguments of glFrustum, glOrtho and gluLookAt, without a matrix or a depth.
-Ray rayThrough(const ViewGeometry &geometry, const glm::dvec2 &window);
+Ray rayThrough(const Picture &geometry, const glm::dvec2 &window);
 glm::dvec3 onPlane(const Ray &ray, const glm::dvec3 &point, const glm::dvec3 &normal);
 glm::dvec3 forwardOf(const LookAt &camera);
 /// Distance from the eye along the view.

@@ -76,8 +76,8 @@ void TestComparisonPanel::theTableHoldsThePicksDoubles()
             const auto value = [&](int column) {
                 return cell(model, row, column, ComparisonModel::ValueRole).toDouble();
             };
-            const double formula = point.formula->coordinates()[axis], matrix = point.matrix->coordinates()[axis];
-            const double inFloat = point.matrixInFloat->coordinates()[axis];
+            const double formula = point[Method::Formula]->coordinates()[axis], matrix = point[Method::Matrix]->coordinates()[axis];
+            const double inFloat = point[Method::MatrixInFloat]->coordinates()[axis];
             // QCOMPARE on doubles is fuzzy: these are to be the same.
             QVERIFY(value(ComparisonModel::Formula) == formula);
             QVERIFY(value(ComparisonModel::Matrix) == matrix);
@@ -102,9 +102,9 @@ void TestComparisonPanel::theTableOfABackgroundHoldsTheRay()
     QCOMPARE(model.headerData(5, Qt::Vertical).toString(), QStringLiteral("Far z"));
     for (int axis = 0; axis < 3; ++axis) {
         QVERIFY(cell(model, axis, ComparisonModel::Formula, ComparisonModel::ValueRole).toDouble()
-                == pick.rayNear.world.formula->coordinates()[axis]);
+                == pick.rayNear.world[Method::Formula]->coordinates()[axis]);
         QVERIFY(cell(model, 3 + axis, ComparisonModel::Matrix, ComparisonModel::ValueRole).toDouble()
-                == pick.rayFar.world.matrix->coordinates()[axis]);
+                == pick.rayFar.world[Method::Matrix]->coordinates()[axis]);
     }
 }
 
@@ -186,7 +186,11 @@ void TestComparisonPanel::certainDigitsEndAtTheRadius()
 void TestComparisonPanel::aMethodWithoutAnswerSaysNone()
 {
     Pick pick = pickWith({1.0, 2.0, 4.0}, {1.0, 2.0, 4.0}, {1.0, 2.0, 4.0}, 0.01);
-    pick.point.world.matrix = Error{ErrorCode::SingularMatrix};
+    pick.point.world = Answers<WorldSpace>::of([&](Method method) -> Result<WorldPoint> {
+        if (method == Method::Matrix)
+            return Error{ErrorCode::SingularMatrix};
+        return WorldPoint(1.0, 2.0, 4.0);
+    });
     ComparisonModel model;
     model.setPick(pick);
     QCOMPARE(cell(model, 0, ComparisonModel::Matrix).toString(), QStringLiteral("none"));
@@ -273,13 +277,13 @@ void TestComparisonPanel::selectedCellsAreCopiedWithAllDigits()
     const auto &world = pick.point.world;
     QCOMPARE(QApplication::clipboard()->text(),
              QStringLiteral("%1\t%2\n%3\t%4")
-                 .arg(shortestText(world.formula->x), shortestText(world.matrix->x), shortestText(world.formula->y),
-                      shortestText(world.matrix->y)));
+                 .arg(shortestText(world[Method::Formula]->x), shortestText(world[Method::Matrix]->x),
+                      shortestText(world[Method::Formula]->y), shortestText(world[Method::Matrix]->y)));
 }
 
 void TestComparisonPanel::theChainIsWrittenOut()
 {
-    ViewGeometry geometry = frustumGeometry();
+    Picture geometry = frustumGeometry();
     geometry.surface = {800, 600, 1.5};
     ComparisonPanel panel;
     panel.setPick(picked(geometry, 275.2, 200.0, 0.75)); // device 412.8, 300
@@ -335,11 +339,12 @@ void TestComparisonPanel::thePanelStandsStillFromClickToClick()
     panel.setPick(picked(boxGeometry(Ortho{-3000.0, 3000.0, -2000.0, 2000.0, 1.0, 9000.0}), 50.0, 120.0, 0.123456789));
     QCOMPARE(places(), before);
     // The longest cause.
-    ViewGeometry extreme = frustumGeometry();
-    extreme.projection = Frustum{-0.0012345, 0.0012345, -0.00054321, 0.00054321, 0.0012345, 987654.0};
+    Picture extreme = frustumGeometry();
+    extreme.projection() = Frustum{-0.0012345, 0.0012345, -0.00054321, 0.00054321, 0.0012345, 987654.0};
     Pick longest = picked(extreme, 50.0, 120.0, 0.99999);
     const glm::dvec3 point(-123.456789, 234.567891, -345.678912);
-    longest.point.world = {WorldPoint(point), WorldPoint(point - 1e-10), WorldPoint(point)};
+    longest.point.world = Answers<WorldSpace>::of(
+        [&](Method method) { return WorldPoint(method == Method::Matrix ? point - 1e-10 : point); });
     panel.setPick(longest);
     QCOMPARE(places(), before);
     panel.setPick(std::nullopt);

@@ -92,9 +92,9 @@ void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
 
     // A viewport of 400 x 300 from (100, 50); window 0.5 .. 1.5 and -0.5 .. 1 at n = 1, f = 4: z = 4 / (2 + 0.5) = 1.6;
     // x = (200.5 x 1 / 400 + 0.5) x 1.6 = 1.602, y = (100.5 x 1.5 / 300 - 0.5) x 1.6 = 0.004
-    ViewGeometry offset = frustumGeometry();
+    Picture offset = frustumGeometry();
     offset.viewport = {100.0, 50.0, 400.0, 300.0};
-    offset.projection = Frustum{0.5, 1.5, -0.5, 1.0, 1.0, 4.0};
+    offset.projection() = Frustum{0.5, 1.5, -0.5, 1.0, 1.0, 4.0};
     QTest::newRow("off-centre frustum in an offset viewport")
         << picked(offset, 300.0, 449.0, 0.5)
         << QStringLiteral("z = n f / (f (1 − d) + n d)\n"

@@ -112,7 +112,7 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
     QVERIFY(QTest::qWaitForWindowExposed(&stage.view));
     QVERIFY(!stage.picture(example(id.toStdString()).scene).isNull());
     const WorldPoint expected(x, y, z);
-    const ViewGeometry &geometry = stage.document.geometry();
+    const Picture &geometry = stage.document.geometry();
     const Result<WindowPoint> window = windowFromWorld(geometry, expected);
     QVERIFY(window);
     const WidgetPoint widget = widgetFromDevice(geometry.surface, deviceFromWindow(geometry.surface, *window));
@@ -120,10 +120,10 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
     QTRY_VERIFY(stage.document.pick());
     const Pick &pick = *stage.document.pick();
     QVERIFY(pick.hit);
-    QVERIFY(pick.point.world.formula && pick.point.world.matrix);
+    QVERIFY(pick.point.world[Method::Formula] && pick.point.world[Method::Matrix]);
     // Within the pixel clicked, which is beside the point by at most one; and on the surface, which faces the eye.
     const Certainty c = pick.certainty;
-    const glm::dvec3 off = pick.point.world.formula->coordinates() - expected.coordinates();
+    const glm::dvec3 off = pick.point.world[Method::Formula]->coordinates() - expected.coordinates();
     QVERIFY2(std::abs(off.x) <= 2.0 * c.footprintWidth, qPrintable(QString::number(off.x)));
     QVERIFY2(std::abs(off.y) <= 2.0 * c.footprintHeight, qPrintable(QString::number(off.y)));
     QVERIFY2(std::abs(off.z) <= 8.0 * c.halfDepthStep, qPrintable(QString::number(off.z)));

@@ -176,10 +176,10 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
                     continue;
                 }
                 ++seen[*object];
-                QVERIFY(pick.point.world.formula.hasValue());
+                QVERIFY(pick.point.world[Method::Formula].hasValue());
                 const glm::dvec3 expected = ray.origin + ray.direction * nearest;
                 // Sides that are seen at a slant: a 256th of a pixel beside is as far as that.
-                QVERIFY(glm::length(pick.point.world.formula->coordinates() - expected)
+                QVERIFY(glm::length(pick.point.world[Method::Formula]->coordinates() - expected)
                         <= 40.0 * pick.certainty.halfDepthStep + 0.1 * pick.certainty.footprintWidth);
             }
         }
@@ -274,7 +274,7 @@ void TestFrame::aPickIsNeverOnAClippedPart()
                 continue;
             }
             ++hits;
-            const glm::dvec3 point = pick.point.world.formula->coordinates();
+            const glm::dvec3 point = pick.point.world[Method::Formula]->coordinates();
             for (const glm::dvec4 &plane : cutting) {
                 const double distance = glm::dot(plane, glm::dvec4(point, 1.0)) / glm::length(glm::dvec3(plane));
                 QVERIFY2(distance >= -pick.certainty.radius(), qPrintable(QString::number(distance)));
@@ -340,7 +340,7 @@ void TestFrame::aPlaneIsShownAndCannotBePicked()
     QVERIFY(before.pixel(pixel.i, pixel.j) != with.pixel(pixel.i, pixel.j));
     click(view, localOf(*window, beside));
     QVERIFY(window->document().pick()->hit);
-    const glm::dvec3 picked = window->document().pick()->point.world.formula->coordinates();
+    const glm::dvec3 picked = window->document().pick()->point.world[Method::Formula]->coordinates();
     QVERIFY(std::abs(picked.z - (kCubeCenter.z + 1.0)) < 0.01);
 }
 
@@ -453,7 +453,7 @@ void TestFrame::aFrameTooLargeIsRefusedAndLeavesNothingBehind()
                               ? ObjectIds::Colors
                               : ObjectIds::Integers);
     const auto picture = [](int size) {
-        ViewGeometry g;
+        Picture g;
         g.surface = {size, size, 1.0};
         g.viewport = wholeSurface(g.surface);
         return g;

@@ -38,7 +38,7 @@ bool isSameCamera(const LookAt &a, const LookAt &b)
 /// The picked point by formula.
 glm::dvec3 picked(MainWindow &window)
 {
-    return window.document().pick()->point.world.formula->coordinates();
+    return window.document().pick()->point.world[Method::Formula]->coordinates();
 }
 
 bool isAt(const MainWindow &window, const glm::dvec3 &world, const glm::dvec2 &place, double tolerance)
@@ -129,7 +129,7 @@ void TestNavigation::aTrembleIsNoDrag()
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
     const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2));
-    const LookAt before = window->document().geometry().camera;
+    const LookAt before = window->document().geometry().camera();
     for (const auto &[button, modifiers] :
          {std::pair(Qt::LeftButton, Qt::NoModifier), std::pair(Qt::LeftButton, Qt::ShiftModifier),
           std::pair(Qt::MiddleButton, Qt::NoModifier)}) {
@@ -137,11 +137,11 @@ void TestNavigation::aTrembleIsNoDrag()
         for (const QPointF &step : {QPointF(1.0, 0.0), QPointF(1.0, -1.0), QPointF(-1.0, 0.0), QPointF(0.0, 0.0)})
             sendMouse(view, QEvent::MouseMove, position + step, Qt::NoButton, button, modifiers);
         sendMouse(view, QEvent::MouseButtonRelease, position, button, Qt::NoButton, modifiers);
-        QVERIFY(isSameCamera(window->document().geometry().camera, before));
+        QVERIFY(isSameCamera(window->document().geometry().camera(), before));
     }
     // A drag it is from a few pixels on.
     drag(view, position, position + QPointF(12.0, 0.0), Qt::LeftButton);
-    QVERIFY(!isSameCamera(window->document().geometry().camera, before));
+    QVERIFY(!isSameCamera(window->document().geometry().camera(), before));
 }
 
 void TestNavigation::aDragTurnsAboutThePickedPoint()
@@ -150,10 +150,10 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     const auto window = cubeWindow(isOrtho);
     SceneView &view = window->view();
     const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
-    const LookAt before = window->document().geometry().camera;
+    const LookAt before = window->document().geometry().camera();
     drag(view, from, from + QPointF(70.0, -25.0), Qt::LeftButton);
     QVERIFY(isAt(*window, picked(*window), centerUnder(view, from), kStillPixels));
-    const LookAt &after = window->document().geometry().camera;
+    const LookAt &after = window->document().geometry().camera();
     // 70 of the height's logical pixels of half a turn about world up: the scene turns right, the camera left.
     const glm::dvec3 f = forwardOf(before), g = forwardOf(after);
     const double yaw = std::atan2(f.z * g.x - f.x * g.z, f.x * g.x + f.z * g.z);
@@ -162,7 +162,7 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     QCOMPARE(glm::length(after.center.coordinates() - after.eye.coordinates()),
              glm::length(before.center.coordinates() - before.eye.coordinates()));
     // The pick stays what was clicked.
-    QVERIFY(isSameCamera(window->document().pick()->geometry.camera, before));
+    QVERIFY(isSameCamera(window->document().pick()->geometry.camera(), before));
 }
 
 void TestNavigation::panningKeepsThePointUnderThePointer_data()
@@ -189,12 +189,12 @@ void TestNavigation::panningKeepsThePointUnderThePointer()
     const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
     click(view, from);
     const glm::dvec3 point = picked(*window);
-    const glm::dvec3 forward = forwardOf(window->document().geometry().camera);
+    const glm::dvec3 forward = forwardOf(window->document().geometry().camera());
     const QPointF way(-90.0, 40.0);
     drag(view, from, from + way, static_cast<Qt::MouseButton>(button), static_cast<Qt::KeyboardModifiers>(modifiers));
     // Window y points up.
     QVERIFY(isAt(*window, point, centerUnder(view, from) + glm::dvec2(way.x(), -way.y()) * ratio, kStillPixels));
-    QVERIFY(glm::length(forwardOf(window->document().geometry().camera) - forward) < 1e-12);
+    QVERIFY(glm::length(forwardOf(window->document().geometry().camera()) - forward) < 1e-12);
     QCOMPARE(picked(*window), point);
 }
 
@@ -220,11 +220,11 @@ void TestNavigation::theWheelKeepsThePointUnderThePointer()
     QVERIFY(isAt(*window, point, centerUnder(view, position), kStillPixels));
     QVERIFY(size() < before);
     // Over the background there is a place to zoom to as well.
-    const LookAt camera = window->document().geometry().camera;
-    const Projection projection = window->document().geometry().projection;
+    const LookAt camera = window->document().geometry().camera();
+    const Projection projection = window->document().geometry().projection();
     turnWheel(view, QPointF(4.0, 4.0), 1);
-    QVERIFY(!isSameCamera(window->document().geometry().camera, camera)
-            || window->document().geometry().projection != projection);
+    QVERIFY(!isSameCamera(window->document().geometry().camera(), camera)
+            || window->document().geometry().projection() != projection);
 }
 
 void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
@@ -238,9 +238,9 @@ void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
     const Viewport &viewport = window->document().geometry().viewport;
     QVERIFY(isAt(*window, picked(*window), {viewport.width / 2.0, viewport.height / 2.0}, kStillPixels));
     // On the background it leaves the camera alone.
-    const LookAt camera = window->document().geometry().camera;
+    const LookAt camera = window->document().geometry().camera();
     QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(view.width() - 5, 5));
-    QVERIFY(isSameCamera(window->document().geometry().camera, camera));
+    QVERIFY(isSameCamera(window->document().geometry().camera(), camera));
 }
 
 void TestNavigation::theBackgroundHasNoSurface()
@@ -261,13 +261,15 @@ void TestNavigation::theBackgroundHasNoSurface()
     QCOMPARE(view.grabFramebuffer(), empty);
     // The ray is that of the pixel, by hand.
     const Ray ray = rayThrough(pick.geometry, centerUnder(view, position));
-    for (const Result<WorldPoint> &end : {pick.rayNear.world.formula, pick.rayFar.world.formula})
+    for (const Result<WorldPoint> &end : {pick.rayNear.world[Method::Formula], pick.rayFar.world[Method::Formula]})
         QVERIFY(glm::length(glm::cross(end->coordinates() - ray.origin, ray.direction)) < 1e-9);
-    const ProjectionWindow w = projectionWindow(pick.geometry.projection);
-    QVERIFY(std::abs(distanceOf(pick.geometry.camera, pick.rayNear.world.formula->coordinates()) - w.nearDistance)
+    const ProjectionWindow w = projectionWindow(pick.geometry.projection());
+    QVERIFY(std::abs(distanceOf(pick.geometry.camera(), pick.rayNear.world[Method::Formula]->coordinates())
+                     - w.nearDistance)
             < 1e-9);
-    QVERIFY(std::abs(distanceOf(pick.geometry.camera, pick.rayFar.world.formula->coordinates()) - w.farDistance)
-            < 1e-9);
+    QVERIFY(
+        std::abs(distanceOf(pick.geometry.camera(), pick.rayFar.world[Method::Formula]->coordinates()) - w.farDistance)
+        < 1e-9);
     // A surface pick does leave a marker.
     click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.0, 0.0)));
     QVERIFY(view.grabFramebuffer() != empty);
@@ -277,14 +279,14 @@ void TestNavigation::draggingOnTheBackgroundMovesTheCameraAllTheSame()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    const glm::dvec3 center = window->document().geometry().camera.center.coordinates();
+    const glm::dvec3 center = window->document().geometry().camera().center.coordinates();
     const QPointF from(view.width() - 30.0, 30.0);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::LeftButton);
     QVERIFY(!window->document().pick()->hit);
-    const LookAt turned = window->document().geometry().camera;
+    const LookAt turned = window->document().geometry().camera();
     QVERIFY(turned.center.coordinates() != center);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::MiddleButton);
-    QVERIFY(turned.eye.coordinates() != window->document().geometry().camera.eye.coordinates());
+    QVERIFY(turned.eye.coordinates() != window->document().geometry().camera().eye.coordinates());
 }
 
 void TestNavigation::whatIsOnlyDrawnIsNeverPicked_data()
@@ -387,9 +389,9 @@ void TestNavigation::keysLookFromTheSides()
     const auto window = cubeWindow(false);
     window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window.get()));
-    const LookAt before = window->document().geometry().camera;
+    const LookAt before = window->document().geometry().camera();
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
-    const LookAt &after = window->document().geometry().camera;
+    const LookAt &after = window->document().geometry().camera();
     QVERIFY(glm::length(forwardOf(after) - forward) < 1e-12);
     QCOMPARE(after.center.coordinates(), before.center.coordinates());
     const QImage picture = window->view().grabFramebuffer();
@@ -404,15 +406,15 @@ void TestNavigation::keysFitGoHomeAndSwitchTheProjection()
     const auto window = shownWindow(false, {500, 400});
     SceneDocument &document = window->document();
     document.setObjects(cubeScene());
-    const ViewGeometry home = document.geometry();
+    const Picture home = document.geometry();
     window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window.get()));
     SceneView &view = window->view();
 
     QTest::keyClick(&view, Qt::Key_5);
-    QVERIFY(!isPerspective(document.geometry().projection));
+    QVERIFY(!isPerspective(document.geometry().projection()));
     QTest::keyClick(&view, Qt::Key_5);
-    QVERIFY(isPerspective(document.geometry().projection));
+    QVERIFY(isPerspective(document.geometry().projection()));
 
     QTest::keyClick(&view, Qt::Key_1);
     turnWheel(view, QPointF(100.0, 80.0), 8);
@@ -422,11 +424,11 @@ void TestNavigation::keysFitGoHomeAndSwitchTheProjection()
             kCubeCenter + glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
         QVERIFY(QRectF(view.rect()).contains(localOf(*window, world)));
     }
-    QVERIFY(glm::length(forwardOf(document.geometry().camera) - glm::dvec3(0.0, 0.0, -1.0)) < 1e-12);
+    QVERIFY(glm::length(forwardOf(document.geometry().camera()) - glm::dvec3(0.0, 0.0, -1.0)) < 1e-12);
 
     QTest::keyClick(&view, Qt::Key_Home);
-    QVERIFY(isSameCamera(document.geometry().camera, home.camera));
-    QVERIFY(document.geometry().projection == home.projection);
+    QVERIFY(isSameCamera(document.geometry().camera(), home.camera()));
+    QVERIFY(document.geometry().projection() == home.projection());
 }
 
 void TestNavigation::smoothEdgesCanBeSwitchedWhileAPickIsShown()

@@ -73,7 +73,7 @@ struct State {
     {
     }
     std::vector<SceneObject> objects;
-    ViewGeometry geometry;
+    Picture geometry;
     std::optional<Pick> pick;
     QString title;
 
@@ -85,7 +85,7 @@ struct State {
                    && a.up == b.up;
         };
         if (objects.size() != now.objects.size() || title != now.title
-            || !(geometry.projection == now.geometry.projection) || !same(geometry.camera, now.geometry.camera)
+            || !(geometry.projection() == now.geometry.projection()) || !same(geometry.camera(), now.geometry.camera())
             || pick.has_value() != now.pick.has_value())
             return false;
         for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -94,7 +94,8 @@ struct State {
         }
         return !pick
                || (pick->hit == now.pick->hit
-                   && pick->point.world.formula->coordinates() == now.pick->point.world.formula->coordinates());
+                   && pick->point.world[Method::Formula]->coordinates()
+                          == now.pick->point.world[Method::Formula]->coordinates());
     }
 };
 
@@ -167,8 +168,9 @@ void TestOpenFiles::aNamedFileIsShown()
     // It can be clicked: the triangle lies in z = 0.
     click(window->view(), localOf(*window, {0.5, 0.5, 0.0}));
     QVERIFY(window->document().pick() && window->document().pick()->hit);
-    QVERIFY(glm::length(window->document().pick()->point.world.formula->coordinates() - glm::dvec3(0.5, 0.5, 0.0))
-            < 0.02);
+    QVERIFY(
+        glm::length(window->document().pick()->point.world[Method::Formula]->coordinates() - glm::dvec3(0.5, 0.5, 0.0))
+        < 0.02);
 }
 
 void TestOpenFiles::aDroppedFileIsShown()
@@ -187,7 +189,7 @@ void TestOpenFiles::aDroppedFileIsShown()
     QVERIFY(ended.wait(kLoadMilliseconds));
     QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("dropped file.obj")});
 
-    // Dropped text is not a file.
+    // Text is no file.
     QMimeData text;
     text.setText(QStringLiteral("words"));
     QDragEnterEvent refused(QPoint(50, 50), Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);

@@ -23,7 +23,7 @@ constexpr double kRasterizerSteps = 6.0;
 constexpr double kSubpixel = 1.0 / 256.0;
 /// The farthest that a quantity of the plane point is from its value at the centre when the sample lies beside it.
 template <class Quantity>
-double slopeTerm(const ViewGeometry &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point,
+double slopeTerm(const Picture &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point,
                  const glm::dvec3 &normal, Quantity quantity)
 {
     const double middle = quantity(onPlane(rayThrough(g, window), point, normal));
@@ -58,14 +58,14 @@ Projection projectionNamed(const QString &name, const SceneView &view)
 
 /// From in front of a face, to the side and above, so that it is seen at a slant; what is looked at is put where the
 /// middle of an off-centre or sheared picture is.
-LookAt cameraBefore(const Face &face, const ViewGeometry &g)
+LookAt cameraBefore(const Face &face, const Picture &g)
 {
     const glm::dvec3 middle = kCubeCenter + face.normal;
     const glm::dvec3 other = glm::cross(face.normal, face.across);
     const LookAt camera{WorldPoint(middle + 5.0 * face.normal + 1.7 * face.across + 2.3 * other), WorldPoint(middle),
                         std::abs(face.normal.y) > 0.5 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0)};
-    ViewGeometry seen = g;
-    seen.camera = camera;
+    Picture seen = g;
+    seen.camera() = camera;
     return recentered(seen, WorldPoint(middle));
 }
 
@@ -139,20 +139,20 @@ void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::d
     QCOMPARE(pick.window.x, center.x);
     QCOMPARE(pick.window.y, center.y);
 
-    const ViewGeometry &g = document.geometry();
+    const Picture &g = document.geometry();
     const Ray ray = rayThrough(g, center);
     const glm::dvec3 expected = onPlane(ray, aimed, face.normal);
     const double step = 2.0 * pick.certainty.halfDepthStep;
     const double tolerance = step * kRasterizerSteps
                              + slopeTerm(g, center, kSubpixel, aimed, face.normal,
-                                         [&](const glm::dvec3 &p) { return distanceOf(g.camera, p); });
-    for (const Result<WorldPoint> &point : {pick.point.world.formula, pick.point.world.matrix}) {
+                                         [&](const glm::dvec3 &p) { return distanceOf(g.camera(), p); });
+    for (const Result<WorldPoint> &point : {pick.point.world[Method::Formula], pick.point.world[Method::Matrix]}) {
         QVERIFY(point.hasValue());
         const glm::dvec3 off = point->coordinates() - expected;
-        QVERIFY2(std::abs(glm::dot(off, forwardOf(g.camera))) <= tolerance,
+        QVERIFY2(std::abs(glm::dot(off, forwardOf(g.camera()))) <= tolerance,
                  qPrintable(QStringLiteral("%1: off by %2 along the view, tolerance %3")
                                 .arg(face.name)
-                                .arg(glm::dot(off, forwardOf(g.camera)))
+                                .arg(glm::dot(off, forwardOf(g.camera())))
                                 .arg(tolerance)));
         // Across the ray there is nothing to read, so nothing to be off by but rounding.
         QVERIFY(glm::length(glm::cross(off, ray.direction)) <= 1e-10);
@@ -176,7 +176,7 @@ void TestSceneView::aClickOnAFaceGivesItsPlane()
         for (const Face &face : cubeFaces()) {
             window->document().setProjection(projectionNamed(projection, window->view()));
             window->document().setCamera(cameraBefore(face, window->document().geometry()));
-            QCOMPARE(window->document().geometry().projection.index(),
+            QCOMPARE(window->document().geometry().projection().index(),
                      projectionNamed(projection, window->view()).index());
             for (const glm::dvec2 &place : {glm::dvec2(0.0, 0.0), glm::dvec2(0.8, -0.7), glm::dvec2(-0.75, 0.6)}) {
                 clickFace(*window, face, place);
@@ -214,7 +214,7 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
     const double aspect = double(view.width()) / view.height();
     document.setView({WorldPoint(0.0, 0.0, 0.0), WorldPoint(0.0, 0.0, -30.0), {0.0, 1.0, 0.0}},
                      Frustum{-0.15 * aspect, 0.15 * aspect, -0.15, 0.15, 1.0, 100.0});
-    const ViewGeometry &g = document.geometry();
+    const Picture &g = document.geometry();
     const glm::dvec3 normal = glm::normalize(glm::cross(steep, level));
     const auto depthAt = [&](const glm::dvec3 &p) { return windowFromWorld(g, WorldPoint(p)).value().z; };
 

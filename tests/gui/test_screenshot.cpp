@@ -1,6 +1,7 @@
 // The program as a script runs it: --screenshot with clicks, its JSON, its picture, its exit codes and its words.
 
-#include "core/unproject/comparison.h"
+#include "core/unproject/unprojector.h"
+#include "tests/support/unprojecting.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -75,9 +76,9 @@ glm::dvec3 vectorOf(const Json &json)
 }
 
 /// What is needed to compute the click again, from the JSON alone.
-ViewGeometry geometryOf(const Json &scene)
+Picture geometryOf(const Json &scene)
 {
-    ViewGeometry g;
+    Picture g;
     const double ratio = scene["window"]["devicePixelRatio"].get<double>();
     const Json &v = scene["viewport"];
     g.viewport = {v["x"].get<double>(), v["y"].get<double>(), v["width"].get<double>(), v["height"].get<double>()};
@@ -85,13 +86,13 @@ ViewGeometry geometryOf(const Json &scene)
     const Json &p = scene["projection"];
     const auto number = [&p](const char *key) { return p[key].get<double>(); };
     if (p["type"] == "frustum")
-        g.projection =
+        g.projection() =
             Frustum{number("left"), number("right"), number("bottom"), number("top"), number("near"), number("far")};
     else
-        g.projection =
+        g.projection() =
             Ortho{number("left"), number("right"), number("bottom"), number("top"), number("near"), number("far")};
-    g.camera = {WorldPoint(vectorOf(scene["view"]["eye"])), WorldPoint(vectorOf(scene["view"]["center"])),
-                vectorOf(scene["view"]["up"])};
+    g.camera() = {WorldPoint(vectorOf(scene["view"]["eye"])), WorldPoint(vectorOf(scene["view"]["center"])),
+                  vectorOf(scene["view"]["up"])};
     return g;
 }
 
@@ -155,7 +156,7 @@ void TestScreenshot::theJsonHasItsContractedShape()
     const Json clicks = Json::parse(result.output.toStdString(), nullptr, false);
     QVERIFY(clicks.is_array());
     QCOMPARE(clicks.size(), std::size_t(2));
-    const QStringList points{"formula", "matrix"};
+    const QStringList points{"formula", "matrix", "matrixInFloat"};
     for (const Json &click : clicks) {
         QCOMPARE(keysOf(click), (QStringList{"widget", "devicePixel", "window", "hit", "eye", "world", "scene"}));
         QCOMPARE(keysOf(click["scene"]), (QStringList{"window", "viewport", "projection", "view"}));
@@ -175,8 +176,8 @@ void TestScreenshot::theJsonHasItsContractedShape()
     QVERIFY(!clicks[1]["hit"].get<bool>());
     for (const char *space : {"eye", "world"}) {
         QCOMPARE(keysOf(clicks[0][space]), points);
-        QCOMPARE(clicks[0][space]["formula"].size(), std::size_t(3));
-        QCOMPARE(clicks[0][space]["matrix"].size(), std::size_t(3));
+        for (const QString &method : points)
+            QCOMPARE(clicks[0][space][method.toStdString()].size(), std::size_t(3));
         QCOMPARE(keysOf(clicks[1][space]), (QStringList{"near", "far"}));
         QCOMPARE(keysOf(clicks[1][space]["near"]), points);
         QCOMPARE(keysOf(clicks[1][space]["far"]), points);
@@ -225,7 +226,7 @@ void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame()
     QCOMPARE(clicks.size(), std::size_t(3));
     for (const Json &click : clicks) {
         QCOMPARE(click["scene"]["window"]["devicePixelRatio"].get<double>(), ratio);
-        const ViewGeometry g = geometryOf(click["scene"]);
+        const Picture g = geometryOf(click["scene"]);
         QCOMPARE(double(g.surface.widthPixels), g.viewport.width);
         QCOMPARE(double(g.surface.heightPixels), g.viewport.height);
         // The pixel and its centre, by hand.
@@ -237,13 +238,13 @@ void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame()
         QVERIFY(window.y == g.viewport.height - std::floor(y + 1e-6) - 0.5);
         QVERIFY(window.z >= 0.0 && window.z <= 1.0);
         const auto isSame = [&](const Json &eye, const Json &world, double depth) {
-            const Comparison again = compareUnprojections(g, WindowPoint(window.x, window.y, depth));
+            const Unprojected again = unprojectedAt(g, WindowPoint(window.x, window.y, depth));
             const double scale =
-                glm::length(g.camera.eye.coordinates()) + glm::length(again.eye.formula->coordinates());
-            return isAlmost(eye["formula"], again.eye.formula->coordinates(), scale)
-                   && isExactly(eye["matrix"], again.eye.matrix->coordinates())
-                   && isAlmost(world["formula"], again.world.formula->coordinates(), scale)
-                   && isExactly(world["matrix"], again.world.matrix->coordinates());
+                glm::length(g.camera().eye.coordinates()) + glm::length(again.eye[Method::Formula]->coordinates());
+            return isAlmost(eye["formula"], again.eye[Method::Formula]->coordinates(), scale)
+                   && isExactly(eye["matrix"], again.eye[Method::Matrix]->coordinates())
+                   && isAlmost(world["formula"], again.world[Method::Formula]->coordinates(), scale)
+                   && isExactly(world["matrix"], again.world[Method::Matrix]->coordinates());
         };
         if (click["hit"].get<bool>()) {
             QVERIFY(isSame(click["eye"], click["world"], window.z));

@@ -59,9 +59,9 @@ std::unique_ptr<MainWindow> askingWindow(const QString &recoveryFolder)
 }
 
 /// What happens to the dialogs that come up while a deed is done. None may be left without an answer.
-class Answers {
+class MessageBoxAnswers {
 public:
-    explicit Answers(std::optional<QMessageBox::StandardButton> answer)
+    explicit MessageBoxAnswers(std::optional<QMessageBox::StandardButton> answer)
     {
         QObject::connect(&m_timer, &QTimer::timeout, qApp, [this, answer] {
             QWidget *dialog = QApplication::activeModalWidget();
@@ -164,7 +164,7 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
         untitled->openBundledScene();
         deed(*untitled);
         QCOMPARE(untitled->isWindowModified(), isWork);
-        const Answers answers(QMessageBox::Cancel);
+        const MessageBoxAnswers answers(QMessageBox::Cancel);
         QCOMPARE(untitled->close(), !isWork);
         QCOMPARE(answers.questions(),
                  isWork ? QStringList(QStringLiteral("Save the changes to Bundled scene?")) : QStringList());
@@ -177,7 +177,7 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
     deed(*titled);
     const bool isChanged = titled->document().undoStack().index() != steps;
     QCOMPARE(titled->isWindowModified(), isChanged);
-    const Answers answers(QMessageBox::Discard);
+    const MessageBoxAnswers answers(QMessageBox::Discard);
     QVERIFY(titled->close());
     QCOMPARE(answers.questions(),
              isChanged ? QStringList(QStringLiteral("Save the changes to scene.json?")) : QStringList());
@@ -268,7 +268,7 @@ void TestUnsavedChanges::theAnswerIsObeyed()
     const auto planesInFile = [this] { return readSceneFile(path()).value().clipPlanes.size(); };
     change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
     {
-        const Answers answers(QMessageBox::Cancel);
+        const MessageBoxAnswers answers(QMessageBox::Cancel);
         window->openExample("zhangci-perspective");
         window->openBundledScene();
         QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(1));
@@ -276,14 +276,14 @@ void TestUnsavedChanges::theAnswerIsObeyed()
         QCOMPARE(planesInFile(), std::size_t(0));
     }
     {
-        const Answers answers(QMessageBox::Save);
+        const MessageBoxAnswers answers(QMessageBox::Save);
         window->openBundledScene();
         QCOMPARE(answers.questions().size(), 1);
         QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(0));
         QCOMPARE(planesInFile(), std::size_t(1));
     }
     change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}; });
-    const Answers answers(QMessageBox::Discard);
+    const MessageBoxAnswers answers(QMessageBox::Discard);
     QVERIFY(window->close());
     QCOMPARE(answers.questions().size(), 1);
     QCOMPARE(planesInFile(), std::size_t(1));
@@ -294,7 +294,7 @@ void TestUnsavedChanges::aSceneWithoutAFileIsSavedUnderAName()
     const auto window = this->window();
     window->openBundledScene();
     change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
-    const Answers answers(QMessageBox::Save);
+    const MessageBoxAnswers answers(QMessageBox::Save);
     QVERIFY2(!window->close(), "no name was given, so the scene is not saved, and the window stays");
     QCOMPARE(answers.questions().size(), 2);
     QCOMPARE(answers.questions().constLast(), QStringLiteral("file"));

@@ -192,7 +192,7 @@ void TestViewportInspector::theProportionsHaveTheirNumbers()
     QFETCH(Viewport, viewport);
     QFETCH(QString, x);
     QFETCH(QString, y);
-    const ViewGeometry geometry{{800, 600, 1.0}, viewport, {}, projection, {}};
+    const Picture geometry{{800, 600, 1.0}, viewport, {}, projection, {}};
     const WindowPoint pointer(412.5, 299.5, 0.0);
     QCOMPARE(plain(proportionText(geometry, Axis::X, pointer).line()), x);
     QCOMPARE(plain(proportionText(geometry, Axis::Y, pointer).line()), y);
@@ -205,7 +205,7 @@ void TestViewportInspector::theProportionsHaveTheirNumbers()
 
 void TestViewportInspector::textsOfThePointerKeepTheirWidth()
 {
-    const ViewGeometry geometry{{800, 600, 1.0}, {0, 0, 800, 600}, {}, Ortho{-12, 9, -1, 1, 1, 100}, {}};
+    const Picture geometry{{800, 600, 1.0}, {0, 0, 800, 600}, {}, Ortho{-12, 9, -1, 1, 1, 100}, {}};
     const QString first = proportionText(geometry, Axis::X, WindowPoint(0.5, 0.5, 0.0)).line();
     for (const double x : {9.5, 99.5, 456.5, 457.5, 799.5})
         QCOMPARE(proportionText(geometry, Axis::X, WindowPoint(x, 0.5, 0.0)).line().size(), first.size());
@@ -275,7 +275,7 @@ void TestViewportInspector::hiddenItDoesNothing()
     scene.clipDistancesFitObjects = false;
     QVERIFY(document.change(scene, QStringLiteral("Clip distances")).hasValue());
     changes.clear();
-    LookAt camera = document.geometry().camera;
+    LookAt camera = document.geometry().camera();
     camera.eye.x += 1.0;
     document.setCamera(camera);
     QCOMPARE(changes.count(), 0);

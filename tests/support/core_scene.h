@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/unproject/picture_geometry.h"
+#include "core/unproject/unprojector.h"
 #include "tests/support/random_scene.h"
 
 /// The oracle's plain structs as core's. This is the only place where the two meet.
@@ -42,14 +42,14 @@ inline Vector3 extended(const glm::dvec3 &v)
     return {Extended(v.x), Extended(v.y), Extended(v.z)};
 }
 
-inline unprojector::unproject::PictureGeometry corePicture(const Scene &s)
+inline unprojector::geometry::Picture corePicture(const Scene &s)
 {
-    unprojector::unproject::PictureGeometry g;
+    unprojector::geometry::Picture g;
     g.surface = {static_cast<int>(s.target.width), static_cast<int>(s.target.height), 1.0};
     g.viewport = coreViewport(s.target);
     g.depthRange = coreDepthRange(s.target);
-    g.projection = coreProjection(s.projection);
-    g.view = coreView(s.view);
+    g.lens = coreProjection(s.projection);
+    g.pose = coreView(s.view);
     return g;
 }
 

@@ -70,11 +70,11 @@ Result<Axes> axesOf(const glm::dmat4 &eyeFromWorld)
     return Axes{origin->coordinates(), x->coordinates(), y->coordinates(), z->coordinates()};
 }
 
-Result<Axes> axesIn(const BatchSpace &space, const PictureGeometry &geometry)
+Result<Axes> axesIn(const BatchSpace &space, const Picture &geometry)
 {
     if (space.kind == BatchSpace::Kind::Eye)
         return Axes{};
-    const Result<Axes> axes = std::visit([](const auto &view) { return axesOf(view); }, geometry.view);
+    const Result<Axes> axes = std::visit([](const auto &view) { return axesOf(view); }, geometry.pose);
     if (!axes || space.kind == BatchSpace::Kind::World)
         return axes;
     const glm::dmat4 objectFromWorld = glm::inverse(space.worldFromObject);
@@ -92,7 +92,7 @@ struct Constants {
 
 /// Puts the view axis where it is, counted from the top left corner.
 /// @param fromLeft, fromBottom  of the viewport, pixels
-void setAxis(batch::ClosedFormConstants &c, const PictureGeometry &g, const DoubleDouble &fromLeft,
+void setAxis(batch::ClosedFormConstants &c, const Picture &g, const DoubleDouble &fromLeft,
              const DoubleDouble &fromBottom)
 {
     const DoubleDouble axisX = g.viewport.x + fromLeft;
@@ -103,7 +103,7 @@ void setAxis(batch::ClosedFormConstants &c, const PictureGeometry &g, const Doub
     c.axisYRest = axisY.rest;
 }
 
-Result<Constants> constantsOf(const Projection &projection, const PictureGeometry &g, const Axes &axes)
+Result<Constants> constantsOf(const Projection &projection, const Picture &g, const Axes &axes)
 {
     if (const Check valid = check(projection); !valid)
         return valid.error();
@@ -139,7 +139,7 @@ Result<Constants> constantsOf(const Projection &projection, const PictureGeometr
 ///   z = zOffset / (w z_n + zScale), with w z_n + zScale = P share from near + Q share from far
 ///   P = w + zScale, Q = -w + zScale (or zScale where NDC depths go from 0 to 1)
 ///
-Result<Constants> constantsOf(const MatrixProjection &projection, const PictureGeometry &g, const Axes &axes)
+Result<Constants> constantsOf(const MatrixProjection &projection, const Picture &g, const Axes &axes)
 {
     const Result<RecognisedProjection> form = recognised(projection);
     if (!form)
@@ -193,7 +193,7 @@ const batch::Kernels &kernels(InstructionSet set)
 }
 
 /// The first error of what both methods need of a picture.
-Check checkTarget(const PictureGeometry &geometry)
+Check checkTarget(const Picture &geometry)
 {
     for (const Check &valid : {check(geometry.surface), check(geometry.viewport), check(geometry.depthRange)}) {
         if (!valid)
@@ -204,15 +204,14 @@ Check checkTarget(const PictureGeometry &geometry)
 
 } // namespace
 
-Result<BatchUnprojection> BatchUnprojection::byFormula(const PictureGeometry &geometry, const BatchSpace &space)
+Result<BatchUnprojection> BatchUnprojection::byFormula(const Picture &geometry, const BatchSpace &space)
 {
     if (const Check valid = checkTarget(geometry); !valid)
         return valid.error();
     const Result<Axes> axes = axesIn(space, geometry);
     if (!axes)
         return axes.error();
-    const auto constants =
-        std::visit([&](const auto &p) { return constantsOf(p, geometry, *axes); }, geometry.projection);
+    const auto constants = std::visit([&](const auto &p) { return constantsOf(p, geometry, *axes); }, geometry.lens);
     if (!constants)
         return constants.error();
     batch::ClosedFormConstants c = constants->numbers;
@@ -225,7 +224,7 @@ Result<BatchUnprojection> BatchUnprojection::byFormula(const PictureGeometry &ge
     return BatchUnprojection(Kind(Box{c}));
 }
 
-Result<BatchUnprojection> BatchUnprojection::byMatrix(const PictureGeometry &geometry, const BatchSpace &space)
+Result<BatchUnprojection> BatchUnprojection::byMatrix(const Picture &geometry, const BatchSpace &space)
 {
     if (const Check valid = checkTarget(geometry); !valid)
         return valid.error();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/unproject/batch/kernels.h"
-#include "core/unproject/picture_geometry.h"
+#include "core/unproject/unprojector.h"
 
 #include <cstddef>
 #include <variant>
@@ -48,14 +48,14 @@ public:
     /// Counted from the axis nothing cancels that (9) and (10) would let cancel. Within 8 units in the last place of the
     /// largest world component for 99.99 of 100 points; the last digits may differ from unprojectClosedForm's.
     /// A projection given as a matrix is taken by its coefficients, see `recognised`; a view, by its axes.
-    /// @return the errors of check(ViewGeometry), recognised and axesOff; NotFinite where a constant leaves the range of
+    /// @return the errors of check(Picture), recognised and axesOff; NotFinite where a constant leaves the range of
     ///         doubles; SingularMatrix
-    static Result<BatchUnprojection> byFormula(const PictureGeometry &geometry, const BatchSpace &space);
+    static Result<BatchUnprojection> byFormula(const Picture &geometry, const BatchSpace &space);
 
     /// p = M^-1 (px, py, depth, 1) divided by its w, with M from the space to device positions; inverted once, by
     /// glm::inverse.
-    /// @return the errors of check(ViewGeometry); NotFinite; SingularMatrix also where the inverse overflows
-    static Result<BatchUnprojection> byMatrix(const PictureGeometry &geometry, const BatchSpace &space);
+    /// @return the errors of check(Picture); NotFinite; SingularMatrix also where the inverse overflows
+    static Result<BatchUnprojection> byMatrix(const Picture &geometry, const BatchSpace &space);
 
     /// Where the results fill megabytes they are written past the caches, which takes half to two thirds of the time.
     /// @pre the depths lie in the depth range and everything is finite; a point that is not is worthless, and so is one

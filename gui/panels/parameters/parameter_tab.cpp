@@ -269,7 +269,7 @@ QString ParameterTab::refusalOf(const Field &field) const
     }
     Scene next = m_document.scene();
     field.binding.write(next, *typed);
-    const Result<ViewGeometry> geometry = viewGeometry(next, m_document.geometry().surface, m_document.ground());
+    const Result<Picture> geometry = pictureOf(next, m_document.geometry().surface, m_document.ground());
     return geometry ? QString() : errorText(geometry.error());
 }
 

@@ -155,7 +155,7 @@ void ViewportTab::choose(ViewportRule::Kind kind)
 
 void ViewportTab::showScene()
 {
-    const ViewGeometry &geometry = document().geometry();
+    const Picture &geometry = document().geometry();
     if (geometry.surface != m_shownSurface) {
         m_shownSurface = geometry.surface;
         m_window->setText(

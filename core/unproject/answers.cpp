@@ -1,17 +1,10 @@
-#include "core/unproject/comparison.h"
-
-#include "core/unproject/picture_geometry.h"
+#include "core/unproject/answers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace unprojector::unproject {
-
-Comparison compareUnprojections(const ViewGeometry &g, const WindowPoint &window)
-{
-    return compareUnprojections(PictureGeometry{g.surface, g.viewport, g.depthRange, g.projection, g.camera}, window);
-}
 
 double ulpOfLargest(const glm::dvec3 &point)
 {

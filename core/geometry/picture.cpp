@@ -1,0 +1,170 @@
+#include "core/geometry/picture.h"
+
+#include "core/geometry/finite.h"
+#include "core/geometry/view_matrix.h"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::geometry {
+namespace {
+
+Result<glm::dmat4> finite(const glm::dmat4 &m)
+{
+    for (int i = 0; i < 16; ++i) {
+        if (!std::isfinite(m[i / 4][i % 4]))
+            return Error{ErrorCode::NotFinite, m[i / 4][i % 4], double(i)};
+    }
+    return m;
+}
+
+Check checkedLens(const Lens &lens)
+{
+    if (const auto *projection = std::get_if<Projection>(&lens))
+        return check(*projection);
+    if (const Result<glm::dmat4> matrix = finite(std::get<MatrixProjection>(lens).clipFromEye); !matrix)
+        return matrix.error();
+    return std::monostate{};
+}
+
+Check checkedPose(const Pose &pose)
+{
+    if (const auto *matrix = std::get_if<glm::dmat4>(&pose)) {
+        if (const Result<glm::dmat4> valid = finite(*matrix); !valid)
+            return valid.error();
+    } else if (const Result<EyeFrame> frame = eyeFrame(std::get<LookAt>(pose)); !frame) {
+        return frame.error();
+    }
+    return std::monostate{};
+}
+
+/// Sets lens and depth range from a matrix of a form that the window draws.
+Check takeLens(Picture &picture, const MatrixProjection &matrix)
+{
+    const Result<RecognisedProjection> form = recognised(matrix);
+    if (!form)
+        return form.error();
+    if (form->looksAlongPlusZ)
+        return Error{ErrorCode::MatrixNotAProjection, matrix.clipFromEye[2][3], 11.0};
+    Projection projection = std::visit([](const auto &p) { return Projection(p); }, form->parameters);
+    if (form->infiniteFar) {
+        auto &frustum = std::get<Frustum>(projection);
+        frustum.farDistance = 1e6 * frustum.nearDistance;
+    }
+    if (form->reversed)
+        std::swap(picture.depthRange.atNear, picture.depthRange.atFar);
+    picture.lens = projection;
+    return std::monostate{};
+}
+
+} // namespace
+
+bool Picture::isByParameters() const
+{
+    return std::holds_alternative<Projection>(lens) && std::holds_alternative<LookAt>(pose);
+}
+
+const Projection &Picture::projection() const
+{
+    assert(std::holds_alternative<Projection>(lens));
+    return *std::get_if<Projection>(&lens);
+}
+
+Projection &Picture::projection()
+{
+    assert(std::holds_alternative<Projection>(lens));
+    return *std::get_if<Projection>(&lens);
+}
+
+const LookAt &Picture::camera() const
+{
+    assert(std::holds_alternative<LookAt>(pose));
+    return *std::get_if<LookAt>(&pose);
+}
+
+LookAt &Picture::camera()
+{
+    assert(std::holds_alternative<LookAt>(pose));
+    return *std::get_if<LookAt>(&pose);
+}
+
+Check check(const Picture &picture)
+{
+    const Check checks[] = {check(picture.surface), check(picture.viewport), check(picture.depthRange),
+                            checkedLens(picture.lens), checkedPose(picture.pose)};
+    for (const Check &valid : checks) {
+        if (!valid)
+            return valid;
+    }
+    return std::monostate{};
+}
+
+NdcDepth ndcDepthOf(const Picture &picture)
+{
+    const auto *matrix = std::get_if<MatrixProjection>(&picture.lens);
+    return matrix ? ndcDepthOf(*matrix) : NdcDepth::MinusOneToOne;
+}
+
+Result<glm::dmat4> clipFromEye(const Picture &picture)
+{
+    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
+        return finite(matrix->clipFromEye);
+    return clipFromEye(std::get<Projection>(picture.lens));
+}
+
+Result<glm::dmat4> eyeFromWorld(const Picture &picture)
+{
+    if (const auto *matrix = std::get_if<glm::dmat4>(&picture.pose))
+        return finite(*matrix);
+    const Result<EyeFrame> frame = eyeFrame(std::get<LookAt>(picture.pose));
+    if (!frame)
+        return frame.error();
+    return eyeFromWorld(*frame);
+}
+
+Result<glm::dmat4> clipFromWorld(const Picture &picture)
+{
+    const Result<glm::dmat4> projection = clipFromEye(picture);
+    if (!projection)
+        return projection;
+    const Result<glm::dmat4> view = eyeFromWorld(picture);
+    if (!view)
+        return view;
+    return *projection * *view;
+}
+
+Result<WindowPoint> windowFromWorld(const Picture &picture, const WorldPoint &point)
+{
+    const Result<glm::dmat4> matrix = clipFromWorld(picture);
+    if (!matrix)
+        return matrix.error();
+    const ClipPoint clip(*matrix * glm::dvec4(point.coordinates(), 1.0));
+    if (clip.w == 0.0)
+        return Error{ErrorCode::PointAtInfinity};
+    const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
+    return windowFromNdc(picture.viewport, picture.depthRange, ndc, ndcDepthOf(picture));
+}
+
+Result<Picture> byParameters(const Picture &picture)
+{
+    Picture result = picture;
+    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens)) {
+        if (const Check taken = takeLens(result, *matrix); !taken)
+            return taken.error();
+    }
+    if (const auto *matrix = std::get_if<glm::dmat4>(&picture.pose)) {
+        double distance = 1.0;
+        if (const ProjectionWindow w = projectionWindow(result.projection()); w.nearDistance > 0.0)
+            distance = std::sqrt(w.nearDistance) * std::sqrt(w.farDistance);
+        const Result<LookAt> camera = lookAtFrom(*matrix, distance);
+        if (!camera)
+            return camera.error();
+        result.pose = *camera;
+    }
+    if (const Check valid = check(result); !valid)
+        return valid.error();
+    return result;
+}
+
+} // namespace unprojector::geometry

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/geometry/picture.h"
+
+namespace unprojector::unproject {
+using namespace geometry;
+
+/// How far apart world points can lie and still give the depth and the pixel that were read.
+struct Certainty {
+    /// Half a step of the depth buffer at that distance, world units along the view direction: rounding the depth
+    /// puts the point that the rasteriser computed within plus or minus this. The rasteriser's own error (corners snapped
+    /// to 1/256 pixel, depths interpolated in single precision) comes on top and is not in it.
+    double halfDepthStep = 0.0;
+    /// Size of one pixel at that distance, world units.
+    double footprintWidth = 0.0;
+    double footprintHeight = 0.0;
+
+    /// The largest of the three halves: how far off a coordinate can be by what was read alone.
+    double radius() const;
+};
+
+/// Perspective: half of z^2 (f-n) / (f n) / (2^N - 1), and (r-l) z / (n width) by (t-b) z / (n height).
+/// Box: half of (f-n) / (2^N - 1), and (r-l) / width by (t-b) / height.
+/// @param distance   z > 0 in front of the eye (any z for a box), eye units
+/// @param depthBits  of the depth buffer, fixed point
+/// @pre the picture is valid and by parameters
+Certainty certaintyAt(const Picture &picture, double distance, int depthBits);
+
+} // namespace unprojector::unproject

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/geometry/picture.h"
+#include "core/unproject/answers.h"
+#include "core/unproject/conventions.h"
+#include "core/unproject/matrix_inverse.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <optional>
+
+namespace unprojector::unproject {
+using namespace geometry;
+
+/// A picture prepared for unprojecting: checked, its axes and its inverses computed once. Every click, row and table of the
+/// project goes through one.
+///
+/// The way of a click: widget position -> device pixel -> its centre -> the y flip (geometry/viewport) -> window point ->
+/// eye point by the closed form (unproject/closed_form, geometry/matrix_projection) and by the inverse of clipFromEye
+/// (unproject/matrix_inverse) -> world point by the camera's axes (geometry/camera, geometry/view_matrix) and by the
+/// inverse of clipFromWorld.
+class Unprojector {
+public:
+    /// @param conventions      other than the default: as a program with these mistakes computes it
+    /// @param worldFromObject  of the object that was hit; only Conventions::model asks for it
+    /// @return the errors of check(picture). What only one method cannot do (a matrix without an inverse, a matrix that
+    ///         is no known projection) that method says for each point
+    static Result<Unprojector> of(const Picture &picture, const Conventions &conventions = {},
+                                  const glm::dmat4 &worldFromObject = glm::dmat4(1.0));
+
+    const Picture &picture() const { return m_asTaken; }
+
+    /// A window position by every method.
+    Unprojected at(const WindowPoint &window) const;
+    /// The same by one method and to one space, for tables.
+    Result<EyePoint> eyeAt(Method method, const WindowPoint &window) const;
+    Result<WorldPoint> worldAt(Method method, const WindowPoint &window) const;
+
+    /// The window point that a click stands for: the centre of its pixel, with that depth.
+    /// @param widget  logical pixels, origin top-left
+    /// @return the errors of devicePixelFromWidget
+    Result<WindowPoint> windowAt(const WidgetPoint &widget, double depth) const;
+
+private:
+    Unprojector(const Picture &picture, const Conventions &conventions, const glm::dmat4 &worldFromObject);
+
+    Result<PrecisePoint<EyeSpace>> preciseEyeAt(const WindowPoint &window) const;
+    Result<WorldPoint> worldByFormula(const Result<PrecisePoint<EyeSpace>> &eye) const;
+    template <class Space>
+    struct Inverses {
+        Result<MatrixInverse<Space, double>> inDouble;
+        Result<MatrixInverse<Space, float>> inFloat;
+
+        static Inverses of(const Result<glm::dmat4> &clipFromSpace, const Picture &picture);
+        Result<Point<Space>> at(Method method, const Conventions &conventions, const WindowPoint &window) const;
+    };
+    Result<WorldPoint> withModel(Result<WorldPoint> world) const;
+
+    Picture m_asTaken;
+    Picture m_picture; ///< as the conventions have it
+    Conventions m_conventions;
+    std::optional<glm::dmat4> m_model;      ///< what the conventions put in
+    std::optional<PreciseEyeFrame> m_frame; ///< of a pose by parameters
+    Inverses<EyeSpace> m_eye;
+    Inverses<WorldSpace> m_world;
+};
+
+/// The object-space point of a world point: x of worldFromObject x = world, refined in value and rest and rounded once.
+/// @param worldFromObject  affine
+/// @return NotFinite; SingularMatrix; PointAtInfinity where it leaves the range of doubles
+Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world);
+
+} // namespace unprojector::unproject

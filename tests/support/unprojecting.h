@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/unproject/matrix_inverse.h"
+#include "core/unproject/pick.h"
+#include "core/unproject/unprojector.h"
+
+// One point of a picture that is used once: the tests' short way past preparing an Unprojector.
+
+/// @pre the picture is valid
+inline unprojector::unproject::Unprojected unprojectedAt(const unprojector::geometry::Picture &picture,
+                                                         const unprojector::geometry::WindowPoint &window)
+{
+    return unprojector::unproject::Unprojector::of(picture).value().at(window);
+}
+
+inline unprojector::geometry::Result<unprojector::unproject::Pick>
+pickAt(const unprojector::geometry::Picture &picture, const unprojector::geometry::WidgetPoint &position,
+       const unprojector::unproject::DepthSample &sample)
+{
+    const auto prepared = unprojector::unproject::Unprojector::of(picture);
+    if (!prepared)
+        return prepared.error();
+    return unprojector::unproject::pickAt(*prepared, position, sample);
+}
+
+template <class Space, class Scalar = double>
+unprojector::geometry::Result<unprojector::geometry::Point<Space>>
+unprojectByInverse(const glm::dmat4 &clipFromSpace, const unprojector::geometry::Viewport &viewport,
+                   const unprojector::geometry::DepthRange &range, const unprojector::geometry::WindowPoint &window)
+{
+    const auto inverse = unprojector::unproject::MatrixInverse<Space, Scalar>::of(clipFromSpace, viewport, range);
+    if (!inverse)
+        return inverse.error();
+    return inverse->at(window);
+}
