@@ -101,6 +101,15 @@ public:
             keep(key, read(member, value.emplace(), how));
     }
 
+    /// A member that may be missing or null, and is written as null where it has no value.
+    template <class T, class How = Plain>
+    void nullable(const char *key, std::optional<T> &value, const How &how = {})
+    {
+        m_known.add(key);
+        if (const JsonNode member = m_object.member(key); member.exists() && !member.json().is_null())
+            keep(key, read(member, value.emplace(), how));
+    }
+
     /// Members in an object of their own, which must be there.
     template <class Describe>
     void object(const char *key, const Describe &description)
@@ -226,6 +235,12 @@ public:
         m_known.add(key);
         if (value)
             add(key, write(*value, how, unknownOf(key)));
+    }
+    template <class T, class How = Plain>
+    void nullable(const char *key, const std::optional<T> &value, const How &how = {})
+    {
+        m_known.add(key);
+        add(key, value ? write(*value, how, unknownOf(key)) : Json());
     }
     template <class Describe>
     void object(const char *key, const Describe &description)

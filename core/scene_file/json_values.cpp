@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace unprojector::scene_file {
 using namespace files;
@@ -66,6 +67,13 @@ void Plain::read(const JsonNode &node, DepthRange &value)
     glm::dvec2 ends(value.atNear, value.atFar);
     read(node, ends);
     value = {ends.x, ends.y};
+}
+
+void Plain::read(const JsonNode &node, DevicePixel &value)
+{
+    constexpr int kMost = std::numeric_limits<int>::max();
+    if (node.hasSize(2, JsonKind::TwoNumbers))
+        value = {node.element(0).count(-kMost, kMost), node.element(1).count(-kMost, kMost)};
 }
 
 void Plain::read(const JsonNode &node, NdcDepth &value)

@@ -45,6 +45,8 @@ struct Plain {
     static void read(const JsonNode &node, glm::dmat4 &value);
     /// [at near, at far]
     static void read(const JsonNode &node, DepthRange &value);
+    /// [i, j]
+    static void read(const JsonNode &node, DevicePixel &value);
     /// [-1, 1] or [0, 1]
     static void read(const JsonNode &node, NdcDepth &value);
     /// [degrees, x, y, z]
@@ -64,6 +66,7 @@ struct Plain {
     }
     static Json write(const glm::dmat4 &value);
     static Json write(const DepthRange &value);
+    static Json write(const DevicePixel &value) { return Json::array({value.i, value.j}); }
     static Json write(NdcDepth value);
     static Json write(const Rotate &value);
 };

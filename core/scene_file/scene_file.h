@@ -85,7 +85,11 @@ constexpr int kMostWindowPixels = 65536;
 /// @param name  of the file, for the error
 Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name);
 
-/// @return NotFound, IsDirectory, NotAFile, NotReadable, TooLarge; the errors of parseScene
+/// The bytes of a scene file, no more of them than show that it is too large.
+/// @return NotFound, IsDirectory, NotAFile, NotReadable
+Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &file);
+
+/// @return the errors of readSceneText and parseScene
 Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file);
 
 /// Whether a file is meant as a scene, whatever its name: a JSON object with the key "unprojector". It may still be one

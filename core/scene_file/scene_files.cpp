@@ -35,7 +35,7 @@ SceneFileError failed(const std::filesystem::path &file, const FileError &error)
 
 } // namespace
 
-Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file)
+Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &file)
 {
     std::error_code system;
     const std::filesystem::file_status status = std::filesystem::status(file, system);
@@ -63,7 +63,15 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
     } while (stream && text.size() <= kMostSceneBytes);
     if (stream.bad())
         return notReadable();
-    Result<SceneFile, SceneFileError> scene = parseScene(text, utf8FromPath(file));
+    return text;
+}
+
+Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &file)
+{
+    const Result<std::string, SceneFileError> text = readSceneText(file);
+    if (!text)
+        return text.error();
+    Result<SceneFile, SceneFileError> scene = parseScene(*text, utf8FromPath(file));
     if (!scene)
         return scene;
     SceneFile located = std::move(scene).value();

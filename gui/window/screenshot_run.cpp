@@ -1,7 +1,8 @@
 #include "gui/window/screenshot_run.h"
 
 #include "core/files/replace_file.h"
-#include "core/scene_file/pick_json.h"
+#include "core/scene_file/clicks.h"
+#include "core/scene_file/scene_error_text.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
@@ -69,7 +70,7 @@ void ScreenshotRun::pressAndSave()
 {
     if (m_hasEnded)
         return;
-    nlohmann::ordered_json clicks = nlohmann::ordered_json::array();
+    std::vector<Click> clicks;
     for (const WidgetPoint &position : m_request.clicks) {
         SceneView &view = m_window->view();
         SceneDocument &document = m_window->document();
@@ -88,13 +89,18 @@ void ScreenshotRun::pressAndSave()
             fail(tr("The click %1,%2 could not be read.").arg(position.x).arg(position.y));
             return;
         }
-        clicks.push_back(toJson(*document.pick()));
+        clicks.push_back(clickOf(*document.pick(), document.scene()));
+    }
+    const Result<std::string, SceneFileError> text = clicksText(clicks);
+    if (!text) {
+        fail(QString::fromStdString(sceneErrorText(text.error())));
+        return;
     }
     if (const QString problem = savePicture(); !problem.isEmpty()) {
         fail(problem);
         return;
     }
-    if (const std::string problem = print(clicks.dump(2) + '\n'); !problem.empty()) {
+    if (const std::string problem = print(*text); !problem.empty()) {
         fail(tr("The clicks could not be written to standard output: %1.").arg(QString::fromStdString(problem)));
         return;
     }

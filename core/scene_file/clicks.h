@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/scene_file/scene_file.h"
+#include "core/unproject/pick.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace unprojector::scene_file {
+
+/// What JSON calls the ways to a point.
+constexpr std::array kMethodKeys{"formula", "matrix", "matrixInFloat"};
+
+/// A point by each of kMethodKeys, in their order; nothing where a method has no answer.
+using ClickPoint = std::array<std::optional<glm::dvec3>, kMethodKeys.size()>;
+
+/// Where a click is in one space: on a surface a point, on the background the ends of its ray.
+struct ClickPlace {
+    ClickPoint surface;
+    ClickPoint rayNear, rayFar;
+};
+
+struct ClickedObject {
+    std::size_t index = 0; ///< in the scene's list
+    std::string name;      ///< UTF-8
+    ClickPoint point;      ///< object space
+};
+
+/// A click as scripts read it, with all that is needed to compute it again.
+///
+/// JSON: "widget", "devicePixel", "window", "hit", "eye", "world", "object", "scene". On a surface eye and world are
+/// {"formula": [x, y, z], "matrix": [x, y, z], …}, one key a method, and object has "index", "name" and the same keys for
+/// its own coordinates; on the background eye and world are {"near": {…}, "far": {…}}, the ends of the ray in that form,
+/// and object is null. A method without an answer is null. "scene" is a whole scene file, see SceneFile. Only "window" and
+/// "scene" are needed to compute a click again; "hit" is true where it is left out.
+struct Click {
+    WidgetPoint widget;
+    DevicePixel devicePixel;
+    WindowPoint window; ///< the pixel's centre, with the depth as read
+    bool hit = true;
+    ClickPlace eye, world;
+    std::optional<ClickedObject> object; ///< none on the background
+    SceneFile scene;
+};
+
+/// What to write for a click. Its scene has the numbers of the picture as they were, the objects with absolute paths, and
+/// nothing that would make the window choose other numbers.
+/// @param scene  as it was at the click
+Click clickOf(const Pick &pick, const Scene &scene);
+
+/// Clicks as a JSON array. Numbers have all their digits: parseSceneOrClicks gives the same ones back.
+/// @return NotUtf8
+Result<std::string, SceneFileError> clicksText(const std::vector<Click> &clicks);
+
+/// The object-space point of a world point: x of worldFromObject x = world, refined in value and rest and rounded once.
+/// @param worldFromObject  affine
+/// @return SingularMatrix; PointAtInfinity where it leaves the range of doubles
+Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world);
+
+using SceneOrClicks = std::variant<SceneFile, std::vector<Click>>;
+
+/// Reads a scene file, or clicks: an array of them, or a single one, which is told by its "scene".
+/// @return as parseScene
+Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, const std::string &name);
+
+} // namespace unprojector::scene_file
