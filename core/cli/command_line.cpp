@@ -60,7 +60,7 @@ CLI::Option *addFile(CLI::App &command, const std::string &name, std::string &ta
 
 void addSceneFile(CLI::App &command, std::string &target)
 {
-    addFile(command, "SCENE", target, "Scene file (JSON)")->required();
+    addFile(command, "SCENE", target, "Scene file (JSON), or clicks on one scene; - is standard input")->required();
 }
 
 /// The options of commands that take rows.
@@ -92,12 +92,19 @@ void addPoints(CLI::App &app, Run &run)
                        "How to compute");
     command->add_flag("--pixel", options->isPixel,
                       "px and py are whole indices of pixels; their centres are meant (1/2 is added)");
-    command->footer("Examples:\n"
-                    "  unproject points scene.json clicks.csv > points.csv\n"
-                    "  printf 'px,py,depth\\n400,300,0.5\\n' | unproject points scene.json -\n"
-                    "  unproject points --method formula --space eye --pixel --format jsonl scene.json pixels.csv\n"
-                    "  parallel -k --pipe --header : unproject points --no-header scene.json - < many.csv > rows.csv"
-                    + std::string(kBadRows));
+    command->footer(
+        "Clicks that 'unprojector --screenshot' printed are taken as they are: instead of SCENE and POINTS give\n"
+        "their file. Each is computed with its own scene, to the digits that were printed. A click on the\n"
+        "background has no point: its cells are empty, as those of a bad row.\n"
+        "\n"
+        "Examples:\n"
+        "  unproject points scene.json clicks.csv > points.csv\n"
+        "  unprojector --screenshot p.png --click 300,250 face.obj > clicks.json\n"
+        "  unproject points clicks.json\n"
+        "  printf 'px,py,depth\\n400,300,0.5\\n' | unproject points scene.json -\n"
+        "  unproject points --method formula --space eye --pixel --format jsonl scene.json pixels.csv\n"
+        "  parallel -k --pipe --header : unproject points --no-header scene.json - < many.csv > rows.csv"
+        + std::string(kBadRows));
     command->callback([options, &run] { run = [options] { return runPoints(*options); }; });
 }
 

@@ -1,5 +1,6 @@
 #include "core/cli/points_command.h"
 
+#include "core/cli/clicks_command.h"
 #include "core/text/error_text.h"
 #include "core/unproject/batch/batch_unproject.h"
 
@@ -173,18 +174,6 @@ private:
     Columns m_byFormula, m_byMatrix;
 };
 
-std::vector<std::string> columnNames(Methods methods)
-{
-    std::vector<std::string> names{"px", "py", "depth"};
-    if (methods != Methods::Matrix)
-        names.insert(names.end(), {"formula_x", "formula_y", "formula_z"});
-    if (methods != Methods::Formula)
-        names.insert(names.end(), {"matrix_x", "matrix_y", "matrix_z"});
-    if (methods == Methods::Both)
-        names.emplace_back("difference");
-    return names;
-}
-
 /// A method prepared for the scene, where it is wanted. One that does not hold for it says why, and its cells stay empty.
 void prepare(std::optional<BatchUnprojection> &target, bool isWanted, const char *name,
              const Result<BatchUnprojection> &method, const std::string &scene)
@@ -199,9 +188,26 @@ void prepare(std::optional<BatchUnprojection> &target, bool isWanted, const char
 
 } // namespace
 
+std::vector<std::string> pointColumns(Methods methods)
+{
+    std::vector<std::string> names{"px", "py", "depth"};
+    if (methods != Methods::Matrix)
+        names.insert(names.end(), {"formula_x", "formula_y", "formula_z"});
+    if (methods != Methods::Formula)
+        names.insert(names.end(), {"matrix_x", "matrix_y", "matrix_z"});
+    if (methods == Methods::Both)
+        names.emplace_back("difference");
+    return names;
+}
+
 ExitCode runPoints(const PointsOptions &options)
 {
-    const std::unique_ptr<RowStream> rows = openRows(options.rows, {"px", "py", "depth"});
+    const std::optional<SceneOrClicks> given = sceneOrClicks(options.rows.scene);
+    if (!given)
+        return ExitCode::UnusableInput;
+    if (const auto *clicks = std::get_if<std::vector<Click>>(&*given); clicks && options.rows.input == "-")
+        return runClicks(options, *clicks);
+    const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {"px", "py", "depth"});
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;
@@ -210,7 +216,7 @@ ExitCode runPoints(const PointsOptions &options)
               geometry.depthRange,
               {},
               {},
-              columnNames(options.methods)};
+              pointColumns(options.methods)};
     prepare(task.formula, options.methods != Methods::Matrix, "formula",
             BatchUnprojection::byFormula(geometry, rows->space), options.rows.scene);
     prepare(task.matrix, options.methods != Methods::Formula, "matrix",

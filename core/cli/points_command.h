@@ -14,6 +14,9 @@ struct PointsOptions {
     bool isPixel = false; ///< px and py are indices of pixels: their centres are meant
 };
 
+/// The names of the columns written.
+std::vector<std::string> pointColumns(Methods methods);
+
 ExitCode runPoints(const PointsOptions &options);
 
 } // namespace unprojector::cli

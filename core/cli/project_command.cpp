@@ -151,7 +151,10 @@ ExitCode runProject(const RowOptions &options)
         complain("--space " + options.space + ": give world or object:NAME");
         return ExitCode::UnusableInput;
     }
-    const std::unique_ptr<RowStream> rows = openRows(options, {"x", "y", "z"});
+    const std::optional<SceneOrClicks> given = sceneOrClicks(options.scene);
+    if (!given)
+        return ExitCode::UnusableInput;
+    const std::unique_ptr<RowStream> rows = openRows(options, *given, {"x", "y", "z"});
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;

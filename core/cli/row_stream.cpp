@@ -10,9 +10,14 @@ RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const st
 {
 }
 
-std::unique_ptr<RowStream> openRows(const RowOptions &options, const std::array<std::string, 3> &columns)
+std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClicks &given,
+                                    const std::array<std::string, 3> &columns)
 {
-    std::optional<SceneInput> scene = sceneInput(options.scene);
+    if (options.scene == "-" && options.input == "-") {
+        complain("the scene and the points cannot both come from standard input; give a file for one of them");
+        return nullptr;
+    }
+    std::optional<SceneInput> scene = sceneInput(given, options.scene);
     if (!scene)
         return nullptr;
     const std::optional<BatchSpace> space = batchSpace(options.space, *scene);

@@ -15,7 +15,7 @@ namespace unprojector::cli {
 
 /// What all commands that take rows of numbers through a scene are told.
 struct RowOptions {
-    std::string scene;
+    std::string scene;           ///< a scene file, or clicks; "-" for stdin
     std::string input = "-";     ///< a CSV file, "-" for stdin
     std::string space = "world"; ///< of the points: "eye", "world" or "object:NAME"
     RowFormat format = RowFormat::Csv;
@@ -35,7 +35,9 @@ struct RowStream {
 };
 
 /// Opens all of it; null, with the reason on stderr, where something is unusable.
-std::unique_ptr<RowStream> openRows(const RowOptions &options, const std::array<std::string, 3> &columns);
+/// @param given  what options.scene holds
+std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClicks &given,
+                                    const std::array<std::string, 3> &columns);
 
 /// Takes all rows through workers to stdout.
 /// @param names   of the columns written

@@ -6,22 +6,86 @@
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace unprojector::cli {
 using namespace scene_file;
 using namespace files;
 
-std::optional<SceneInput> sceneInput(const std::string &file)
+namespace {
+
+/// As readSceneText, from stdin.
+Result<std::string, SceneFileError> standardInput(const std::string &name)
 {
-    const auto scene = readSceneFile(pathFromUtf8(file));
-    if (!scene) {
-        complain(sceneErrorText(scene.error()));
+    ByteSource source("-");
+    std::string text;
+    std::array<char, 65536> block;
+    for (std::size_t got = 1; source.isOpen() && got > 0 && text.size() <= kMostSceneBytes;) {
+        got = source.read(block.data(), block.size());
+        text.append(block.data(), got);
+    }
+    if (source.isOpen() && !source.hasFailed())
+        return text;
+    SceneFileError error;
+    error.code = SceneFileErrorCode::NotReadable;
+    error.file = name;
+    return error;
+}
+
+bool haveOneScene(const std::vector<Click> &clicks)
+{
+    const Result<std::string, SceneFileError> first = sceneText(clicks.front().scene);
+    return std::all_of(clicks.begin() + 1, clicks.end(), [&first](const Click &click) {
+        const Result<std::string, SceneFileError> text = sceneText(click.scene);
+        return text && first && *text == *first;
+    });
+}
+
+} // namespace
+
+std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
+{
+    const std::string name = file == "-" ? "stdin" : file;
+    const Result<std::string, SceneFileError> text =
+        file == "-" ? standardInput(name) : readSceneText(pathFromUtf8(file));
+    if (!text) {
+        complain(sceneErrorText(text.error()));
         return std::nullopt;
     }
-    SceneInput input{pictureOf(*scene), {}};
-    for (const SceneFileObject &object : scene->objects)
+    Result<SceneOrClicks, SceneFileError> given = parseSceneOrClicks(*text, name);
+    if (!given) {
+        complain(sceneErrorText(given.error()));
+        return std::nullopt;
+    }
+    return std::move(given).value();
+}
+
+SceneInput sceneInput(const SceneFile &scene)
+{
+    SceneInput input{pictureOf(scene), {}};
+    for (const SceneFileObject &object : scene.objects)
         input.objects.push_back({object.name, worldFromObject(object.transform)});
     return input;
+}
+
+std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file)
+{
+    if (const auto *scene = std::get_if<SceneFile>(&given))
+        return sceneInput(*scene);
+    const auto &clicks = std::get<std::vector<Click>>(given);
+    if (!clicks.empty() && haveOneScene(clicks))
+        return sceneInput(clicks.front().scene);
+    complain((file == "-" ? "stdin" : file)
+             + (clicks.empty() ? ": no click is in it, and so no scene; give a scene file"
+                               : ": its clicks have different scenes; give one click, or the scene of one"));
+    return std::nullopt;
+}
+
+std::optional<SceneInput> sceneInput(const std::string &file)
+{
+    const std::optional<SceneOrClicks> given = sceneOrClicks(file);
+    return given ? sceneInput(*given, file) : std::nullopt;
 }
 
 const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene_file/clicks.h"
 #include "core/unproject/batch/batch_unproject.h"
 #include "core/unproject/unprojector.h"
 
@@ -11,6 +12,7 @@
 
 namespace unprojector::cli {
 using namespace unproject;
+using namespace scene_file;
 
 struct PlacedObject {
     std::string name;
@@ -23,8 +25,13 @@ struct SceneInput {
     std::vector<PlacedObject> objects;
 };
 
-/// Reads a scene file; what is wrong with it is said on stderr.
-/// @param file  UTF-8
+/// Reads a scene file, or the clicks that the window prints; what is wrong with it is said on stderr.
+/// @param file  UTF-8; "-" for stdin
+std::optional<SceneOrClicks> sceneOrClicks(const std::string &file);
+
+SceneInput sceneInput(const SceneFile &scene);
+/// The scene of a file, or the one that all its clicks show. What is wrong is said on stderr.
+std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file);
 std::optional<SceneInput> sceneInput(const std::string &file);
 
 /// The first object of a name; where there is none, stderr says which there are.

@@ -1,16 +1,10 @@
 #include "core/scene_file/clicks.h"
 
-#include "core/geometry/condition_number.h"
-#include "core/geometry/double_double.h"
-#include "core/geometry/finite.h"
 #include "core/geometry/transform.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_fields.h"
 #include "core/scene_file/strict_json.h"
 
-#include <glm/matrix.hpp>
-
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -21,8 +15,8 @@ namespace unprojector::scene_file {
 template <class Fields, Is<ClickPoint> T>
 void describe(Fields &json, T &point)
 {
-    for (std::size_t i = 0; i < kMethodKeys.size(); ++i)
-        json.nullable(kMethodKeys[i], point[i]);
+    for (std::size_t i = 0; i < kMethods.size(); ++i)
+        json.nullable(keyOf(kMethods[i]), point[i]);
 }
 
 template <class Fields, Is<ClickedObject> T>
@@ -57,15 +51,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class Space>
-std::optional<glm::dvec3> coordinatesOf(const Result<Point<Space>> &point)
+ClickPoint pointOf(const Answers<Space> &answers)
 {
-    return point ? std::optional(point->coordinates()) : std::nullopt;
-}
-
-template <class Space>
-ClickPoint pointOf(const TwoWays<Space> &answers)
-{
-    return {coordinatesOf(answers.formula), coordinatesOf(answers.matrix), coordinatesOf(answers.matrixInFloat)};
+    ClickPoint point;
+    for (std::size_t i = 0; i < kMethods.size(); ++i) {
+        if (const Result<Point<Space>> &answer = answers[kMethods[i]])
+            point[i] = answer->coordinates();
+    }
+    return point;
 }
 
 std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
@@ -74,13 +67,10 @@ std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
         return std::nullopt;
     const SceneObject &object = scene.objects[*pick.object];
     const glm::dmat4 placement = worldFromObject(object.transform);
-    const auto inObject = [&](const Result<WorldPoint> &point) {
-        return point ? objectFromWorld(placement, *point) : Result<ObjectPoint>(point.error());
-    };
-    const TwoWays<WorldSpace> &world = pick.point.world;
-    return ClickedObject{
-        *pick.object, object.name,
-        pointOf(TwoWays<ObjectSpace>{inObject(world.formula), inObject(world.matrix), inObject(world.matrixInFloat)})};
+    return ClickedObject{*pick.object, object.name, pointOf(Answers<ObjectSpace>::of([&](Method method) {
+                             const Result<WorldPoint> &point = pick.point.world[method];
+                             return point ? objectFromWorld(placement, *point) : Result<ObjectPoint>(point.error());
+                         }))};
 }
 
 /// The picture of a click as a scene file has it, whatever rules of the window made it.
@@ -94,28 +84,6 @@ SceneFile sceneOf(const Pick &pick, const Scene &scene)
 }
 
 } // namespace
-
-Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world)
-{
-    if (std::isinf(conditionNumber(worldFromObject)))
-        return Error{ErrorCode::SingularMatrix};
-    const glm::dmat3 inverse = glm::inverse(glm::dmat3(worldFromObject));
-    DoubleDouble3 p;
-    for (int i = 0; i < 3; ++i) { // the inverse's own error goes with the square of each step
-        glm::dvec3 left;
-        for (int row = 0; row < 3; ++row) {
-            const DoubleDouble3 entries{worldFromObject[0][row], worldFromObject[1][row], worldFromObject[2][row]};
-            left[row] = (DoubleDouble(world[row]) - worldFromObject[3][row] - dot(entries, p)).value;
-        }
-        const glm::dvec3 step = inverse * left;
-        for (int k = 0; k < 3; ++k)
-            p[std::size_t(k)] = p[std::size_t(k)] + DoubleDouble(step[k]);
-    }
-    const glm::dvec3 point(p[0].value, p[1].value, p[2].value);
-    if (!isFinite(point))
-        return Error{ErrorCode::PointAtInfinity};
-    return ObjectPoint(point);
-}
 
 Click clickOf(const Pick &pick, const Scene &scene)
 {

@@ -12,11 +12,8 @@
 
 namespace unprojector::scene_file {
 
-/// What JSON calls the ways to a point.
-constexpr std::array kMethodKeys{"formula", "matrix", "matrixInFloat"};
-
-/// A point by each of kMethodKeys, in their order; nothing where a method has no answer.
-using ClickPoint = std::array<std::optional<glm::dvec3>, kMethodKeys.size()>;
+/// A point by each of kMethods, in their order; nothing where a method has no answer.
+using ClickPoint = std::array<std::optional<glm::dvec3>, kMethods.size()>;
 
 /// Where a click is in one space: on a surface a point, on the background the ends of its ray.
 struct ClickPlace {
@@ -55,11 +52,6 @@ Click clickOf(const Pick &pick, const Scene &scene);
 /// Clicks as a JSON array. Numbers have all their digits: parseSceneOrClicks gives the same ones back.
 /// @return NotUtf8
 Result<std::string, SceneFileError> clicksText(const std::vector<Click> &clicks);
-
-/// The object-space point of a world point: x of worldFromObject x = world, refined in value and rest and rounded once.
-/// @param worldFromObject  affine
-/// @return SingularMatrix; PointAtInfinity where it leaves the range of doubles
-Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world);
 
 using SceneOrClicks = std::variant<SceneFile, std::vector<Click>>;
 

@@ -4,6 +4,7 @@
 #include "core/scene_file/scene_error_text.h"
 
 #include "tests/support/core_scene.h"
+#include "tests/support/unprojecting.h"
 
 #include <QTest>
 
@@ -32,15 +33,19 @@ bool isSameBits(const glm::dvec3 &a, const glm::dvec3 &b)
 }
 
 template <class Space>
-bool isSame(const ClickPoint &point, const TwoWays<Space> &answers)
+bool isSame(const ClickPoint &point, const Answers<Space> &answers)
 {
-    std::size_t i = 0;
-    for (const auto *answer : {&answers.formula, &answers.matrix, &answers.matrixInFloat}) {
-        const std::optional<glm::dvec3> &read = point[i++];
-        if (read.has_value() != answer->hasValue() || (read && !isSameBits(*read, (*answer)->coordinates())))
+    for (std::size_t i = 0; i < kMethods.size(); ++i) {
+        const Result<Point<Space>> &answer = answers[kMethods[i]];
+        if (point[i].has_value() != answer.hasValue() || (answer && !isSameBits(*point[i], answer->coordinates())))
             return false;
     }
     return true;
+}
+
+bool isSame(const Lens &a, const Lens &b)
+{
+    return std::get<Projection>(a) == std::get<Projection>(b);
 }
 
 std::vector<Click> readAgain(const std::vector<Click> &clicks)
@@ -52,13 +57,13 @@ std::vector<Click> readAgain(const std::vector<Click> &clicks)
 }
 
 /// A scene with a cube around a point, turned and stretched.
-Scene sceneAround(const ViewGeometry &picture, const glm::dvec3 &centre)
+Scene sceneAround(const Picture &picture, const glm::dvec3 &centre)
 {
     const auto model = std::make_shared<Model>();
     model->name = "Cube";
     Scene scene;
-    scene.camera = picture.camera;
-    scene.projection = picture.projection;
+    scene.camera = picture.camera();
+    scene.projection = picture.projection();
     scene.depthRange = picture.depthRange;
     scene.projectionFollowsViewport = true;
     scene.objects = {{"far away", "models/a.obj", model, {Translate{{1e9, 0, 0}}}},
@@ -71,9 +76,7 @@ Scene sceneAround(const ViewGeometry &picture, const glm::dvec3 &centre)
 Result<Pick> randomPick(oracle::Random &random, oracle::RandomKind kind, bool hit)
 {
     const oracle::Scene scene = oracle::randomScene(random, kind, {});
-    const PictureGeometry g = oracle::corePicture(scene);
-    ViewGeometry picture{g.surface, g.viewport, g.depthRange, std::get<Projection>(g.projection),
-                         std::get<LookAt>(g.view)};
+    Picture picture = oracle::corePicture(scene);
     constexpr double kRatios[] = {1.0, 1.25, 1.5, 1.75, 2.0};
     picture.surface =
         surfaceFromWidget(random.integer(100, 3000), random.integer(100, 2000), kRatios[random.integer(0, 4)]);
@@ -123,28 +126,27 @@ void TestClicks::everyClickComputedFromItsJsonIsTheSame()
         if (!pick)
             continue;
         ++picks;
-        const glm::dvec3 centre =
-            pick->point.world.formula.hasValue() ? pick->point.world.formula->coordinates() : glm::dvec3(0.0);
+        const glm::dvec3 centre = pick->point.world[Method::Formula].hasValue()
+                                      ? pick->point.world[Method::Formula]->coordinates()
+                                      : glm::dvec3(0.0);
         const Click click = readAgain({clickOf(*pick, sceneAround(pick->geometry, centre))}).at(0);
         QVERIFY(click.hit && click.devicePixel == pick->devicePixel);
         QVERIFY(isSameBits(click.window.coordinates(), pick->window.coordinates()));
         QVERIFY(isSame(click.eye.surface, pick->point.eye) && isSame(click.world.surface, pick->point.world));
 
-        const PictureGeometry picture = pictureGeometry(click.scene);
+        const Picture picture = pictureOf(click.scene);
         QVERIFY(picture.surface == pick->geometry.surface && picture.viewport == pick->geometry.viewport);
         QVERIFY(picture.depthRange == pick->geometry.depthRange);
-        QVERIFY(std::get<Projection>(picture.projection) == pick->geometry.projection);
-        const Comparison again = compareUnprojections(picture, click.window);
+        QVERIFY(isSame(picture.lens, pick->geometry.lens));
+        const Unprojected again = unprojectedAt(picture, click.window);
         QVERIFY(isSame(click.eye.surface, again.eye) && isSame(click.world.surface, again.world));
 
         QVERIFY(click.object && click.object->index == 1);
         const glm::dmat4 placement = worldFromObject(click.scene.objects.at(click.object->index).transform);
-        const auto inObject = [&](const Result<WorldPoint> &point) {
-            return point ? objectFromWorld(placement, *point) : Result<ObjectPoint>(point.error());
-        };
-        QVERIFY(isSame(click.object->point,
-                       TwoWays<ObjectSpace>{inObject(again.world.formula), inObject(again.world.matrix),
-                                            inObject(again.world.matrixInFloat)}));
+        QVERIFY(isSame(click.object->point, Answers<ObjectSpace>::of([&](Method method) {
+                           return again.world[method] ? objectFromWorld(placement, *again.world[method])
+                                                      : Result<ObjectPoint>(again.world[method].error());
+                       })));
     }
     QVERIFY2(picks > kScenes * 9 / 10, QByteArray::number(picks));
 }
@@ -167,7 +169,7 @@ void TestClicks::aClicksSceneIsASceneFile()
 {
     oracle::Random random(2);
     const Pick pick = randomPick(random, oracle::RandomKind::Perspective, true).value();
-    const Scene scene = sceneAround(pick.geometry, pick.point.world.formula->coordinates());
+    const Scene scene = sceneAround(pick.geometry, pick.point.world[Method::Formula]->coordinates());
     const Json json = Json::parse(clicksText({clickOf(pick, scene)}).value()).at(0);
     const SceneFile read = parseScene(json["scene"].dump(), "scene.json").value();
     QVERIFY(json["scene"]["projection"]["type"] == "perspective" && json["scene"]["projection"].contains("aspect"));
@@ -180,7 +182,7 @@ void TestClicks::aClicksSceneIsASceneFile()
     // The window that opens it does not choose other numbers.
     const Scene opened = sceneFromFile(read, "scene.json", {scene.objects[0].model, scene.objects[1].model}).value();
     QVERIFY(!opened.projectionFollowsViewport && !opened.clipDistancesFitObjects);
-    QVERIFY(opened.projection == pick.geometry.projection);
+    QVERIFY(opened.projection == pick.geometry.projection());
     // Alone it is a scene, in a click a click.
     QVERIFY(std::holds_alternative<SceneFile>(parseSceneOrClicks(json["scene"].dump(), "scene.json").value()));
     QCOMPARE(std::get<std::vector<Click>>(parseSceneOrClicks(json.dump(), "click.json").value()).size(),

@@ -1,10 +1,9 @@
 // The program as a script runs it: --screenshot with clicks, its JSON, its picture, its exit codes and its words.
 
-#include "core/unproject/unprojector.h"
+#include "core/scene_file/clicks.h"
+
 #include "tests/support/unprojecting.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <QDir>
@@ -20,6 +19,7 @@
 
 using namespace unprojector;
 using namespace unprojector::geometry;
+using namespace unprojector::scene_file;
 using namespace unprojector::unproject;
 
 namespace {
@@ -75,41 +75,15 @@ glm::dvec3 vectorOf(const Json &json)
     return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-/// What is needed to compute the click again, from the JSON alone.
-Picture geometryOf(const Json &scene)
+/// What is needed to compute the click again, from the JSON alone: its scene is a scene file.
+Picture clickedPicture(const Json &scene)
 {
-    Picture g;
-    const double ratio = scene["window"]["devicePixelRatio"].get<double>();
-    const Json &v = scene["viewport"];
-    g.viewport = {v["x"].get<double>(), v["y"].get<double>(), v["width"].get<double>(), v["height"].get<double>()};
-    g.surface = surfaceFromWidget(scene["window"]["width"].get<int>(), scene["window"]["height"].get<int>(), ratio);
-    const Json &p = scene["projection"];
-    const auto number = [&p](const char *key) { return p[key].get<double>(); };
-    if (p["type"] == "frustum")
-        g.projection() =
-            Frustum{number("left"), number("right"), number("bottom"), number("top"), number("near"), number("far")};
-    else
-        g.projection() =
-            Ortho{number("left"), number("right"), number("bottom"), number("top"), number("near"), number("far")};
-    g.camera() = {WorldPoint(vectorOf(scene["view"]["eye"])), WorldPoint(vectorOf(scene["view"]["center"])),
-                  vectorOf(scene["view"]["up"])};
-    return g;
+    return pictureOf(parseScene(scene.dump(), "scene").value());
 }
 
 bool isExactly(const Json &json, const glm::dvec3 &expected)
 {
     if (vectorOf(json) == expected)
-        return true;
-    qWarning("%s is not (%.17g, %.17g, %.17g)", json.dump().c_str(), expected.x, expected.y, expected.z);
-    return false;
-}
-
-/// Within what rounding the edges of gluPerspective's frustum to doubles changes: 2 units in the last place of the scene's
-/// scale.
-bool isAlmost(const Json &json, const glm::dvec3 &expected, double scale)
-{
-    const glm::dvec3 off = glm::abs(vectorOf(json) - expected);
-    if (std::max({off.x, off.y, off.z}) <= 2.0 * std::numeric_limits<double>::epsilon() * scale)
         return true;
     qWarning("%s is not (%.17g, %.17g, %.17g)", json.dump().c_str(), expected.x, expected.y, expected.z);
     return false;
@@ -125,6 +99,8 @@ private slots:
     void theJsonHasItsContractedShape();
     void theNumbersReadBackAndComputedAgainAreTheSame_data();
     void theNumbersReadBackAndComputedAgainAreTheSame();
+    void theCommandComputesTheSamePoints_data();
+    void theCommandComputesTheSamePoints();
     void thePictureHasTheSizeAskedFor_data();
     void thePictureHasTheSizeAskedFor();
     void withoutClicksTheListIsEmpty();
@@ -158,12 +134,13 @@ void TestScreenshot::theJsonHasItsContractedShape()
     QCOMPARE(clicks.size(), std::size_t(2));
     const QStringList points{"formula", "matrix", "matrixInFloat"};
     for (const Json &click : clicks) {
-        QCOMPARE(keysOf(click), (QStringList{"widget", "devicePixel", "window", "hit", "eye", "world", "scene"}));
-        QCOMPARE(keysOf(click["scene"]), (QStringList{"window", "viewport", "projection", "view"}));
+        QCOMPARE(keysOf(click),
+                 (QStringList{"widget", "devicePixel", "window", "hit", "eye", "world", "object", "scene"}));
+        QCOMPARE(keysOf(click["scene"]), (QStringList{"unprojector", "window", "viewport", "depthRange", "projection",
+                                                      "view", "objects", "clipPlanes"}));
         QCOMPARE(keysOf(click["scene"]["window"]), (QStringList{"width", "height", "devicePixelRatio"}));
         QCOMPARE(keysOf(click["scene"]["viewport"]), (QStringList{"x", "y", "width", "height"}));
-        QCOMPARE(keysOf(click["scene"]["projection"]),
-                 (QStringList{"type", "left", "right", "bottom", "top", "near", "far"}));
+        QCOMPARE(keysOf(click["scene"]["projection"]), (QStringList{"type", "fovy", "aspect", "near", "far"}));
         QCOMPARE(keysOf(click["scene"]["view"]), (QStringList{"eye", "center", "up"}));
         QCOMPARE(click["widget"].size(), std::size_t(2));
         QCOMPARE(click["devicePixel"].size(), std::size_t(2));
@@ -182,7 +159,11 @@ void TestScreenshot::theJsonHasItsContractedShape()
         QCOMPARE(keysOf(clicks[1][space]["near"]), points);
         QCOMPARE(keysOf(clicks[1][space]["far"]), points);
     }
-    QCOMPARE(clicks[1]["widget"].dump(), std::string("[3.0,4.5]"));
+    QCOMPARE(keysOf(clicks[0]["object"]), (QStringList{"index", "name"} + points));
+    const std::size_t index = clicks[0]["object"]["index"].get<std::size_t>();
+    QVERIFY(clicks[0]["scene"]["objects"].at(index)["name"] == clicks[0]["object"]["name"]);
+    QVERIFY(clicks[1]["object"].is_null());
+    QCOMPARE(clicks[1]["widget"].dump(), std::string("[3,4.5]"));
     QCOMPARE(clicks[1]["devicePixel"].dump(), std::string("[3,4]"));
     // Only JSON on stdout, and it ends with its line.
     QVERIFY(result.output.startsWith('['));
@@ -226,7 +207,7 @@ void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame()
     QCOMPARE(clicks.size(), std::size_t(3));
     for (const Json &click : clicks) {
         QCOMPARE(click["scene"]["window"]["devicePixelRatio"].get<double>(), ratio);
-        const Picture g = geometryOf(click["scene"]);
+        const Picture g = clickedPicture(click["scene"]);
         QCOMPARE(double(g.surface.widthPixels), g.viewport.width);
         QCOMPARE(double(g.surface.heightPixels), g.viewport.height);
         // The pixel and its centre, by hand.
@@ -239,12 +220,11 @@ void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame()
         QVERIFY(window.z >= 0.0 && window.z <= 1.0);
         const auto isSame = [&](const Json &eye, const Json &world, double depth) {
             const Unprojected again = unprojectedAt(g, WindowPoint(window.x, window.y, depth));
-            const double scale =
-                glm::length(g.camera().eye.coordinates()) + glm::length(again.eye[Method::Formula]->coordinates());
-            return isAlmost(eye["formula"], again.eye[Method::Formula]->coordinates(), scale)
-                   && isExactly(eye["matrix"], again.eye[Method::Matrix]->coordinates())
-                   && isAlmost(world["formula"], again.world[Method::Formula]->coordinates(), scale)
-                   && isExactly(world["matrix"], again.world[Method::Matrix]->coordinates());
+            bool isSameByAll = true;
+            for (const Method method : kMethods)
+                isSameByAll = isExactly(eye[keyOf(method)], again.eye[method]->coordinates())
+                              && isExactly(world[keyOf(method)], again.world[method]->coordinates()) && isSameByAll;
+            return isSameByAll;
         };
         if (click["hit"].get<bool>()) {
             QVERIFY(isSame(click["eye"], click["world"], window.z));
@@ -254,6 +234,41 @@ void TestScreenshot::theNumbersReadBackAndComputedAgainAreTheSame()
         }
     }
     QVERIFY(!clicks[2]["hit"].get<bool>());
+}
+
+void TestScreenshot::theCommandComputesTheSamePoints_data()
+{
+    QTest::addColumn<QString>("space");
+    QTest::newRow("world") << "world";
+    QTest::newRow("eye") << "eye";
+    QTest::newRow("object") << "object";
+}
+
+void TestScreenshot::theCommandComputesTheSamePoints()
+{
+    QFETCH(QString, space);
+    const Run printed =
+        run({"--screenshot", path("same.png"), "--size", "900x640", "--click", "86,200", "--click", "91.4,187.7"});
+    QVERIFY2(printed.hasExited && printed.exitCode == 0, printed.errors.constData());
+    const Json clicks = Json::parse(printed.output.toStdString(), nullptr, false);
+    const std::string name = clicks[0]["object"]["name"].get<std::string>();
+    QProcess command;
+    command.start(QStringLiteral(UNPROJECT_COMMAND),
+                  {"points", "--format", "jsonl", "--space",
+                   space == "object" ? "object:" + QString::fromStdString(name) : space, "-"});
+    command.write(printed.output);
+    command.closeWriteChannel();
+    QVERIFY(command.waitForFinished(kRunMilliseconds));
+    QVERIFY2(command.exitCode() == 0, command.readAllStandardError().constData());
+    const QList<QByteArray> rows = command.readAllStandardOutput().trimmed().split('\n');
+    QCOMPARE(rows.size(), 2);
+    for (int i = 0; i < rows.size(); ++i) {
+        const Json row = Json::parse(rows[i].toStdString(), nullptr, false);
+        const Json &points = clicks[std::size_t(i)][space.toStdString()];
+        QVERIFY(row["formula_x"] == points["formula"][0] && row["formula_y"] == points["formula"][1]);
+        QVERIFY(row["formula_z"] == points["formula"][2] && row["matrix_x"] == points["matrix"][0]);
+        QVERIFY(row["matrix_y"] == points["matrix"][1] && row["matrix_z"] == points["matrix"][2]);
+    }
 }
 
 void TestScreenshot::thePictureHasTheSizeAskedFor_data()

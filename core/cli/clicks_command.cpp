@@ -1,0 +1,139 @@
+#include "core/cli/clicks_command.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/text/error_text.h"
+
+#include <glm/geometric.hpp>
+
+namespace unprojector::cli {
+using namespace text;
+namespace {
+
+/// A click's point by one method in the space that is asked for.
+Result<glm::dvec3> pointOf(const Unprojected &click, Method method, const BatchSpace &space)
+{
+    const auto coordinates = [](const auto &point) {
+        return point ? Result<glm::dvec3>(point->coordinates()) : Result<glm::dvec3>(point.error());
+    };
+    switch (space.kind) {
+    case BatchSpace::Kind::Eye: return coordinates(click.eye[method]);
+    case BatchSpace::Kind::World: return coordinates(click.world[method]);
+    case BatchSpace::Kind::Object: break;
+    }
+    const Result<WorldPoint> &world = click.world[method];
+    return world ? coordinates(objectFromWorld(space.worldFromObject, *world)) : Result<glm::dvec3>(world.error());
+}
+
+class ClickRows {
+public:
+    ClickRows(const PointsOptions &options, std::size_t count)
+        : m_options(options), m_isOnly(count == 1), m_names(pointColumns(options.methods)),
+          m_writer(options.rows.format, m_names, m_text)
+    {
+        if (!options.rows.isHeaderless)
+            m_writer.header();
+    }
+
+    /// Writes the row of a click. What is wrong with it is said on stderr.
+    /// @return false where a click cannot be computed at all
+    bool add(std::size_t place, const Click &click)
+    {
+        const SceneInput scene = sceneInput(click.scene);
+        const std::optional<BatchSpace> space = batchSpace(m_options.rows.space, scene);
+        if (!space)
+            return false;
+        const Result<Unprojector> unprojector = Unprojector::of(scene.geometry);
+        if (!unprojector) {
+            complainOf(place, errorText(unprojector.error()));
+            return false;
+        }
+        const DevicePoint device = deviceFromWindow(scene.geometry.surface, click.window);
+        for (const double number : {device.x, device.y, click.window.z})
+            m_writer.number(number);
+        if (click.hit)
+            write(place, unprojector->at(click.window), *space);
+        else
+            writeBackground(place);
+        m_writer.endRow();
+        return true;
+    }
+
+    ExitCode finish() const
+    {
+        ByteSink sink;
+        sink.write(m_text);
+        const ExitCode written = sink.finish();
+        return written == ExitCode::Done && m_hasBad ? ExitCode::SomeRowsBad : written;
+    }
+
+private:
+    void complainOf(std::size_t place, const std::string &what)
+    {
+        const std::string file = m_options.rows.scene == "-" ? "stdin" : m_options.rows.scene;
+        complain(file + (m_isOnly ? "" : ": [" + std::to_string(place) + ']') + ": " + what);
+    }
+
+    void writeBackground(std::size_t place)
+    {
+        m_hasBad = true;
+        complainOf(place, "background: nothing was drawn there, so the click has no point, only a ray");
+        for (std::size_t k = 3; k < m_names.size(); ++k)
+            m_writer.nothing();
+    }
+
+    void write(std::size_t place, const Unprojected &click, const BatchSpace &space)
+    {
+        std::optional<glm::dvec3> points[2];
+        constexpr Method kWritten[] = {Method::Formula, Method::Matrix};
+        constexpr Methods kAlone[] = {Methods::Formula, Methods::Matrix};
+        for (std::size_t k = 0; k < 2; ++k) {
+            if (m_options.methods != Methods::Both && m_options.methods != kAlone[k])
+                continue;
+            if (const Result<glm::dvec3> point = pointOf(click, kWritten[k], space)) {
+                points[k] = *point;
+            } else {
+                m_hasBad = true;
+                complainOf(place, std::string(keyOf(kWritten[k])) + ": " + errorText(point.error()));
+            }
+            for (int i = 0; i < 3; ++i) {
+                if (points[k])
+                    m_writer.number((*points[k])[i]);
+                else
+                    m_writer.nothing();
+            }
+        }
+        if (m_options.methods != Methods::Both)
+            return;
+        if (points[0] && points[1])
+            m_writer.numberOrNothing(glm::length(*points[0] - *points[1]));
+        else
+            m_writer.nothing();
+    }
+
+    const PointsOptions &m_options;
+    bool m_isOnly;
+    std::vector<std::string> m_names;
+    std::string m_text;
+    RowWriter m_writer;
+    bool m_hasBad = false;
+};
+
+} // namespace
+
+ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &clicks)
+{
+    if (options.isPixel) {
+        complain("--pixel is for tables of pixels; a click knows the centre of its own");
+        return ExitCode::UnusableInput;
+    }
+    if (isOverInput("-", {options.rows.scene}))
+        return ExitCode::UnusableInput;
+    ClickRows rows(options, clicks.size());
+    for (std::size_t i = 0; i < clicks.size(); ++i) {
+        if (!rows.add(i, clicks[i]))
+            return ExitCode::UnusableInput;
+    }
+    return rows.finish();
+}
+
+} // namespace unprojector::cli
