@@ -7,13 +7,16 @@ namespace unprojector::gui {
 void FramePainter::initialize()
 {
     initializeOpenGLFunctions();
-    m_program = loadProgram(QStringLiteral("frame"));
+    // Two programs, because renderers on the processor would compute the smooth colours and throw them away.
+    m_plain = loadProgram(QStringLiteral("frame"));
+    m_smooth = loadProgram(QStringLiteral("frame"), QByteArrayLiteral("SMOOTH_EDGES"));
     m_vertexArray.create();
 }
 
 void FramePainter::release()
 {
-    m_program.reset();
+    m_plain.reset();
+    m_smooth.reset();
     m_vertexArray.destroy();
 }
 
@@ -31,14 +34,14 @@ void FramePainter::draw(unsigned colors, unsigned depths, int widthPixels, int h
     glBindTexture(GL_TEXTURE_2D, depths);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, colors);
-    m_program->bind();
-    m_program->setUniformValue("colors", 0);
-    m_program->setUniformValue("depths", 1);
-    m_program->setUniformValue("smoothEdges", smoothEdges);
+    QOpenGLShaderProgram &program = smoothEdges ? *m_smooth : *m_plain;
+    program.bind();
+    program.setUniformValue("colors", 0);
+    program.setUniformValue("depths", 1);
     m_vertexArray.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     m_vertexArray.release();
-    m_program->release();
+    program.release();
     glBindTexture(GL_TEXTURE_2D, 0);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, 0);

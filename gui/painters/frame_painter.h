@@ -20,7 +20,7 @@ public:
     void draw(unsigned colors, unsigned depths, int widthPixels, int heightPixels, bool smoothEdges);
 
 private:
-    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    std::unique_ptr<QOpenGLShaderProgram> m_plain, m_smooth;
     QOpenGLVertexArrayObject m_vertexArray; ///< empty: the shader makes its three corners; core profile wants one
 };
 

@@ -177,8 +177,8 @@ std::unique_ptr<MeshPainter::GpuMesh> MeshPainter::uploaded(const Mesh &mesh, co
     return fits ? std::move(target) : nullptr;
 }
 
-/// Cuts the model at the planes. Mesa's software renderers go on cutting at a distance that is no longer enabled, so the
-/// distances that no plane needs are those of a plane that cuts nothing.
+/// Cuts the model at the planes. Which distances are enabled is not enough: Mesa's software renderers were seen to go by
+/// an older set of them. So the distances that no plane needs are those of a plane that cuts nothing.
 void MeshPainter::setClipPlanes(const std::vector<glm::dvec4> &planes, const glm::dmat4 &worldFromUploaded)
 {
     std::array<glm::vec4, kClipDistances> distances;

@@ -5,9 +5,10 @@
 // those ends would cover of the pixel.
 uniform sampler2D colors;
 uniform sampler2D depths;
-uniform bool smoothEdges;
 
 out vec4 fragment;
+
+#ifdef SMOOTH_EDGES
 
 // Below these differences in brightness (of 1, and of the brightest neighbour) there is no edge to be seen.
 const float kLeastContrast = 0.03;
@@ -23,23 +24,18 @@ float brightness(vec3 color)
     return dot(color, vec3(0.299, 0.587, 0.114));
 }
 
-vec3 smoothed(ivec2 pixel)
+float brightnessAt(ivec2 pixel)
+{
+    return brightness(texelFetch(colors, clamp(pixel, ivec2(0), textureSize(colors, 0) - 1), 0).rgb);
+}
+
+/// How far from the pixel's centre to take its colour, in pixels.
+/// @param middle, up, down, left, right  brightness of the pixel and of those beside it
+vec2 shiftOnEdge(ivec2 pixel, float middle, float up, float down, float left, float right, float contrast)
 {
     ivec2 size = textureSize(colors, 0);
-    ivec2 last = size - 1;
-    vec3 color = texelFetch(colors, pixel, 0).rgb;
-#define BRIGHTNESS_AT(x, y) brightness(texelFetch(colors, clamp(pixel + ivec2(x, y), ivec2(0), last), 0).rgb)
-    float middle = brightness(color);
-    float up = BRIGHTNESS_AT(0, 1), down = BRIGHTNESS_AT(0, -1);
-    float right = BRIGHTNESS_AT(1, 0), left = BRIGHTNESS_AT(-1, 0);
-    float highest = max(max(max(up, down), max(left, right)), middle);
-    float lowest = min(min(min(up, down), min(left, right)), middle);
-    float contrast = highest - lowest;
-    if (contrast < max(kLeastContrast, highest * kLeastShareOfBrightest))
-        return color;
-
-    float upLeft = BRIGHTNESS_AT(-1, 1), upRight = BRIGHTNESS_AT(1, 1);
-    float downLeft = BRIGHTNESS_AT(-1, -1), downRight = BRIGHTNESS_AT(1, -1);
+    float upLeft = brightnessAt(pixel + ivec2(-1, 1)), upRight = brightnessAt(pixel + ivec2(1, 1));
+    float downLeft = brightnessAt(pixel + ivec2(-1, -1)), downRight = brightnessAt(pixel + ivec2(1, -1));
     // The edge lies across the direction that brightness bends in most.
     float bendUp = 2.0 * abs(up + down - 2.0 * middle) + abs(upRight + downRight - 2.0 * right)
                    + abs(upLeft + downLeft - 2.0 * left);
@@ -55,8 +51,7 @@ vec3 smoothed(ivec2 pixel)
     float ending = abs(beside - middle) / 4.0;
 
     // Between the two rows of pixels, where linear filtering gives their mean: it stays the same as far as the edge goes.
-    vec2 place = vec2(pixel) + 0.5;
-    vec2 start = place + across * 0.5;
+    vec2 start = vec2(pixel) + 0.5 + across * 0.5;
     float reach[2] = float[](kSteps[kStepCount - 1], kSteps[kStepCount - 1]);
     float change[2] = float[](0.0, 0.0);
     for (int side = 0; side < 2; ++side) {
@@ -78,12 +73,35 @@ vec3 smoothed(ivec2 pixel)
     float around = (2.0 * (up + down + left + right) + upLeft + upRight + downLeft + downRight) / 12.0;
     float alone = smoothstep(0.0, 1.0, clamp(abs(around - middle) / contrast, 0.0, 1.0));
     shift = max(shift, alone * alone * kSubpixelShare);
-    return textureLod(colors, (place + across * shift) / vec2(size), 0.0).rgb;
+    return across * shift;
 }
+
+vec3 colorAt(ivec2 pixel)
+{
+    float middle = brightness(texelFetch(colors, pixel, 0).rgb);
+    float up = brightnessAt(pixel + ivec2(0, 1)), down = brightnessAt(pixel + ivec2(0, -1));
+    float right = brightnessAt(pixel + ivec2(1, 0)), left = brightnessAt(pixel + ivec2(-1, 0));
+    float highest = max(max(max(up, down), max(left, right)), middle);
+    float lowest = min(min(min(up, down), min(left, right)), middle);
+    float contrast = highest - lowest;
+    vec2 shift = vec2(0.0);
+    // A loop that runs once or never: renderers on the processor compute both sides of an `if` for every pixel, and skip a
+    // loop that none of their pixels is in. Few pixels are on an edge.
+    int edges = contrast < max(kLeastContrast, highest * kLeastShareOfBrightest) ? 0 : 1;
+    for (int i = 0; i < edges; ++i)
+        shift = shiftOnEdge(pixel, middle, up, down, left, right, contrast);
+    return textureLod(colors, (vec2(pixel) + 0.5 + shift) / vec2(textureSize(colors, 0)), 0.0).rgb;
+}
+#else
+vec3 colorAt(ivec2 pixel)
+{
+    return texelFetch(colors, pixel, 0).rgb;
+}
+#endif
 
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    fragment = vec4(smoothEdges ? smoothed(pixel) : texelFetch(colors, pixel, 0).rgb, 1.0);
+    fragment = vec4(colorAt(pixel), 1.0);
     gl_FragDepth = texelFetch(depths, pixel, 0).r;
 }

@@ -152,8 +152,8 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
         SceneView &view = window->view();
         int background = 0;
         std::array<int, 2> seen{};
-        for (int y = 3; y < view.height(); y += 13) {
-            for (int x = 2; x < view.width(); x += 11) {
+        for (int y = 3; y < view.height(); y += 17) {
+            for (int x = 2; x < view.width(); x += 14) {
                 window->document().clearPick();
                 click(view, QPointF(x, y));
                 QVERIFY(window->document().pick());
@@ -183,7 +183,7 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
                         <= 40.0 * pick.certainty.halfDepthStep + 0.1 * pick.certainty.footprintWidth);
             }
         }
-        QVERIFY(background > 100 && seen[0] > 30 && seen[1] > 10);
+        QVERIFY(background > 50 && seen[0] > 20 && seen[1] > 5);
     }
 }
 
@@ -197,8 +197,8 @@ void TestFrame::smoothEdgesMoveNoDepth()
         view.setSmoothEdges(smooth);
         (void)view.grabFramebuffer();
         std::vector<double> read;
-        for (int y = 0; y < view.height(); y += 9) {
-            for (int x = 0; x < view.width(); x += 7) {
+        for (int y = 0; y < view.height(); y += 13) {
+            for (int x = 0; x < view.width(); x += 11) {
                 click(view, QPointF(x, y));
                 read.push_back(window->document().pick()->window.z);
             }
@@ -262,8 +262,8 @@ void TestFrame::aPickIsNeverOnAClippedPart()
         cutting.emplace_back(double(p.x()), double(p.y()), double(p.z()), double(p.w()));
     setPlanes(window->document(), cutting);
     int hits = 0, cut = 0;
-    for (int y = 0; y < window->view().height(); y += 7) {
-        for (int x = 0; x < window->view().width(); x += 7) {
+    for (int y = 0; y < window->view().height(); y += 12) {
+        for (int x = 0; x < window->view().width(); x += 10) {
             click(window->view(), QPointF(x, y));
             const Pick &pick = *window->document().pick();
             const guitest::Ray ray = rayThrough(window->document().geometry(),
@@ -281,7 +281,7 @@ void TestFrame::aPickIsNeverOnAClippedPart()
             }
         }
     }
-    QVERIFY2(hits > 20 && cut > 5, qPrintable(QStringLiteral("%1 hits, %2 cut away").arg(hits).arg(cut)));
+    QVERIFY2(hits > 8 && cut > 5, qPrintable(QStringLiteral("%1 hits, %2 cut away").arg(hits).arg(cut)));
 }
 
 void TestFrame::aRemovedPlaneIsGone()
@@ -290,10 +290,13 @@ void TestFrame::aRemovedPlaneIsGone()
     SceneDocument &document = window->document();
     const QImage before = window->view().grabFramebuffer();
     const glm::dvec4 plane = planeThrough(kCubeCenter, {-0.6, 0.3, -1.0});
-    setPlanes(document, {plane, planeThrough(kCubeCenter, {-1.0, 0.0, 0.0})});
-    QVERIFY(window->view().grabFramebuffer() != before);
     setPlanes(document, {plane});
-    QVERIFY(window->view().grabFramebuffer() != before);
+    const QImage one = window->view().grabFramebuffer();
+    QVERIFY(one != before);
+    setPlanes(document, {plane, planeThrough(kCubeCenter, {-1.0, 0.0, 0.0})});
+    QVERIFY(window->view().grabFramebuffer() != one);
+    setPlanes(document, {plane});
+    QVERIFY(window->view().grabFramebuffer() == one);
     setPlanes(document, {});
     QVERIFY(window->view().grabFramebuffer() == before);
     // Nor does it cut the next scene.
