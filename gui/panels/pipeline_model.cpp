@@ -59,7 +59,8 @@ void PipelineModel::update()
     if (m_pickedObjectIsStale) {
         m_pickedObject.reset();
         if (pick && pick->hit && pick->point.world[Method::Formula])
-            m_pickedObject = objectAround(m_document.scene(), *pick->point.world[Method::Formula]);
+            m_pickedObject =
+                pick->object ? pick->object : objectAround(m_document.scene(), *pick->point.world[Method::Formula]);
         m_pickedObjectIsStale = false;
     }
     const std::optional<std::size_t> object = shownObject();

@@ -274,6 +274,10 @@ void TestPipelinePanel::theObjectIsThePickedOneUntilAnotherIsChosen()
     document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
     model.update();
     QCOMPARE(*model.shownObject(), std::size_t(0)); // in both boxes: the small one
+    // The view knows whose surface it drew, whatever the boxes say.
+    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24, 1});
+    model.update();
+    QCOMPARE(*model.shownObject(), std::size_t(1));
     // Window (45.5, 25.5, 0.85) is the world's (8.2, 0.2, -2): outside the small one's box.
     document.pickAt(WidgetPoint(45, 24), {0.85, true, 24});
     model.update();
