@@ -99,7 +99,6 @@ void addPoints(CLI::App &app, Run &run)
         "\n"
         "Examples:\n"
         "  unproject points scene.json clicks.csv > points.csv\n"
-        "  unprojector --screenshot p.png --click 300,250 face.obj > clicks.json\n"
         "  unproject points clicks.json\n"
         "  printf 'px,py,depth\\n400,300,0.5\\n' | unproject points scene.json -\n"
         "  unproject points --method formula --space eye --pixel --format jsonl scene.json pixels.csv\n"

@@ -43,6 +43,7 @@ void TestCommandLine::helpHasExamplesThatWork()
     m_folder.write("pixels.csv", "px,py,depth\n1,2,0.5\n");
     m_folder.write("many.csv", "px,py,depth\n1,2,0.5\n");
     m_folder.write("points.csv", "x,y,z\n0,0,2\n");
+    m_folder.write("clicks.json", "[{\"window\": [400.5, 300.5, 0.5], \"scene\": " + kFrustumScene + "}]");
     m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(800 * 600 * 4, '\0'));
     m_folder.write("depth.raw", QByteArray(1920 * 1080 * 4, '\0'));
     m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
