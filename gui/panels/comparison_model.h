@@ -42,9 +42,9 @@ private:
     struct Row {
         QString name;
         std::array<std::optional<double>, kMethods.size()> by; ///< each method's coordinate
-        double ulp = 0.0;  ///< spacing of doubles at the point's largest component
-        int decimals = 15; ///< all digits of the doubles
-        int certain = 15;  ///< decimals that are certain
+        double ulp = 0.0;                                      ///< spacing of doubles at the point's largest component
+        int decimals = 15;                                     ///< all digits of the doubles
+        int certain = 15;                                      ///< decimals that are certain
     };
     template <typename Space>
     void addRows(const QString &space, const Answers<Space> &point, std::optional<double> certaintyRadius);

@@ -28,8 +28,7 @@ constexpr int kSpacing = 16; ///< between drawing, proportions and table
 /// The window and its projection are all that is shown: the camera may move without any work here.
 bool isSameWindow(const Picture &a, const Picture &b)
 {
-    return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange
-           && a.lens == b.lens;
+    return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange && a.lens == b.lens;
 }
 
 /// The panel's own font, for headers inside a table that has another: every property is set, none inherited.

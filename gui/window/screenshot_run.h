@@ -20,7 +20,7 @@ public:
         QSize windowSize{1280, 800};              ///< logical pixels
         std::vector<WidgetPoint> clicks;          ///< logical pixels of the view
         std::vector<std::filesystem::path> files; ///< none: the bundled scene
-        std::optional<bool> smoothEdges = {}; ///< nothing: smooth
+        std::optional<bool> smoothEdges = {};     ///< nothing: smooth
     };
     explicit ScreenshotRun(Request request);
     ~ScreenshotRun() override;

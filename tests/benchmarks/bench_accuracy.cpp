@@ -109,8 +109,7 @@ void printRow(double nearDistance, double farDistance)
                     return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(p), truth)) / ulp);
                 };
                 std::size_t place = 0;
-                add(place++, "a click, by the formulas",
-                    error(*unprojectedAt(g, window).world[Method::Formula]));
+                add(place++, "a click, by the formulas", error(*unprojectedAt(g, window).world[Method::Formula]));
                 add(place++, "a batch, by the formulas", error(byBatch(formula, g, window)));
                 add(place++, "the formulas as mostly programmed", error(byUsualFormula(g, window)));
                 add(place++, "a batch, by the inverted matrix", error(byBatch(matrix, g, window)));

@@ -161,7 +161,8 @@ void TestCameraMotion::orbitKeepsThePivotsPlaceAndAllDistances()
                 QVERIFY(hasSamePlace(geometry, after, pivot));
                 QVERIFY(isNear(distanceOf(camera), distanceOf(geometry.camera()), kRounding * 10.0));
                 QVERIFY(isNear(glm::length(camera.eye.coordinates() - pivot.coordinates()),
-                               glm::length(geometry.camera().eye.coordinates() - pivot.coordinates()), kRounding * 10.0));
+                               glm::length(geometry.camera().eye.coordinates() - pivot.coordinates()),
+                               kRounding * 10.0));
             }
         }
     }
@@ -188,7 +189,8 @@ void TestCameraMotion::orbitTurnsTheSceneWithTheHand()
     QVERIFY(isNear(placeOf(down, nearest).y, 400.0 - 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(down, nearest).x, 400.0, kRoundingPixels));
     QVERIFY(isNear(placeOf(down, top).y, 400.0 + 400.0 * std::cos(0.1) / (10.0 - std::sin(0.1)), kRoundingPixels));
-    QVERIFY(isNear(down.camera().eye.coordinates(), {0.0, 10.0 * std::sin(0.1), 10.0 * std::cos(0.1)}, kRounding * 10.0));
+    QVERIFY(
+        isNear(down.camera().eye.coordinates(), {0.0, 10.0 * std::sin(0.1), 10.0 * std::cos(0.1)}, kRounding * 10.0));
 }
 
 void TestCameraMotion::orbitStopsShortOfThePoles_data()

@@ -76,7 +76,8 @@ void TestComparisonPanel::theTableHoldsThePicksDoubles()
             const auto value = [&](int column) {
                 return cell(model, row, column, ComparisonModel::ValueRole).toDouble();
             };
-            const double formula = point[Method::Formula]->coordinates()[axis], matrix = point[Method::Matrix]->coordinates()[axis];
+            const double formula = point[Method::Formula]->coordinates()[axis],
+                         matrix = point[Method::Matrix]->coordinates()[axis];
             const double inFloat = point[Method::MatrixInFloat]->coordinates()[axis];
             // QCOMPARE on doubles is fuzzy: these are to be the same.
             QVERIFY(value(ComparisonModel::Formula) == formula);
