@@ -59,6 +59,10 @@ Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
     c.xScale = m[0][0];
     c.yScale = m[1][1];
     c.zOffset = m[3][2];
+    // A far plane behind infinity is one at infinity that was rounded, by as much as single precision does.
+    constexpr double kBehindInfinity = 0x1p-21;
+    if (c.perspective && c.zOffset < 0.0 && c.zScale > -c.w && c.zScale <= -c.w * (1.0 - kBehindInfinity))
+        c.zScale = -c.w;
     return c;
 }
 

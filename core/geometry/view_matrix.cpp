@@ -1,5 +1,7 @@
 #include "core/geometry/view_matrix.h"
 
+#include "core/geometry/finite.h"
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -10,16 +12,16 @@
 namespace unprojector::geometry {
 namespace {
 
+/// A rotation of numbers in single precision, printed with six digits: 2e-6. What is off by more was meant to be.
 constexpr double kRigid = 1e-5;
 
-/// target - R p - t
-DoubleDouble3 residual(const glm::dmat4 &m, const DoubleDouble3 &target, const DoubleDouble3 &p)
+/// What is left of a last row (0, 0, 0, w) by elimination with full pivoting is at most the rounding of the numbers that
+/// it was done in, relative to the translation; cofactors and partial pivoting leave zeros. In doubles 1.4e-16.
+constexpr double kRounding = 0x1p-50;
+
+Error notRigid(double value, int column, int row)
 {
-    DoubleDouble3 result;
-    for (int row = 0; row < 3; ++row)
-        result[std::size_t(row)] =
-            target[std::size_t(row)] - m[3][row] - m[0][row] * p[0] - m[1][row] * p[1] - m[2][row] * p[2];
-    return result;
+    return {ErrorCode::ViewNotRigid, value, double(column * 4 + row)};
 }
 
 } // namespace
@@ -30,34 +32,61 @@ Result<double> axesOff(const glm::dmat4 &m)
         if (!std::isfinite(m[i / 4][i % 4]))
             return Error{ErrorCode::NotFinite, m[i / 4][i % 4], double(i)};
     }
-    for (int column = 0; column < 4; ++column) {
-        if (m[column][3] != (column == 3 ? 1.0 : 0.0))
-            return Error{ErrorCode::ViewNotRigid, m[column][3], double(column * 4 + 3)};
-    }
-    const glm::dmat3 axes(m);
+    const double w = m[3][3];
+    if (!(w > 0.0))
+        return notRigid(w, 3, 3);
+    const glm::dmat3 axes = glm::dmat3(m) / w;
     const glm::dmat3 off = axes * glm::transpose(axes) - glm::dmat3(1.0);
     double largest = 0.0;
-    for (int i = 0; i < 9; ++i) {
-        const double entry = std::abs(off[i / 3][i % 3]);
-        largest = std::isfinite(entry) ? std::max(largest, entry) : entry;
-        if (!(largest <= kRigid))
-            return Error{ErrorCode::ViewNotRigid, largest};
+    Error error{ErrorCode::ViewNotRigid};
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row <= column; ++row) {
+            const double entry = off[column][row];
+            if (!std::isfinite(entry))
+                return notRigid(entry, column, row);
+            if (std::abs(entry) <= largest)
+                continue;
+            largest = std::abs(entry);
+            error = notRigid(entry, column, row);
+        }
+    }
+    if (!(largest <= kRigid))
+        return error;
+    const glm::dvec3 translation = glm::dvec3(m[3]) / w;
+    const double reach = std::max({1.0, std::abs(translation.x), std::abs(translation.y), std::abs(translation.z)});
+    for (int column = 0; column < 3; ++column) {
+        if (!(std::abs(m[column][3]) / w * reach <= 4.0 * std::max(largest, kRounding)))
+            return notRigid(m[column][3], column, 3);
     }
     return largest;
 }
 
-Result<WorldPoint> worldFromEye(const glm::dmat4 &m, const PrecisePoint<EyeSpace> &point)
+Result<PreciseAxes> preciseAxes(const glm::dmat4 &m)
 {
     if (const Result<double> off = axesOff(m); !off)
         return off.error();
-    DoubleDouble3 p;
-    for (int i = 0; i < 3; ++i) {
-        const DoubleDouble3 left = residual(m, {point.x, point.y, point.z}, p);
-        for (int k = 0; k < 3; ++k)
-            p[std::size_t(k)] = p[std::size_t(k)] + (m[k][0] * left[0] + m[k][1] * left[1] + m[k][2] * left[2]);
+    const auto row = [&](int i) { return DoubleDouble3{m[0][i], m[1][i], m[2][i]}; };
+    PreciseAxes axes{{}, cross(row(1), row(2)), cross(row(2), row(0)), cross(row(0), row(1))};
+    const DoubleDouble determinant = dot(row(0), axes.x);
+    for (std::size_t k = 0; k < 3; ++k) {
+        axes.origin[k] = -(m[3][0] * axes.x[k] + m[3][1] * axes.y[k] + m[3][2] * axes.z[k]) / determinant;
+        for (DoubleDouble3 *axis : {&axes.x, &axes.y, &axes.z})
+            (*axis)[k] = m[3][3] * (*axis)[k] / determinant;
     }
-    const WorldPoint world(p[0].value, p[1].value, p[2].value);
-    if (!(std::isfinite(world.x) && std::isfinite(world.y) && std::isfinite(world.z)))
+    return axes;
+}
+
+Result<WorldPoint> worldFromEye(const glm::dmat4 &m, const PrecisePoint<EyeSpace> &point)
+{
+    const Result<PreciseAxes> axes = preciseAxes(m);
+    if (!axes)
+        return axes.error();
+    WorldPoint world;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const DoubleDouble turned = point.x * axes->x[k] + point.y * axes->y[k] + point.z * axes->z[k];
+        world[static_cast<int>(k)] = (axes->origin[k] + turned).value;
+    }
+    if (!isFinite(world))
         return Error{ErrorCode::PointAtInfinity};
     return world;
 }
@@ -72,7 +101,7 @@ Result<LookAt> lookAtFrom(const glm::dmat4 &eyeFromWorld, double distance)
     const Result<WorldPoint> eye = worldFromEye(eyeFromWorld, EyePoint());
     if (!eye)
         return eye.error();
-    const glm::dmat3 rows = glm::transpose(glm::dmat3(eyeFromWorld));
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(eyeFromWorld)) / eyeFromWorld[3][3];
     if (glm::determinant(rows) < 0.0)
         return Error{ErrorCode::ViewNotRigid, 2.0};
     return LookAt{*eye, WorldPoint(eye->coordinates() - rows[2] * distance), rows[1]};

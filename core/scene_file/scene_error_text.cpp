@@ -1,6 +1,7 @@
 #include "core/scene_file/scene_error_text.h"
 
 #include "core/geometry/angle.h"
+#include "core/text/error_text.h"
 #include "core/text/number_text.h"
 
 #include <cmath>
@@ -74,9 +75,7 @@ std::string causeText(const Error &error)
     case ErrorCode::PointAtInfinity: return "the point lies at infinity";
     case ErrorCode::ScaleIsZero: return "a factor is 0; it must differ from 0";
     case ErrorCode::MatrixNotAProjection: return "the entry " + value + " fits no projection of a known form";
-    case ErrorCode::ViewNotRigid:
-        return std::isnan(error.other) ? "the axes are not perpendicular and of length 1 (off by " + value + ")"
-                                       : "the entry " + value + " must not stand in the last row";
+    case ErrorCode::ViewNotRigid: return viewFault(error);
     case ErrorCode::ClipPlaneHasNoNormal: return "the first three numbers are all 0; one of them must differ from 0";
     }
     return {};

@@ -3,6 +3,8 @@
 #include "core/geometry/angle.h"
 #include "core/text/number_text.h"
 
+#include <cmath>
+
 namespace unprojector::text {
 using namespace geometry;
 
@@ -41,9 +43,21 @@ std::string errorText(const Error &error)
     case ErrorCode::MatrixNotAProjection:
         return "the matrix is no projection of a known form: the entry " + value + " at place " + other
                + " does not fit";
-    case ErrorCode::ViewNotRigid: return "the view matrix does more than turn and move: its axes are not orthonormal";
+    case ErrorCode::ViewNotRigid: return "the view matrix does more than turn and move: " + viewFault(error);
     }
     return {};
+}
+
+std::string viewFault(const Error &error)
+{
+    const int column = static_cast<int>(error.other) / 4, row = static_cast<int>(error.other) % 4;
+    const std::string rowName = std::to_string(row + 1), columnName = std::to_string(column + 1);
+    if (row == 3)
+        return shortestText(error.value) + " stands in row 4, column " + columnName + "; it must be "
+               + (column == 3 ? "greater than 0" : "0");
+    if (row == column)
+        return "row " + rowName + " has the length " + shortestText(std::sqrt(1.0 + error.value)) + "; it must be 1";
+    return "rows " + rowName + " and " + columnName + " are not perpendicular";
 }
 
 } // namespace unprojector::text

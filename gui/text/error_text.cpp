@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QDir>
 
+#include <cmath>
+
 namespace unprojector::gui {
 using namespace geometry;
 namespace {
@@ -17,6 +19,23 @@ struct Errors {
 QString degrees(double radians)
 {
     return significantText(degreesFromRadians(radians), 6);
+}
+
+/// @pre the error is ViewNotRigid
+QString viewFault(const Error &error)
+{
+    const int column = static_cast<int>(error.other) / 4, row = static_cast<int>(error.other) % 4;
+    if (row == 3)
+        return Errors::tr("The view matrix does more than turn and move: %1 stands in row 4, column %2.")
+            .arg(significantText(error.value, 6))
+            .arg(column + 1);
+    if (row == column)
+        return Errors::tr("The view matrix does more than turn and move: row %1 has the length %2, not 1.")
+            .arg(row + 1)
+            .arg(significantText(std::sqrt(1.0 + error.value), 6));
+    return Errors::tr("The view matrix does more than turn and move: rows %1 and %2 are not perpendicular.")
+        .arg(row + 1)
+        .arg(column + 1);
 }
 
 } // namespace
@@ -79,9 +98,7 @@ QString errorText(const Error &error)
             .arg(value)
             .arg(static_cast<int>(error.other) % 4 + 1)
             .arg(static_cast<int>(error.other) / 4 + 1);
-    case ErrorCode::ViewNotRigid:
-        return Errors::tr(
-            "The view matrix does more than turn and move; its axes must be perpendicular and of length 1.");
+    case ErrorCode::ViewNotRigid: return viewFault(error);
     case ErrorCode::ClipPlaneHasNoNormal:
         return Errors::tr("A, B and C of the clip plane are all 0; one of them must differ.");
     }

@@ -195,8 +195,16 @@
         <translation>投影矩阵不是已知形式：第 %2 行第 %3 列为 %1。</translation>
     </message>
     <message>
-        <source>The view matrix does more than turn and move; its axes must be perpendicular and of length 1.</source>
-        <translation>观察矩阵不只是旋转和平移；它的各轴必须互相垂直且长度为 1。</translation>
+        <source>The view matrix does more than turn and move: %1 stands in row 4, column %2.</source>
+        <translation>观察矩阵不只是旋转和平移：第 4 行第 %2 列为 %1。</translation>
+    </message>
+    <message>
+        <source>The view matrix does more than turn and move: row %1 has the length %2, not 1.</source>
+        <translation>观察矩阵不只是旋转和平移：第 %1 行的长度为 %2，不是 1。</translation>
+    </message>
+    <message>
+        <source>The view matrix does more than turn and move: rows %1 and %2 are not perpendicular.</source>
+        <translation>观察矩阵不只是旋转和平移：第 %1 行与第 %2 行不垂直。</translation>
     </message>
 </context>
 <context>
