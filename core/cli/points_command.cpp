@@ -2,7 +2,7 @@
 
 #include "core/cli/clicks_command.h"
 #include "core/text/error_text.h"
-#include "core/unproject/batch/batch_unproject.h"
+#include "core/unproject/batch/click_batch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ struct Task {
     PointsOptions options;
     NumberReader reader;
     DepthRange depthRange;
-    std::optional<BatchUnprojection> formula, matrix;
+    std::optional<ClickBatch> formula, matrix;
     std::vector<std::string> names; ///< of the columns written
 };
 
@@ -92,7 +92,7 @@ private:
             py = m_centres[1].data();
         }
         const BatchInput<double> input{px, py, m_rows.values[2].data()};
-        const auto run = [&](const std::optional<BatchUnprojection> &method, Columns &points) {
+        const auto run = [&](const std::optional<ClickBatch> &method, Columns &points) {
             if (!method)
                 return;
             for (auto &column : points)
@@ -131,8 +131,7 @@ private:
             isFinite = isFinite && std::isfinite(value);
             writer.numberOrNothing(value);
         };
-        const auto addPoint = [&](bool isWanted, const std::optional<BatchUnprojection> &method,
-                                  const Columns &points) {
+        const auto addPoint = [&](bool isWanted, const std::optional<ClickBatch> &method, const Columns &points) {
             for (std::size_t k = 0; isWanted && k < 3; ++k) {
                 if (method)
                     add(points[k][row]);
@@ -175,8 +174,8 @@ private:
 };
 
 /// A method prepared for the scene, where it is wanted. One that does not hold for it says why, and its cells stay empty.
-void prepare(std::optional<BatchUnprojection> &target, bool isWanted, const char *name,
-             const Result<BatchUnprojection> &method, const std::string &scene)
+void prepare(std::optional<ClickBatch> &target, bool isWanted, const char *name, const Result<ClickBatch> &method,
+             const std::string &scene)
 {
     if (!isWanted)
         return;
@@ -217,10 +216,10 @@ ExitCode runPoints(const PointsOptions &options)
               {},
               {},
               pointColumns(options.methods)};
-    prepare(task.formula, options.methods != Methods::Matrix, "formula",
-            BatchUnprojection::byFormula(geometry, rows->space), options.rows.scene);
-    prepare(task.matrix, options.methods != Methods::Formula, "matrix",
-            BatchUnprojection::byMatrix(geometry, rows->space), options.rows.scene);
+    prepare(task.formula, options.methods != Methods::Matrix, "formula", ClickBatch::byFormula(geometry, rows->space),
+            options.rows.scene);
+    prepare(task.matrix, options.methods != Methods::Formula, "matrix", ClickBatch::byMatrix(geometry, rows->space),
+            options.rows.scene);
     if (!task.formula && !task.matrix)
         return ExitCode::UnusableInput;
 

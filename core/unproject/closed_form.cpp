@@ -114,24 +114,6 @@ double distanceFromDepthOrtho(double n, double f, double d)
     return boxDistance(n, f, sharesOf(d)).value;
 }
 
-Result<EyePoint> unprojectFrustum(const Frustum &frustum, const Viewport &viewport, const DepthRange &range,
-                                  const WindowPoint &window)
-{
-    return unprojectClosedForm(frustum, viewport, range, window);
-}
-
-Result<EyePoint> unprojectOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
-                                const WindowPoint &window)
-{
-    return unprojectClosedForm(ortho, viewport, range, window);
-}
-
-Result<EyePoint> unprojectOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
-                                  const WindowPoint &window)
-{
-    return unprojectClosedForm(oblique, viewport, range, window);
-}
-
 Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
                                      const WindowPoint &window)
 {

@@ -19,46 +19,36 @@ double distanceFromDepthPerspective(double nearDistance, double farDistance, dou
 /// z = n (1 - d) + f d: the inverse of glOrtho's third row, exact at both ends.
 double distanceFromDepthOrtho(double nearDistance, double farDistance, double unitDepth);
 
-/// Eye-space point under a window position for a frustum: no matrix is inverted.
+/// Eye-space point under a window position: no matrix is inverted. This is what a click, a row and a table compute.
+///
+/// Frustum; a Perspective is taken as its frustum, the edges not rounded:
 ///
 ///   x = (x_v - vx) (r - l) z / (width n) + l z / n        (9) with (7) x_v = px
 ///   y = (y_v - vy) (t - b) z / (height n) + b z / n       (10) with (8) y_v = rect.bottom - py
 ///   z = n f / (f (1 - d) + n d),  z_eye = -z
 ///
-/// Evaluated with z / n taken out, ((x_v - vx) (r - l) / width + l) z / n, and with 32 digits: the two terms of (9) and
-/// of (10) cancel near the view axis. Rounded once at the end, so the result is the double nearest to what the
-/// formulas say.
-/// @param window  device pixels, origin bottom-left, inside the viewport or not; depth in the depth range
-/// @return the errors of check(frustum), check(viewport), unitDepth; NotFinite for a NaN or infinite position
-/// Source: Weng et al. 2008, section 3. The paper leaves the sign of z open: it holds for the distance in front of
-///         the eye. It calls the result view-volume coordinates: they are eye coordinates.
-///         The errors of all of these include PointAtInfinity, when the numbers leave the range of doubles.
-Result<EyePoint> unprojectFrustum(const Frustum &frustum, const Viewport &viewport, const DepthRange &range,
-                                  const WindowPoint &window);
-
-/// Eye-space point under a window position for an orthographic box.
+/// Orthographic box:
 ///
 ///   x = (x_v - vx) (r - l) / width + l                    (11)
 ///   y = (y_v - vy) (t - b) / height + b                   (12)
 ///   z = n (1 - d) + f d,  z_eye = -z
 ///
-/// @return the errors of check(ortho), check(viewport), unitDepth; NotFinite
-/// Source: Weng et al. 2008, section 3. The paper gives x and y only.
-Result<EyePoint> unprojectOrtho(const Ortho &ortho, const Viewport &viewport, const DepthRange &range,
-                                const WindowPoint &window);
-
-/// (11) and (12), then the shear undone: x += cot(theta) z, y += cot(phi) z with z the distance in front of the eye.
-/// @return the errors of unprojectOrtho; ShearAngleOutOfRange
-Result<EyePoint> unprojectOblique(const Oblique &oblique, const Viewport &viewport, const DepthRange &range,
-                                  const WindowPoint &window);
-
-/// The one of the three that fits the projection; a Perspective is taken as its frustum, the edges not rounded.
-Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
-                                     const WindowPoint &window);
-
-/// unprojectClosedForm before it is rounded, for going on to world space: near the world's origin the digits of the eye
-/// cancel, and what an eye coordinate in double has dropped would be all that is left.
+/// Oblique: (11) and (12), then the shear undone: x += cot(theta) z, y += cot(phi) z with z the distance in front of the
+/// eye.
+///
+/// Evaluated with z / n taken out, ((x_v - vx) (r - l) / width + l) z / n, and with 32 digits: the two terms of (9) and
+/// of (10) cancel near the view axis. Not rounded yet, for going on to world space: near the world's origin the digits of
+/// the eye cancel, and what an eye coordinate in double has dropped would be all that is left.
+/// @param window  device pixels, origin bottom-left, inside the viewport or not; depth in the depth range
+/// @return the errors of check(projection), check(viewport), unitDepth; NotFinite for a NaN or infinite position;
+///         PointAtInfinity, when the numbers leave the range of doubles
+/// Source: Weng et al. 2008, section 3. The paper leaves the sign of z open: it holds for the distance in front of
+///         the eye. It calls the result view-volume coordinates: they are eye coordinates. For a box it gives x and y only.
 Result<PrecisePoint<EyeSpace>> preciseEyePoint(const Projection &projection, const Viewport &viewport,
                                                const DepthRange &range, const WindowPoint &window);
+
+/// The same rounded, once: the double nearest to what the formulas say.
+Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
+                                     const WindowPoint &window);
 
 } // namespace unprojector::unproject

@@ -3,7 +3,7 @@
 #include "core/cli/number_table.h"
 #include "core/cli/points_command.h"
 #include "core/cli/row_writer.h"
-#include "core/unproject/batch/batch_unproject.h"
+#include "core/unproject/batch/click_batch.h"
 
 #include <benchmark/benchmark.h>
 
@@ -51,8 +51,8 @@ void rows(benchmark::State &state, bool isComputing)
     const LineBlock text = block();
     const NumberReader reader("rows", {{"px", "py", "depth"}, {0, 1, 2}});
     const std::vector<std::string> names(10, "name");
-    const BatchUnprojection formula = *BatchUnprojection::byFormula(geometry(), {});
-    const BatchUnprojection matrix = *BatchUnprojection::byMatrix(geometry(), {});
+    const ClickBatch formula = *ClickBatch::byFormula(geometry(), {});
+    const ClickBatch matrix = *ClickBatch::byMatrix(geometry(), {});
     NumberRows numbers;
     std::vector<LineMessage> messages;
     std::array<std::vector<double>, 7> results;

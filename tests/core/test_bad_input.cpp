@@ -59,25 +59,6 @@ bool isError(const auto &result, ErrorCode code, double value, double other)
     return false;
 }
 
-/// The closed form by the projection's own function.
-Result<EyePoint> unprojectByItsOwnFunction(const Projection &projection, const Viewport &viewport,
-                                           const DepthRange &range, const WindowPoint &window)
-{
-    struct Visitor {
-        const Viewport &viewport;
-        const DepthRange &range;
-        const WindowPoint &window;
-        Result<EyePoint> operator()(const Frustum &p) const { return unprojectFrustum(p, viewport, range, window); }
-        Result<EyePoint> operator()(const Ortho &p) const { return unprojectOrtho(p, viewport, range, window); }
-        Result<EyePoint> operator()(const Oblique &p) const { return unprojectOblique(p, viewport, range, window); }
-        Result<EyePoint> operator()(const Perspective &p) const
-        {
-            return unprojectClosedForm(p, viewport, range, window); // has no function of its own
-        }
-    };
-    return std::visit(Visitor{viewport, range, window}, projection);
-}
-
 } // namespace
 
 class TestBadInput : public QObject {
@@ -109,7 +90,6 @@ void TestBadInput::theGoodInputOfTheseRowsIsAccepted()
         QVERIFY(check(projection));
         QVERIFY(clipFromEye(projection));
         QVERIFY(unprojectClosedForm(projection, kViewport, {}, kWindow));
-        QVERIFY(unprojectByItsOwnFunction(projection, kViewport, {}, kWindow));
         QVERIFY(unprojectByInverse<EyeSpace>(clipFromEye(projection).value(), kViewport, {}, kWindow));
     }
     QVERIFY(eyeFrame(LookAt{}));
@@ -187,7 +167,6 @@ void TestBadInput::aBadProjectionIsRefusedEverywhere()
     QVERIFY(isError(check(projection), code, value, other));
     QVERIFY(isError(clipFromEye(projection), code, value, other));
     QVERIFY(isError(unprojectClosedForm(projection, kViewport, {}, kWindow), code, value, other));
-    QVERIFY(isError(unprojectByItsOwnFunction(projection, kViewport, {}, kWindow), code, value, other));
 }
 
 void TestBadInput::aBadTargetIsRefusedByBothMethods_data()
@@ -235,7 +214,6 @@ void TestBadInput::aBadTargetIsRefusedByBothMethods()
          {Projection(kFrustum), Projection(kOrtho), Projection(kPerspective), Projection(kOblique)}) {
         const glm::dmat4 matrix = clipFromEye(projection).value();
         QVERIFY(isError(unprojectClosedForm(projection, viewport, range, window), code, value, other));
-        QVERIFY(isError(unprojectByItsOwnFunction(projection, viewport, range, window), code, value, other));
         QVERIFY(isError(unprojectByInverse<EyeSpace>(matrix, viewport, range, window), code, value, other));
         QVERIFY(isError(unprojectByInverse<WorldSpace>(matrix, viewport, range, window), code, value, other));
         QVERIFY(isError(unprojectByInverse<ObjectSpace>(matrix, viewport, range, window), code, value, other));
@@ -268,7 +246,6 @@ void TestBadInput::aBadDepthIsRefusedByTheClosedForm()
          {Projection(kFrustum), Projection(kOrtho), Projection(kPerspective), Projection(kOblique)}) {
         constexpr ErrorCode code = ErrorCode::DepthOutsideRange;
         QVERIFY(isError(unprojectClosedForm(projection, kViewport, range, window), code, depth, kNan));
-        QVERIFY(isError(unprojectByItsOwnFunction(projection, kViewport, range, window), code, depth, kNan));
         const auto byMatrix = unprojectByInverse<EyeSpace>(clipFromEye(projection).value(), kViewport, range, window);
         if (matrixHasAnAnswer)
             QVERIFY(byMatrix);

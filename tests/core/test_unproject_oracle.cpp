@@ -388,7 +388,7 @@ void TestUnprojectOracle::literalPixels()
     const glm::dmat4 clipFromWorld = clipFromEye(frustum).value() * eyeFromWorld(frame);
     const auto isUnder = [&](const WindowPoint &window, double tolerance) {
         const WorldPoint formula =
-            worldFromEye(frame, unprojectFrustum(frustum, viewport, DepthRange{}, window).value());
+            worldFromEye(frame, unprojectClosedForm(frustum, viewport, DepthRange{}, window).value());
         const WorldPoint matrix = unprojectByInverse<WorldSpace>(clipFromWorld, viewport, DepthRange{}, window).value();
         const auto isNear = [&](const glm::dvec3 &p) {
             return glm::all(glm::lessThan(glm::abs(p - world), glm::dvec3(tolerance)));

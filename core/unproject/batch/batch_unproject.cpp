@@ -178,20 +178,6 @@ Result<Constants> constantsOf(const MatrixProjection &projection, const Picture 
     return result;
 }
 
-const batch::Kernels &kernels(InstructionSet set)
-{
-#ifdef UNPROJECTOR_WIDE_KERNELS
-    switch (set) {
-    case InstructionSet::Avx512: return batch::kAvx512Kernels;
-    case InstructionSet::Avx2: return batch::kAvx2Kernels;
-    case InstructionSet::Baseline: break;
-    }
-#else
-    static_cast<void>(set);
-#endif
-    return batch::kBaselineKernels;
-}
-
 /// The first error of what both methods need of a picture.
 Check checkTarget(const Picture &geometry)
 {
@@ -286,9 +272,9 @@ void BatchUnprojection::operator()(const BatchInput<Scalar> &input, const BatchO
         });
     };
     if constexpr (std::is_same_v<Scalar, double>)
-        run(kernels(set).ofDoubles);
+        run(batch::kernelsOf(set).ofDoubles);
     else
-        run(kernels(set).ofFloats);
+        run(batch::kernelsOf(set).ofFloats);
 }
 
 template <class Scalar>
@@ -298,9 +284,9 @@ std::size_t BatchUnprojection::operator()(const batch::DepthRow &row, Scalar *po
         return withLoop(loops, [&](auto loop, const auto &constants) { return loop(constants, row, points); });
     };
     if constexpr (std::is_same_v<Scalar, double>)
-        return run(kernels(set).rowsOfDoubles);
+        return run(batch::kernelsOf(set).rowsOfDoubles);
     else
-        return run(kernels(set).rowsOfFloats);
+        return run(batch::kernelsOf(set).rowsOfFloats);
 }
 
 template void BatchUnprojection::operator()<double>(const BatchInput<double> &, const BatchOutput<double> &,

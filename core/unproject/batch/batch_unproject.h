@@ -15,6 +15,11 @@ enum class InstructionSet { Baseline, Avx2, Avx512 };
 /// The sets that this program was compiled for and this processor can run, Baseline first, the fastest last.
 const std::vector<InstructionSet> &availableInstructionSets();
 
+namespace batch {
+/// The loops compiled for a set.
+const Kernels &kernelsOf(InstructionSet set);
+} // namespace batch
+
 /// Where the results of a batch lie: in eye or world space, or in that of an object.
 struct BatchSpace {
     enum class Kind { Eye, World, Object };

@@ -80,4 +80,18 @@ const std::vector<InstructionSet> &availableInstructionSets()
     return sets;
 }
 
+const batch::Kernels &batch::kernelsOf(InstructionSet set)
+{
+#ifdef UNPROJECTOR_WIDE_KERNELS
+    switch (set) {
+    case InstructionSet::Avx512: return batch::kAvx512Kernels;
+    case InstructionSet::Avx2: return batch::kAvx2Kernels;
+    case InstructionSet::Baseline: break;
+    }
+#else
+    static_cast<void>(set);
+#endif
+    return batch::kBaselineKernels;
+}
+
 } // namespace unprojector::unproject

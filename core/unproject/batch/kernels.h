@@ -23,6 +23,34 @@ struct MatrixConstants {
     double rows[4][4];
 };
 
+/// A number with about 32 digits, value + rest, and its value as the sum of two numbers of 26 bits each.
+struct Twofold {
+    double value, rest, highHalf, lowHalf;
+};
+
+/// The closed forms as in ClosedFormConstants, with Y counted upwards, to be computed with about 30 digits.
+struct PreciseConstants {
+    double surfaceHeight;
+    Twofold axisX, axisY; ///< window position, origin bottom-left
+    double depthAtNear, depthAtFar;
+    Twofold nearTerm, farTerm;
+    Twofold origin[3], ahead[3], across[3], up[3];
+    /// How large the terms are that are added up: originSize + (reach + |X| acrossSize + |Y| upSize), and for a
+    /// perspective the bracket times z.
+    double originSize, reach, acrossSize, upSize;
+};
+
+/// How far, as a part of the largest terms, numbers of about 30 digits may be off, a click's and those here together.
+constexpr double kPreciseError = 0x1p-90;
+
+/// Window position to NDC, and rows of spaceFromClip.
+struct ClickMatrixConstants {
+    double surfaceHeight;
+    double x, y, width, height;                             ///< of the viewport
+    double depthAtNear, depthSize, depthScale, depthOffset; ///< z_n = scale (d - dn) / size - offset
+    double rows[4][4];
+};
+
 /// Results that fill more than this go past the caches (non-temporal stores): they would not be there any more when
 /// somebody reads them, and a cache line that is wholly overwritten need not be read first. More than the second-level
 /// cache of a core, less than what a program keeps in many arrays.
@@ -37,6 +65,15 @@ template <class Scalar>
 struct KernelsOf {
     Kernel<Scalar, ClosedFormConstants> perspective, box;
     Kernel<Scalar, MatrixConstants> matrix;
+};
+
+/// @param doubt  0 where x, y and z are as a click has them; else they are worthless and somebody slower must compute them
+using PreciseKernel = void (*)(const PreciseConstants &, const double *px, const double *py, const double *depth,
+                               double *x, double *y, double *z, double *doubt, std::size_t count);
+
+struct ClickKernels {
+    PreciseKernel perspective, box;
+    Kernel<double, ClickMatrixConstants> matrix;
 };
 
 /// A row of a depth image: the depth i is that of the device position (px + i, py).
@@ -65,6 +102,7 @@ struct Kernels {
     KernelsOf<float> ofFloats;
     RowKernelsOf<double> rowsOfDoubles;
     RowKernelsOf<float> rowsOfFloats;
+    ClickKernels clicks;
 };
 
 extern const Kernels kBaselineKernels;

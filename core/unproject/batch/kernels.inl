@@ -273,12 +273,15 @@ std::size_t unprojectRow(const typename Method::Constants &constants, const Dept
     return static_cast<std::size_t>(next - points) / 3;
 }
 
+#include "core/unproject/batch/precise.inl"
+
 } // namespace
 
 const Kernels UNPROJECTOR_KERNELS{
     {unproject<Perspective, double>, unproject<Box, double>, unproject<Matrix, double>},
     {unproject<Perspective, float>, unproject<Box, float>, unproject<Matrix, float>},
     {unprojectRow<Perspective, double>, unprojectRow<Box, double>, unprojectRow<Matrix, double>},
-    {unprojectRow<Perspective, float>, unprojectRow<Box, float>, unprojectRow<Matrix, float>}};
+    {unprojectRow<Perspective, float>, unprojectRow<Box, float>, unprojectRow<Matrix, float>},
+    {unprojectPrecisely<true>, unprojectPrecisely<false>, unproject<ClickMatrix, double>}};
 
 } // namespace unprojector::unproject::batch

@@ -53,6 +53,7 @@ struct Pack {
     friend Pack operator-(Pack a, Pack b) { return _mm256_sub_pd(a.lanes, b.lanes); }
     friend Pack operator*(Pack a, Pack b) { return _mm256_mul_pd(a.lanes, b.lanes); }
     friend Pack operator/(Pack a, Pack b) { return _mm256_div_pd(a.lanes, b.lanes); }
+    friend Pack magnitude(Pack a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.lanes); }
 };
 
 } // namespace

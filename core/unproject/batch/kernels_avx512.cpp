@@ -49,6 +49,7 @@ struct Pack {
     friend Pack operator-(Pack a, Pack b) { return _mm512_sub_pd(a.lanes, b.lanes); }
     friend Pack operator*(Pack a, Pack b) { return _mm512_mul_pd(a.lanes, b.lanes); }
     friend Pack operator/(Pack a, Pack b) { return _mm512_div_pd(a.lanes, b.lanes); }
+    friend Pack magnitude(Pack a) { return _mm512_andnot_pd(_mm512_set1_pd(-0.0), a.lanes); }
 
 private:
     static constexpr __mmask8 kAll = 0xff; // GCC 12 warns of its own unmasked conversions: "may be used uninitialized"

@@ -52,6 +52,7 @@ struct Pack {
     friend Pack operator-(Pack a, Pack b) { return _mm_sub_pd(a.lanes, b.lanes); }
     friend Pack operator*(Pack a, Pack b) { return _mm_mul_pd(a.lanes, b.lanes); }
     friend Pack operator/(Pack a, Pack b) { return _mm_div_pd(a.lanes, b.lanes); }
+    friend Pack magnitude(Pack a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a.lanes); }
 
 private:
     __m128i asFloats() const { return _mm_castps_si128(_mm_cvtpd_ps(lanes)); }
@@ -95,6 +96,7 @@ struct Pack {
     friend Pack operator-(Pack a, Pack b) { return Pack(a.lane - b.lane); }
     friend Pack operator*(Pack a, Pack b) { return Pack(a.lane * b.lane); }
     friend Pack operator/(Pack a, Pack b) { return Pack(a.lane / b.lane); }
+    friend Pack magnitude(Pack a) { return Pack(a.lane < 0.0 ? -a.lane : a.lane); }
 };
 
 #endif

@@ -1,0 +1,266 @@
+#include "core/unproject/batch/click_batch.h"
+
+#include "core/geometry/condition_number.h"
+#include "core/geometry/view_matrix.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace unprojector::unproject {
+namespace {
+
+using batch::Twofold;
+
+Twofold twofold(const DoubleDouble &number)
+{
+    const Halves halves(number.value);
+    return {number.value, number.rest, halves.high, halves.low};
+}
+
+void assign(Twofold (&target)[3], const DoubleDouble3 &v)
+{
+    for (std::size_t k = 0; k < 3; ++k)
+        target[k] = twofold(v[k]);
+}
+
+DoubleDouble3 scaled(const DoubleDouble3 &v, const DoubleDouble &factor)
+{
+    return {v[0] * factor, v[1] * factor, v[2] * factor};
+}
+
+DoubleDouble3 sum(const DoubleDouble3 &a, const DoubleDouble3 &b)
+{
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+double size(const DoubleDouble3 &v)
+{
+    return std::max({std::abs(v[0].value), std::abs(v[1].value), std::abs(v[2].value)});
+}
+
+PreciseAxes axesOf(const LookAt &camera)
+{
+    const PreciseEyeFrame frame = preciseEyeFrame(camera).value(); // the batch has checked it
+    return {{frame.eye.x, frame.eye.y, frame.eye.z},
+            frame.side,
+            frame.upward,
+            {-frame.forward[0], -frame.forward[1], -frame.forward[2]}};
+}
+
+PreciseAxes axesOf(const glm::dmat4 &eyeFromWorld)
+{
+    return preciseAxes(eyeFromWorld).value();
+}
+
+/// A lens, told in pixels: what formulas (9) to (12) are linear in.
+struct PixelLens {
+    bool isPerspective = true;
+    DoubleDouble axisX, axisY;      ///< window position of the view axis
+    DoubleDouble acrossX, upY;      ///< eye units a pixel, at the distance 1 for a perspective
+    DoubleDouble aheadX, aheadY;    ///< what the way by 1 along the axis shifts sideways
+    double side = -1.0;             ///< z_eye = side z
+    double depthAtNear, depthAtFar; ///< in the order in which the terms below go
+    DoubleDouble nearTerm, farTerm;
+};
+
+PixelLens pixelLens(const Projection &projection, const Picture &g)
+{
+    const ProjectionWindow w = projectionWindow(projection);
+    DoubleDouble left = w.left, right = w.right, bottom = w.bottom, top = w.top;
+    if (const auto *p = std::get_if<Perspective>(&projection)) {
+        top = p->nearDistance * preciseTangent(p->verticalFovRadians / 2.0);
+        right = top * p->aspect;
+        bottom = -top;
+        left = -right;
+    }
+    const DoubleDouble n = w.nearDistance, f = w.farDistance;
+    const DoubleDouble thickness = DoubleDouble(g.depthRange.atFar) - g.depthRange.atNear;
+    PixelLens lens;
+    lens.isPerspective = isPerspective(projection);
+    const DoubleDouble scale = lens.isPerspective ? n : DoubleDouble(1.0);
+    lens.axisX = g.viewport.x - left * g.viewport.width / (right - left);
+    lens.axisY = g.viewport.y - bottom * g.viewport.height / (top - bottom);
+    lens.acrossX = (right - left) / (g.viewport.width * scale);
+    lens.upY = (top - bottom) / (g.viewport.height * scale);
+    if (const auto *oblique = std::get_if<Oblique>(&projection)) {
+        lens.aheadX = preciseCotangent(oblique->thetaRadians);
+        lens.aheadY = preciseCotangent(oblique->phiRadians);
+    }
+    lens.depthAtNear = g.depthRange.atNear;
+    lens.depthAtFar = g.depthRange.atFar;
+    lens.nearTerm = lens.isPerspective ? n * thickness : n / thickness;
+    lens.farTerm = lens.isPerspective ? n / f : f / thickness;
+    return lens;
+}
+
+/// By the matrix's own numbers, see BatchUnprojection.
+PixelLens pixelLens(const MatrixProjection &projection, const Picture &g)
+{
+    const RecognisedProjection form = recognised(projection).value(); // the batch has checked it
+    const ProjectionCoefficients &c = form.coefficients;
+    const DoubleDouble thickness = DoubleDouble(g.depthRange.atFar) - g.depthRange.atNear;
+    const double ndcAtNear = form.ndcDepth == NdcDepth::ZeroToOne ? 0.0 : -c.w;
+    PixelLens lens;
+    lens.isPerspective = c.perspective;
+    lens.side = c.side;
+    lens.axisX = g.viewport.x + (DoubleDouble(c.w) - c.xOffset) * g.viewport.width / (2.0 * DoubleDouble(c.w));
+    lens.axisY = g.viewport.y + (DoubleDouble(c.w) - c.yOffset) * g.viewport.height / (2.0 * DoubleDouble(c.w));
+    lens.acrossX = 2.0 * DoubleDouble(c.w) / (DoubleDouble(g.viewport.width) * c.xScale);
+    lens.upY = 2.0 * DoubleDouble(c.w) / (DoubleDouble(g.viewport.height) * c.yScale);
+    lens.depthAtNear = g.depthRange.atNear;
+    lens.depthAtFar = g.depthRange.atFar;
+    if (!c.perspective) {
+        lens.aheadX = -c.side * c.xShear / DoubleDouble(c.xScale);
+        lens.aheadY = -c.side * c.yShear / DoubleDouble(c.yScale);
+        lens.nearTerm = c.side * (DoubleDouble(ndcAtNear) - c.zOffset) / c.zScale / thickness;
+        lens.farTerm = c.side * (DoubleDouble(c.w) - c.zOffset) / c.zScale / thickness;
+        return lens;
+    }
+    const DoubleDouble atNear = DoubleDouble(ndcAtNear) + c.zScale, atFar = DoubleDouble(c.w) + c.zScale;
+    const bool isTurnedRound = std::abs(atFar.value) > std::abs(atNear.value); // far may be at infinity, and atNear 0
+    if (isTurnedRound)
+        std::swap(lens.depthAtNear, lens.depthAtFar);
+    lens.nearTerm = c.zOffset * (isTurnedRound ? -thickness : thickness) / (isTurnedRound ? atFar : atNear);
+    lens.farTerm = isTurnedRound ? atNear / atFar : atFar / atNear;
+    return lens;
+}
+
+batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &axes, const Picture &g)
+{
+    const DoubleDouble3 across = scaled(axes.x, lens.acrossX), up = scaled(axes.y, lens.upY);
+    const DoubleDouble3 ahead =
+        sum(scaled(axes.z, lens.side), sum(scaled(axes.x, lens.aheadX), scaled(axes.y, lens.aheadY)));
+    batch::PreciseConstants c{};
+    c.surfaceHeight = g.surface.heightPixels;
+    c.axisX = twofold(lens.axisX);
+    c.axisY = twofold(lens.axisY);
+    c.depthAtNear = lens.depthAtNear;
+    c.depthAtFar = lens.depthAtFar;
+    c.nearTerm = twofold(lens.nearTerm);
+    c.farTerm = twofold(lens.farTerm);
+    assign(c.origin, axes.origin);
+    assign(c.ahead, ahead);
+    assign(c.across, across);
+    assign(c.up, up);
+
+    // A click counts from the viewport's edge, and sums as far as that.
+    const auto fromEdge = [](const DoubleDouble &axis, double edge, double extent) {
+        return std::max(std::abs(axis.value - edge), std::abs(axis.value - edge - extent)) + std::abs(edge);
+    };
+    constexpr double kTiny = 0x1p-900; // where products of rests underflow
+    c.acrossSize = size(across);
+    c.upSize = size(up);
+    c.originSize = size(axes.origin) + kTiny;
+    c.reach = size(ahead) + std::abs(lens.aheadX.value) + std::abs(lens.aheadY.value)
+              + c.acrossSize * fromEdge(lens.axisX, g.viewport.x, g.viewport.width)
+              + c.upSize * fromEdge(lens.axisY, g.viewport.y, g.viewport.height);
+    if (!lens.isPerspective) {
+        const double thickness = std::abs(g.depthRange.atFar - g.depthRange.atNear);
+        c.reach += (size(ahead) + 1.0) * (std::abs(lens.nearTerm.value) + std::abs(lens.farTerm.value)) * thickness;
+    }
+    return c;
+}
+
+} // namespace
+
+Result<glm::dvec3> ClickBatch::Formula::exactly(const WindowPoint &window) const
+{
+    const auto coordinates = [](const auto &point) -> Result<glm::dvec3> {
+        if (!point)
+            return point.error();
+        return point->coordinates();
+    };
+    return space == BatchSpace::Kind::Eye ? coordinates(unprojector.eyeAt(Method::Formula, window))
+                                          : coordinates(unprojector.worldAt(Method::Formula, window));
+}
+
+Result<ClickBatch> ClickBatch::byFormula(const Picture &geometry, const BatchSpace &space)
+{
+    const Result<BatchUnprojection> plain = BatchUnprojection::byFormula(geometry, space);
+    if (!plain)
+        return plain.error();
+    if (space.kind == BatchSpace::Kind::Object)
+        return ClickBatch(*plain);
+    const Result<Unprojector> unprojector = Unprojector::of(geometry);
+    if (!unprojector)
+        return unprojector.error();
+    PreciseAxes axes{{}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    if (space.kind != BatchSpace::Kind::Eye)
+        axes = std::visit([](const auto &view) { return axesOf(view); }, geometry.pose);
+    const PixelLens lens =
+        std::visit([&](const auto &projection) { return pixelLens(projection, geometry); }, geometry.lens);
+    return ClickBatch(Formula{*unprojector, space.kind, lens.isPerspective, constantsOf(lens, axes, geometry)});
+}
+
+Result<ClickBatch> ClickBatch::byMatrix(const Picture &geometry, const BatchSpace &space)
+{
+    const Result<BatchUnprojection> plain = BatchUnprojection::byMatrix(geometry, space);
+    if (!plain)
+        return plain.error();
+    if (space.kind == BatchSpace::Kind::Object)
+        return ClickBatch(*plain);
+    glm::dmat4 clipFromSpace = clipFromEye(geometry).value();
+    if (space.kind != BatchSpace::Kind::Eye)
+        clipFromSpace = clipFromSpace * eyeFromWorld(geometry).value();
+    if (isSingular(clipFromSpace))
+        return Error{ErrorCode::SingularMatrix};
+    const bool zeroToOne = ndcDepthOf(geometry) == NdcDepth::ZeroToOne;
+    const Viewport &v = geometry.viewport;
+    batch::ClickMatrixConstants c{double(geometry.surface.heightPixels),
+                                  v.x,
+                                  v.y,
+                                  v.width,
+                                  v.height,
+                                  geometry.depthRange.atNear,
+                                  geometry.depthRange.atFar - geometry.depthRange.atNear,
+                                  zeroToOne ? 1.0 : 2.0,
+                                  zeroToOne ? 0.0 : 1.0,
+                                  {}};
+    const glm::dmat4 inverse = glm::inverse(clipFromSpace);
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column)
+            c.rows[row][column] = inverse[column][row];
+    }
+    return ClickBatch(c);
+}
+
+void ClickBatch::operator()(const BatchInput<double> &input, const BatchOutput<double> &output, std::size_t count,
+                            InstructionSet set) const
+{
+    if (const auto *plain = std::get_if<BatchUnprojection>(&m_method)) {
+        (*plain)(input, output, count, set);
+        return;
+    }
+    const batch::ClickKernels &loops = batch::kernelsOf(set).clicks;
+    if (const auto *matrix = std::get_if<batch::ClickMatrixConstants>(&m_method)) {
+        loops.matrix(*matrix, input.px, input.py, input.depth, output.x, output.y, output.z, count);
+        return;
+    }
+    const Formula &formula = *std::get_if<Formula>(&m_method);
+    const batch::PreciseKernel loop = formula.isPerspective ? loops.perspective : loops.box;
+    std::array<double, 1024> doubt;
+    for (std::size_t begin = 0; begin < count; begin += doubt.size()) {
+        const std::size_t part = std::min(doubt.size(), count - begin);
+        loop(formula.constants, input.px + begin, input.py + begin, input.depth + begin, output.x + begin,
+             output.y + begin, output.z + begin, doubt.data(), part);
+        for (std::size_t k = 0; k < part; ++k) {
+            if (doubt[k] == 0.0)
+                continue;
+            const std::size_t i = begin + k;
+            const WindowPoint window = windowFromDevice(formula.unprojector.picture().surface,
+                                                        DevicePoint(input.px[i], input.py[i]), input.depth[i]);
+            const Result<glm::dvec3> exact = formula.exactly(window);
+            const glm::dvec3 point = exact ? *exact : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+            output.x[i] = point.x;
+            output.y[i] = point.y;
+            output.z[i] = point.z;
+        }
+    }
+}
+
+} // namespace unprojector::unproject

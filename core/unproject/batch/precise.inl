@@ -1,0 +1,167 @@
+// The closed forms with about 30 digits, for rows that must have the digits of a click. Included by kernels.inl.
+
+/// A number as high + low, where low may be a few units in the last place of high.
+struct TwoPacks {
+    Pack high, low;
+};
+
+Pack lostBySum(Pack a, Pack b, Pack sum)
+{
+    const Pack bOfSum = sum - a;
+    return (a - (sum - bOfSum)) + (b - bOfSum);
+}
+
+TwoPacks difference(Pack a, Pack b)
+{
+    const Pack minusB = Pack(0.0) - b, high = a - b;
+    return {high, lostBySum(a, minusB, high)};
+}
+
+TwoPacks operator+(TwoPacks a, TwoPacks b)
+{
+    const Pack high = a.high + b.high;
+    return {high, lostBySum(a.high, b.high, high) + (a.low + b.low)};
+}
+
+/// A factor, halved for products (Veltkamp). Beyond 2^970 it becomes NaN, and the point is left to others.
+struct Factor {
+    TwoPacks number;
+    Pack highHalf, lowHalf;
+
+    Factor(TwoPacks a) : number(a)
+    {
+        const Pack product = Pack(0x1p27 + 1.0) * a.high;
+        highHalf = product - (product - a.high);
+        lowHalf = a.high - highHalf;
+    }
+    Factor(const Twofold &a)
+        : number{Pack(a.value), Pack(a.rest)}, highHalf(Pack(a.highHalf)), lowHalf(Pack(a.lowHalf))
+    {
+    }
+};
+
+/// Dekker's product of two doubles: what a b leaves out.
+Pack lostByProduct(const Factor &a, const Factor &b, Pack product)
+{
+    return a.lowHalf * b.lowHalf
+           - (((product - a.highHalf * b.highHalf) - a.lowHalf * b.highHalf) - a.highHalf * b.lowHalf);
+}
+
+TwoPacks operator*(const Factor &a, const Factor &b)
+{
+    const Pack high = a.number.high * b.number.high;
+    return {high, lostByProduct(a, b, high) + (a.number.high * b.number.low + a.number.low * b.number.high)};
+}
+
+TwoPacks quotient(TwoPacks a, TwoPacks b)
+{
+    const Pack high = a.high / b.high;
+    const Factor factor(TwoPacks{high, Pack(0.0)}), divisor(b);
+    const Pack product = high * b.high;
+    const Pack remainder =
+        ((a.high - product) - lostByProduct(factor, divisor, product)) + (a.low - high * b.low);
+    return {high, remainder / b.high};
+}
+
+/// high + low rounded to a double, if all numbers within `error` of it are rounded to the same.
+/// @return what is above 0, or NaN, where they are not
+Pack rounded(TwoPacks number, Pack error, Pack &to)
+{
+    const Pack sum = number.high + number.low;
+    const Pack rest = lostBySum(number.high, number.low, sum);
+    to = sum + (rest + error);
+    return to - (sum + (rest - error));
+}
+
+/// Both closed forms; see PreciseConstants.
+template <bool isPerspective>
+void unprojectPrecisely(const PreciseConstants &c, Pack px, Pack py, Pack d, Pack (&p)[3], Pack &doubt)
+{
+    const auto fromAxis = [](Pack position, const Twofold &axis) {
+        const TwoPacks way = difference(position, Pack(axis.value));
+        return Factor(TwoPacks{way.high, way.low - Pack(axis.rest)});
+    };
+    const Factor x = fromAxis(px, c.axisX), y = fromAxis(Pack(c.surfaceHeight) - py, c.axisY);
+    const TwoPacks toFar = difference(Pack(c.depthAtFar), d), fromNear = difference(d, Pack(c.depthAtNear));
+    const TwoPacks atNear = isPerspective ? toFar : Factor(toFar) * Factor(c.nearTerm);
+    const TwoPacks both = atNear + Factor(fromNear) * Factor(c.farTerm);
+    const TwoPacks distance =
+        isPerspective ? quotient(TwoPacks{Pack(c.nearTerm.value), Pack(c.nearTerm.rest)}, both) : both;
+    const Factor z(distance);
+
+    Pack size = Pack(c.reach) + (magnitude(x.number.high) * Pack(c.acrossSize) + magnitude(y.number.high) * Pack(c.upSize));
+    if (isPerspective)
+        size = size * magnitude(distance.high);
+    const Pack error = (Pack(c.originSize) + size) * Pack(kPreciseError);
+
+    doubt = Pack(0.0);
+    for (int k = 0; k < 3; ++k) {
+        const TwoPacks origin{Pack(c.origin[k].value), Pack(c.origin[k].rest)};
+        const TwoPacks sideways = Factor(c.across[k]) * x + Factor(c.up[k]) * y;
+        const TwoPacks ahead{Pack(c.ahead[k].value), Pack(c.ahead[k].rest)};
+        const TwoPacks point = isPerspective ? origin + Factor(sideways + ahead) * z
+                                             : origin + (sideways + Factor(c.ahead[k]) * z);
+        doubt = doubt + rounded(point, error, p[k]);
+    }
+}
+
+template <bool isPerspective>
+void unprojectPrecisely(const PreciseConstants &constants, const double *px, const double *py, const double *depth,
+                        double *x, double *y, double *z, double *doubt, std::size_t count)
+{
+    const PreciseConstants c = constants; // no store can change it
+    const auto pack = [&](const double *fromX, const double *fromY, const double *fromDepth, double *toX, double *toY,
+                          double *toZ, double *toDoubt) {
+        Pack p[3], uncertain;
+        unprojectPrecisely<isPerspective>(c, Pack::loaded(fromX), Pack::loaded(fromY), Pack::loaded(fromDepth), p,
+                                          uncertain);
+        p[0].store(toX);
+        p[1].store(toY);
+        p[2].store(toZ);
+        uncertain.store(toDoubt);
+    };
+    std::size_t i = 0;
+    for (; i + Pack::kLanes <= count; i += Pack::kLanes)
+        pack(px + i, py + i, depth + i, x + i, y + i, z + i, doubt + i);
+    if (i == count)
+        return;
+    double in[3][Pack::kLanes] = {}, out[4][Pack::kLanes];
+    for (std::size_t k = i; k < count; ++k) {
+        in[0][k - i] = px[k];
+        in[1][k - i] = py[k];
+        in[2][k - i] = depth[k];
+    }
+    pack(in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
+    for (std::size_t k = i; k < count; ++k) {
+        x[k] = out[0][k - i];
+        y[k] = out[1][k - i];
+        z[k] = out[2][k - i];
+        doubt[k] = out[3][k - i];
+    }
+}
+
+/// gluUnProject's way, each step rounded as MatrixInverse rounds it.
+class ClickMatrix {
+public:
+    using Constants = ClickMatrixConstants;
+
+    ClickMatrix(const Constants &c, Pack py)
+        : m_y(Pack(2.0) * ((Pack(c.surfaceHeight) - py) - Pack(c.y)) / Pack(c.height) - Pack(1.0))
+    {
+    }
+    void unproject(const Constants &c, Pack px, Pack d, Pack (&p)[3]) const
+    {
+        const Pack x = Pack(2.0) * (px - Pack(c.x)) / Pack(c.width) - Pack(1.0);
+        const Pack z = Pack(c.depthScale) * (d - Pack(c.depthAtNear)) / Pack(c.depthSize) - Pack(c.depthOffset);
+        const auto product = [&](int row) { // in GLM's order
+            return (Pack(c.rows[row][0]) * x + Pack(c.rows[row][1]) * m_y)
+                   + (Pack(c.rows[row][2]) * z + Pack(c.rows[row][3]));
+        };
+        const Pack w = product(3);
+        for (int k = 0; k < 3; ++k)
+            p[k] = product(k) / w;
+    }
+
+private:
+    Pack m_y;
+};

@@ -1,0 +1,173 @@
+// Rows have the digits of a click, to the last one, on every instruction set.
+
+#include "core/unproject/batch/click_batch.h"
+#include "tests/support/core_scene.h"
+#include "tests/support/instruction_sets.h"
+#include "tests/support/unprojecting.h"
+
+#include <QTest>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
+
+namespace {
+
+using Columns = std::array<std::vector<double>, 3>;
+
+/// Clicks anywhere in the picture, on whole pixels' centres and at the ends of the depth range.
+Columns clicksOn(oracle::Random &random, const Picture &g, std::size_t count)
+{
+    Columns clicks;
+    for (std::size_t i = 0; i < count; ++i) {
+        double px = random.uniform(0.0, g.surface.widthPixels), py = random.uniform(0.0, g.surface.heightPixels);
+        if (i % 2 == 0) {
+            px = std::floor(px) + kHalfPixel;
+            py = std::floor(py) + kHalfPixel;
+        }
+        double share = random.uniform(0.0, 1.0);
+        if (i % 16 < 2)
+            share = double(i % 16);
+        const double depth = g.depthRange.atNear + share * (g.depthRange.atFar - g.depthRange.atNear);
+        clicks[0].push_back(px);
+        clicks[1].push_back(py);
+        clicks[2].push_back(depth);
+    }
+    return clicks;
+}
+
+Columns unprojected(const ClickBatch &batch, const Columns &clicks, InstructionSet set)
+{
+    Columns points;
+    for (auto &column : points)
+        column.resize(clicks[0].size());
+    batch({clicks[0].data(), clicks[1].data(), clicks[2].data()},
+          {points[0].data(), points[1].data(), points[2].data()}, clicks[0].size(), set);
+    return points;
+}
+
+template <class Space>
+bool areTheClicks(const Columns &points, const std::vector<Result<Point<Space>>> &expected)
+{
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const double is = points[std::size_t(k)][i];
+            if (expected[i] ? is != (*expected[i])[k] : std::isfinite(is)) {
+                qWarning("row %d, coordinate %d: %.17g is not %.17g", int(i), k, is,
+                         expected[i] ? (*expected[i])[k] : std::nan(""));
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Every second scene comes as matrices, every fourth with numbers in single precision.
+Picture pictureOf(oracle::Random &random, oracle::RandomKind kind, int i)
+{
+    Picture g = oracle::corePicture(oracle::randomScene(random, kind, {}));
+    if (i % 3 == 1)
+        std::swap(g.depthRange.atNear, g.depthRange.atFar);
+    if (i % 2 == 0)
+        return g;
+    glm::dmat4 projection = clipFromEye(g).value(), view = eyeFromWorld(g).value();
+    if (i % 4 == 1) {
+        projection = glm::dmat4(glm::mat4(projection));
+        view = glm::dmat4(glm::mat4(view));
+    }
+    g.lens = MatrixProjection{projection, NdcDepth::MinusOneToOne};
+    g.pose = view;
+    return g;
+}
+
+} // namespace
+
+class TestClickBatch : public QObject {
+    Q_OBJECT
+
+private slots:
+    void rowsHaveTheDigitsOfAClick_data();
+    void rowsHaveTheDigitsOfAClick();
+    void aCoordinateOfZeroIsOne();
+};
+
+void TestClickBatch::rowsHaveTheDigitsOfAClick_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("set");
+    const std::array<std::pair<const char *, oracle::RandomKind>, 4> kinds{
+        {{"frustum", oracle::RandomKind::Frustum},
+         {"perspective", oracle::RandomKind::Perspective},
+         {"box", oracle::RandomKind::Ortho},
+         {"sheared box", oracle::RandomKind::Oblique}}};
+    for (const auto &[kindName, kind] : kinds) {
+        for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512})
+            QTest::addRow("%s, %s", kindName, name(set)) << int(kind) << int(set);
+    }
+}
+
+void TestClickBatch::rowsHaveTheDigitsOfAClick()
+{
+    QFETCH(int, kind);
+    QFETCH(int, set);
+    const auto is = InstructionSet(set);
+    SKIP_WITHOUT(is);
+    constexpr std::size_t kClicks = 67; // whole packs and a rest
+    oracle::Random random(11);
+    int refused = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Picture g = pictureOf(random, oracle::RandomKind(kind), i);
+        const Columns clicks = clicksOn(random, g, kClicks);
+        std::vector<Unprojected> expected;
+        for (std::size_t k = 0; k < kClicks; ++k) {
+            const DevicePoint at(clicks[0][k], clicks[1][k]);
+            expected.push_back(unprojectedAt(g, windowFromDevice(g.surface, at, clicks[2][k])));
+        }
+        const auto answers = [&](auto method) {
+            std::vector<std::decay_t<decltype(method(expected[0]))>> all;
+            for (const Unprojected &c : expected)
+                all.push_back(method(c));
+            return all;
+        };
+        const auto eyeFormula = ClickBatch::byFormula(g, {BatchSpace::Kind::Eye, {}});
+        const auto worldFormula = ClickBatch::byFormula(g, {});
+        const auto eyeMatrix = ClickBatch::byMatrix(g, {BatchSpace::Kind::Eye, {}});
+        const auto worldMatrix = ClickBatch::byMatrix(g, {});
+        if (!worldFormula) {
+            QVERIFY(!expected[0].world[Method::Formula]);
+            ++refused;
+            continue;
+        }
+        QVERIFY(areTheClicks(unprojected(*eyeFormula, clicks, is),
+                             answers([](auto &c) { return c.eye[Method::Formula]; })));
+        QVERIFY(areTheClicks(unprojected(*worldFormula, clicks, is),
+                             answers([](auto &c) { return c.world[Method::Formula]; })));
+        if (eyeMatrix)
+            QVERIFY(areTheClicks(unprojected(*eyeMatrix, clicks, is),
+                                 answers([](auto &c) { return c.eye[Method::Matrix]; })));
+        if (worldMatrix)
+            QVERIFY(areTheClicks(unprojected(*worldMatrix, clicks, is),
+                                 answers([](auto &c) { return c.world[Method::Matrix]; })));
+    }
+    QVERIFY(refused < 30);
+}
+
+void TestClickBatch::aCoordinateOfZeroIsOne()
+{
+    Picture g;
+    g.surface = {4, 4, 1.0};
+    g.viewport = wholeSurface(g.surface);
+    g.lens = Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 3.0};
+    g.pose = LookAt{WorldPoint(0, 0, 1), WorldPoint(0, 0, 0), {0, 1, 0}};
+    const Columns clicks{std::vector{2.0}, std::vector{2.0}, std::vector{0.0}};
+    const Columns points = unprojected(ClickBatch::byFormula(g, {}).value(), clicks, InstructionSet::Baseline);
+    for (const auto &column : points)
+        QCOMPARE(column[0], 0.0);
+}
+
+QTEST_GUILESS_MAIN(TestClickBatch)
+#include "test_click_batch.moc"
