@@ -48,10 +48,11 @@ constexpr std::size_t kMostClipPlanes = 6;
 struct ClipPlaneOff {
     std::size_t place = 0; ///< in the list of all planes, those that cut and those that do not
     glm::dvec4 plane{0.0};
+    friend bool operator==(const ClipPlaneOff &, const ClipPlaneOff &) = default;
 };
 
-/// What is shown and how: everything but the window's size.
-struct Scene {
+/// How the objects are shown: everything but the objects and the window's size.
+struct SceneSettings {
     LookAt camera;
     LookAt home; ///< the camera that the scene opened with
     Projection projection;
@@ -59,11 +60,15 @@ struct Scene {
     bool clipDistancesFitObjects = true;   ///< near and far hold the objects tightly
     ViewportRule viewport;
     DepthRange depthRange;
-    std::vector<SceneObject> objects;
     /// (A, B, C, D): of the objects only what has A x + B y + C z + D >= 0 in world space is drawn (glClipPlane).
     std::vector<glm::dvec4> clipPlanes;
     /// Planes that are switched off, by place. With `clipPlanes` no more than kMostClipPlanes.
     std::vector<ClipPlaneOff> clipPlanesOff;
+};
+
+/// What is shown and how: everything but the window's size.
+struct Scene : SceneSettings {
+    std::vector<SceneObject> objects;
 };
 
 /// The axis-aligned box around all objects, world space; empty without any.

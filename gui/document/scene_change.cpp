@@ -15,16 +15,14 @@ SceneChange::SceneChange(SceneDocument &document, SceneState before, SceneState 
 
 void SceneChange::undo()
 {
-    const Check applied = m_document.restore(m_before);
-    Q_ASSERT(applied.hasValue());
+    m_document.restore(m_before);
 }
 
 void SceneChange::redo()
 {
     if (std::exchange(m_isApplied, false))
         return;
-    const Check applied = m_document.restore(m_after);
-    Q_ASSERT(applied.hasValue());
+    m_document.restore(m_after);
 }
 
 bool SceneChange::mergeWith(const QUndoCommand *next)

@@ -6,20 +6,24 @@
 #include <QUndoCommand>
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace unprojector::gui {
 using namespace scene;
 
 class SceneDocument;
 
-/// A scene and the number of the edit that made it: looking around leaves that as it is. Two states of the same number
-/// differ in the view at most.
+/// A state of the document. Copies share the objects, of which there may be many: a look around costs a few numbers.
 struct SceneState {
-    Scene scene;
+    SceneSettings settings;
+    std::shared_ptr<const std::vector<SceneObject>> objects;
+    /// The number of the edit that made it: looking around leaves that as it is. Two states of the same number differ
+    /// in the view at most.
     std::uint64_t edit = 0;
 };
 
-/// One undoable change: the scene before and after it. Scenes are small; the models in them are shared.
+/// One undoable change: the state before and after it.
 class SceneChange : public QUndoCommand {
 public:
     SceneChange(SceneDocument &document, SceneState before, SceneState after, const QString &text, QString mergeKey);

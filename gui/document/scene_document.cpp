@@ -1,11 +1,10 @@
 #include "gui/document/scene_document.h"
 
-#include "gui/document/scene_change.h"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace unprojector::gui {
@@ -30,53 +29,112 @@ Projection initialProjection()
     return Perspective{kFovyRadians, 1.0, 0.1, 100.0};
 }
 
+/// Whether a list only got longer: every object kept its place.
+bool isStartOf(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
+{
+    const auto isSameObject = [](const SceneObject &x, const SceneObject &y) {
+        return x.model == y.model && x.name == y.name && x.file == y.file;
+    };
+    return a.size() <= b.size() && std::equal(a.begin(), a.end(), b.begin(), isSameObject);
+}
+
 } // namespace
+
+class SceneDocument::Telling {
+public:
+    explicit Telling(SceneDocument &document) : m_document(document) { ++m_document.m_tellings; }
+    ~Telling()
+    {
+        if (--m_document.m_tellings == 0)
+            m_document.tell({});
+    }
+    Telling(const Telling &) = delete;
+    Telling &operator=(const Telling &) = delete;
+
+private:
+    SceneDocument &m_document;
+};
 
 SceneDocument::SceneDocument(QObject *parent) : QObject(parent)
 {
     m_undoStack.setUndoLimit(200);
-    connect(&m_undoStack, &QUndoStack::indexChanged, this, &SceneDocument::stateChanged);
-    connect(&m_undoStack, &QUndoStack::cleanChanged, this, &SceneDocument::stateChanged);
-    m_scene.projection = initialProjection();
-    const Check opened = open(m_scene);
+    const auto tellHistory = [this] { tell(Change::History); };
+    connect(&m_undoStack, &QUndoStack::indexChanged, this, tellHistory);
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, tellHistory);
+    m_state.objects = std::make_shared<const std::vector<SceneObject>>();
+    Scene empty;
+    empty.projection = initialProjection();
+    const Check opened = open(std::move(empty));
     Q_ASSERT(opened.hasValue());
 }
 
-Check SceneDocument::apply(Scene scene)
+void SceneDocument::tell(Changes changes)
 {
-    const Box bounds = m_bounds, ground = m_ground;
-    const double spacing = m_groundSpacing;
-    m_bounds = boundsOf(scene);
-    updateGround();
-    const Result<Picture> picture = pictureOf(scene, m_surface, m_ground);
+    m_untold |= changes;
+    if (m_tellings > 0 || !m_untold)
+        return;
+    emit changed(std::exchange(m_untold, {}));
+}
+
+SceneState SceneDocument::with(SceneSettings settings) const
+{
+    SceneState state = m_state;
+    state.settings = std::move(settings);
+    return state;
+}
+
+Result<Changes> SceneDocument::take(const SceneState &state)
+{
+    // In place, since a copy of the scene would copy all its objects; and back again where that is no picture.
+    const auto put = [this](const SceneState &which, bool withObjects) {
+        static_cast<SceneSettings &>(m_scene) = which.settings;
+        if (withObjects)
+            m_scene.objects = *which.objects;
+    };
+    const bool hasOtherObjects = state.objects != m_state.objects;
+    put(state, hasOtherObjects);
+    const Box bounds = hasOtherObjects ? boundsOf(m_scene) : m_bounds;
+    const Ground ground = hasOtherObjects ? groundUnder(bounds) : m_ground;
+    const Result<Picture> picture = pictureOf(m_scene, m_surface, ground.box);
     Result<Unprojector> unprojector = picture ? Unprojector::of(*picture) : picture.error();
     if (!unprojector) {
-        m_bounds = bounds;
-        m_ground = ground;
-        m_groundSpacing = spacing;
+        put(m_state, hasOtherObjects);
         return unprojector.error();
     }
-    m_unprojector = std::move(unprojector).value();
-    m_scene = std::move(scene);
+
+    Changes changes;
+    if (!m_unprojector || picture->surface != geometry().surface || picture->viewport != geometry().viewport)
+        changes |= Change::Picture;
     // What follows the window is kept as it came out, so that fields show the numbers in use.
-    m_scene.projection = geometry().projection();
-    emit geometryChanged();
-    return std::monostate{};
+    m_scene.projection = picture->projection();
+    changes |= changesBetween(m_state.settings, m_scene);
+    if (hasOtherObjects)
+        changes |= changesBetween(*m_state.objects, m_scene.objects);
+    // A pick may be on an object that went, and knows it by its place in the list.
+    if (changes.testFlag(Change::Objects) && m_pick && !isStartOf(*m_state.objects, m_scene.objects)) {
+        m_pick.reset();
+        changes |= Change::Pick;
+    }
+    m_unprojector = std::move(unprojector).value();
+    m_bounds = bounds;
+    m_ground = ground;
+    m_state = state;
+    m_state.settings.projection = m_scene.projection;
+    return changes;
 }
 
 Check SceneDocument::open(Scene scene)
 {
-    if (const Result<Picture> geometry = pictureOf(scene, m_surface, {}); !geometry)
-        return geometry.error();
-    m_savedEdit = m_edit = ++m_lastEdit;
+    const Telling telling(*this);
+    auto objects = std::make_shared<const std::vector<SceneObject>>(std::move(scene.objects));
+    const Result<Changes> taken = take({std::move(scene), std::move(objects), m_lastEdit + 1});
+    if (!taken)
+        return taken.error();
+    m_savedEdit = ++m_lastEdit;
     m_undoStack.clear();
-    const bool hadPick = m_pick.has_value();
-    m_pick.reset();
-    const Check applied = apply(std::move(scene));
-    emit objectsChanged();
-    if (hadPick)
-        emit pickChanged();
-    return applied;
+    clearPick();
+    tell(kSeen | Change::Pick | Change::History);
+    return std::monostate{};
 }
 
 void SceneDocument::setObjects(std::vector<SceneObject> objects, const LookAt &home)
@@ -104,64 +162,147 @@ void SceneDocument::setObjects(std::vector<SceneObject> objects)
     setObjects(std::move(scene.objects), camera);
 }
 
-Check SceneDocument::change(Scene scene, const QString &text, const QString &mergeKey)
+Check SceneDocument::record(const SceneState &state, const Deed &deed)
 {
-    return record(std::move(scene), m_lastEdit + 1, text, mergeKey);
-}
-
-Check SceneDocument::look(Scene scene, const QString &text, const QString &mergeKey)
-{
-    return record(std::move(scene), m_edit, text, mergeKey);
-}
-
-Check SceneDocument::record(Scene scene, std::uint64_t edit, const QString &text, const QString &mergeKey)
-{
-    SceneState before{m_scene, m_edit};
-    SceneState after{std::move(scene), edit};
-    if (const Check restored = restore(after); !restored)
-        return restored;
-    m_lastEdit = std::max(m_lastEdit, edit);
-    m_undoStack.push(new SceneChange(*this, std::move(before), std::move(after), text, mergeKey));
+    const Telling telling(*this);
+    const SceneState before = m_state;
+    const Result<Changes> taken = take(state);
+    if (!taken)
+        return taken.error();
+    if (!*taken) {
+        m_state = before;
+        return std::monostate{};
+    }
+    tell(*taken);
+    m_lastEdit = std::max(m_lastEdit, state.edit);
+    m_undoStack.push(new SceneChange(*this, before, m_state, deed.text, deed.mergeKey));
     return std::monostate{};
 }
 
-Check SceneDocument::restore(const SceneState &state)
+void SceneDocument::restore(const SceneState &state)
 {
-    const Check applied = apply(state.scene);
-    if (applied)
-        m_edit = state.edit;
-    return applied;
+    const Result<Changes> taken = take(state);
+    Q_ASSERT(taken.hasValue());
+    if (taken)
+        m_untold |= *taken;
+}
+
+Check SceneDocument::edit(SceneSettings settings, const Deed &deed)
+{
+    SceneState state = with(std::move(settings));
+    state.edit = m_lastEdit + 1;
+    return record(state, deed);
+}
+
+Check SceneDocument::edit(std::vector<SceneObject> objects, const Deed &deed)
+{
+    return record(
+        {m_state.settings, std::make_shared<const std::vector<SceneObject>>(std::move(objects)), m_lastEdit + 1}, deed);
+}
+
+void SceneDocument::look(SceneSettings settings, const Deed &deed)
+{
+    const Telling telling(*this);
+    const SceneState before = m_state;
+    // A step that would leave no valid picture (a zoom past the smallest number, say) is not taken.
+    const Result<Changes> taken = take(with(std::move(settings)));
+    if (!taken)
+        return;
+    if (isSameLook(before.settings, m_state.settings)) {
+        static_cast<void>(take(before)); // it was there a moment ago, and nobody has heard of anything else
+        return;
+    }
+    tell(*taken);
+    m_undoStack.push(new SceneChange(*this, before, m_state, deed.text, deed.mergeKey));
+}
+
+Check SceneDocument::addObjects(std::vector<SceneObject> objects)
+{
+    std::vector<SceneObject> all = *m_state.objects;
+    all.insert(all.end(), std::make_move_iterator(objects.begin()), std::make_move_iterator(objects.end()));
+    return edit(std::move(all), {tr("Add objects")});
+}
+
+Check SceneDocument::removeObject(std::size_t place)
+{
+    Q_ASSERT(place < objects().size());
+    std::vector<SceneObject> others = *m_state.objects;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
+    return edit(std::move(others), {tr("Remove object")});
+}
+
+Check SceneDocument::editTransform(std::size_t place, std::vector<TransformStep> steps, const Deed &deed)
+{
+    Q_ASSERT(place < objects().size());
+    std::vector<SceneObject> objects = *m_state.objects;
+    objects[place].transform = std::move(steps);
+    return edit(std::move(objects), deed);
+}
+
+Check SceneDocument::editCamera(const LookAt &camera, const Deed &deed)
+{
+    SceneSettings settings = m_state.settings;
+    settings.camera = camera;
+    return edit(std::move(settings), deed);
+}
+
+Check SceneDocument::editProjection(const ProjectionRule &rule, const Deed &deed)
+{
+    SceneSettings settings = m_state.settings;
+    settings.projection = rule.projection;
+    settings.projectionFollowsViewport = rule.followsViewport;
+    settings.clipDistancesFitObjects = rule.fitsObjects;
+    return edit(std::move(settings), deed);
+}
+
+Check SceneDocument::editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed)
+{
+    SceneSettings settings = m_state.settings;
+    settings.viewport = rule;
+    settings.depthRange = range;
+    return edit(std::move(settings), deed);
+}
+
+Check SceneDocument::editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed)
+{
+    SceneSettings settings = m_state.settings;
+    settings.clipPlanes = std::move(planes);
+    settings.clipPlanesOff = std::move(off);
+    return edit(std::move(settings), deed);
 }
 
 void SceneDocument::markSaved()
 {
-    m_savedEdit = m_edit;
+    const Telling telling(*this);
+    m_savedEdit = m_state.edit;
     m_undoStack.setClean();
-    emit stateChanged();
+    tell(Change::History);
 }
 
 void SceneDocument::markUnsaved()
 {
+    const Telling telling(*this);
     m_savedEdit.reset();
     m_undoStack.resetClean();
-    emit stateChanged();
+    tell(Change::History);
 }
 
-void SceneDocument::updateGround()
+SceneDocument::Ground SceneDocument::groundUnder(const Box &bounds)
 {
-    m_ground = {};
-    if (m_bounds.isEmpty())
-        return;
-    const double size = m_bounds.diagonal() > 0.0 ? m_bounds.diagonal() : 1.0;
-    m_groundSpacing = roundedUp(size / 15.0);
+    Ground ground;
+    if (bounds.isEmpty())
+        return ground;
+    const double size = bounds.diagonal() > 0.0 ? bounds.diagonal() : 1.0;
+    ground.spacing = roundedUp(size / 15.0);
     // Lines at whole multiples of the spacing, so that they can be read as coordinates.
-    const auto snapped = [this](double value, double direction) {
-        return (std::floor(value / m_groundSpacing) + direction) * m_groundSpacing;
+    const auto snapped = [&ground](double value, double direction) {
+        return (std::floor(value / ground.spacing) + direction) * ground.spacing;
     };
     const double margin = size * 0.5;
-    const double y = m_bounds.lowest.y;
-    m_ground.add({snapped(m_bounds.lowest.x - margin, 0.0), y, snapped(m_bounds.lowest.z - margin, 0.0)});
-    m_ground.add({snapped(m_bounds.highest.x + margin, 1.0), y, snapped(m_bounds.highest.z + margin, 1.0)});
+    const double y = bounds.lowest.y;
+    ground.box.add({snapped(bounds.lowest.x - margin, 0.0), y, snapped(bounds.lowest.z - margin, 0.0)});
+    ground.box.add({snapped(bounds.highest.x + margin, 1.0), y, snapped(bounds.highest.z + margin, 1.0)});
+    return ground;
 }
 
 void SceneDocument::setSurface(const Surface &surface)
@@ -169,7 +310,9 @@ void SceneDocument::setSurface(const Surface &surface)
     if (surface == m_surface)
         return;
     const Surface before = std::exchange(m_surface, surface);
-    if (!apply(m_scene))
+    if (const Result<Changes> taken = take(m_state))
+        tell(*taken);
+    else
         m_surface = before;
 }
 
@@ -185,11 +328,10 @@ void SceneDocument::setProjection(const Projection &projection, const QString &m
 
 void SceneDocument::setView(const LookAt &camera, const Projection &projection, const QString &mergeKey)
 {
-    Scene scene = m_scene;
-    scene.camera = camera;
-    scene.projection = projection;
-    // A step that would leave no valid picture (a zoom past the smallest number, say) is not taken.
-    static_cast<void>(look(std::move(scene), tr("Camera"), mergeKey));
+    SceneSettings settings = m_state.settings;
+    settings.camera = camera;
+    settings.projection = projection;
+    look(std::move(settings), {tr("Camera"), mergeKey});
 }
 
 void SceneDocument::fit()
@@ -200,11 +342,11 @@ void SceneDocument::fit()
 
 void SceneDocument::goHome()
 {
-    Scene scene = m_scene;
-    scene.camera = scene.home;
-    if (scene.projectionFollowsViewport)
-        scene.projection = initialProjection();
-    static_cast<void>(look(std::move(scene), tr("Home")));
+    SceneSettings settings = m_state.settings;
+    settings.camera = settings.home;
+    if (settings.projectionFollowsViewport)
+        settings.projection = initialProjection();
+    look(std::move(settings), {tr("Home")});
 }
 
 double SceneDocument::pivotDistance() const
@@ -222,10 +364,10 @@ double SceneDocument::pivotDistance() const
 void SceneDocument::switchProjection()
 {
     const bool perspective = isPerspective(m_scene.projection);
-    Scene scene = m_scene;
-    scene.projection =
-        converted(scene.projection, perspective ? ProjectionKind::Ortho : ProjectionKind::Perspective, pivotDistance());
-    static_cast<void>(look(std::move(scene), perspective ? tr("Orthographic") : tr("Perspective")));
+    SceneSettings settings = m_state.settings;
+    settings.projection = converted(settings.projection,
+                                    perspective ? ProjectionKind::Ortho : ProjectionKind::Perspective, pivotDistance());
+    look(std::move(settings), {perspective ? tr("Orthographic") : tr("Perspective")});
 }
 
 Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const DepthSample &sample) const
@@ -241,7 +383,7 @@ void SceneDocument::pickAt(const WidgetPoint &position, const DepthSample &sampl
         return;
     }
     m_pick.emplace(std::move(pick).value());
-    emit pickChanged();
+    tell(Change::Pick);
 }
 
 void SceneDocument::clearPick()
@@ -249,7 +391,7 @@ void SceneDocument::clearPick()
     if (!m_pick)
         return;
     m_pick.reset();
-    emit pickChanged();
+    tell(Change::Pick);
 }
 
 WorldPoint SceneDocument::pivotAt(const WidgetPoint &position, const DepthSample &sample) const

@@ -3,6 +3,8 @@
 #include "core/geometry/camera_motion.h"
 #include "core/scene/scene.h"
 #include "core/unproject/pick.h"
+#include "gui/document/document_change.h"
+#include "gui/document/scene_change.h"
 
 #include <QObject>
 #include <QString>
@@ -17,7 +19,18 @@ using namespace geometry;
 using namespace scene;
 using namespace unproject;
 
-struct SceneState;
+/// What the user did, as the undo menu says it.
+struct Deed {
+    QString text;          ///< "Near"
+    QString mergeKey = {}; ///< deeds with the same key, one right after the other, are undone as one; empty: never
+};
+
+/// A projection, and what of it follows something else.
+struct ProjectionRule {
+    Projection projection;
+    bool followsViewport = true; ///< its proportions
+    bool fitsObjects = true;     ///< its near and far planes
+};
 
 /// The one owner of the scene, the undo stack and the picked point. Widgets show it and ask it to change; it unprojects.
 class SceneDocument : public QObject {
@@ -31,7 +44,7 @@ public:
     const Picture &geometry() const { return m_unprojector->picture(); }
     /// The same, prepared for clicks.
     const Unprojector &unprojector() const { return *m_unprojector; }
-    /// The picked surface or background; nothing before the first click and after a change of the scene.
+    /// The picked surface or background; nothing before the first click, in another scene, and once objects went.
     const std::optional<Pick> &pick() const { return m_pick; }
     QUndoStack &undoStack() { return m_undoStack; }
 
@@ -39,7 +52,7 @@ public:
     /// is not.
     bool isModified() const { return !m_undoStack.isClean(); }
     /// Whether there is more than a look around: a number, a transform, a clip plane was changed by the user.
-    bool isEdited() const { return m_edit != m_savedEdit; }
+    bool isEdited() const { return m_state.edit != m_savedEdit; }
     /// The scene as it is now is on the disk.
     void markSaved();
     /// The scene as it is now is nowhere else: it was recovered.
@@ -48,27 +61,36 @@ public:
     /// Around all objects, world space.
     const Box &bounds() const { return m_bounds; }
     /// The drawn ground: a square at the lowest height of the objects, world space.
-    const Box &ground() const { return m_ground; }
+    const Box &ground() const { return m_ground.box; }
     /// Distance of two ground lines: 1, 2 or 5 times a power of ten, world units.
-    double groundSpacing() const { return m_groundSpacing; }
+    double groundSpacing() const { return m_ground.spacing; }
 
     /// Shows another scene. The pick and the undo stack go.
     /// @return the errors of pictureOf; then nothing changed
     Check open(Scene scene);
-    /// The same objects from a home view in front and a little above that fits them.
+    /// Shows these objects as another scene, from a home view in front and a little above that fits them.
     void setObjects(std::vector<SceneObject> objects);
     void setObjects(std::vector<SceneObject> objects, const LookAt &home);
 
-    /// Makes the scene another one, undoably. It is an edit: the user's work, not only a look around.
-    /// @param text      what the user did, for the undo menu: "Near"
-    /// @param mergeKey  changes with the same key, one right after the other, are undone as one; empty: never merged
-    /// @return the errors of pictureOf; then nothing changed: the last good view stays
-    Check change(Scene scene, const QString &text, const QString &mergeKey = {});
+    // Edits: the user's work, not only a look around. Each is undoable. Where the picture would not be valid the error
+    // of pictureOf is returned and nothing changes: the last good view stays.
+
+    /// Puts objects after those that are there. The pick stays.
+    Check addObjects(std::vector<SceneObject> objects);
+    /// @pre place < objects().size()
+    Check removeObject(std::size_t place);
+    /// @pre place < objects().size()
+    Check editTransform(std::size_t place, std::vector<TransformStep> steps, const Deed &deed);
+    Check editCamera(const LookAt &camera, const Deed &deed);
+    Check editProjection(const ProjectionRule &rule, const Deed &deed);
+    Check editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed);
+    /// @param off  planes that are kept but do not cut; with the others no more than kMostClipPlanes
+    Check editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed);
 
     /// The view's size changed. Not undoable.
     void setSurface(const Surface &surface);
 
-    // Looking around. Each is undoable, and ignored where it would leave no valid picture.
+    // Looking around. Each is undoable, and ignored where it would leave no valid picture or changes nothing.
     void setCamera(const LookAt &camera, const QString &mergeKey = {});
     void setProjection(const Projection &projection, const QString &mergeKey = {});
     void setView(const LookAt &camera, const Projection &projection, const QString &mergeKey = {});
@@ -90,38 +112,49 @@ public:
     WorldPoint pivotAt(const WidgetPoint &position, const DepthSample &sample) const;
 
 signals:
-    /// Other models are shown; geometryChanged follows.
-    void objectsChanged();
-    /// The scene or the picture of it changed in any way.
-    void geometryChanged();
-    /// The scene was changed, undone, redone, opened, or marked: isModified and isEdited may be other than before.
-    void stateChanged();
-    void pickChanged();
+    /// Told once for all that was done together, when all of it is in place.
+    void changed(unprojector::gui::Changes changes);
     /// A click that could not be unprojected, with the reason; the last pick stays.
     void pickFailed(const unprojector::geometry::Error &error);
 
 private:
     friend class SceneChange;
 
-    /// Takes a scene as it is, if its picture is valid.
-    Check apply(Scene scene);
-    /// Takes a scene undoably, as made by the edit of that number.
-    Check record(Scene scene, std::uint64_t edit, const QString &text, const QString &mergeKey);
-    Check look(Scene scene, const QString &text, const QString &mergeKey = {});
-    Check restore(const SceneState &state);
-    void updateGround();
+    /// Gathers what changes while one of them lives; the last tells it. Nobody hears of a half-made change.
+    class Telling;
+    /// The drawn ground and the distance of its lines.
+    struct Ground {
+        Box box;
+        double spacing = 1.0;
+    };
+    static Ground groundUnder(const Box &bounds);
 
-    Scene m_scene;
+    void tell(Changes changes);
+    /// The state as it is now, with other settings.
+    SceneState with(SceneSettings settings) const;
+    /// Puts a state in place, if its picture is valid.
+    /// @return what is other than before, not told yet; the errors of pictureOf
+    Result<Changes> take(const SceneState &state);
+    /// Takes a state undoably, if it is another one.
+    Check record(const SceneState &state, const Deed &deed);
+    Check edit(SceneSettings settings, const Deed &deed);
+    Check edit(std::vector<SceneObject> objects, const Deed &deed);
+    void look(SceneSettings settings, const Deed &deed);
+    /// For undo and redo; told when the stack has come to its new place.
+    void restore(const SceneState &state);
+
+    Scene m_scene; ///< m_state in one piece
+    SceneState m_state;
     Surface m_surface{1, 1, 1.0};
     std::optional<Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
     std::optional<Pick> m_pick;
     Box m_bounds;
-    Box m_ground;
-    double m_groundSpacing = 1.0;
+    Ground m_ground;
     QUndoStack m_undoStack;
-    std::uint64_t m_edit = 0; ///< the number of the edit that made the scene
     std::uint64_t m_lastEdit = 0;
     std::optional<std::uint64_t> m_savedEdit = 0; ///< none: no state of the scene is on the disk
+    Changes m_untold;
+    int m_tellings = 0;
 };
 
 } // namespace unprojector::gui

@@ -153,8 +153,10 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     connect(m_animation, &QVariantAnimation::stateChanged, this,
             [this](QAbstractAnimation::State state) { showAnimating(state == QAbstractAnimation::Running); });
     connect(fit, &QPushButton::clicked, m_view, &ObserverView::fit);
-    connect(&m_document, &SceneDocument::geometryChanged, this, &ObserverPanel::showDistances);
-    connect(&m_document, &SceneDocument::pickChanged, this, &ObserverPanel::showDistances);
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & (Change::Picture | Change::Pick))
+            showDistances();
+    });
     showMorph(0.0);
     showDistances();
 }

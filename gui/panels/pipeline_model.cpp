@@ -17,10 +17,11 @@ PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent) : Q
         m_matrices[static_cast<std::size_t>(stage)] = new MatrixModel(stage, this);
     for (int space = 0; space < PointModel::kSpaces; ++space)
         m_points[static_cast<std::size_t>(space)] = new PointModel(static_cast<Space>(space), this);
-    connect(&document, &SceneDocument::pickChanged, this, [this] { m_pickedObjectIsStale = true; });
-    connect(&document, &SceneDocument::objectsChanged, this, [this] {
-        m_pickedObjectIsStale = true;
-        m_object = kAutomaticObject;
+    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & (Change::Objects | Change::Pick))
+            m_pickedObjectIsStale = true;
+        if (changes & Change::Objects)
+            m_object = kAutomaticObject;
     });
     update();
 }

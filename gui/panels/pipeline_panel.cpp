@@ -90,9 +90,10 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     createStages();
     layout->addWidget(m_scrollArea, 1);
 
-    connect(&document, &SceneDocument::geometryChanged, this, &PipelinePanel::refresh);
-    connect(&document, &SceneDocument::pickChanged, this, &PipelinePanel::refresh);
-    connect(&document, &SceneDocument::objectsChanged, this, &PipelinePanel::refresh);
+    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & (Change::Objects | Change::Placement | Change::Picture | Change::Pick))
+            refresh();
+    });
     arrange();
 }
 

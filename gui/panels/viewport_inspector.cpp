@@ -81,7 +81,10 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
 
     addCopyAction();
     connect(m_page, &SegmentedSwitch::chosen, this, &ViewportInspector::arrange);
-    connect(&m_document, &SceneDocument::geometryChanged, this, &ViewportInspector::refresh);
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Picture)
+            refresh();
+    });
     showPicture();
     arrange();
 }

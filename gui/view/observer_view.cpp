@@ -47,18 +47,16 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : QOpenGLWi
     m_observer.projection() = Perspective{kFovyRadians, 1.0, 0.1, 100.0};
 
     // A hidden view is told as well, and draws nothing.
-    connect(&m_document, &SceneDocument::objectsChanged, this, [this] {
-        m_isStale = true;
-        m_isPlaced = m_isTouched = false;
-        m_drag = Drag::None;
-        setHotPlane(std::nullopt);
-        update();
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Objects) {
+            m_isPlaced = m_isTouched = false;
+            m_drag = Drag::None;
+            setHotPlane(std::nullopt);
+        }
+        m_isStale |= bool(changes & kSeen);
+        if (changes & (kSeen | Change::Pick))
+            update();
     });
-    connect(&m_document, &SceneDocument::geometryChanged, this, [this] {
-        m_isStale = true;
-        update();
-    });
-    connect(&m_document, &SceneDocument::pickChanged, this, qOverload<>(&QWidget::update));
 }
 
 ObserverView::~ObserverView()

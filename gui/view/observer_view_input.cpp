@@ -99,16 +99,15 @@ void ObserverView::setHotPlane(const std::optional<ClipPlaneDrag> &drag)
 
 void ObserverView::dragPlane(const QPointF &position)
 {
-    Scene next = m_document.scene();
+    const Scene &scene = m_document.scene();
     const std::optional<Projection> projection =
-        m_planeDrag->projectionAt(next.projection, {position.x(), position.y()});
+        m_planeDrag->projectionAt(scene.projection, {position.x(), position.y()});
     if (!projection)
         return;
-    next.projection = *projection;
-    next.clipDistancesFitObjects = false;
     // A step that would leave no valid picture is not taken.
-    static_cast<void>(m_document.change(
-        std::move(next), m_planeDrag->plane() == ClipPlane::Near ? tr("Near plane") : tr("Far plane"), m_gesture));
+    static_cast<void>(m_document.editProjection(
+        {*projection, scene.projectionFollowsViewport, false},
+        {m_planeDrag->plane() == ClipPlane::Near ? tr("Near plane") : tr("Far plane"), m_gesture}));
 }
 
 void ObserverView::orbit(double yawRadians, double pitchRadians)

@@ -47,10 +47,12 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     setAccessibleDescription(tr("Press the left button on the model to read the world coordinate of that pixel"));
     m_hoverTimer.setSingleShot(true);
 
-    connect(&m_document, &SceneDocument::objectsChanged, this, &SceneView::redraw);
-    connect(&m_document, &SceneDocument::geometryChanged, this, &SceneView::redraw);
-    // The mark of the pick is drawn over the frame.
-    connect(&m_document, &SceneDocument::pickChanged, this, qOverload<>(&QWidget::update));
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & kSeen)
+            redraw();
+        else if (changes & Change::Pick) // its mark is drawn over the frame
+            update();
+    });
     connect(&m_hoverTimer, &QTimer::timeout, this, &SceneView::takeHover);
 }
 

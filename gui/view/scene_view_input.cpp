@@ -133,6 +133,8 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
 
 void SceneView::wheelEvent(QWheelEvent *event)
 {
+    if (event->angleDelta().y() == 0)
+        return; // sideways
     // Notches can come faster than pictures. What was under the pointer stays there, so nothing is drawn to read it again.
     std::optional<WorldPoint> pivot = m_wheelPivot;
     if (!pivot || m_wheelPosition != event->position()) {

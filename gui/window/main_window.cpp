@@ -53,10 +53,14 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     createActions();
     createView();
 
-    connect(m_document, &SceneDocument::pickChanged, this, [this] { m_comparison->setPick(m_document->pick()); });
+    connect(m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Pick)
+            m_comparison->setPick(m_document->pick());
+        if (changes & Change::Picture)
+            showCamera();
+    });
     connect(m_document, &SceneDocument::pickFailed, this,
             [this](const Error &error) { m_message->showMessage(errorText(error)); });
-    connect(m_document, &SceneDocument::geometryChanged, this, &MainWindow::showCamera);
     connect(m_loader, &ModelLoader::started, m_loading, &LoadingBar::start);
     connect(m_loader, &ModelLoader::progressed, m_loading, &LoadingBar::setProgress);
     connect(m_loader, &ModelLoader::finished, this, &MainWindow::takeLoaded);

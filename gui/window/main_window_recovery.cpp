@@ -31,7 +31,10 @@ void MainWindow::createAutosave()
                                      kNoticeMilliseconds);
         });
     }
-    connect(m_document, &SceneDocument::stateChanged, this, &MainWindow::followChanges);
+    connect(m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::History)
+            followChanges();
+    });
     connect(m_recovery, &RecoveryBar::recoverRequested, this,
             [this](int place) { recover(static_cast<std::size_t>(place)); });
     connect(m_recovery, &RecoveryBar::discardRequested, this,

@@ -1449,6 +1449,14 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
 <context>
     <name>unprojector::gui::ModelTab</name>
     <message>
+        <source>Remove object</source>
+        <translation>移除物体</translation>
+    </message>
+    <message>
+        <source>Remove this object from the scene</source>
+        <translation>从场景中移除此物体</translation>
+    </message>
+    <message>
         <source>Object</source>
         <translation>物体</translation>
     </message>
@@ -2228,6 +2236,14 @@ in logical pixels from the top-left corner, y down</source>
 </context>
 <context>
     <name>unprojector::gui::SceneDocument</name>
+    <message>
+        <source>Add objects</source>
+        <translation>添加物体</translation>
+    </message>
+    <message>
+        <source>Remove object</source>
+        <translation>移除物体</translation>
+    </message>
     <message>
         <source>Camera</source>
         <translation>相机</translation>

@@ -50,9 +50,7 @@ bool openAndWait(MainWindow &window, const QString &file)
 
 void edit(MainWindow &window, double d)
 {
-    Scene scene = window.document().scene();
-    scene.clipPlanes = {{0.0, 1.0, 0.0, d}};
-    if (!window.document().change(scene, QStringLiteral("Plane")))
+    if (!window.document().editClipPlanes({{0.0, 1.0, 0.0, d}}, {}, {QStringLiteral("Plane")}))
         qFatal("the plane is refused");
 }
 

@@ -49,16 +49,12 @@ const LookAt kCamera{WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldP
 
 void setPlanes(SceneDocument &document, const std::vector<glm::dvec4> &planes)
 {
-    Scene scene = document.scene();
-    scene.clipPlanes = planes;
-    QVERIFY(document.change(scene, QStringLiteral("Planes")).hasValue());
+    QVERIFY(document.editClipPlanes(planes, {}, {QStringLiteral("Planes")}));
 }
 
 void setDepthRange(SceneDocument &document, const DepthRange &range)
 {
-    Scene scene = document.scene();
-    scene.depthRange = range;
-    QVERIFY(document.change(scene, QStringLiteral("Depth range")).hasValue());
+    QVERIFY(document.editViewport(document.scene().viewport, range, {QStringLiteral("Depth range")}));
 }
 
 /// A plane through a point, its positive side that of the normal.
@@ -390,15 +386,12 @@ void TestFrame::theListOfObjectsMayChange()
     const auto window = this->window();
     SceneDocument &document = window->document();
     const QImage two = window->view().grabFramebuffer();
-    Scene scene = document.scene();
     SceneObject third = cubeScene().front(); // a model that no object has shown yet
     third.transform = {Translate{kCubeCenter + glm::dvec3(0.0, 2.2, 0.0)}};
-    scene.objects.push_back(third);
-    QVERIFY(document.change(scene, QStringLiteral("Object")).hasValue());
+    QVERIFY(document.addObjects({third}));
     const QImage three = window->view().grabFramebuffer();
     QVERIFY(three != two);
-    scene.objects.erase(scene.objects.begin());
-    QVERIFY(document.change(scene, QStringLiteral("Object")).hasValue());
+    QVERIFY(document.removeObject(0));
     (void)window->view().grabFramebuffer();
     document.undoStack().undo();
     QVERIFY(window->view().grabFramebuffer() == three);

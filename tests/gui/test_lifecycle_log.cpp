@@ -193,9 +193,9 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
 
     SceneDocument document;
     document.setObjects(bundledScene());
-    Scene scene = document.scene();
-    scene.viewport.kind = static_cast<ViewportRule::Kind>(kind);
-    QVERIFY(document.change(scene, QStringLiteral("Viewport")).hasValue());
+    ViewportRule rule;
+    rule.kind = static_cast<ViewportRule::Kind>(kind);
+    QVERIFY(document.editViewport(rule, document.scene().depthRange, {QStringLiteral("Viewport")}));
 
     LifecycleLog log;
     auto view = std::make_unique<SceneView>(document);

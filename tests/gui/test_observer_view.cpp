@@ -121,11 +121,7 @@ void TestObserverView::cleanup()
 
 void TestObserverView::show(const Projection &projection)
 {
-    Scene scene = m_document->scene();
-    scene.projection = projection;
-    scene.projectionFollowsViewport = false;
-    scene.clipDistancesFitObjects = false;
-    QVERIFY(m_document->change(scene, QStringLiteral("Projection")));
+    QVERIFY(m_document->editProjection({projection, false, false}, {QStringLiteral("Projection")}));
     m_document->undoStack().clear();
     view().fit();
 }

@@ -247,9 +247,9 @@ void TestParametersPanel::whatCanBeTakenAfterAllWaitsForEnter()
     NumberField *nearField = field(QStringLiteral("nearDistance"));
     type(nearField, QStringLiteral("150"));
     QVERIFY(nearField->isBad());
-    Scene next = scene();
-    std::get<Frustum>(next.projection).farDistance = 1000.0;
-    QVERIFY(m_document->change(next, QStringLiteral("by another")).hasValue());
+    Frustum longer = frustumOf(scene());
+    longer.farDistance = 1000.0;
+    QVERIFY(m_document->editProjection({longer, false, false}, {QStringLiteral("by another")}));
     QCOMPARE(frustumOf(scene()).nearDistance, 15.0);
     QVERIFY2(nearField->reason().contains(QStringLiteral("press Enter")), qPrintable(nearField->reason()));
     QTest::keyClick(nearField, Qt::Key_Return);
@@ -317,9 +317,9 @@ void TestParametersPanel::aHiddenPanelDoesNothingUntilItIsShown()
 {
     NumberField *eye = field(QStringLiteral("eyeX"));
     m_panel->hide();
-    Scene next = scene();
-    next.camera.eye.x = 3.0;
-    QVERIFY(m_document->change(next, QStringLiteral("by another")).hasValue());
+    LookAt camera = scene().camera;
+    camera.eye.x = 3.0;
+    QVERIFY(m_document->editCamera(camera, {QStringLiteral("by another")}));
     QCOMPARE(eye->text(), QStringLiteral("0"));
     m_panel->show();
     QCOMPARE(eye->text(), QStringLiteral("3"));

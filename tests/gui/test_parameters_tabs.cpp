@@ -4,6 +4,7 @@
 #include "panel_user.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QPushButton>
 #include <QRect>
 #include <QTest>
@@ -47,6 +48,8 @@ private slots:
     void theOrderOfStepsMatters();
     void stepsAreAddedRemovedAndUndone();
     void everyObjectHasStepsOfItsOwn();
+    void objectsAreRemovedAndPutBack();
+    void whoHearsOfANumberMayRemoveItsField();
 
     void sixPlanesAtMost();
     void aPlaneSwitchedOffIsKept();
@@ -311,6 +314,62 @@ void TestParametersTabs::everyObjectHasStepsOfItsOwn()
     type(field(QStringLiteral("number2"), QStringLiteral("step1")), QStringLiteral("8"));
     QVERIFY(scene().objects[0].transform == std::vector<TransformStep>{Translate{}});
     QVERIFY((scene().objects[1].transform == std::vector<TransformStep>{Translate{{0.0, 0.0, 8.0}}}));
+}
+
+void TestParametersTabs::objectsAreRemovedAndPutBack()
+{
+    showTab(QStringLiteral("modelTab"));
+    auto *box = m_panel->findChild<QComboBox *>(QStringLiteral("object"));
+    const auto names = [box] {
+        QStringList all;
+        for (int i = 0; i < box->count(); ++i)
+            all << box->itemText(i);
+        return all;
+    };
+    const QStringList both{QStringLiteral("first"), QStringLiteral("second")};
+    QCOMPARE(names(), both);
+    choose(QStringLiteral("object"), QStringLiteral("second"));
+    click(QStringLiteral("addScale"));
+    click(QStringLiteral("removeObject"));
+    QCOMPARE(names(), both.first(1));
+    QCOMPARE(scene().objects.size(), std::size_t(1));
+    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step1")));
+    click(QStringLiteral("removeObject"));
+    QVERIFY(scene().objects.empty());
+    QVERIFY(!box->isEnabled() && !m_panel->findChild<QToolButton *>(QStringLiteral("removeObject"))->isEnabled());
+    m_document->undoStack().undo();
+    m_document->undoStack().undo();
+    QCOMPARE(names(), both);
+    // The shown object is the one that it was, although another has come before it.
+    choose(QStringLiteral("object"), QStringLiteral("second"));
+    QVERIFY(m_document->removeObject(0));
+    QCOMPARE(box->currentText(), QStringLiteral("second"));
+    QVERIFY(m_panel->findChild<QWidget *>(QStringLiteral("step1")));
+    m_document->undoStack().undo();
+    QCOMPARE(box->currentText(), QStringLiteral("second"));
+}
+
+void TestParametersTabs::whoHearsOfANumberMayRemoveItsField()
+{
+    Scene prepared = startScene();
+    rotated(prepared);
+    open(prepared);
+    showTab(QStringLiteral("modelTab"));
+    NumberField *angle = field(QStringLiteral("number0"), QStringLiteral("step1"));
+    bool isFirst = true;
+    connect(m_document.get(), &SceneDocument::changed, this, [&](Changes changes) {
+        if (changes & Change::Placement && std::exchange(isFirst, false)) {
+            QVERIFY(m_document->editTransform(0, {}, {QStringLiteral("by another")}));
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        }
+    });
+    angle->setFocus();
+    angle->setText(QStringLiteral("45"));
+    emit angle->textEdited(angle->text());
+    QVERIFY(scene().objects[0].transform.empty());
+    QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step1")));
+    m_document->undoStack().undo();
+    QVERIFY(scene().objects[0].transform == (std::vector<TransformStep>{Rotate{45.0, {0.0, 1.0, 0.0}}}));
 }
 
 void TestParametersTabs::sixPlanesAtMost()

@@ -305,9 +305,7 @@ void TestPipelinePanel::undoAndRedoTakeTheNumbersAlong()
     PipelinePanel panel(document);
     panel.show();
     const PipelineModel &model = panel.model();
-    Scene next = document.scene();
-    next.objects[0].transform = {Translate{{0, 0, -6}}};
-    QVERIFY(document.change(next, QStringLiteral("Move")));
+    QVERIFY(document.editTransform(0, {Translate{{0, 0, -6}}}, {QStringLiteral("Move")}));
     QCOMPARE(value(model.matrix(Stage::ModelMatrix), 2, 3), -6.0);
     QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 4}));
     document.undoStack().undo();
@@ -323,15 +321,11 @@ void TestPipelinePanel::aRefusedChangeLeavesTheNumbers()
     openFigures(document);
     PipelinePanel panel(document);
     panel.show();
-    Scene next = document.scene();
-    next.projection = Ortho{1, 1, -10, 10, -10, 10};
-    QVERIFY(!document.change(next, QStringLiteral("Left")));
+    QVERIFY(!document.editProjection({Ortho{1, 1, -10, 10, -10, 10}, false, false}, {QStringLiteral("Left")}));
     QCOMPARE(value(panel.model().matrix(Stage::ProjectionMatrix), 0, 0), 0.1);
 
     // Valid step by step, but too small for the inverse to be a number.
-    next = document.scene();
-    next.objects = {boxObject("tiny", 1, {Scale{glm::dvec3(1e-200)}})};
-    QVERIFY(document.change(next, QStringLiteral("Scale")));
+    QVERIFY(document.editTransform(0, {Scale{glm::dvec3(1e-200)}}, {QStringLiteral("Scale")}));
     QVERIFY(panel.model().status().contains(QStringLiteral("no inverse")));
     QVERIFY(isBlank(panel.model()));
     document.undoStack().undo();

@@ -6,15 +6,16 @@
 #include "gui_scene.h"
 
 #include <QApplication>
-#include <QCheckBox>
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QWheelEvent>
 
 #include <functional>
 
@@ -24,18 +25,18 @@ using namespace guitest;
 
 namespace {
 
-using Deed = std::function<void(MainWindow &)>;
+using Act = std::function<void(MainWindow &)>;
+/// What a deed leaves to save: nothing; a look, which belongs to a scene that has a file; work.
+enum class Kind { Nothing, Look, Work };
 
 void setCamera(MainWindow &window, double z)
 {
     window.document().setCamera({WorldPoint(0.0, 0.0, z), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
 }
 
-void change(MainWindow &window, const std::function<void(Scene &)> &how)
+void cut(MainWindow &window, const std::vector<glm::dvec4> &planes = {{0.0, 1.0, 0.0, 0.0}})
 {
-    Scene scene = window.document().scene();
-    how(scene);
-    if (!window.document().change(scene, QStringLiteral("change")))
+    if (!window.document().editClipPlanes(planes, {}, {QStringLiteral("Plane")}))
         qFatal("the change is refused");
 }
 
@@ -84,7 +85,8 @@ private:
 
 } // namespace
 
-Q_DECLARE_METATYPE(Deed)
+Q_DECLARE_METATYPE(Act)
+Q_DECLARE_METATYPE(Kind)
 
 class TestUnsavedChanges : public QObject {
     Q_OBJECT
@@ -99,6 +101,7 @@ private slots:
     void onlyWorkIsAskedAbout_data();
     void onlyWorkIsAskedAbout();
     void theWindowsSizeIsNoChange();
+    void aHandThatMovesNothingChangesNothing();
     void undoingAllOfItClearsTheMark_data();
     void undoingAllOfItClearsTheMark();
     void undoingPastASaveSetsTheMark();
@@ -117,39 +120,47 @@ private:
 
 void TestUnsavedChanges::onlyWorkIsAskedAbout_data()
 {
-    QTest::addColumn<Deed>("deed");
-    QTest::addColumn<bool>("isWork");
-    const auto row = [](const char *name, bool isWork, Deed deed) { QTest::newRow(name) << deed << isWork; };
-    row("nothing", false, [](MainWindow &) {});
-    row("camera moved", false, [](MainWindow &w) { setCamera(w, 7.0); });
-    row("camera moved and fitted", false, [](MainWindow &w) {
+    QTest::addColumn<Act>("deed");
+    QTest::addColumn<Kind>("kind");
+    const auto row = [](const char *name, Kind kind, Act deed) { QTest::newRow(name) << deed << kind; };
+    row("nothing", Kind::Nothing, [](MainWindow &) {});
+    row("home at home", Kind::Nothing, [](MainWindow &w) { w.document().goHome(); });
+    row("removed object, put back", Kind::Nothing, [](MainWindow &w) {
+        QVERIFY(w.document().removeObject(1));
+        w.document().undoStack().undo();
+    });
+    row("removed object", Kind::Work, [](MainWindow &w) { QVERIFY(w.document().removeObject(1)); });
+    row("camera moved", Kind::Look, [](MainWindow &w) { setCamera(w, 7.0); });
+    row("camera moved and fitted", Kind::Look, [](MainWindow &w) {
         setCamera(w, 7.0);
         w.document().fit();
     });
-    row("home", false, [](MainWindow &w) {
+    row("home", Kind::Look, [](MainWindow &w) {
         setCamera(w, 7.0);
         w.document().goHome();
     });
-    row("perspective and box", false, [](MainWindow &w) { w.document().switchProjection(); });
-    row("zoomed a box", false, [](MainWindow &w) { w.document().setProjection(Ortho{-2, 2, -2, 2, 1, 50}); });
-    row("near typed", true, [](MainWindow &w) { type(w, "nearDistance", QStringLiteral("0.75")); });
-    row("eye typed", true, [](MainWindow &w) { type(w, "eyeX", QStringLiteral("3.5")); });
-    row("check box", true, [](MainWindow &w) { w.findChild<QCheckBox *>(QStringLiteral("fitsObjects"))->click(); });
-    row("transform", true, [](MainWindow &w) {
-        change(w, [](Scene &s) { s.objects[0].transform.push_back(Translate{{1.0, 0.0, 0.0}}); });
+    row("perspective and box", Kind::Look, [](MainWindow &w) { w.document().switchProjection(); });
+    row("zoomed a box", Kind::Look, [](MainWindow &w) { w.document().setProjection(Ortho{-2, 2, -2, 2, 1, 50}); });
+    row("near typed", Kind::Work, [](MainWindow &w) { type(w, "nearDistance", QStringLiteral("0.75")); });
+    row("eye typed", Kind::Work, [](MainWindow &w) { type(w, "eyeX", QStringLiteral("3.5")); });
+    row("near and far by hand", Kind::Work, [](MainWindow &w) {
+        QVERIFY(w.document().editProjection({w.document().scene().projection, true, false}, {QStringLiteral("Fit")}));
     });
-    row("clip plane", true, [](MainWindow &w) { change(w, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; }); });
-    row("clip plane, then camera", true, [](MainWindow &w) {
-        change(w, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    row("transform", Kind::Work, [](MainWindow &w) {
+        QVERIFY(w.document().editTransform(0, {Translate{{1.0, 0.0, 0.0}}}, {QStringLiteral("Move")}));
+    });
+    row("clip plane", Kind::Work, [](MainWindow &w) { cut(w); });
+    row("clip plane, then camera", Kind::Work, [](MainWindow &w) {
+        cut(w);
         setCamera(w, 7.0);
     });
-    row("clip plane undone, then camera", false, [](MainWindow &w) {
-        change(w, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    row("clip plane undone, then camera", Kind::Look, [](MainWindow &w) {
+        cut(w);
         w.document().undoStack().undo();
         setCamera(w, 7.0);
     });
-    row("clip plane redone", true, [](MainWindow &w) {
-        change(w, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    row("clip plane redone", Kind::Work, [](MainWindow &w) {
+        cut(w);
         w.document().undoStack().undo();
         w.document().undoStack().redo();
     });
@@ -157,8 +168,9 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout_data()
 
 void TestUnsavedChanges::onlyWorkIsAskedAbout()
 {
-    QFETCH(Deed, deed);
-    QFETCH(bool, isWork);
+    QFETCH(Act, deed);
+    QFETCH(Kind, kind);
+    const bool isWork = kind == Kind::Work;
     {
         const auto untitled = window();
         untitled->openBundledScene();
@@ -173,9 +185,8 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
     const auto titled = window();
     titled->openBundledScene();
     QVERIFY(titled->saveScene(path()));
-    const int steps = titled->document().undoStack().index();
     deed(*titled);
-    const bool isChanged = titled->document().undoStack().index() != steps;
+    const bool isChanged = kind != Kind::Nothing;
     QCOMPARE(titled->isWindowModified(), isChanged);
     const MessageBoxAnswers answers(QMessageBox::Discard);
     QVERIFY(titled->close());
@@ -190,6 +201,30 @@ void TestUnsavedChanges::theWindowsSizeIsNoChange()
     QVERIFY(titled->saveScene(path()));
     QVERIFY(resized(*titled, {700, 500}));
     QVERIFY(!titled->hasUnsavedChanges() && !titled->isWindowModified());
+}
+
+void TestUnsavedChanges::aHandThatMovesNothingChangesNothing()
+{
+    const auto titled = shownWindow(0, {640, 480});
+    titled->openBundledScene();
+    titled->document().fit();
+    QVERIFY(titled->saveScene(path()));
+    SceneView &view = titled->view();
+    const QPointF place = localOf(*titled, {0.1, 0.5, 0.2});
+    QWheelEvent sideways(place, view.mapToGlobal(place), {}, {120, 0}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                         false);
+    QCoreApplication::sendEvent(&view, &sideways);
+    for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton})
+        drag(view, place, place, button);
+    titled->document().fit();
+    QVERIFY(!titled->isWindowModified());
+    // Once a drag is one, a hand that rests adds nothing to it.
+    drag(view, place, place + QPointF(40.0, 20.0), Qt::LeftButton);
+    QVERIFY(titled->isWindowModified());
+    QVERIFY(titled->saveScene(path()));
+    drag(view, place, place, Qt::LeftButton);
+    turnWheel(view, place, 0);
+    QVERIFY(!titled->isWindowModified());
 }
 
 void TestUnsavedChanges::undoingAllOfItClearsTheMark_data()
@@ -209,7 +244,7 @@ void TestUnsavedChanges::undoingAllOfItClearsTheMark()
     setCamera(*window, 7.0);
     type(*window, "nearDistance", QStringLiteral("0.75"));
     type(*window, "nearDistance", QStringLiteral("0.5"));
-    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    cut(*window);
     setCamera(*window, 8.0);
     QVERIFY(window->isWindowModified());
     while (window->document().undoStack().canUndo()) {
@@ -223,7 +258,7 @@ void TestUnsavedChanges::undoingPastASaveSetsTheMark()
 {
     const auto window = this->window();
     window->openBundledScene();
-    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    cut(*window);
     QVERIFY(window->saveScene(path()));
     QVERIFY(!window->isWindowModified());
     window->document().undoStack().undo();
@@ -236,7 +271,7 @@ void TestUnsavedChanges::workOlderThanTheUndoStackIsStillWork()
 {
     const auto window = this->window();
     window->openBundledScene();
-    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    cut(*window);
     for (int i = 0; i < window->document().undoStack().undoLimit() + 5; ++i)
         setCamera(*window, 7.0 + i);
     while (window->document().undoStack().canUndo())
@@ -250,9 +285,7 @@ void TestUnsavedChanges::aLookBetweenEditsKeepsThemApart()
     const auto window = this->window();
     window->openBundledScene();
     SceneDocument &document = window->document();
-    Scene scene = document.scene();
-    scene.clipPlanes = {{0.0, 1.0, 0.0, 0.0}};
-    QVERIFY(document.change(scene, QStringLiteral("Plane"), QStringLiteral("key")));
+    QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, 0.0}}, {}, {QStringLiteral("Plane"), QStringLiteral("key")}));
     document.setCamera({WorldPoint(0.0, 0.0, 7.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}, QStringLiteral("key"));
     document.undoStack().undo();
     QVERIFY(document.isEdited());
@@ -266,7 +299,7 @@ void TestUnsavedChanges::theAnswerIsObeyed()
     window->openBundledScene();
     QVERIFY(window->saveScene(path()));
     const auto planesInFile = [this] { return readSceneFile(path()).value().clipPlanes.size(); };
-    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    cut(*window);
     {
         const MessageBoxAnswers answers(QMessageBox::Cancel);
         window->openExample("zhangci-perspective");
@@ -282,7 +315,7 @@ void TestUnsavedChanges::theAnswerIsObeyed()
         QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(0));
         QCOMPARE(planesInFile(), std::size_t(1));
     }
-    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}; });
+    cut(*window, {{0.0, 1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}});
     const MessageBoxAnswers answers(QMessageBox::Discard);
     QVERIFY(window->close());
     QCOMPARE(answers.questions().size(), 1);
@@ -293,7 +326,7 @@ void TestUnsavedChanges::aSceneWithoutAFileIsSavedUnderAName()
 {
     const auto window = this->window();
     window->openBundledScene();
-    change(*window, [](Scene &s) { s.clipPlanes = {{0.0, 1.0, 0.0, 0.0}}; });
+    cut(*window);
     const MessageBoxAnswers answers(QMessageBox::Save);
     QVERIFY2(!window->close(), "no name was given, so the scene is not saved, and the window stays");
     QCOMPARE(answers.questions().size(), 2);

@@ -45,12 +45,10 @@ QString plain(QString text)
 void setProjection(SceneDocument &document, const Projection &projection,
                    ViewportRule::Kind rule = ViewportRule::Kind::WholeWindow)
 {
-    Scene scene = document.scene();
-    scene.projection = projection;
-    scene.projectionFollowsViewport = false;
-    scene.clipDistancesFitObjects = false;
-    scene.viewport.kind = rule;
-    QVERIFY(document.change(scene, QStringLiteral("Projection")).hasValue());
+    ViewportRule viewport;
+    viewport.kind = rule;
+    QVERIFY(document.editViewport(viewport, document.scene().depthRange, {QStringLiteral("Viewport")}));
+    QVERIFY(document.editProjection({projection, false, false}, {QStringLiteral("Projection")}));
 }
 
 QLabel *labelNamed(const QWidget &panel, const QString &accessibleName)
@@ -271,9 +269,7 @@ void TestViewportInspector::hiddenItDoesNothing()
     QVERIFY(isAt(panel.corners(), CornersModel::TopRight, CornersModel::Device, 399, 0));
     // A camera that moves does not change this picture.
     changes.clear();
-    Scene scene = document.scene();
-    scene.clipDistancesFitObjects = false;
-    QVERIFY(document.change(scene, QStringLiteral("Clip distances")).hasValue());
+    QVERIFY(document.editProjection({document.scene().projection, true, false}, {QStringLiteral("Clip distances")}));
     changes.clear();
     LookAt camera = document.geometry().camera();
     camera.eye.x += 1.0;

@@ -69,7 +69,7 @@ QString keptSideText(const glm::dvec4 &plane)
     return text + QStringLiteral(" ≥ 0");
 }
 
-ClipTab::ClipTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, parent)
+ClipTab::ClipTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, Change::ClipPlanes, parent)
 {
     auto *hint = new QLabel(tr("Kept is where A x + B y + C z + D ≥ 0, in world coordinates."));
     hint->setWordWrap(true);
@@ -109,7 +109,7 @@ void ClipTab::addPlane()
     const double middle = bounds.isEmpty() ? 0.0 : significantText(bounds.center().x, 3).toDouble();
     lines.push_back({{1.0, 0.0, 0.0, middle == 0.0 ? 0.0 : -middle}, true});
     setClipPlaneLines(next, lines);
-    if (change(std::move(next), tr("Add clip plane")) && !m_rows.empty())
+    if (change(next, tr("Add clip plane")) && !m_rows.empty())
         bringUp(m_rows.back().first);
 }
 
@@ -120,12 +120,17 @@ void ClipTab::removePlane(std::size_t line)
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(line));
     setClipPlaneLines(next, lines);
     restoreFields();
-    if (!change(std::move(next), tr("Remove clip plane")))
+    if (!change(next, tr("Remove clip plane")))
         return;
     if (m_rows.empty())
         m_add->setFocus();
     else
         m_rows[std::min(line, m_rows.size() - 1)].remove->setFocus();
+}
+
+Check ClipTab::edit(const Scene &next, const Deed &deed)
+{
+    return document().editClipPlanes(next.clipPlanes, next.clipPlanesOff, deed);
 }
 
 void ClipTab::showScene()
@@ -175,7 +180,7 @@ ClipTab::Row ClipTab::makeRow(std::size_t line)
         std::vector<ClipPlaneLine> lines = clipPlaneLines(next);
         lines[line].isOn = isOn;
         setClipPlaneLines(next, lines);
-        change(std::move(next), isOn ? tr("Clip plane on") : tr("Clip plane off"));
+        change(next, isOn ? tr("Clip plane on") : tr("Clip plane off"));
     });
 
     auto *top = new QHBoxLayout;

@@ -31,6 +31,7 @@ public:
 
 protected:
     void showScene() override;
+    Check edit(const Scene &next, const Deed &deed) override;
 
 private:
     struct Row {

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace unprojector::gui {
@@ -59,7 +60,8 @@ QString callText(const TransformStep &step)
     return QStringLiteral("%1(%2)").arg(name, numbers.join(QStringLiteral(", ")));
 }
 
-ModelTab::ModelTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, parent)
+ModelTab::ModelTab(SceneDocument &document, QWidget *parent)
+    : ParameterTab(document, Change::Objects | Change::Placement, parent)
 {
     m_object = new QComboBox;
     m_object->setObjectName(QStringLiteral("object"));
@@ -68,7 +70,14 @@ ModelTab::ModelTab(SceneDocument &document, QWidget *parent) : ParameterTab(docu
     m_object->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_object->setMinimumContentsLength(12);
     ignoreWheelWithoutFocus(m_object);
-    content()->addWidget(m_object);
+    m_removeObject = smallButton(QStringLiteral("✕"), tr("Remove object"), tr("Remove this object from the scene"));
+    m_removeObject->setObjectName(QStringLiteral("removeObject"));
+    connect(m_removeObject, &QToolButton::clicked, this, &ModelTab::removeObject);
+    auto *top = new QHBoxLayout;
+    top->setSpacing(2);
+    top->addWidget(m_object, 1);
+    top->addWidget(m_removeObject);
+    content()->addLayout(top);
 
     auto *adds = new QHBoxLayout;
     adds->setSpacing(4);
@@ -119,7 +128,7 @@ void ModelTab::addStep(const TransformStep &step, const QString &text)
     if (m_shown >= next.objects.size())
         return;
     next.objects[m_shown].transform.push_back(step);
-    if (change(std::move(next), text) && !m_rows.empty())
+    if (change(next, text) && !m_rows.empty())
         bringUp(m_rows.back().first);
 }
 
@@ -130,7 +139,7 @@ void ModelTab::moveStep(std::size_t from, std::size_t to)
     std::swap(list[from], list[to]);
     restoreFields();
     const bool isUp = to < from;
-    if (change(std::move(next), tr("Reorder steps")) && to < m_rows.size()) {
+    if (change(next, tr("Reorder steps")) && to < m_rows.size()) {
         // The focus goes with the step, on to the other button at the end of the list.
         QToolButton *same = isUp ? m_rows[to].up : m_rows[to].down;
         (same->isEnabled() ? same : isUp ? m_rows[to].down : m_rows[to].up)->setFocus();
@@ -143,7 +152,7 @@ void ModelTab::removeStep(std::size_t step)
     std::vector<TransformStep> &list = next.objects[m_shown].transform;
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(step));
     restoreFields();
-    if (!change(std::move(next), tr("Remove step")))
+    if (!change(next, tr("Remove step")))
         return;
     if (m_rows.empty())
         m_adds.front()->setFocus();
@@ -151,25 +160,54 @@ void ModelTab::removeStep(std::size_t step)
         m_rows[std::min(step, m_rows.size() - 1)].remove->setFocus();
 }
 
+void ModelTab::removeObject()
+{
+    if (m_shown >= document().objects().size())
+        return;
+    restoreFields();
+    const std::size_t place = m_shown;
+    static_cast<void>(document().removeObject(place)); // fewer objects are always a picture
+    const std::size_t count = document().objects().size();
+    if (count == 0)
+        return;
+    // The next one takes its place.
+    m_shown = std::min(place, count - 1);
+    refresh();
+}
+
 void ModelTab::showObjects()
 {
     const std::vector<SceneObject> &objects = document().objects();
-    const bool isSame =
-        std::equal(objects.begin(), objects.end(), m_names.begin(), m_names.end(),
-                   [](const SceneObject &object, const std::string &name) { return object.name == name; });
-    if (isSame && m_object->count() > 0)
+    const auto isSameObject = [](const SceneObject &x, const SceneObject &y) {
+        return x.model == y.model && x.name == y.name && x.file == y.file;
+    };
+    if (!m_isEmpty && std::equal(objects.begin(), objects.end(), m_listed.begin(), m_listed.end(), isSameObject)) {
+        m_object->setCurrentIndex(static_cast<int>(m_shown));
         return;
-    m_names.clear();
-    m_object->clear();
-    for (const SceneObject &object : objects) {
-        m_names.push_back(object.name);
-        m_object->addItem(QString::fromStdString(object.name));
     }
-    m_shown = 0;
+    // The shown object stays shown, wherever it is in the list now.
+    const auto shown =
+        m_shown < m_listed.size()
+            ? std::find_if(objects.begin(), objects.end(),
+                           [&](const SceneObject &object) { return isSameObject(object, m_listed[m_shown]); })
+            : objects.end();
+    m_shown = shown == objects.end() ? 0 : static_cast<std::size_t>(shown - objects.begin());
+    m_listed = objects;
     m_rowsOf.reset();
-    m_object->setEnabled(!objects.empty());
+    m_isEmpty = objects.empty();
+    m_object->clear();
+    for (const SceneObject &object : objects)
+        m_object->addItem(QString::fromStdString(object.name));
+    m_object->setCurrentIndex(m_isEmpty ? -1 : static_cast<int>(m_shown));
+    m_object->setEnabled(!m_isEmpty);
+    m_removeObject->setEnabled(!m_isEmpty);
     for (QPushButton *button : m_adds)
-        button->setEnabled(!objects.empty());
+        button->setEnabled(!m_isEmpty);
+}
+
+Check ModelTab::edit(const Scene &next, const Deed &deed)
+{
+    return document().editTransform(m_shown, next.objects[m_shown].transform, deed);
 }
 
 void ModelTab::showScene()

@@ -2,8 +2,6 @@
 
 #include "gui/panels/parameters/parameter_tab.h"
 
-#include <string>
-
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -24,6 +22,7 @@ public:
 
 protected:
     void showScene() override;
+    Check edit(const Scene &next, const Deed &deed) override;
 
 private:
     struct Row {
@@ -39,18 +38,21 @@ private:
     void addStep(const TransformStep &step, const QString &text);
     void moveStep(std::size_t from, std::size_t to);
     void removeStep(std::size_t step);
+    void removeObject();
     void showObjects();
     void rebuildRows();
     Row makeRow(std::size_t step);
 
     QComboBox *m_object;
+    QToolButton *m_removeObject;
     QLabel *m_hint;
     QVBoxLayout *m_list;
     std::vector<QPushButton *> m_adds;
     std::vector<Row> m_rows;
-    std::vector<std::string> m_names;
+    std::vector<SceneObject> m_listed;     ///< those in the combo box
     std::vector<std::size_t> m_shownKinds; ///< of the steps that the rows were made for
     std::size_t m_shown = 0;               ///< the object that is shown
+    bool m_isEmpty = true;                 ///< nothing is in the combo box
     std::optional<std::size_t> m_rowsOf;   ///< the object that the rows were made for
 };
 

@@ -1,6 +1,5 @@
 #include "gui/panels/parameters/parameter_tab.h"
 
-#include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 
 #include <QEvent>
@@ -22,7 +21,8 @@ constexpr int kMostShownCharacters = 20;
 
 } // namespace
 
-ParameterTab::ParameterTab(SceneDocument &document, QWidget *parent) : QWidget(parent), m_document(document)
+ParameterTab::ParameterTab(SceneDocument &document, Changes shown, QWidget *parent)
+    : QWidget(parent), m_document(document)
 {
     auto *inside = new QWidget;
     m_content = new QVBoxLayout(inside);
@@ -57,7 +57,9 @@ ParameterTab::ParameterTab(SceneDocument &document, QWidget *parent) : QWidget(p
     layout->addWidget(m_scroll, 1);
     layout->addWidget(m_reasonLabel);
 
-    connect(&m_document, &SceneDocument::geometryChanged, this, [this] {
+    connect(&m_document, &SceneDocument::changed, this, [this, shown](Changes changes) {
+        if (!(changes & shown))
+            return;
         if (isVisible())
             refresh();
         else
@@ -79,13 +81,13 @@ QLabel *ParameterTab::heading(const QString &text)
 NumberField *ParameterTab::addField(NumberBinding binding)
 {
     auto *widget = new NumberField(binding.name, binding.help);
-    m_fields.push_back(std::make_unique<Field>(Field{widget, std::move(binding)}));
-    Field *field = m_fields.back().get();
-    connect(widget, &NumberField::edited, this, [this, field] { apply(*field); });
+    const FieldPointer field = std::make_shared<Field>(Field{widget, std::move(binding)});
+    m_fields.push_back(field);
+    connect(widget, &NumberField::edited, this, [this, field] { apply(field); });
     connect(widget, &NumberField::entered, this, [this, field] {
         if (field->widget->isBad())
-            apply(*field);
-        if (!field->widget->isBad())
+            apply(field);
+        if (isThere(field) && !field->widget->isBad())
             field->widget->selectAll();
     });
     connect(widget, &NumberField::reasonChanged, this, &ParameterTab::showReason);
@@ -94,7 +96,7 @@ NumberField *ParameterTab::addField(NumberBinding binding)
 
 void ParameterTab::removeFieldsIn(QWidget *container)
 {
-    std::erase_if(m_fields, [&](const std::unique_ptr<Field> &field) {
+    std::erase_if(m_fields, [&](const FieldPointer &field) {
         if (!container->isAncestorOf(field->widget))
             return false;
         // It may be the one whose signal brought us here.
@@ -109,7 +111,7 @@ void ParameterTab::removeFieldsIn(QWidget *container)
 void ParameterTab::restoreFields()
 {
     m_otherReason.clear();
-    for (const std::unique_ptr<Field> &field : m_fields) {
+    for (const FieldPointer &field : m_fields) {
         if (field->widget->isBad())
             field->widget->restore();
     }
@@ -158,7 +160,7 @@ void ParameterTab::refresh()
     m_otherReason.clear();
     showScene();
     const Scene &scene = m_document.scene();
-    for (const std::unique_ptr<Field> &field : m_fields) {
+    for (const FieldPointer &field : m_fields) {
         if (const std::optional<double> value = field->binding.read(scene))
             field->widget->setValue(*value);
         else if (field->widget->isBad())
@@ -167,9 +169,9 @@ void ParameterTab::refresh()
     updateReasons();
 }
 
-bool ParameterTab::change(Scene next, const QString &text)
+bool ParameterTab::change(const Scene &next, const QString &text)
 {
-    const Check changed = m_document.change(std::move(next), text);
+    const Check changed = edit(next, {text});
     if (!changed)
         refresh(); // the combo box or check box goes back
     m_otherReason = changed ? QString() : errorText(changed.error());
@@ -177,15 +179,22 @@ bool ParameterTab::change(Scene next, const QString &text)
     return changed.hasValue();
 }
 
-Check ParameterTab::changeTogether(const std::vector<Field *> &fields, const QString &text, const QString &mergeKey)
+bool ParameterTab::isThere(const FieldPointer &field) const
+{
+    return field->widget && std::find(m_fields.begin(), m_fields.end(), field) != m_fields.end();
+}
+
+Check ParameterTab::changeTogether(const std::vector<FieldPointer> &fields, const Deed &deed)
 {
     Scene next = m_document.scene();
-    for (const Field *field : fields)
+    for (const FieldPointer &field : fields)
         field->binding.write(next, *field->widget->typed());
-    const Check changed = m_document.change(std::move(next), text, mergeKey);
+    const Check changed = edit(next, deed);
     if (changed) {
         // A good number that is the document's own brings no change of the field's value.
-        for (const Field *field : fields) {
+        for (const FieldPointer &field : fields) {
+            if (!isThere(field))
+                continue;
             field->widget->setReason({});
             if (const std::optional<double> value = field->binding.read(m_document.scene()))
                 field->widget->setValue(*value);
@@ -194,32 +203,32 @@ Check ParameterTab::changeTogether(const std::vector<Field *> &fields, const QSt
     return changed;
 }
 
-std::vector<ParameterTab::Field *> ParameterTab::refusedBut(const Field &other) const
+std::vector<ParameterTab::FieldPointer> ParameterTab::refusedBut(const FieldPointer &other) const
 {
-    std::vector<Field *> refused;
-    for (const std::unique_ptr<Field> &field : m_fields) {
+    std::vector<FieldPointer> refused;
+    for (const FieldPointer &field : m_fields) {
         NumberField *widget = field->widget;
-        if (field.get() == &other || !widget->isBad() || !widget->typed() || refused.size() == kMostTriedTogether)
+        if (field == other || !widget->isBad() || !widget->typed() || refused.size() == kMostTriedTogether)
             continue;
         if (!field->binding.refusal || field->binding.refusal(*widget->typed()).isEmpty())
-            refused.push_back(field.get());
+            refused.push_back(field);
     }
     return refused;
 }
 
-void ParameterTab::apply(Field &field)
+void ParameterTab::apply(const FieldPointer &field)
 {
     m_otherReason.clear();
-    const std::optional<double> typed = field.widget->typed();
-    const std::vector<Field *> refused = refusedBut(field);
-    const std::optional<double> current = field.binding.read(m_document.scene());
-    const bool isForbidden = !typed || (field.binding.refusal && !field.binding.refusal(*typed).isEmpty());
+    const std::optional<double> typed = field->widget->typed();
+    const std::vector<FieldPointer> refused = refusedBut(field);
+    const std::optional<double> current = field->binding.read(m_document.scene());
+    const bool isForbidden = !typed || (field->binding.refusal && !field->binding.refusal(*typed).isEmpty());
     if (isForbidden || !current) {
-        field.widget->setReason(refusalOf(field));
+        field->widget->setReason(refusalOf(*field));
         showReason();
         return;
     }
-    const QString mergeKey = QStringLiteral("%1 #%2").arg(field.binding.name).arg(field.widget->session());
+    const QString mergeKey = QStringLiteral("%1 #%2").arg(field->binding.name).arg(field->widget->session());
 
     // All of them, else the sets with one less, and so on down to this field alone.
     const unsigned all = 1u << refused.size();
@@ -234,22 +243,22 @@ void ParameterTab::apply(Field &field)
     };
     std::stable_sort(sets.begin(), sets.end(), [&](unsigned a, unsigned b) { return sizeOf(a) > sizeOf(b); });
     for (const unsigned set : sets) {
-        std::vector<Field *> together{&field};
+        std::vector<FieldPointer> together{field};
         for (std::size_t i = 0; i < refused.size(); ++i) {
             if (set & (1u << i))
                 together.push_back(refused[i]);
         }
         if (together.size() == 1 && *current == *typed) {
-            field.widget->setReason({});
+            field->widget->setReason({});
             showReason();
             return;
         }
-        if (changeTogether(together, field.binding.name, mergeKey)) {
+        if (changeTogether(together, {field->binding.name, mergeKey})) {
             updateReasons();
             return;
         }
     }
-    field.widget->setReason(refusalOf(field));
+    field->widget->setReason(refusalOf(*field));
     showReason();
 }
 
@@ -275,7 +284,7 @@ QString ParameterTab::refusalOf(const Field &field) const
 
 void ParameterTab::updateReasons()
 {
-    for (const std::unique_ptr<Field> &field : m_fields) {
+    for (const FieldPointer &field : m_fields) {
         if (!field->widget->isBad())
             continue;
         const QString reason = refusalOf(*field);
@@ -293,7 +302,7 @@ QString ParameterTab::reason() const
 void ParameterTab::showReason()
 {
     QString reason = m_otherReason;
-    for (const std::unique_ptr<Field> &field : m_fields) {
+    for (const FieldPointer &field : m_fields) {
         if (field->widget->isBad() && (reason.isEmpty() || field->widget->hasFocus()))
             reason = field->widget->reason();
     }

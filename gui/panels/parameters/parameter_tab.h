@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/scene/scene.h"
+#include "gui/document/scene_document.h"
 #include "gui/panels/parameters/number_field.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <functional>
@@ -15,9 +16,6 @@ class QScrollArea;
 class QVBoxLayout;
 
 namespace unprojector::gui {
-using namespace scene;
-
-class SceneDocument;
 
 /// What a number field stands for in the scene.
 struct NumberBinding {
@@ -38,7 +36,8 @@ struct NumberBinding {
 class ParameterTab : public QWidget {
     Q_OBJECT
 public:
-    explicit ParameterTab(SceneDocument &document, QWidget *parent = nullptr);
+    /// @param shown  the changes of the document that the tab follows
+    ParameterTab(SceneDocument &document, Changes shown, QWidget *parent = nullptr);
     ~ParameterTab() override;
 
     /// What the tab says under its fields; empty while all are good.
@@ -55,8 +54,10 @@ protected:
     virtual void showScene() = 0;
     /// showScene and all numbers, now.
     void refresh();
+    /// Asks the document for what of this scene is this tab's to change.
+    virtual Check edit(const Scene &next, const Deed &deed) = 0;
     /// Makes a change that no field made; its refusal is shown beneath the fields.
-    bool change(Scene next, const QString &text);
+    bool change(const Scene &next, const QString &text);
 
     SceneDocument &document() const { return m_document; }
     QVBoxLayout *content() const { return m_content; }
@@ -72,22 +73,25 @@ protected:
 
 private:
     struct Field {
-        NumberField *widget;
+        QPointer<NumberField> widget;
         NumberBinding binding;
     };
+    /// Whoever hears of a change may remove fields: who goes on with one after it holds it.
+    using FieldPointer = std::shared_ptr<Field>;
 
-    void apply(Field &field);
+    bool isThere(const FieldPointer &field) const;
+    void apply(const FieldPointer &field);
     /// Writes the numbers in these fields into the scene, as one change.
-    Check changeTogether(const std::vector<Field *> &fields, const QString &text, const QString &mergeKey);
+    Check changeTogether(const std::vector<FieldPointer> &fields, const Deed &deed);
     /// Why the number in this field would be refused as the scene is now; empty if it would not.
     QString refusalOf(const Field &field) const;
     /// Refused fields whose text is a number, without `other`.
-    std::vector<Field *> refusedBut(const Field &other) const;
+    std::vector<FieldPointer> refusedBut(const FieldPointer &other) const;
     void updateReasons();
     void showReason();
 
     SceneDocument &m_document;
-    std::vector<std::unique_ptr<Field>> m_fields;
+    std::vector<FieldPointer> m_fields;
     QVBoxLayout *m_content;
     QScrollArea *m_scroll;
     QLabel *m_reasonLabel;

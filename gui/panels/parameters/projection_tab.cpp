@@ -13,7 +13,7 @@
 namespace unprojector::gui {
 using namespace geometry;
 
-ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, parent)
+ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, Change::Picture, parent)
 {
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("projectionKind"));
@@ -77,12 +77,12 @@ ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : Paramet
     connect(m_followsViewport, &QCheckBox::clicked, this, [this](bool follows) {
         Scene next = this->document().scene();
         next.projectionFollowsViewport = follows;
-        change(std::move(next), m_followsViewport->text());
+        change(next, m_followsViewport->text());
     });
     connect(m_fitsObjects, &QCheckBox::clicked, this, [this](bool fits) {
         Scene next = this->document().scene();
         next.clipDistancesFitObjects = fits;
-        change(std::move(next), m_fitsObjects->text());
+        change(next, m_fitsObjects->text());
     });
 }
 
@@ -170,7 +170,13 @@ void ProjectionTab::choose(ProjectionKind kind)
         return;
     restoreFields(); // a refused number of one kind means nothing to another
     next.projection = converted(next.projection, kind, document().pivotDistance());
-    change(std::move(next), m_kind->currentText());
+    change(next, m_kind->currentText());
+}
+
+Check ProjectionTab::edit(const Scene &next, const Deed &deed)
+{
+    return document().editProjection({next.projection, next.projectionFollowsViewport, next.clipDistancesFitObjects},
+                                     deed);
 }
 
 void ProjectionTab::showScene()

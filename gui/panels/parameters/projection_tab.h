@@ -16,6 +16,7 @@ public:
 
 protected:
     void showScene() override;
+    Check edit(const Scene &next, const Deed &deed) override;
 
 private:
     enum class Number { Left, Right, Bottom, Top, Near, Far, Fovy, Aspect, Theta, Phi };

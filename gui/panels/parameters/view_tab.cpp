@@ -20,7 +20,7 @@ double *component(WorldPoint &point, int i)
 
 } // namespace
 
-ViewTab::ViewTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, parent)
+ViewTab::ViewTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, Change::Picture, parent)
 {
     addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"),
              tr("Where the camera stands, world units (gluLookAt: eye%1)"),
@@ -60,6 +60,11 @@ void ViewTab::addPoint(const QString &title, const QString &name, const QString 
     }
     content()->addLayout(row);
     content()->addSpacing(6);
+}
+
+Check ViewTab::edit(const Scene &next, const Deed &deed)
+{
+    return document().editCamera(next.camera, deed);
 }
 
 void ViewTab::showScene()

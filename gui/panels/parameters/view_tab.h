@@ -12,6 +12,7 @@ public:
 
 protected:
     void showScene() override;
+    Check edit(const Scene &next, const Deed &deed) override;
 
 private:
     void addPoint(const QString &title, const QString &name, const QString &objectName, const QString &help,

@@ -47,7 +47,7 @@ QLabel *selectableLabel(const QString &name)
 
 } // namespace
 
-ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, parent)
+ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, Change::Picture, parent)
 {
     content()->addWidget(heading(tr("Viewport")));
     m_kind = new QComboBox;
@@ -150,7 +150,12 @@ void ViewportTab::choose(ViewportRule::Kind kind)
     next.viewport.kind = kind;
     if (kind == ViewportRule::Kind::Fixed)
         next.viewport.fixed = document().geometry().viewport; // the picture stays; its numbers can now be edited
-    change(std::move(next), m_kind->currentText());
+    change(next, m_kind->currentText());
+}
+
+Check ViewportTab::edit(const Scene &next, const Deed &deed)
+{
+    return document().editViewport(next.viewport, next.depthRange, deed);
 }
 
 void ViewportTab::showScene()

@@ -16,6 +16,7 @@ public:
 
 protected:
     void showScene() override;
+    Check edit(const Scene &next, const Deed &deed) override;
 
 private:
     void addRectangleRow(const QString &name, const QString &objectName, const QString &help, double Viewport::*number);

@@ -1,0 +1,92 @@
+#include "gui/document/document_change.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace unprojector::gui {
+namespace {
+
+/// Of a length: what a few roundings make of it, and far less than a hand can move.
+constexpr double kRounding = 1e-12;
+
+bool isSame(const LookAt &a, const LookAt &b)
+{
+    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates()
+           && a.up == b.up;
+}
+
+/// The settings without camera and projection, where only these may differ.
+bool differOnlyInLook(const SceneSettings &a, const SceneSettings &b)
+{
+    SceneSettings same = b;
+    same.camera = a.camera;
+    same.projection = a.projection;
+    return !changesBetween(a, same);
+}
+
+bool isNearlySame(const LookAt &a, const LookAt &b)
+{
+    const glm::dvec3 eye = a.eye.coordinates(), center = a.center.coordinates();
+    // Far from the origin a coordinate itself is no more exact than its last digits.
+    const double size = std::max(glm::length(eye), glm::length(center));
+    const double tolerance =
+        kRounding * glm::length(center - eye) + 8.0 * std::numeric_limits<double>::epsilon() * size;
+    return glm::length(b.eye.coordinates() - eye) <= tolerance
+           && glm::length(b.center.coordinates() - center) <= tolerance
+           && glm::length(b.up - a.up) <= kRounding * glm::length(a.up);
+}
+
+bool isNearlySame(const Projection &a, const Projection &b)
+{
+    if (kindOf(a) != kindOf(b))
+        return false;
+    if (const auto *sheared = std::get_if<Oblique>(&a)) {
+        const auto &other = std::get<Oblique>(b);
+        if (sheared->thetaRadians != other.thetaRadians || sheared->phiRadians != other.phiRadians)
+            return false;
+    }
+    const ProjectionWindow v = projectionWindow(a), w = projectionWindow(b);
+    const auto isNear = [](double x, double y, double size) { return std::abs(x - y) <= kRounding * size; };
+    const double width = std::abs(v.left) + std::abs(v.right), height = std::abs(v.bottom) + std::abs(v.top);
+    const double depth = isPerspective(a) ? v.nearDistance : std::abs(v.nearDistance) + std::abs(v.farDistance);
+    return isNear(v.left, w.left, width) && isNear(v.right, w.right, width) && isNear(v.bottom, w.bottom, height)
+           && isNear(v.top, w.top, height) && isNear(v.nearDistance, w.nearDistance, depth)
+           && isNear(v.farDistance, w.farDistance, std::abs(v.farDistance));
+}
+
+} // namespace
+
+Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
+{
+    Changes changes;
+    if (a.clipPlanes != b.clipPlanes || a.clipPlanesOff != b.clipPlanesOff)
+        changes |= Change::ClipPlanes;
+    if (!isSame(a.camera, b.camera) || !isSame(a.home, b.home) || a.projection != b.projection
+        || a.projectionFollowsViewport != b.projectionFollowsViewport
+        || a.clipDistancesFitObjects != b.clipDistancesFitObjects || a.viewport != b.viewport
+        || a.depthRange != b.depthRange)
+        changes |= Change::Picture;
+    return changes;
+}
+
+Changes changesBetween(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
+{
+    const auto isSameObject = [](const SceneObject &x, const SceneObject &y) {
+        return x.model == y.model && x.name == y.name && x.file == y.file;
+    };
+    if (!std::equal(a.begin(), a.end(), b.begin(), b.end(), isSameObject))
+        return Change::Objects | Change::Placement;
+    const auto isSamePlace = [](const SceneObject &x, const SceneObject &y) { return x.transform == y.transform; };
+    return std::equal(a.begin(), a.end(), b.begin(), isSamePlace) ? Changes() : Changes(Change::Placement);
+}
+
+bool isSameLook(const SceneSettings &a, const SceneSettings &b)
+{
+    return differOnlyInLook(a, b) && isNearlySame(a.camera, b.camera) && isNearlySame(a.projection, b.projection);
+}
+
+} // namespace unprojector::gui

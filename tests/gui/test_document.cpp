@@ -1,0 +1,337 @@
+// The document: what its verbs do, what they tell, and what undoing brings back. No window.
+
+#include "core/geometry/camera_motion.h"
+#include "core/scene/bundled_scene.h"
+#include "gui/document/scene_document.h"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+
+namespace {
+
+using Verb = std::function<void(SceneDocument &)>;
+
+/// What a document has told, one entry a telling.
+class Told {
+public:
+    explicit Told(SceneDocument &document)
+    {
+        QObject::connect(&document, &SceneDocument::changed, &m_context,
+                         [this](Changes changes) { m_tellings.push_back(changes); });
+    }
+    Changes all() const
+    {
+        Changes all;
+        for (const Changes &changes : m_tellings)
+            all |= changes;
+        return all;
+    }
+    std::size_t count() const { return m_tellings.size(); }
+    void forget() { m_tellings.clear(); }
+
+private:
+    QObject m_context;
+    std::vector<Changes> m_tellings;
+};
+
+const Deed kDeed{QStringLiteral("deed")};
+
+void openScene(SceneDocument &document)
+{
+    document.setSurface({801, 601, 1.0});
+    document.setObjects(bundledScene());
+}
+
+LookAt cameraAt(double z)
+{
+    return {WorldPoint(0.0, 0.0, z), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
+}
+
+QStringList namesIn(const SceneDocument &document)
+{
+    QStringList names;
+    for (const SceneObject &object : document.objects())
+        names << QString::fromStdString(object.name);
+    return names;
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Verb)
+
+class TestDocument : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyVerbTellsItsKindOnceAndIsUndone_data();
+    void everyVerbTellsItsKindOnceAndIsUndone();
+    void lookingAtNothingIsNoChange_data();
+    void lookingAtNothingIsNoChange();
+    void aRefusedVerbChangesNothing_data();
+    void aRefusedVerbChangesNothing();
+    void objectsComeAndGoUndoably();
+    void aPickGoesWithTheObjectsBeforeIt();
+    void openingTellsWhenAllIsInPlace();
+    void aSceneThatIsRefusedLeavesTheUndoStack();
+    void whoHearsOfAChangeMayMakeAnother();
+    void stepsShareTheObjects();
+};
+
+void TestDocument::everyVerbTellsItsKindOnceAndIsUndone_data()
+{
+    QTest::addColumn<Verb>("verb");
+    QTest::addColumn<Changes>("kinds");
+    const auto row = [](const char *name, Changes kinds, Verb verb) {
+        QTest::newRow(name) << verb << (kinds | Change::History);
+    };
+    row("camera", Change::Picture, [](SceneDocument &d) { d.setCamera(cameraAt(7.0)); });
+    row("projection", Change::Picture, [](SceneDocument &d) { d.switchProjection(); });
+    row("typed eye", Change::Picture, [](SceneDocument &d) { QVERIFY(d.editCamera(cameraAt(7.0), kDeed)); });
+    row("typed near", Change::Picture, [](SceneDocument &d) {
+        QVERIFY(d.editProjection({Ortho{-2, 2, -2, 2, 1, 50}, false, false}, kDeed));
+    });
+    row("a rule without effect yet", Change::Picture, [](SceneDocument &d) {
+        QVERIFY(d.editProjection({d.scene().projection, false, true}, kDeed));
+    });
+    row("viewport", Change::Picture, [](SceneDocument &d) {
+        ViewportRule rule;
+        rule.kind = ViewportRule::Kind::Quarter;
+        QVERIFY(d.editViewport(rule, {}, kDeed));
+    });
+    row("depth range", Change::Picture, [](SceneDocument &d) { QVERIFY(d.editViewport({}, {0.25, 0.75}, kDeed)); });
+    row("clip plane", Change::ClipPlanes, [](SceneDocument &d) {
+        QVERIFY(d.editClipPlanes({{0.0, 1.0, 0.0, 0.0}}, {}, kDeed));
+    });
+    row("clip plane that does not cut", Change::ClipPlanes, [](SceneDocument &d) {
+        QVERIFY(d.editClipPlanes({}, {{0, {0.0, 1.0, 0.0, 0.0}}}, kDeed));
+    });
+    // Near and far fit the objects.
+    row("transform", Change::Placement | Change::Picture, [](SceneDocument &d) {
+        QVERIFY(d.editTransform(0, {Translate{{40.0, 0.0, 0.0}}}, kDeed));
+    });
+    row("removed object", Change::Objects | Change::Placement, [](SceneDocument &d) { QVERIFY(d.removeObject(0)); });
+    row("added object", Change::Objects | Change::Placement,
+        [](SceneDocument &d) { QVERIFY(d.addObjects({bundledScene()[0]})); });
+}
+
+void TestDocument::everyVerbTellsItsKindOnceAndIsUndone()
+{
+    QFETCH(Verb, verb);
+    QFETCH(Changes, kinds);
+    SceneDocument document;
+    openScene(document);
+    const Scene before = document.scene();
+    Told told(document);
+    verb(document);
+    QCOMPARE(told.all(), kinds);
+    QCOMPARE(told.count(), std::size_t(1));
+    QVERIFY(!document.undoStack().undoText().isEmpty());
+    const Scene after = document.scene();
+    for (int again = 0; again < 2; ++again) {
+        told.forget();
+        document.undoStack().undo();
+        QCOMPARE(told.all(), kinds);
+        QVERIFY(!changesBetween(before, document.scene()) && !changesBetween(before.objects, document.objects()));
+        QVERIFY(!document.isModified() && !document.isEdited());
+        told.forget();
+        document.undoStack().redo();
+        QCOMPARE(told.all(), kinds);
+        QVERIFY(!changesBetween(after, document.scene()) && !changesBetween(after.objects, document.objects()));
+    }
+}
+
+void TestDocument::lookingAtNothingIsNoChange_data()
+{
+    QTest::addColumn<Verb>("first");
+    QTest::addColumn<Verb>("again");
+    const auto row = [](const char *name, Verb first, Verb again) { QTest::newRow(name) << first << again; };
+    const auto twice = [&row](const char *name, Verb verb) { row(name, verb, verb); };
+    const Verb nothing = [](SceneDocument &) {};
+    twice("home", [](SceneDocument &d) { d.goHome(); });
+    row("home where the scene opened", nothing, [](SceneDocument &d) { d.goHome(); });
+    twice("fit", [](SceneDocument &d) { d.fit(); });
+    twice("fit a box", [](SceneDocument &d) {
+        if (isPerspective(d.geometry().projection()))
+            d.switchProjection();
+        d.fit();
+    });
+    twice("from the right",
+          [](SceneDocument &d) { d.setCamera(seenFrom(d.geometry().camera(), StandardView::Right)); });
+    row("turned by nothing", nothing, [](SceneDocument &d) {
+        d.setCamera(orbited(d.geometry().camera(), WorldPoint(0.3, 1.7, -2.9), 0.0, 0.0), QStringLiteral("drag"));
+    });
+    row("the same transform", nothing, [](SceneDocument &d) {
+        QVERIFY(d.editTransform(0, std::vector<TransformStep>(d.objects()[0].transform), kDeed));
+    });
+    row("the same viewport", nothing,
+        [](SceneDocument &d) { QVERIFY(d.editViewport(d.scene().viewport, d.scene().depthRange, kDeed)); });
+}
+
+void TestDocument::lookingAtNothingIsNoChange()
+{
+    QFETCH(Verb, first);
+    QFETCH(Verb, again);
+    SceneDocument document;
+    openScene(document);
+    first(document);
+    document.markSaved();
+    const int steps = document.undoStack().count();
+    const Scene before = document.scene();
+    Told told(document);
+    again(document);
+    QCOMPARE(document.undoStack().count(), steps);
+    QVERIFY(!document.isModified());
+    QVERIFY(!told.all());
+    QVERIFY(!changesBetween(before, document.scene()));
+}
+
+void TestDocument::aRefusedVerbChangesNothing_data()
+{
+    QTest::addColumn<Verb>("verb");
+    QTest::newRow("near beyond far") << Verb([](SceneDocument &d) {
+        QVERIFY(!d.editProjection({Ortho{-1, 1, -1, 1, 9, 3}, false, false}, kDeed));
+    });
+    QTest::newRow("scale by 0") << Verb([](SceneDocument &d) {
+        QVERIFY(!d.editTransform(1, {Scale{{1.0, 0.0, 1.0}}}, kDeed));
+    });
+    QTest::newRow("plane without a normal")
+        << Verb([](SceneDocument &d) { QVERIFY(!d.editClipPlanes({glm::dvec4(0.0)}, {}, kDeed)); });
+    QTest::newRow("eye at center") << Verb([](SceneDocument &d) { QVERIFY(!d.editCamera(cameraAt(0.0), kDeed)); });
+    QTest::newRow("look from nowhere") << Verb([](SceneDocument &d) { d.setCamera(cameraAt(0.0)); });
+    QTest::newRow("another scene") << Verb([](SceneDocument &d) {
+        Scene scene;
+        scene.depthRange = {0.5, 0.5};
+        QVERIFY(!d.open(scene));
+    });
+}
+
+void TestDocument::aRefusedVerbChangesNothing()
+{
+    QFETCH(Verb, verb);
+    SceneDocument document;
+    openScene(document);
+    const Scene before = document.scene();
+    const glm::dvec3 highest = document.bounds().highest;
+    Told told(document);
+    verb(document);
+    QVERIFY(!told.all());
+    QVERIFY(!changesBetween(before, document.scene()) && !changesBetween(before.objects, document.objects()));
+    QVERIFY(document.bounds().highest == highest);
+    QCOMPARE(document.undoStack().count(), 0);
+}
+
+void TestDocument::objectsComeAndGoUndoably()
+{
+    SceneDocument document;
+    openScene(document);
+    const QStringList all = namesIn(document);
+    QVERIFY(document.removeObject(1));
+    QStringList others = all;
+    others.removeAt(1);
+    QCOMPARE(namesIn(document), others);
+    SceneObject another = bundledScene()[1];
+    another.name = "another";
+    QVERIFY(document.addObjects({another}));
+    QCOMPARE(namesIn(document), others + QStringList(QStringLiteral("another")));
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QCOMPARE(namesIn(document), all);
+    document.undoStack().redo();
+    document.undoStack().redo();
+    QCOMPARE(namesIn(document), others + QStringList(QStringLiteral("another")));
+    while (!document.objects().empty())
+        QVERIFY(document.removeObject(0));
+    QVERIFY(document.bounds().isEmpty());
+    document.undoStack().setIndex(0);
+    QCOMPARE(namesIn(document), all);
+    QVERIFY(!document.isEdited());
+}
+
+void TestDocument::aPickGoesWithTheObjectsBeforeIt()
+{
+    SceneDocument document;
+    openScene(document);
+    const auto pick = [&document] { document.pickAt(WidgetPoint(400, 300), {0.5, true, 24}); };
+    pick();
+    QVERIFY(document.pick());
+    QVERIFY(document.addObjects({bundledScene()[0]}));
+    QVERIFY2(document.pick(), "every object is where it was in the list");
+    QVERIFY(document.removeObject(0));
+    QVERIFY(!document.pick());
+    pick();
+    document.undoStack().undo();
+    QVERIFY(!document.pick());
+}
+
+void TestDocument::openingTellsWhenAllIsInPlace()
+{
+    SceneDocument document;
+    openScene(document);
+    document.setCamera(cameraAt(7.0));
+    document.pickAt(WidgetPoint(400, 300), {0.5, true, 24});
+    int tellings = 0;
+    connect(&document, &SceneDocument::changed, this, [&](Changes changes) {
+        ++tellings;
+        QCOMPARE(changes, kSeen | Change::Pick | Change::History);
+        QVERIFY(!document.pick() && !document.undoStack().canUndo());
+        QVERIFY(!document.isModified() && !document.isEdited());
+        QVERIFY(document.objects().empty() && document.bounds().isEmpty());
+    });
+    Scene empty;
+    empty.projection = Ortho{-2, 2, -2, 2, 1, 50};
+    QVERIFY(document.open(empty));
+    QCOMPARE(tellings, 1);
+}
+
+void TestDocument::aSceneThatIsRefusedLeavesTheUndoStack()
+{
+    SceneDocument document;
+    openScene(document);
+    document.setCamera(cameraAt(7.0));
+    document.pickAt(WidgetPoint(400, 300), {0.5, true, 24});
+    Scene scene;
+    scene.projection = Ortho{1, 1, -2, 2, 1, 50};
+    QVERIFY(!document.open(scene));
+    QVERIFY(document.undoStack().canUndo() && document.pick() && document.isModified() && !document.isEdited());
+}
+
+void TestDocument::whoHearsOfAChangeMayMakeAnother()
+{
+    SceneDocument document;
+    openScene(document);
+    bool isFirst = true;
+    connect(&document, &SceneDocument::changed, this, [&](Changes changes) {
+        if (changes & Change::ClipPlanes && std::exchange(isFirst, false))
+            QVERIFY(document.removeObject(0));
+    });
+    const std::size_t count = document.objects().size();
+    QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, 0.0}}, {}, kDeed));
+    QCOMPARE(document.objects().size(), count - 1);
+    // In the order in which they were done.
+    document.undoStack().undo();
+    QCOMPARE(document.objects().size(), count);
+    QCOMPARE(document.scene().clipPlanes.size(), std::size_t(1));
+    document.undoStack().undo();
+    QVERIFY(document.scene().clipPlanes.empty());
+}
+
+void TestDocument::stepsShareTheObjects()
+{
+    SceneDocument document;
+    openScene(document);
+    const Model *teapot = document.objects()[0].model.get();
+    const auto uses = [&document] { return document.objects()[0].model.use_count(); };
+    const long before = uses();
+    for (int i = 0; i < 100; ++i)
+        document.setCamera(cameraAt(7.0 + i));
+    QCOMPARE(document.undoStack().count(), 100);
+    QCOMPARE(uses(), before);
+    QCOMPARE(document.objects()[0].model.get(), teapot);
+}
+
+QTEST_GUILESS_MAIN(TestDocument)
+#include "test_document.moc"
