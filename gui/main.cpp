@@ -165,10 +165,10 @@ int main(int argc, char **argv)
     if (parser.isSet(size))
         window.resize(*windowSize);
     if (files.empty())
-        window.openBundledScene();
+        window.session().openBundledScene();
     else
-        window.openFiles(std::move(files));
-    window.offerRecovery();
+        window.session().openFiles(std::move(files));
+    window.session().offerRecovery();
     window.show();
     return application.exec();
 }

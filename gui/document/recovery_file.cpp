@@ -29,6 +29,20 @@ QString versionKey()
     return QStringLiteral("unprojectorRecovery");
 }
 
+/// "1 1234 14695981039346656037"; as text, since JSON's numbers are doubles.
+QString stampText(const files::FileStamp &stamp)
+{
+    return QStringLiteral("%1 %2 %3").arg(stamp.exists ? 1 : 0).arg(stamp.size).arg(stamp.hash);
+}
+
+std::optional<files::FileStamp> stampFromText(const QString &text)
+{
+    const QStringList numbers = text.split(u' ');
+    if (numbers.size() != 3)
+        return std::nullopt;
+    return files::FileStamp{numbers[0] == QStringLiteral("1"), numbers[1].toULongLong(), numbers[2].toULongLong()};
+}
+
 } // namespace
 
 QString RecoveryFile::defaultFolder()
@@ -97,6 +111,8 @@ bool RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
                      {QStringLiteral("time"), info.time.toUTC().toString(Qt::ISODateWithMs)}};
     if (!info.sceneFile.empty())
         json.insert(QStringLiteral("sceneFile"), QString::fromStdU16String(info.sceneFile.u16string()));
+    if (info.stamp)
+        json.insert(QStringLiteral("sceneStamp"), stampText(*info.stamp));
     QSaveFile file(path());
     if (!file.open(QIODevice::WriteOnly))
         return false;
@@ -118,6 +134,7 @@ std::optional<RecoveryInfo> RecoveryFile::info() const
     info.name = json.value(QStringLiteral("name")).toString();
     info.sceneFile = std::filesystem::path(json.value(QStringLiteral("sceneFile")).toString().toStdU16String());
     info.time = QDateTime::fromString(json.value(QStringLiteral("time")).toString(), Qt::ISODateWithMs).toLocalTime();
+    info.stamp = stampFromText(json.value(QStringLiteral("sceneStamp")).toString());
     if (info.name.isEmpty() || !info.time.isValid() || (!info.sceneFile.empty() && !info.sceneFile.is_absolute()))
         return std::nullopt;
     return info;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/files/file_stamp.h"
 #include "core/scene_file/scene_file.h"
 
 #include <QDateTime>
@@ -17,9 +18,10 @@ using namespace scene_file;
 
 /// Which scene a recovery file keeps.
 struct RecoveryInfo {
-    QString name;                    ///< as the window's title has it
-    std::filesystem::path sceneFile; ///< absolute: what it was opened from or saved to; empty: nowhere
-    QDateTime time;                  ///< when it was kept
+    QString name;                               ///< as the window's title has it
+    std::filesystem::path sceneFile;            ///< absolute: what it was opened from or saved to; empty: nowhere
+    QDateTime time;                             ///< when it was kept
+    std::optional<files::FileStamp> stamp = {}; ///< of the scene file, when it was last read or written
 };
 
 /// One scene with unsaved changes, kept in the recovery folder in case the program ends unexpectedly. Whoever has such

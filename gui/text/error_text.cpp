@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QTextDocument>
 
 #include <cmath>
 
@@ -47,6 +48,11 @@ QString pathText(const std::filesystem::path &path)
 #else
     return QString::fromLocal8Bit(path.string().c_str());
 #endif
+}
+
+QString plainToolTip(const QString &text)
+{
+    return text.isEmpty() ? text : Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal);
 }
 
 QString modelFileFilter()

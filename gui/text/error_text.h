@@ -15,6 +15,8 @@ QString errorText(const ImportError &error);
 
 /// A path as people read it.
 QString pathText(const std::filesystem::path &path);
+/// A tooltip that shows this text as it is, whatever looks like markup in it; empty for none.
+QString plainToolTip(const QString &text);
 /// The suffixes that can be opened, as a filter of a file dialog: "Models (*.obj *.stl …)".
 QString modelFileFilter();
 

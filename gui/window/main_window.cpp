@@ -2,10 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
-#include "gui/panels/lifecycle_panel.h"
 #include "gui/panels/observer_panel.h"
-#include "gui/panels/parameters_panel.h"
-#include "gui/panels/pipeline_panel.h"
 #include "gui/panels/viewport_inspector.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
@@ -14,34 +11,29 @@
 #include "gui/view/scene_view.h"
 #include "gui/window/example_note.h"
 #include "gui/window/overlay_bars.h"
+#include "gui/window/window_questions.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QGridLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <utility>
 
 namespace unprojector::gui {
-namespace {
-
-/// Raised when docks or tool bars change, so that an old layout is not put onto a new window.
-constexpr int kLayoutVersion = 2;
-
-} // namespace
 
 MainWindow::MainWindow(const Options &options, QWidget *parent)
-    : QMainWindow(parent), m_options(options), m_document(new SceneDocument(this)), m_loader(new ModelLoader(this)),
+    : QMainWindow(parent), m_options(options), m_document(new SceneDocument(this)),
+      m_questions(std::make_unique<WindowQuestions>(*this)),
+      m_session(
+          new Session(*m_document, *m_questions, {options.remembers, options.recoveryFolder, options.autosave}, this)),
       m_lifecycle(new LifecycleLog(this))
 {
-    m_sceneName = tr("the scene"); // until one is opened
     setWindowTitle(tr("Unprojector") + QStringLiteral("[*]"));
     resize(1280, 800);
     const bool chosen = !options.remembers || QSettings().value(QStringLiteral("view/smoothEdges"), true).toBool();
@@ -61,17 +53,7 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     });
     connect(m_document, &SceneDocument::pickFailed, this,
             [this](const Error &error) { m_message->showMessage(errorText(error)); });
-    connect(m_loader, &ModelLoader::started, m_loading, &LoadingBar::start);
-    connect(m_loader, &ModelLoader::progressed, m_loading, &LoadingBar::setProgress);
-    connect(m_loader, &ModelLoader::finished, this, &MainWindow::takeLoaded);
-    connect(m_loader, &ModelLoader::cancelled, this, [this] {
-        m_pendingScene.reset();
-        m_loading->finish();
-        emit loadingEnded();
-    });
-    connect(m_loading, &LoadingBar::cancelRequested, m_loader, &ModelLoader::cancel);
-
-    createAutosave();
+    connectSession();
     restoreLayout();
     showCamera();
 }
@@ -80,8 +62,35 @@ MainWindow::~MainWindow()
 {
     // Its end empties the undo stack, which is no reason to forget the unsaved changes.
     m_document->disconnect(this);
+    delete m_session;
     // The view tells the log of its end, so it goes while the log is there.
     delete m_view;
+}
+
+void MainWindow::connectSession()
+{
+    connect(m_session, &Session::changed, this, &MainWindow::showName);
+    connect(m_session, &Session::opened, this, &MainWindow::showOpened);
+    connect(m_session, &Session::failed, this, &MainWindow::showFailure);
+    connect(m_session, &Session::progressed, m_message, &QWidget::hide);
+    connect(m_session, &Session::noticed, this,
+            [this](const QString &text) { statusBar()->showMessage(text, kNoticeMilliseconds); });
+    connect(m_session, &Session::recentFilesChanged, this, &MainWindow::updateRecentMenu);
+
+    connect(m_session, &Session::loadingStarted, m_loading, &LoadingBar::start);
+    connect(m_session, &Session::loadingProgressed, m_loading, &LoadingBar::setProgress);
+    connect(m_session, &Session::loadingEnded, m_loading, &LoadingBar::finish);
+    connect(m_loading, &LoadingBar::cancelRequested, m_session, &Session::cancelLoading);
+
+    connect(m_session, &Session::offeredChanged, m_recovery, [this] { m_recovery->offer(m_session->offered()); });
+    // What is being recovered stays offered until it is shown, and is asked for once.
+    connect(m_session, &Session::loadingStarted, m_recovery, [this] { m_recovery->setEnabled(false); });
+    connect(m_session, &Session::loadingEnded, m_recovery, [this] { m_recovery->setEnabled(true); });
+    connect(m_recovery, &RecoveryBar::recoverRequested, m_session,
+            [this](int place) { m_session->recover(static_cast<std::size_t>(place)); });
+    connect(m_recovery, &RecoveryBar::discardRequested, m_session,
+            [this](int place) { m_session->discardOffered(static_cast<std::size_t>(place)); });
+    connect(m_recovery, &RecoveryBar::laterRequested, m_session, &Session::postponeOffered);
 }
 
 void MainWindow::createCenter()
@@ -125,7 +134,7 @@ void MainWindow::createView()
         std::vector<std::filesystem::path> files;
         for (const QUrl &url : urls)
             files.emplace_back((url.isLocalFile() ? url.toLocalFile() : url.toString()).toStdU16String());
-        openFiles(std::move(files));
+        m_session->openFiles(std::move(files));
     });
 }
 
@@ -145,87 +154,28 @@ void MainWindow::showFailure(const QString &reason)
     emit openFailed(reason);
 }
 
-void MainWindow::createDocks()
+QString MainWindow::message() const
 {
-    const auto dock = [this](const char *name, const QString &title, QWidget *content) {
-        auto *widget = new QDockWidget(title, this);
-        widget->setObjectName(QLatin1String(name));
-        widget->setWidget(content);
-        widget->hide(); // until it has a place
-        m_docks.push_back(widget);
-        return widget;
-    };
-    m_comparison = new ComparisonPanel;
-    m_inspector = new ViewportInspector(*m_document);
-    m_parametersDock = dock("parameters", tr("Parameters"), new ParametersPanel(*m_document));
-    // On a small window it scrolls, instead of holding the window open.
-    auto *scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(m_comparison);
-    m_comparisonDock = dock("comparison", tr("Comparison"), scroll);
-    m_pipelineDock = dock("pipeline", tr("Pipeline"), new PipelinePanel(*m_document));
-    m_inspectorDock = dock("inspector", tr("Viewport"), m_inspector);
-    m_lifecycleDock = dock("lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle));
-    m_exampleNote = new ExampleNote;
-    m_exampleDock = new QDockWidget(tr("Example"), this);
-    m_exampleDock->setObjectName(QStringLiteral("example"));
-    m_exampleDock->setWidget(m_exampleNote);
-    m_exampleDock->hide();
-    connect(m_exampleNote, &ExampleNote::closeRequested, m_exampleDock, &QWidget::hide);
-    connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
-    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    // The sides keep their full height: numbers stand in columns there.
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    return m_message->isHidden() ? QString() : m_message->text();
 }
 
-void MainWindow::arrangeDocks()
+void MainWindow::showName()
 {
-    // Where the window is too small for all panels, the view keeps its half of it.
-    const bool isWide = width() >= 1180;
-    const bool isHigh = height() >= 700;
-    for (QDockWidget *dock : m_docks) {
-        dock->setFloating(false);
-        removeDockWidget(dock);
-    }
-    if (isWide)
-        addDockWidget(Qt::LeftDockWidgetArea, m_parametersDock);
-    const bool showsExample = !m_exampleNote->isEmpty();
-    addDockWidget(isWide ? Qt::LeftDockWidgetArea : Qt::BottomDockWidgetArea, m_exampleDock);
-    if (isWide)
-        tabifyDockWidget(m_parametersDock, m_exampleDock);
-    m_exampleDock->setVisible(showsExample);
-    addDockWidget(Qt::RightDockWidgetArea, m_comparisonDock);
-    tabifyDockWidget(m_comparisonDock, m_pipelineDock);
-    if (!isWide)
-        tabifyDockWidget(m_pipelineDock, m_parametersDock);
-    addDockWidget(Qt::BottomDockWidgetArea, m_inspectorDock);
-    tabifyDockWidget(m_inspectorDock, m_lifecycleDock);
-    for (QDockWidget *dock : m_docks)
-        dock->setVisible(isHigh || (dock != m_inspectorDock && dock != m_lifecycleDock));
-    m_hidesPanels->setChecked(false);
-    m_comparisonDock->raise();
-    m_inspectorDock->raise();
-    if (isWide)
-        resizeDocks({m_parametersDock, m_comparisonDock}, {238, 446}, Qt::Horizontal);
-    else
-        resizeDocks({m_comparisonDock}, {std::min(446, width() / 2)}, Qt::Horizontal);
-    resizeDocks({m_inspectorDock}, {190}, Qt::Vertical);
+    setWindowTitle(tr("%1[*] – Unprojector").arg(m_session->name()));
+    setWindowModified(m_session->hasUnsavedChanges());
 }
 
-void MainWindow::hidePanels(bool isHidden)
+void MainWindow::showOpened(const QString &example)
 {
-    if (isHidden) {
-        m_layoutWithPanels = m_isArranged ? saveState(kLayoutVersion) : QByteArray();
-        for (QDockWidget *dock : m_docks)
-            dock->hide();
-    } else if (m_layoutWithPanels.isEmpty() || !restoreState(m_layoutWithPanels, kLayoutVersion)) {
-        arrangeDocks();
+    showName();
+    if (example.isEmpty()) {
+        m_exampleNote->clear();
+        m_exampleDock->hide();
+        return;
     }
-    m_isArranged = true;
-    m_hidesPanels->setChecked(isHidden);
+    m_exampleNote->showExample(example.toStdString());
+    m_exampleDock->show();
+    m_exampleDock->raise();
 }
 
 void MainWindow::showObserver(bool isShown)
@@ -282,20 +232,6 @@ void MainWindow::showCamera()
                                significantText(w.nearDistance, 4), significantText(w.farDistance, 4)));
 }
 
-void MainWindow::restoreLayout()
-{
-    if (!m_options.remembers)
-        return;
-    const QSettings settings;
-    m_comparison->setShowsFloat(settings.value(QStringLiteral("comparison/showsFloat"), false).toBool());
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    const QByteArray state = settings.value(QStringLiteral("window/state")).toByteArray();
-    if (state.isEmpty())
-        return;
-    arrangeDocks(); // every dock needs a place before a kept one can be given to it
-    m_isArranged = restoreState(state, kLayoutVersion);
-}
-
 void MainWindow::showEvent(QShowEvent *event)
 {
     // Only now the window has the size that the arrangement goes by.
@@ -306,18 +242,12 @@ void MainWindow::showEvent(QShowEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!mayLeaveScene()) {
+    if (!m_session->mayLeave()) {
         event->ignore();
         return;
     }
-    if (m_autosave)
-        m_autosave->discard();
-    if (m_options.remembers) {
-        QSettings settings;
-        settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-        settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
-        settings.setValue(QStringLiteral("comparison/showsFloat"), m_comparison->showsFloat());
-    }
+    m_session->end();
+    keepLayout();
     QMainWindow::closeEvent(event);
 }
 

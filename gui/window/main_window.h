@@ -1,13 +1,12 @@
 #pragma once
 
-#include "core/scene_file/scene_file.h"
-#include "core/unproject/pick.h"
-#include "gui/document/autosave.h"
-#include "gui/document/model_loader.h"
+#include "gui/document/session.h"
 
+#include "core/unproject/pick.h"
+
+#include <QKeySequence>
 #include <QMainWindow>
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,7 +18,6 @@ class QLabel;
 class QSplitter;
 
 namespace unprojector::gui {
-using namespace scene_file;
 using namespace unproject;
 
 class ComparisonPanel;
@@ -33,8 +31,9 @@ class RecoveryBar;
 class SceneDocument;
 class SceneView;
 class ViewportInspector;
+class WindowQuestions;
 
-/// The window: menus, tool bar, docks and status bar around one document and its view.
+/// The window: a session's document in a view, with panels in docks, menus, tool bar and status bar around it.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
@@ -48,36 +47,19 @@ public:
     explicit MainWindow(const Options &options, QWidget *parent = nullptr);
     ~MainWindow() override;
 
+    Session &session() { return *m_session; }
     SceneDocument &document() { return *m_document; }
     SceneView &view() { return *m_view; }
     ComparisonPanel &comparison() { return *m_comparison; }
     LifecycleLog &lifecycle() { return *m_lifecycle; }
 
-    /// Opens a scene file: its models are loaded first; if one of them cannot be, nothing changes and a message says why.
-    void openScene(const std::filesystem::path &file);
-    /// Writes the scene; a message says so when that fails, and the scene stays unsaved.
-    /// @return whether it is on the disk
-    bool saveScene(const std::filesystem::path &file);
-    /// Opens model files, or the scene where there is a scene file (.json) among them; what could be opened replaces the scene, the rest is told in a message.
-    void openFiles(std::vector<std::filesystem::path> files);
-    void openBundledScene();
-    /// Asks what to do with unsaved changes that an unexpected end has left, if there are any. Nothing waits for the answer.
-    void offerRecovery();
-    /// Whether leaving the scene would lose work: any change of a scene that has a file, and more than a look around in one
-    /// that has none.
-    bool hasUnsavedChanges() const;
-    /// Opens one of core's examples and says what to look at.
-    void openExample(const std::string &id);
     /// Gives the view the whole window, or the panels back.
     void hidePanels(bool isHidden);
-    bool isLoading() const { return m_loader->isLoading(); }
     /// The message that is on show, or nothing.
     QString message() const;
 
 signals:
-    /// A loading has ended, in whatever way.
-    void loadingEnded();
-    /// Files that could not be opened, in words.
+    /// What could not be opened, saved or drawn, in words.
     void openFailed(const QString &reason);
 
 protected:
@@ -88,72 +70,59 @@ private:
     /// How long the status bar tells what needs no answer.
     static constexpr int kNoticeMilliseconds = 12000;
 
+    /// A panel of the window, one row of a table.
+    struct Panel {
+        enum class Shown { Always, InHighWindows, WithExample };
+        const char *id; ///< by which layouts are kept
+        QString title;
+        std::function<QWidget *()> make;
+        Qt::DockWidgetArea area;       ///< in a window that is wide enough; those of one area are tabs of one dock
+        Qt::DockWidgetArea narrowArea; ///< where the window is too small for panels on both sides
+        QKeySequence key;              ///< shows and hides it
+        Shown shown;                   ///< at first
+        QDockWidget *dock = nullptr;
+    };
+
+    std::vector<Panel> panelTable();
     void createCenter();
     void createView();
     void setSmoothEdges(bool smooth);
     void createDocks();
     void createStatusBar();
+    void connectSession();
     /// The panels where they are at first, as many as fit beside the view.
     void arrangeDocks();
+    void restoreLayout();
+    void keepLayout() const;
     void showObserver(bool isShown);
-    void showFailure(const QString &reason);
 
     void createActions();
     void createFileMenu(QToolBar &bar);
     void createExamplesMenu(QMenu &menu);
     void createEditMenu();
     void createViewMenu(QToolBar &bar);
+    void createPanelActions(QMenu &menu);
     void createHelpMenu();
     QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &key, const QString &tip,
                        std::function<void()> slot);
-
-    /// A scene whose models are being loaded.
-    struct PendingScene {
-        std::filesystem::path path; ///< absolute; of a recovered scene it may be empty
-        SceneFile contents;
-        QString name;                      ///< for the title
-        RecoveryFile *recovered = nullptr; ///< one of m_offered
-    };
-
-    void askForFiles();
-    bool save();
-    bool saveAs();
-    /// Asks about unsaved changes.
-    /// @return whether to go on
-    bool mayLeaveScene();
-    void load(PendingScene scene);
-    void takeScene(const std::vector<LoadedModel> &models);
-    /// The scene that was just opened has this file, or none, and this name in the title.
-    void setSceneFile(const std::filesystem::path &file, SceneFile contents, const QString &name);
-    void nameScene(const QString &name);
-    /// What came as a matrix and was saved by its arguments, in a sentence; empty where nothing was.
-    QString droppedMatrices(const SceneFile &written) const;
-    void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
-    void createAutosave();
-    /// The title's mark and the autosave go by whether there are unsaved changes.
-    void followChanges();
-    std::optional<Autosave::Content> unsavedContent() const;
-    void showOffered();
-    void recover(std::size_t place);
-    void discardOffered(std::size_t place);
-    /// The scene that was just opened is what that file kept.
-    void takeRecovered(const RecoveryFile &file);
-    std::unique_ptr<RecoveryFile> takeOffered(std::size_t place);
-    void rememberRecent(const std::filesystem::path &file);
     void updateRecentMenu();
+    std::vector<std::filesystem::path> askForModels(const QString &title, const QString &filter);
+
+    void showName();
+    void showOpened(const QString &example);
+    void showFailure(const QString &reason);
     void showHover(const WidgetPoint &position, const DepthSample &sample);
     void showCamera();
-    void restoreLayout();
-    void showAbout();
-    void leaveExample();
     void showFormulas(const QString &anchor);
     void showControls();
+    void showAbout();
 
     Options m_options;
     bool m_smoothEdges = true;
     bool m_isArranged = false; ///< by the user's last session, or for the size it is first shown with
     SceneDocument *m_document;
-    ModelLoader *m_loader;
+    std::unique_ptr<WindowQuestions> m_questions;
+    Session *m_session;
     LifecycleLog *m_lifecycle;
     SceneView *m_view = nullptr;
     ObserverPanel *m_observer = nullptr; ///< made when it is first asked for
@@ -163,24 +132,13 @@ private:
     RecoveryBar *m_recovery = nullptr;
     MessageBar *m_message = nullptr;
     LoadingBar *m_loading = nullptr;
+    std::vector<Panel> m_panels;
     ComparisonPanel *m_comparison = nullptr;
     ViewportInspector *m_inspector = nullptr;
     ExampleNote *m_exampleNote = nullptr;
-    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
-    std::vector<QDockWidget *> m_docks;   ///< all but the example's, which is there only while an example is shown
     QDockWidget *m_exampleDock = nullptr;
-    QDockWidget *m_parametersDock = nullptr;
-    QDockWidget *m_comparisonDock = nullptr;
-    QDockWidget *m_pipelineDock = nullptr;
-    QDockWidget *m_inspectorDock = nullptr;
-    QDockWidget *m_lifecycleDock = nullptr;
+    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
     QMenu *m_recentMenu = nullptr;
-    std::filesystem::path m_scenePath; ///< absolute: where the scene was opened from or saved to; empty: nowhere
-    SceneFile m_sceneFile; ///< what that file held when it was opened, for its matrices and the keys that are not ours
-    QString m_sceneName;   ///< as in the title
-    std::optional<PendingScene> m_pendingScene;
-    Autosave *m_autosave = nullptr;                       ///< none where nothing is to be kept
-    std::vector<std::unique_ptr<RecoveryFile>> m_offered; ///< by the recovery bar, in its order
     QAction *m_projectionAction = nullptr;
     QAction *m_hidesPanels = nullptr;
     QByteArray m_layoutWithPanels;

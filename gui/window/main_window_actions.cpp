@@ -2,11 +2,15 @@
 
 #include "gui/window/main_window.h"
 
+#include "core/scene/examples.h"
+#include "gui/document/recent_files.h"
 #include "gui/document/scene_document.h"
+#include "gui/text/error_text.h"
+#include "gui/text/example_texts.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/formulas_window.h"
 
-#include <QDockWidget>
+#include <QFileDialog>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QRegularExpression>
@@ -41,23 +45,73 @@ void MainWindow::createActions()
     createHelpMenu();
 }
 
+std::vector<std::filesystem::path> MainWindow::askForModels(const QString &title, const QString &filter)
+{
+    std::vector<std::filesystem::path> files;
+    for (const QString &name : QFileDialog::getOpenFileNames(this, title, {}, filter))
+        files.emplace_back(name.toStdU16String());
+    return files;
+}
+
 void MainWindow::createFileMenu(QToolBar &bar)
 {
+    const QString models = modelFileFilter(), all = QStringLiteral(";;") + tr("All files (*)");
     QMenu *menu = menuBar()->addMenu(tr("&File"));
-    bar.addAction(addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"),
-                            [this] { askForFiles(); }));
+    bar.addAction(
+        addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"), [this, models, all] {
+            std::vector<std::filesystem::path> files =
+                askForModels(tr("Open Models or a Scene"), models + QStringLiteral(";;") + tr("Scenes (*.json)") + all);
+            if (!files.empty())
+                m_session->openFiles(std::move(files));
+        }));
     bar.addSeparator();
+    addAction(menu, tr("A&dd Models…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+              tr("Put more models beside the objects of this scene"), [this, models, all] {
+                  std::vector<std::filesystem::path> files = askForModels(tr("Add Models"), models + all);
+                  if (!files.empty())
+                      m_session->addFiles(std::move(files));
+              });
     m_recentMenu = menu->addMenu(tr("Open &Recent"));
-    addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"), [this] { save(); });
+    addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"),
+              [this] { m_session->save(); });
     addAction(menu, tr("Save Scene &As…"), QKeySequence::SaveAs, tr("Write the scene to another file"),
-              [this] { saveAs(); });
+              [this] { m_session->saveAs(); });
     menu->addSeparator();
     addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
-              [this] { openBundledScene(); });
+              [this] { m_session->openBundledScene(); });
     createExamplesMenu(*menu->addMenu(tr("&Examples")));
     menu->addSeparator();
     addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"), [this] { close(); });
     updateRecentMenu();
+}
+
+void MainWindow::createExamplesMenu(QMenu &menu)
+{
+    std::string tutorial;
+    for (const Example &example : examples()) {
+        const std::optional<ExampleText> text = exampleText(example.id);
+        Q_ASSERT(text);
+        if (example.tutorial != tutorial) {
+            tutorial = example.tutorial;
+            menu.addSection(tutorialName(tutorial));
+        }
+        addAction(&menu, text->name, {}, text->source, [this, id = example.id] { m_session->openExample(id); });
+    }
+}
+
+void MainWindow::updateRecentMenu()
+{
+    m_recentMenu->clear();
+    const QStringList files = m_session->recentFiles();
+    m_recentMenu->setEnabled(!files.isEmpty());
+    for (const QString &file : files)
+        connect(m_recentMenu->addAction(recentFileText(file)), &QAction::triggered, this,
+                [this, file] { m_session->openFiles({std::filesystem::path(file.toStdU16String())}); });
+    if (files.isEmpty())
+        return;
+    m_recentMenu->addSeparator();
+    connect(m_recentMenu->addAction(tr("&Clear This List")), &QAction::triggered, m_session,
+            &Session::clearRecentFiles);
 }
 
 void MainWindow::createEditMenu()
@@ -110,13 +164,7 @@ void MainWindow::createViewMenu(QToolBar &bar)
     smooth->setChecked(m_smoothEdges);
     connect(smooth, &QAction::toggled, this, &MainWindow::setSmoothEdges);
     menu->addSeparator();
-    for (QDockWidget *dock : m_docks)
-        menu->addAction(dock->toggleViewAction());
-    m_hidesPanels = addAction(menu, tr("H&ide All Panels"), Qt::Key_F9, tr("Give the view the whole window"),
-                              [this] { hidePanels(m_hidesPanels->isChecked()); });
-    m_hidesPanels->setCheckable(true);
-    addAction(menu, tr("R&eset Layout"), {}, tr("Put all panels back to where they were at first"),
-              [this] { arrangeDocks(); });
+    createPanelActions(*menu);
 }
 
 void MainWindow::createHelpMenu()

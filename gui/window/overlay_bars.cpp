@@ -106,7 +106,7 @@ void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
     m_choice->clear();
     for (const RecoveryInfo &info : kept) {
         m_choice->addItem(tr("%1, %2").arg(info.name, dateText(info.time)));
-        m_choice->setItemData(m_choice->count() - 1, pathText(info.sceneFile), Qt::ToolTipRole);
+        m_choice->setItemData(m_choice->count() - 1, plainToolTip(pathText(info.sceneFile)), Qt::ToolTipRole);
     }
     if (kept.empty()) {
         hide();
@@ -118,7 +118,7 @@ void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
             fontMetrics().elidedText(kept.front().name, Qt::ElideMiddle, 40 * fontMetrics().averageCharWidth());
         m_text->setText(tr("The program ended unexpectedly on %1. The unsaved changes to %2 were kept.")
                             .arg(dateText(kept.front().time), name));
-        m_text->setToolTip(pathText(kept.front().sceneFile));
+        m_text->setToolTip(plainToolTip(pathText(kept.front().sceneFile)));
     } else {
         m_text->setText(tr("The program ended unexpectedly. The unsaved changes to %n scenes were kept:", nullptr,
                            static_cast<int>(kept.size())));
@@ -134,6 +134,7 @@ LoadingBar::LoadingBar(QWidget *parent)
     : QFrame(parent), m_text(new QLabel), m_progress(new QProgressBar), m_delay(new QTimer(this))
 {
     makeOverlay(this, "#f4f6f8", "#a9b3bd");
+    m_text->setTextFormat(Qt::PlainText);
     m_progress->setRange(0, 100);
     m_progress->setAccessibleName(tr("Opening"));
     m_progress->setMinimumWidth(180);

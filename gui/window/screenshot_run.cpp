@@ -31,16 +31,16 @@ void ScreenshotRun::start()
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
     m_window->resize(m_request.windowSize);
     if (m_request.files.empty())
-        m_window->openBundledScene();
+        m_window->session().openBundledScene();
     else
-        m_window->openFiles(m_request.files);
+        m_window->session().openFiles(m_request.files);
 
     // A picture that was composed after the loading ended is one that shows the model at its final size.
     connect(&m_window->view(), &SceneView::frameSwapped, this, [this] {
-        if (!m_window->isLoading())
+        if (!m_window->session().isLoading())
             QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave);
     });
-    connect(m_window.get(), &MainWindow::loadingEnded, this, [this] { m_window->view().update(); });
+    connect(&m_window->session(), &Session::loadingEnded, this, [this] { m_window->view().update(); });
     m_window->show();
 }
 

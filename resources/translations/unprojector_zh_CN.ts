@@ -1252,80 +1252,8 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>打开模型或场景</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>%1[*] – Unprojector</source>
         <translation>%1[*] – Unprojector</translation>
-    </message>
-    <message>
-        <source>Save Scene</source>
-        <translation>保存场景</translation>
-    </message>
-    <message>
-        <source>scene.json</source>
-        <translation>scene.json</translation>
-    </message>
-    <message>
-        <source>Unsaved Changes</source>
-        <translation>未保存的更改</translation>
-    </message>
-    <message>
-        <source>Save the changes to %1?</source>
-        <translation>要保存对 %1 的更改吗？</translation>
-    </message>
-    <message>
-        <source>the scene</source>
-        <translation>场景</translation>
-    </message>
-    <message>
-        <source>Bundled scene</source>
-        <translation>自带场景</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 and %n more</source>
-        <translation>
-            <numerusform>%1 及另外 %n 个</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Saved. The projection and the view have changed since they came as matrices; they are written by their arguments.</source>
-        <translation>已保存。投影和视图原为矩阵，读入后有改动，现按参数写出。</translation>
-    </message>
-    <message>
-        <source>Saved. The projection has changed since it came as a matrix; it is written by its arguments.</source>
-        <translation>已保存。投影原为矩阵，读入后有改动，现按参数写出。</translation>
-    </message>
-    <message>
-        <source>Saved. The view has changed since it came as a matrix; it is written as eye, center and up.</source>
-        <translation>已保存。视图原为矩阵，读入后有改动，现以 eye、center 和 up 写出。</translation>
-    </message>
-    <message>
-        <source>Unsaved changes of an earlier session are damaged and cannot be recovered. The file was put aside as %1.</source>
-        <translation>先前未保存的更改已损坏，无法恢复。该文件已移开，现为 %1。</translation>
-    </message>
-    <message>
-        <source>The unsaved changes are damaged and cannot be recovered. The file was put aside as %1.
-%2</source>
-        <translation>未保存的更改已损坏，无法恢复。该文件已移开，现为 %1。
-%2</translation>
-    </message>
-    <message>
-        <source>Discard Unsaved Changes</source>
-        <translation>丢弃未保存的更改</translation>
-    </message>
-    <message>
-        <source>Delete the unsaved changes to %1 for good?</source>
-        <translation>要永久删除对 %1 的未保存更改吗？</translation>
-    </message>
-    <message>
-        <source>%1: there is no bundled model &quot;%2&quot;.</source>
-        <translation>%1：没有名为“%2”的自带模型。</translation>
-    </message>
-    <message>
-        <source>In case of a crash unsaved changes would be lost: %1 cannot be written.</source>
-        <translation>无法写入 %1：如果程序意外退出，未保存的更改将会丢失。</translation>
     </message>
     <message>
         <source>Draw the edges of surfaces without steps. The depths that clicks read stay the same</source>
@@ -1334,6 +1262,18 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>&lt;p&gt;This graphics driver draws no integers, so the view tells by colours which object was clicked.&lt;/p&gt;</source>
         <translation>&lt;p&gt;此显卡驱动不能绘制整数，因此视图用颜色来辨认点击的是哪个物体。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>A&amp;dd Models…</source>
+        <translation>添加模型(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Put more models beside the objects of this scene</source>
+        <translation>把更多模型放到此场景的物体旁</translation>
+    </message>
+    <message>
+        <source>Add Models</source>
+        <translation>添加模型</translation>
     </message>
 </context>
 <context>
@@ -2304,6 +2244,57 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::Session</name>
+    <message>
+        <source>the scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Saved. The projection and the view have changed since they came as matrices; they are written by their arguments.</source>
+        <translation>已保存。投影和视图原为矩阵，读入后有改动，现按参数写出。</translation>
+    </message>
+    <message>
+        <source>Saved. The projection has changed since it came as a matrix; it is written by its arguments.</source>
+        <translation>已保存。投影原为矩阵，读入后有改动，现按参数写出。</translation>
+    </message>
+    <message>
+        <source>Saved. The view has changed since it came as a matrix; it is written as eye, center and up.</source>
+        <translation>已保存。视图原为矩阵，读入后有改动，现以 eye、center 和 up 写出。</translation>
+    </message>
+    <message>
+        <source>In case of a crash unsaved changes would be lost: %1 cannot be written.</source>
+        <translation>无法写入 %1：如果程序意外退出，未保存的更改将会丢失。</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of an earlier session are damaged and cannot be recovered. The file was put aside as %1.</source>
+        <translation>先前未保存的更改已损坏，无法恢复。该文件已移开，现为 %1。</translation>
+    </message>
+    <message>
+        <source>The unsaved changes are damaged and cannot be recovered. The file was put aside as %1.
+%2</source>
+        <translation>未保存的更改已损坏，无法恢复。该文件已移开，现为 %1。
+%2</translation>
+    </message>
+    <message>
+        <source>Bundled scene</source>
+        <translation>自带场景</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: there is no bundled model &quot;%2&quot;.</source>
+        <translation>%1：没有名为“%2”的自带模型。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ViewTab</name>
     <message>
         <source>Eye</source>
@@ -2601,6 +2592,41 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>Window: %1 × %2 pixels</source>
         <translation>窗口：%1 × %2 像素</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::WindowQuestions</name>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1?</source>
+        <translation>要保存对 %1 的更改吗？</translation>
+    </message>
+    <message>
+        <source>Save Scene</source>
+        <translation>保存场景</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json)</source>
+        <translation>场景 (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 已存在。要替换它吗？</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another window or program since it was opened here. Replace it, and lose those changes?</source>
+        <translation>%1 在此处打开之后已被其他窗口或程序更改。要替换它并丢弃那些更改吗？</translation>
+    </message>
+    <message>
+        <source>Discard Unsaved Changes</source>
+        <translation>丢弃未保存的更改</translation>
+    </message>
+    <message>
+        <source>Delete the unsaved changes to %1 for good?</source>
+        <translation>要永久删除对 %1 的未保存更改吗？</translation>
     </message>
 </context>
 </TS>

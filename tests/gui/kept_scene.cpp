@@ -43,8 +43,8 @@ std::unique_ptr<MainWindow> windowKeepingIn(const QString &folder)
 
 bool openAndWait(MainWindow &window, const QString &file)
 {
-    QSignalSpy ended(&window, &MainWindow::loadingEnded);
-    window.openFiles({pathOf(file)});
+    QSignalSpy ended(&window.session(), &Session::loadingEnded);
+    window.session().openFiles({pathOf(file)});
     return !ended.isEmpty() || ended.wait(kMostMilliseconds);
 }
 

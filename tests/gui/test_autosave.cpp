@@ -67,7 +67,7 @@ void TestAutosave::aFolderThatCannotBeWrittenIsToldOnce()
     const QString folder = m_folder->sceneFile() + QStringLiteral("/recovery"); // below a file there is no folder
     const auto window = windowKeepingIn(folder);
     QSignalSpy failed(window->findChild<Autosave *>(), &Autosave::failed);
-    window->openBundledScene();
+    window->session().openBundledScene();
     edit(*window, 1.0);
     QVERIFY(failed.wait(kMostMilliseconds));
     QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("scene.json")),
@@ -89,7 +89,7 @@ void TestAutosave::changesAreKeptUntilTheyAreSaved()
     edit(*window);
     QVERIFY(becomesKept(m_folder->recovery()));
     QCOMPARE(read(m_folder->sceneFile()), kScene);
-    QVERIFY(window->saveScene(pathOf(m_folder->sceneFile())));
+    QVERIFY(window->session().saveScene(pathOf(m_folder->sceneFile())));
     QVERIFY(QDir(m_folder->recovery()).isEmpty());
     window->document().setCamera({WorldPoint(0.0, 0.0, 4.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
     QVERIFY2(becomesKept(m_folder->recovery()), "of a scene that has a file the view is a part");
@@ -98,7 +98,7 @@ void TestAutosave::changesAreKeptUntilTheyAreSaved()
 void TestAutosave::undoneChangesAreNotKept()
 {
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->openBundledScene();
+    window->session().openBundledScene();
     edit(*window, 1.0);
     edit(*window, 2.0);
     QVERIFY(becomesKept(m_folder->recovery()));
@@ -113,7 +113,7 @@ void TestAutosave::changesAreNotKeptOnceTheWindowIsClosed()
 {
     {
         const auto window = windowKeepingIn(m_folder->recovery());
-        window->openBundledScene();
+        window->session().openBundledScene();
         edit(*window);
         QVERIFY(becomesKept(m_folder->recovery()));
         QVERIFY(window->close());
@@ -124,7 +124,7 @@ void TestAutosave::changesAreNotKeptOnceTheWindowIsClosed()
 void TestAutosave::changesAreNotKeptOnceAnotherSceneIsOpened()
 {
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->openBundledScene();
+    window->session().openBundledScene();
     edit(*window);
     QVERIFY(becomesKept(m_folder->recovery()));
     QVERIFY(openAndWait(*window, m_folder->file(QStringLiteral("nowhere.json"))));
@@ -136,7 +136,7 @@ void TestAutosave::changesAreNotKeptOnceAnotherSceneIsOpened()
 void TestAutosave::whoOnlyLooksAroundLeavesNothing()
 {
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->openBundledScene();
+    window->session().openBundledScene();
     window->document().fit();
     window->document().switchProjection();
     QTest::qWait(300);
@@ -146,9 +146,9 @@ void TestAutosave::whoOnlyLooksAroundLeavesNothing()
 void TestAutosave::aWindowThatRemembersNothingKeepsNothing()
 {
     const auto window = windowKeepingIn({});
-    window->openBundledScene();
+    window->session().openBundledScene();
     edit(*window);
-    window->offerRecovery();
+    window->session().offerRecovery();
     QVERIFY(!window->findChild<Autosave *>());
 }
 

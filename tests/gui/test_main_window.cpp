@@ -41,7 +41,7 @@ std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remembers = fal
     auto window = std::make_unique<MainWindow>(options);
     if (!remembers)
         window->resize(size);
-    window->openBundledScene();
+    window->session().openBundledScene();
     window->show();
     if (!QTest::qWaitForWindowExposed(window.get()) || !QTest::qWaitFor([&] { return window->view().isReady(); }))
         qFatal("the window does not come up");
@@ -127,13 +127,13 @@ void TestMainWindow::everyExampleOpensWithItsNote()
     const auto window = windowOfSize({1280, 800});
     QVERIFY(dockOf(*window, "example")->isHidden());
     for (const Example &example : examples()) {
-        window->openExample(example.id);
+        window->session().openExample(example.id);
         QCOMPARE(window->document().objects().size(), example.scene.objects.size());
         QVERIFY(!dockOf(*window, "example")->isHidden());
         QVERIFY(window->message().isEmpty());
         QVERIFY(!window->view().grabFramebuffer().isNull());
     }
-    window->openBundledScene();
+    window->session().openBundledScene();
     QVERIFY(dockOf(*window, "example")->isHidden());
 }
 

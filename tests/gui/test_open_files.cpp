@@ -57,11 +57,11 @@ QStringList namesOf(const SceneDocument &document)
 
 bool openAndWait(MainWindow &window, const QStringList &files)
 {
-    QSignalSpy ended(&window, &MainWindow::loadingEnded);
+    QSignalSpy ended(&window.session(), &Session::loadingEnded);
     std::vector<std::filesystem::path> paths;
     for (const QString &file : files)
         paths.push_back(pathOf(file));
-    window.openFiles(std::move(paths));
+    window.session().openFiles(std::move(paths));
     return !ended.isEmpty() || ended.wait(kLoadMilliseconds);
 }
 
@@ -164,7 +164,7 @@ void TestOpenFiles::aNamedFileIsShown()
     QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("triangle.obj")});
     QVERIFY(window->windowTitle().startsWith(QStringLiteral("triangle.obj")));
     QVERIFY(window->message().isEmpty());
-    QVERIFY(!window->isLoading());
+    QVERIFY(!window->session().isLoading());
     // It can be clicked: the triangle lies in z = 0.
     click(window->view(), localOf(*window, {0.5, 0.5, 0.0}));
     QVERIFY(window->document().pick() && window->document().pick()->hit);
@@ -179,7 +179,7 @@ void TestOpenFiles::aDroppedFileIsShown()
     SceneView &view = window->view();
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(write(QStringLiteral("dropped file.obj"), kTriangleObj))});
-    QSignalSpy ended(window.get(), &MainWindow::loadingEnded);
+    QSignalSpy ended(&window->session(), &Session::loadingEnded);
     QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&view, &enter);
     QVERIFY(enter.isAccepted());
@@ -278,7 +278,7 @@ void TestOpenFiles::aBrokenFileChangesNothing()
     QVERIFY2(!window->message().contains(QStringLiteral("%1")) && !window->message().contains(QStringLiteral("%2")),
              qPrintable(window->message()));
     QVERIFY(before.isThatOf(*window));
-    QVERIFY(!window->isLoading());
+    QVERIFY(!window->session().isLoading());
 }
 
 void TestOpenFiles::aMessageGoesWithTheNextFile()
@@ -296,22 +296,22 @@ void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
     window->document().setObjects(cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
     const State before(*window);
-    QSignalSpy ended(window.get(), &MainWindow::loadingEnded);
+    QSignalSpy ended(&window->session(), &Session::loadingEnded);
     std::vector<std::filesystem::path> files;
     for (const QString &file : bigFiles())
         files.push_back(pathOf(file));
-    window->openFiles(files);
+    window->session().openFiles(files);
     auto *bar = window->findChild<LoadingBar *>();
     QVERIFY(bar);
     QVERIFY(QTest::qWaitFor([&] { return bar->isVisible(); }));
-    QVERIFY(window->isLoading());
+    QVERIFY(window->session().isLoading());
     auto *cancel = bar->findChild<QPushButton *>();
     QElapsedTimer timer;
     timer.start();
     QTest::mouseClick(cancel, Qt::LeftButton);
     QCOMPARE(ended.count(), 1);
     QVERIFY(timer.elapsed() < kAtOnceMilliseconds);
-    QVERIFY(!window->isLoading());
+    QVERIFY(!window->session().isLoading());
     QVERIFY(bar->isHidden());
     QVERIFY(before.isThatOf(*window));
     QTest::qWait(300); // nothing comes after it
@@ -328,11 +328,11 @@ void TestOpenFiles::aSecondLoadingTakesTheFirstOnesPlace()
     std::vector<std::filesystem::path> files;
     for (const QString &file : bigFiles())
         files.push_back(pathOf(file));
-    window->openFiles(files);
+    window->session().openFiles(files);
     QTest::qWait(200);
-    QVERIFY(window->isLoading());
-    window->openFiles({pathOf(small)});
-    QVERIFY(QTest::qWaitFor([&] { return !window->isLoading(); }, kLoadMilliseconds));
+    QVERIFY(window->session().isLoading());
+    window->session().openFiles({pathOf(small)});
+    QVERIFY(QTest::qWaitFor([&] { return !window->session().isLoading(); }, kLoadMilliseconds));
     QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("small.obj")});
     QTest::qWait(300);
     QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("small.obj")});
@@ -348,9 +348,9 @@ void TestOpenFiles::theWindowClosesWhileLoading()
         std::vector<std::filesystem::path> files;
         for (const QString &file : bigFiles())
             files.push_back(pathOf(file));
-        window->openFiles(files);
+        window->session().openFiles(files);
         QTest::qWait(milliseconds);
-        QVERIFY(window->isLoading());
+        QVERIFY(window->session().isLoading());
         timer.start();
         QVERIFY(window->close());
         window.reset();
@@ -396,7 +396,7 @@ void TestOpenFiles::recentFilesAreRemembered()
         QMenu *menu = recentMenu(window);
         QVERIFY(menu->isEnabled());
         QVERIFY(menu->actions().at(1)->text().startsWith(QStringLiteral("second && third.obj – ")));
-        QSignalSpy ended(&window, &MainWindow::loadingEnded);
+        QSignalSpy ended(&window.session(), &Session::loadingEnded);
         menu->actions().at(1)->trigger();
         QVERIFY(ended.wait(kLoadMilliseconds));
         QCOMPARE(namesOf(window.document()), QStringList{QStringLiteral("second & third.obj")});

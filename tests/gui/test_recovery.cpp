@@ -41,7 +41,7 @@ QPushButton &buttonOf(MainWindow &window, const QString &text)
 
 bool recover(MainWindow &window)
 {
-    QSignalSpy ended(&window, &MainWindow::loadingEnded);
+    QSignalSpy ended(&window.session(), &Session::loadingEnded);
     buttonOf(window, QStringLiteral("Recover")).click();
     return !ended.isEmpty() || ended.wait(kMostMilliseconds);
 }
@@ -95,6 +95,7 @@ private slots:
     void aDamagedFileIsPutAside_data();
     void aDamagedFileIsPutAside();
     void whatDeadProgramsLeaveIsCleared();
+    void namesAreNoMarkup();
 
 private:
     /// What a crash leaves: a window with a change that goes without being closed.
@@ -146,8 +147,8 @@ void TestRecovery::aKilledProgramsChangesAreOfferedAndRecovered()
 
     {
         const auto beside = windowKeepingIn(m_folder->recovery());
-        beside->openBundledScene();
-        beside->offerRecovery();
+        beside->session().openBundledScene();
+        beside->session().offerRecovery();
         QVERIFY2(offeredBy(*beside).isEmpty(), "the other program is running");
     }
     program.kill();
@@ -155,8 +156,8 @@ void TestRecovery::aKilledProgramsChangesAreOfferedAndRecovered()
     QCOMPARE(program.exitStatus(), QProcess::CrashExit);
 
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->openBundledScene();
-    window->offerRecovery();
+    window->session().openBundledScene();
+    window->session().offerRecovery();
     QVERIFY2(offeredBy(*window).contains(QStringLiteral("scene.json")), qPrintable(offeredBy(*window)));
     QVERIFY(recover(*window));
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
@@ -185,21 +186,21 @@ void TestRecovery::aRecoveredSceneIsKeptUntilItIsSaved()
     leaveChanges(m_folder->sceneFile(), 0.125);
     for (int crash = 0; crash < 3; ++crash) {
         const auto window = windowKeepingIn(m_folder->recovery());
-        window->offerRecovery();
+        window->session().offerRecovery();
         QVERIFY(recover(*window));
         QVERIFY(window->document().scene().clipPlanes == (std::vector{glm::dvec4(0.0, 1.0, 0.0, 0.125)}));
         QCOMPARE(keptIn(m_folder->recovery()).size(), 1);
         const auto beside = windowKeepingIn(m_folder->recovery());
-        beside->offerRecovery();
+        beside->session().offerRecovery();
         QVERIFY(offeredBy(*beside).isEmpty());
     }
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->offerRecovery();
+    window->session().offerRecovery();
     QVERIFY(recover(*window));
     edit(*window, 0.25);
     window->document().undoStack().undo();
     QVERIFY2(window->isWindowModified(), "what was recovered is on no disk yet");
-    QVERIFY(window->saveScene(pathOf(m_folder->sceneFile())));
+    QVERIFY(window->session().saveScene(pathOf(m_folder->sceneFile())));
     QVERIFY(QDir(m_folder->recovery()).isEmpty());
 }
 
@@ -211,7 +212,7 @@ void TestRecovery::aSceneWithoutAFileIsRecovered()
     leaveChanges(QStringLiteral("models/triangle.obj"), 0.125);
     QVERIFY(QDir::setCurrent(before));
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->offerRecovery();
+    window->session().offerRecovery();
     QVERIFY2(offeredBy(*window).contains(QStringLiteral("triangle.obj")), qPrintable(offeredBy(*window)));
     QVERIFY(recover(*window));
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
@@ -228,7 +229,7 @@ void TestRecovery::severalAreOfferedTheLastFirst()
     QTest::qWait(20); // the times are in milliseconds
     leaveChanges(other, 0.25);
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->offerRecovery();
+    window->session().offerRecovery();
     const auto *choice = barOf(*window).findChild<QComboBox *>();
     QVERIFY(!choice->isHidden());
     QCOMPARE(choice->count(), 2);
@@ -245,8 +246,8 @@ void TestRecovery::laterMeansTheNextStart()
     leaveChanges(m_folder->sceneFile(), 0.125);
     for (int start = 0; start < 2; ++start) {
         const auto window = windowKeepingIn(m_folder->recovery());
-        window->openBundledScene();
-        window->offerRecovery();
+        window->session().openBundledScene();
+        window->session().offerRecovery();
         QVERIFY(!offeredBy(*window).isEmpty());
         buttonOf(*window, QStringLiteral("Later")).click();
         QVERIFY(offeredBy(*window).isEmpty());
@@ -259,7 +260,7 @@ void TestRecovery::discardedChangesAreGone()
 {
     leaveChanges(m_folder->sceneFile(), 0.125);
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->offerRecovery();
+    window->session().offerRecovery();
     answerNext(QMessageBox::Cancel);
     buttonOf(*window, QStringLiteral("Discard")).click();
     QVERIFY(!offeredBy(*window).isEmpty());
@@ -274,9 +275,9 @@ void TestRecovery::theOfferStandsBesideTheFileOfTheCommandLine()
 {
     leaveChanges(m_folder->sceneFile(), 0.125);
     const auto window = windowKeepingIn(m_folder->recovery());
-    QSignalSpy ended(window.get(), &MainWindow::loadingEnded);
-    window->openFiles({pathOf(m_folder->triangleFile())});
-    window->offerRecovery();
+    QSignalSpy ended(&window->session(), &Session::loadingEnded);
+    window->session().openFiles({pathOf(m_folder->triangleFile())});
+    window->session().offerRecovery();
     window->show();
     QVERIFY(QTest::qWaitForWindowExposed(window.get()));
     QVERIFY(!ended.isEmpty() || ended.wait(kMostMilliseconds));
@@ -293,8 +294,8 @@ void TestRecovery::aModelThatIsGoneKeepsTheOffer()
     leaveChanges(m_folder->sceneFile(), 0.125);
     QVERIFY(QFile::remove(m_folder->triangleFile()));
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->openBundledScene();
-    window->offerRecovery();
+    window->session().openBundledScene();
+    window->session().offerRecovery();
     QVERIFY(recover(*window));
     QVERIFY2(window->message().contains(QStringLiteral("triangle.obj")), qPrintable(window->message()));
     QCOMPARE(window->document().objects().size(), std::size_t(5));
@@ -330,8 +331,8 @@ void TestRecovery::aDamagedFileIsPutAside()
     QVERIFY(QDir().mkpath(m_folder->recovery()));
     write(m_folder->recovery() + QStringLiteral("/0123.recovery"), text);
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->openBundledScene();
-    window->offerRecovery();
+    window->session().openBundledScene();
+    window->session().offerRecovery();
     QCOMPARE(!offeredBy(*window).isEmpty(), isOffered);
     if (isOffered)
         buttonOf(*window, QStringLiteral("Recover")).click();
@@ -342,7 +343,7 @@ void TestRecovery::aDamagedFileIsPutAside()
     QCOMPARE(window->document().objects().size(), std::size_t(5));
 
     const auto next = windowKeepingIn(m_folder->recovery());
-    next->offerRecovery();
+    next->session().offerRecovery();
     QVERIFY(offeredBy(*next).isEmpty() && next->message().isEmpty());
 }
 
@@ -354,10 +355,27 @@ void TestRecovery::whatDeadProgramsLeaveIsCleared()
     write(half, "{");
     write(m_folder->recovery() + QStringLiteral("/0123.recovery.XyZabc"), "{");
     const auto window = windowKeepingIn(m_folder->recovery());
-    window->offerRecovery();
+    window->session().offerRecovery();
     QVERIFY(!offeredBy(*window).isEmpty());
     const QStringList left = QDir(m_folder->recovery()).entryList(QDir::Files | QDir::Hidden);
     QVERIFY2(left.size() == 2, qPrintable(left.join(u' '))); // the file and its lock
+}
+
+void TestRecovery::namesAreNoMarkup()
+{
+    RecoveryBar bar;
+    const RecoveryInfo info{QStringLiteral("<h1>x"), pathOf(QStringLiteral("/a/<img src=b>")),
+                            QDateTime::currentDateTime()};
+    bar.offer({info});
+    const auto *label = bar.findChild<QLabel *>();
+    QVERIFY(label->text().contains(QStringLiteral("<h1>x")));
+    QCOMPARE(label->textFormat(), Qt::PlainText);
+    QVERIFY2(label->toolTip().contains(QStringLiteral("&lt;img src=b&gt;")), qPrintable(label->toolTip()));
+    bar.offer({info, info});
+    const QString tip = bar.findChild<QComboBox *>()->itemData(0, Qt::ToolTipRole).toString();
+    QVERIFY2(tip.contains(QStringLiteral("&lt;img src=b&gt;")), qPrintable(tip));
+    LoadingBar loading;
+    QCOMPARE(loading.findChild<QLabel *>()->textFormat(), Qt::PlainText);
 }
 
 int main(int argc, char **argv)

@@ -40,8 +40,8 @@ private:
     }
     static void openAndWait(MainWindow &window, const std::filesystem::path &file)
     {
-        QSignalSpy ended(&window, &MainWindow::loadingEnded);
-        window.openFiles({file});
+        QSignalSpy ended(&window.session(), &Session::loadingEnded);
+        window.session().openFiles({file});
         if (ended.isEmpty())
             QVERIFY(ended.wait(10000));
     }
@@ -52,7 +52,7 @@ private:
 void TestSceneFiles::whatIsSavedOpensAgainAsItWas()
 {
     const auto window = shownWindow(false, {640, 480});
-    window->openBundledScene();
+    window->session().openBundledScene();
     SceneDocument &document = window->document();
     QVERIFY(document.editProjection({Frustum{-0.6, 0.4, -0.3, 0.5, 1.0, 60.0}, false, false}, {}));
     LookAt camera = document.scene().camera;
@@ -61,10 +61,10 @@ void TestSceneFiles::whatIsSavedOpensAgainAsItWas()
     QVERIFY(document.editTransform(1, {Rotate{33.3, {0.0, 0.0, 1.0}}}, {}));
     QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, -0.25}}, {}, {}));
     const Scene saved = document.scene();
-    QVERIFY(window->saveScene(path("saved.json")));
+    QVERIFY(window->session().saveScene(path("saved.json")));
     QVERIFY(!window->isWindowModified());
 
-    window->openBundledScene();
+    window->session().openBundledScene();
     openAndWait(*window, path("saved.json"));
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     const Scene &opened = document.scene();
@@ -111,7 +111,7 @@ void TestSceneFiles::matricesStayUntilTheyAreChanged()
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     const auto saved = [&] {
         window->statusBar()->clearMessage();
-        if (!window->saveScene(path("matrices.json")))
+        if (!window->session().saveScene(path("matrices.json")))
             return QByteArray();
         QFile file(m_folder.filePath("matrices.json"));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -146,8 +146,8 @@ void TestSceneFiles::modelsOpenedByARelativeNameAreFoundAgain()
     const auto window = shownWindow(false, {640, 480});
     openAndWait(*window, "triangle.obj");
     QVERIFY(QDir::setCurrent(before));
-    QVERIFY(window->saveScene(path("elsewhere/scene.json")));
-    window->openBundledScene();
+    QVERIFY(window->session().saveScene(path("elsewhere/scene.json")));
+    window->session().openBundledScene();
     openAndWait(*window, path("elsewhere/scene.json"));
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     QCOMPARE(window->document().objects().size(), std::size_t(1));
@@ -179,7 +179,7 @@ void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing()
     QFETCH(QString, named);
     write("bad.json", text);
     const auto window = shownWindow(false, {640, 480});
-    window->openBundledScene();
+    window->session().openBundledScene();
     const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
     openAndWait(*window, path("bad.json"));
     QVERIFY2(window->message().contains(named), qPrintable(window->message()));
@@ -190,8 +190,8 @@ void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing()
 void TestSceneFiles::aFolderThatIsNotThereIsTold()
 {
     const auto window = shownWindow(false, {640, 480});
-    window->openBundledScene();
-    QVERIFY(!window->saveScene(path("no/such/folder/scene.json")));
+    window->session().openBundledScene();
+    QVERIFY(!window->session().saveScene(path("no/such/folder/scene.json")));
     QVERIFY2(window->message().contains(QStringLiteral("scene.json")), qPrintable(window->message()));
 }
 

@@ -67,6 +67,7 @@ public:
         QObject::connect(&m_timer, &QTimer::timeout, qApp, [this, answer] {
             QWidget *dialog = QApplication::activeModalWidget();
             if (auto *box = qobject_cast<QMessageBox *>(dialog)) {
+                QCOMPARE(box->textFormat(), Qt::PlainText); // a file's name may look like markup
                 m_questions << box->text();
                 box->button(answer.value_or(QMessageBox::Cancel))->click();
             } else if (auto *files = qobject_cast<QFileDialog *>(dialog)) {
@@ -173,7 +174,7 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
     const bool isWork = kind == Kind::Work;
     {
         const auto untitled = window();
-        untitled->openBundledScene();
+        untitled->session().openBundledScene();
         deed(*untitled);
         QCOMPARE(untitled->isWindowModified(), isWork);
         const MessageBoxAnswers answers(QMessageBox::Cancel);
@@ -183,8 +184,8 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
     }
     // Of a scene that has a file, the view is a part.
     const auto titled = window();
-    titled->openBundledScene();
-    QVERIFY(titled->saveScene(path()));
+    titled->session().openBundledScene();
+    QVERIFY(titled->session().saveScene(path()));
     deed(*titled);
     const bool isChanged = kind != Kind::Nothing;
     QCOMPARE(titled->isWindowModified(), isChanged);
@@ -197,18 +198,18 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
 void TestUnsavedChanges::theWindowsSizeIsNoChange()
 {
     const auto titled = shownWindow(false, {640, 480});
-    titled->openBundledScene();
-    QVERIFY(titled->saveScene(path()));
+    titled->session().openBundledScene();
+    QVERIFY(titled->session().saveScene(path()));
     QVERIFY(resized(*titled, {700, 500}));
-    QVERIFY(!titled->hasUnsavedChanges() && !titled->isWindowModified());
+    QVERIFY(!titled->session().hasUnsavedChanges() && !titled->isWindowModified());
 }
 
 void TestUnsavedChanges::aHandThatMovesNothingChangesNothing()
 {
     const auto titled = shownWindow(0, {640, 480});
-    titled->openBundledScene();
+    titled->session().openBundledScene();
     titled->document().fit();
-    QVERIFY(titled->saveScene(path()));
+    QVERIFY(titled->session().saveScene(path()));
     SceneView &view = titled->view();
     const QPointF place = localOf(*titled, {0.1, 0.5, 0.2});
     QWheelEvent sideways(place, view.mapToGlobal(place), {}, {120, 0}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
@@ -221,7 +222,7 @@ void TestUnsavedChanges::aHandThatMovesNothingChangesNothing()
     // Once a drag is one, a hand that rests adds nothing to it.
     drag(view, place, place + QPointF(40.0, 20.0), Qt::LeftButton);
     QVERIFY(titled->isWindowModified());
-    QVERIFY(titled->saveScene(path()));
+    QVERIFY(titled->session().saveScene(path()));
     drag(view, place, place, Qt::LeftButton);
     turnWheel(view, place, 0);
     QVERIFY(!titled->isWindowModified());
@@ -238,9 +239,9 @@ void TestUnsavedChanges::undoingAllOfItClearsTheMark()
 {
     QFETCH(bool, hasFile);
     const auto window = this->window();
-    window->openBundledScene();
+    window->session().openBundledScene();
     if (hasFile)
-        QVERIFY(window->saveScene(path()));
+        QVERIFY(window->session().saveScene(path()));
     setCamera(*window, 7.0);
     type(*window, "nearDistance", QStringLiteral("0.75"));
     type(*window, "nearDistance", QStringLiteral("0.5"));
@@ -257,9 +258,9 @@ void TestUnsavedChanges::undoingAllOfItClearsTheMark()
 void TestUnsavedChanges::undoingPastASaveSetsTheMark()
 {
     const auto window = this->window();
-    window->openBundledScene();
+    window->session().openBundledScene();
     cut(*window);
-    QVERIFY(window->saveScene(path()));
+    QVERIFY(window->session().saveScene(path()));
     QVERIFY(!window->isWindowModified());
     window->document().undoStack().undo();
     QVERIFY(window->isWindowModified());
@@ -270,7 +271,7 @@ void TestUnsavedChanges::undoingPastASaveSetsTheMark()
 void TestUnsavedChanges::workOlderThanTheUndoStackIsStillWork()
 {
     const auto window = this->window();
-    window->openBundledScene();
+    window->session().openBundledScene();
     cut(*window);
     for (int i = 0; i < window->document().undoStack().undoLimit() + 5; ++i)
         setCamera(*window, 7.0 + i);
@@ -283,7 +284,7 @@ void TestUnsavedChanges::workOlderThanTheUndoStackIsStillWork()
 void TestUnsavedChanges::aLookBetweenEditsKeepsThemApart()
 {
     const auto window = this->window();
-    window->openBundledScene();
+    window->session().openBundledScene();
     SceneDocument &document = window->document();
     QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, 0.0}}, {}, {QStringLiteral("Plane"), QStringLiteral("key")}));
     document.setCamera({WorldPoint(0.0, 0.0, 7.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}, QStringLiteral("key"));
@@ -296,21 +297,21 @@ void TestUnsavedChanges::aLookBetweenEditsKeepsThemApart()
 void TestUnsavedChanges::theAnswerIsObeyed()
 {
     const auto window = this->window();
-    window->openBundledScene();
-    QVERIFY(window->saveScene(path()));
+    window->session().openBundledScene();
+    QVERIFY(window->session().saveScene(path()));
     const auto planesInFile = [this] { return readSceneFile(path()).value().clipPlanes.size(); };
     cut(*window);
     {
         const MessageBoxAnswers answers(QMessageBox::Cancel);
-        window->openExample("zhangci-perspective");
-        window->openBundledScene();
+        window->session().openExample("zhangci-perspective");
+        window->session().openBundledScene();
         QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(1));
         QVERIFY(!answers.questions().isEmpty());
         QCOMPARE(planesInFile(), std::size_t(0));
     }
     {
         const MessageBoxAnswers answers(QMessageBox::Save);
-        window->openBundledScene();
+        window->session().openBundledScene();
         QCOMPARE(answers.questions().size(), 1);
         QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(0));
         QCOMPARE(planesInFile(), std::size_t(1));
@@ -325,7 +326,7 @@ void TestUnsavedChanges::theAnswerIsObeyed()
 void TestUnsavedChanges::aSceneWithoutAFileIsSavedUnderAName()
 {
     const auto window = this->window();
-    window->openBundledScene();
+    window->session().openBundledScene();
     cut(*window);
     const MessageBoxAnswers answers(QMessageBox::Save);
     QVERIFY2(!window->close(), "no name was given, so the scene is not saved, and the window stays");

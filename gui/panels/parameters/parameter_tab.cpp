@@ -41,6 +41,7 @@ ParameterTab::ParameterTab(SceneDocument &document, Changes shown, QWidget *pare
 
     m_reasonLabel = new QLabel;
     m_reasonLabel->setAccessibleName(tr("Why the number is not taken"));
+    m_reasonLabel->setTextFormat(Qt::PlainText);
     m_reasonLabel->setWordWrap(true);
     m_reasonLabel->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_reasonLabel->setContentsMargins(8, 0, 8, 2);
@@ -309,7 +310,7 @@ void ParameterTab::showReason()
     if (reason == m_reasonLabel->text())
         return;
     m_reasonLabel->setText(reason);
-    m_reasonLabel->setToolTip(reason);
+    m_reasonLabel->setToolTip(plainToolTip(reason));
     m_reasonLabel->setAccessibleDescription(reason);
 }
 

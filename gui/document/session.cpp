@@ -1,0 +1,265 @@
+#include "gui/document/session.h"
+
+#include "core/scene_file/scene_error_text.h"
+#include "gui/document/recent_files.h"
+#include "gui/document/scene_document.h"
+#include "gui/text/error_text.h"
+
+#include <QDir>
+
+#include <algorithm>
+#include <utility>
+
+// The scene's name and file, its saving, and what is kept of its changes.
+
+namespace unprojector::gui {
+
+std::filesystem::path Session::absolutePath(const std::filesystem::path &file)
+{
+    std::error_code error;
+    std::filesystem::path absolute = std::filesystem::absolute(file, error);
+    return error ? file : absolute;
+}
+
+Session::Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent)
+    : QObject(parent), m_document(document), m_questions(questions), m_options(options),
+      m_name(tr("the scene")) // until one is opened
+{
+    connect(&m_loader, &ModelLoader::started, this, &Session::loadingStarted);
+    connect(&m_loader, &ModelLoader::progressed, this, &Session::loadingProgressed);
+    connect(&m_loader, &ModelLoader::finished, this, &Session::takeLoaded);
+    connect(&m_loader, &ModelLoader::cancelled, this, [this] {
+        m_pending.reset();
+        emit loadingEnded();
+    });
+    createAutosave();
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::History)
+            followChanges();
+    });
+}
+
+Session::~Session() = default;
+
+bool Session::hasUnsavedChanges() const
+{
+    // Who only looks at a model from all sides has nothing to save; a scene with a file has an owner.
+    return m_file.empty() ? m_document.isEdited() : m_document.isModified();
+}
+
+// ---- saving ------------------------------------------------------------------------------------------------------
+
+bool Session::save()
+{
+    return m_file.empty() ? saveAs() : saveScene(m_file);
+}
+
+bool Session::saveAs()
+{
+    m_loader.cancel(); // it could replace the scene under the question
+    const std::filesystem::path named = m_questions.askFileName(m_file.empty() ? "scene.json" : m_file);
+    if (named.empty())
+        return false;
+    std::filesystem::path file = named;
+    if (!file.has_extension())
+        file += ".json";
+    std::error_code error;
+    if (file != named && std::filesystem::exists(file, error) && !m_questions.askOverwrite(file))
+        return false;
+    return saveScene(file);
+}
+
+bool Session::saveScene(const std::filesystem::path &file)
+{
+    const std::filesystem::path path = absolutePath(file);
+    SceneFile contents = sceneFileFrom(m_document.scene(), m_document.geometry(), path, m_contents);
+    const std::optional<files::FileStamp> onlyIf = path == m_file ? m_stamp : std::nullopt;
+    Result<files::FileStamp, SceneFileError> written = writeSceneFile(path, contents, onlyIf);
+    if (!written && written.error().code == SceneFileErrorCode::ChangedMeanwhile) {
+        if (!m_questions.askOverwriteChanged(path))
+            return false;
+        written = writeSceneFile(path, contents);
+    }
+    if (!written) {
+        emit failed(QString::fromStdString(sceneErrorText(written.error())));
+        return false;
+    }
+    emit progressed();
+    rememberRecent(path);
+    if (const QString dropped = droppedMatrices(contents); !dropped.isEmpty())
+        emit noticed(dropped);
+    m_file = path;
+    m_stamp = written.value();
+    m_name = pathText(path.filename());
+    // Its matrices stay known: undoing what was done to them brings them back into the file.
+    m_contents.objects = std::move(contents.objects);
+    m_document.markSaved();
+    return true;
+}
+
+QString Session::droppedMatrices(const SceneFile &written) const
+{
+    const bool projection = std::holds_alternative<MatrixProjection>(m_contents.projection)
+                            && !std::holds_alternative<MatrixProjection>(written.projection);
+    const bool view =
+        std::holds_alternative<glm::dmat4>(m_contents.view) && !std::holds_alternative<glm::dmat4>(written.view);
+    if (projection && view)
+        return tr("Saved. The projection and the view have changed since they came as matrices; they are written by "
+                  "their arguments.");
+    if (projection)
+        return tr("Saved. The projection has changed since it came as a matrix; it is written by its arguments.");
+    if (view)
+        return tr("Saved. The view has changed since it came as a matrix; it is written as eye, center and up.");
+    return {};
+}
+
+bool Session::mayLeave()
+{
+    m_loader.cancel(); // it could replace the scene under the question
+    if (!m_options.remembers || !hasUnsavedChanges())
+        return true;
+    switch (m_questions.askSave(m_name)) {
+    case SessionQuestions::SaveAnswer::Save: return save();
+    case SessionQuestions::SaveAnswer::Discard: return true;
+    case SessionQuestions::SaveAnswer::Cancel: return false;
+    }
+    return false;
+}
+
+void Session::end()
+{
+    if (m_autosave)
+        m_autosave->discard();
+}
+
+// ---- recent files ------------------------------------------------------------------------------------------------
+
+QStringList Session::recentFiles() const
+{
+    return m_options.remembers ? gui::recentFiles() : QStringList();
+}
+
+void Session::clearRecentFiles()
+{
+    gui::clearRecentFiles();
+    emit recentFilesChanged();
+}
+
+void Session::rememberRecent(const std::filesystem::path &file)
+{
+    if (!m_options.remembers)
+        return;
+    addRecentFile(QString::fromStdU16String(absolutePath(file).u16string()));
+    emit recentFilesChanged();
+}
+
+// ---- in case of a crash ------------------------------------------------------------------------------------------
+
+void Session::createAutosave()
+{
+    QString folder = m_options.recoveryFolder;
+    if (folder.isEmpty() && m_options.remembers)
+        folder = RecoveryFile::defaultFolder();
+    if (folder.isEmpty())
+        return;
+    m_autosave = new Autosave(
+        folder, m_options.autosave, [this] { return unsavedContent(); }, this);
+    connect(m_autosave, &Autosave::failed, this, [this](const QString &path) {
+        emit noticed(tr("In case of a crash unsaved changes would be lost: %1 cannot be written.")
+                         .arg(QDir::toNativeSeparators(path)));
+    });
+}
+
+void Session::followChanges()
+{
+    if (m_autosave)
+        m_autosave->follow(hasUnsavedChanges());
+    emit changed();
+}
+
+std::optional<Autosave::Content> Session::unsavedContent() const
+{
+    Result<std::string, SceneFileError> text =
+        sceneText(sceneFileFrom(m_document.scene(), m_document.geometry(), m_file, m_contents));
+    if (!text)
+        return std::nullopt;
+    return Autosave::Content{{m_name, m_file, QDateTime::currentDateTime(), m_stamp}, std::move(text).value()};
+}
+
+void Session::offerRecovery()
+{
+    if (!m_autosave)
+        return;
+    QStringList damaged;
+    for (std::unique_ptr<RecoveryFile> &file : RecoveryFile::abandonedIn(m_autosave->folder())) {
+        if (file->info())
+            m_offered.push_back(std::move(file));
+        else
+            damaged << tr("Unsaved changes of an earlier session are damaged and cannot be recovered. The file was put "
+                          "aside as %1.")
+                           .arg(QDir::toNativeSeparators(file->putAside()));
+    }
+    emit offeredChanged();
+    if (!damaged.isEmpty())
+        emit failed(damaged.join(u'\n'));
+}
+
+std::vector<RecoveryInfo> Session::offered() const
+{
+    std::vector<RecoveryInfo> infos;
+    for (const std::unique_ptr<RecoveryFile> &file : m_offered)
+        infos.push_back(file->info().value_or(RecoveryInfo{}));
+    return infos;
+}
+
+std::unique_ptr<RecoveryFile> Session::takeOffered(std::size_t place)
+{
+    std::unique_ptr<RecoveryFile> file = std::move(m_offered.at(place));
+    m_offered.erase(m_offered.begin() + static_cast<std::ptrdiff_t>(place));
+    emit offeredChanged();
+    return file;
+}
+
+void Session::recover(std::size_t place)
+{
+    const RecoveryFile &file = *m_offered.at(place);
+    const std::optional<RecoveryInfo> info = file.info();
+    Result<SceneFile, SceneFileError> scene = file.scene();
+    if (!info || !scene) {
+        const QString reason = scene ? QString() : QString::fromStdString(sceneErrorText(scene.error()));
+        const QString aside = takeOffered(place)->putAside();
+        emit failed(tr("The unsaved changes are damaged and cannot be recovered. The file was put aside as %1.\n%2")
+                        .arg(QDir::toNativeSeparators(aside), reason));
+        return;
+    }
+    if (!mayLeave())
+        return;
+    emit progressed();
+    SceneFile recovered = std::move(scene).value();
+    locateObjects(recovered, info->sceneFile);
+    load({Pending::For::SceneFile, info->sceneFile, std::move(recovered), info->stamp, info->name, &file});
+}
+
+void Session::takeRecovered(const RecoveryFile *file)
+{
+    const auto found =
+        std::find_if(m_offered.begin(), m_offered.end(), [file](const auto &offer) { return offer.get() == file; });
+    if (found != m_offered.end())
+        m_autosave->adopt(takeOffered(static_cast<std::size_t>(found - m_offered.begin())));
+    m_document.markUnsaved();
+}
+
+void Session::discardOffered(std::size_t place)
+{
+    const QString name = m_offered.at(place)->info().value_or(RecoveryInfo{}).name;
+    if (m_questions.askDeleteKept(name))
+        takeOffered(place)->remove();
+}
+
+void Session::postponeOffered()
+{
+    m_offered.clear();
+    emit offeredChanged();
+}
+
+} // namespace unprojector::gui

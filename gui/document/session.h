@@ -1,0 +1,173 @@
+#pragma once
+
+#include "core/files/file_stamp.h"
+#include "core/scene_file/scene_file.h"
+#include "gui/document/autosave.h"
+#include "gui/document/model_loader.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace scene_file;
+
+class SceneDocument;
+
+/// What only a person can answer.
+class SessionQuestions {
+public:
+    enum class SaveAnswer { Save, Discard, Cancel };
+
+    virtual ~SessionQuestions() = default;
+    /// What to do with the unsaved changes of the scene of this name, which is about to be left.
+    virtual SaveAnswer askSave(const QString &name) = 0;
+    /// Under which name to save; empty: not at all.
+    virtual std::filesystem::path askFileName(const std::filesystem::path &proposal) = 0;
+    /// Whether to write over this file, whose name is not quite the one that was given.
+    virtual bool askOverwrite(const std::filesystem::path &file) = 0;
+    /// Whether to write over this file, which somebody else has changed since it was read.
+    virtual bool askOverwriteChanged(const std::filesystem::path &file) = 0;
+    /// Whether to delete the changes that were kept of this scene for good.
+    virtual bool askDeleteKept(const QString &name) = 0;
+};
+
+/// Which scene the document shows, where it is from and what becomes of its changes: opens, saves, keeps in case of a
+/// crash and recovers, without a widget. Opening ends what is loading, then asks, then reads.
+class Session : public QObject {
+    Q_OBJECT
+public:
+    struct Options {
+        bool remembers = true; ///< asks about unsaved changes, keeps the list of recent files
+        /// Where unsaved changes are kept in case of a crash; empty: with the user's data if it `remembers`, else nowhere.
+        QString recoveryFolder = {};
+        AutosaveTiming autosave = {};
+    };
+    /// @param document, questions  outlive the session
+    Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent = nullptr);
+    ~Session() override;
+
+    /// As in a title: the file's name, the example's, or what else there is to call the scene by.
+    const QString &name() const { return m_name; }
+    /// Absolute: where the scene was opened from or saved to; empty: nowhere.
+    const std::filesystem::path &file() const { return m_file; }
+    /// Whether leaving the scene would lose work: any change of a scene that has a file, and more than a look around in one
+    /// that has none.
+    bool hasUnsavedChanges() const;
+
+    // ---- opening: what goes wrong is told by `failed`, and then nothing has changed
+
+    /// Opens model files as a new scene, or the scene where there is a scene file among them.
+    void openFiles(std::vector<std::filesystem::path> files);
+    /// Opens model files and puts them beside the objects that are there, as one undoable step.
+    void addFiles(std::vector<std::filesystem::path> files);
+    /// Opens a scene file. Its models are loaded first; each file once, however many objects show it.
+    void openScene(const std::filesystem::path &file);
+    void openBundledScene();
+    /// Opens one of core's examples.
+    void openExample(const std::string &id);
+    bool isLoading() const { return m_loader.isLoading(); }
+    void cancelLoading() { m_loader.cancel(); }
+
+    // ---- saving
+
+    /// To its file, or as saveAs.
+    /// @return whether it is on the disk
+    bool save();
+    /// Under a name that is asked for; ".json" is put behind it where it has no suffix.
+    bool saveAs();
+    bool saveScene(const std::filesystem::path &file);
+    /// Asks about unsaved changes.
+    /// @return whether the scene may be left
+    bool mayLeave();
+    /// The scene is left for good, as mayLeave has allowed: nothing is kept of its changes.
+    void end();
+
+    // ---- after a crash
+
+    /// Looks for unsaved changes that an unexpected end has left.
+    void offerRecovery();
+    /// Those that were found, the last one first.
+    std::vector<RecoveryInfo> offered() const;
+    // With the place of one of those. @pre place < offered().size()
+    void recover(std::size_t place);
+    void discardOffered(std::size_t place);
+    /// They stay for the next start.
+    void postponeOffered();
+
+    QStringList recentFiles() const;
+    void clearRecentFiles();
+
+signals:
+    /// The name, the file, or whether there are unsaved changes.
+    void changed();
+    /// Something is opened or was saved: what was told before is past.
+    void progressed();
+    /// Another scene is shown.
+    /// @param example  the id of one of core's examples, or empty
+    void opened(const QString &example);
+    /// What could not be opened or saved, in words.
+    void failed(const QString &reason);
+    /// What is good to know and needs no answer.
+    void noticed(const QString &text);
+    void loadingStarted();
+    /// @param share  of all files, in [0, 1]
+    void loadingProgressed(const QString &fileName, double share);
+    /// A loading has ended, in whatever way.
+    void loadingEnded();
+    void offeredChanged();
+    void recentFilesChanged();
+
+private:
+    /// What the models that are loading are for.
+    struct Pending {
+        enum class For { NewScene, Addition, SceneFile };
+        For use = For::NewScene;
+        std::filesystem::path path = {}; ///< of the scene, absolute; of a recovered one it may be empty
+        SceneFile contents = {};
+        std::optional<files::FileStamp> stamp = {}; ///< of the scene file, before it was read
+        QString name = {};
+        const RecoveryFile *recovered = nullptr; ///< one of m_offered
+        std::vector<std::filesystem::path> models = {};
+    };
+
+    /// From now on the working folder does not matter.
+    static std::filesystem::path absolutePath(const std::filesystem::path &file);
+    void load(Pending pending);
+    void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
+    void takeModels(const std::vector<LoadedModel> &models, Pending::For use);
+    void takeScene(Pending pending, const std::vector<LoadedModel> &models);
+    /// The scene that was just opened has this file, or none, and this name.
+    void setScene(const QString &name, const QString &example = {}, const std::filesystem::path &file = {},
+                  SceneFile contents = {}, const std::optional<files::FileStamp> &stamp = {});
+    void takeRecovered(const RecoveryFile *file);
+    std::unique_ptr<RecoveryFile> takeOffered(std::size_t place);
+    /// What came as a matrix and was saved by its arguments, in a sentence; empty where nothing was.
+    QString droppedMatrices(const SceneFile &written) const;
+    void createAutosave();
+    void followChanges();
+    std::optional<Autosave::Content> unsavedContent() const;
+    void rememberRecent(const std::filesystem::path &file);
+
+    SceneDocument &m_document;
+    SessionQuestions &m_questions;
+    Options m_options;
+    ModelLoader m_loader;
+    std::optional<Pending> m_pending; ///< while it loads
+    QString m_name;
+    std::filesystem::path m_file;
+    SceneFile m_contents; ///< what the file held when it was opened, for its matrices and the keys that are not ours
+    std::optional<files::FileStamp> m_stamp;              ///< what the file held when it was last read or written here
+    Autosave *m_autosave = nullptr;                       ///< none where nothing is to be kept
+    std::vector<std::unique_ptr<RecoveryFile>> m_offered; ///< the last one first
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,216 @@
+// What a session opens: models, scenes, the bundled one, the tutorials' examples.
+
+#include "core/scene/bundled_scene.h"
+#include "core/scene/examples.h"
+#include "core/scene_file/scene_error_text.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/session.h"
+#include "gui/text/error_text.h"
+#include "gui/text/example_texts.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using ModelPointer = std::shared_ptr<const Model>;
+
+/// A name that ends in .json is meant as a scene even where the contents are beyond recognition: its error says why.
+bool isMeantAsScene(const std::filesystem::path &file)
+{
+    return pathText(file.extension()).compare(QStringLiteral(".json"), Qt::CaseInsensitive) == 0 || isSceneFile(file);
+}
+
+/// The models that the program brings along, by name. The first of a name is it.
+std::map<std::string, ModelPointer> bundledModels()
+{
+    std::map<std::string, ModelPointer> models;
+    const auto add = [&models](const std::vector<SceneObject> &objects) {
+        for (const SceneObject &object : objects)
+            models.try_emplace(object.model->name, object.model);
+    };
+    add(bundledScene());
+    for (const Example &example : examples())
+        add(example.scene.objects);
+    return models;
+}
+
+bool hasBundledModels(const SceneFile &scene)
+{
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [](const SceneFileObject &object) { return !object.bundled.empty(); });
+}
+
+} // namespace
+
+void Session::openFiles(std::vector<std::filesystem::path> files)
+{
+    const auto scene = std::find_if(files.begin(), files.end(), isMeantAsScene);
+    if (scene != files.end()) {
+        openScene(*scene);
+        return;
+    }
+    emit progressed();
+    Pending pending;
+    pending.models = std::move(files);
+    load(std::move(pending));
+}
+
+void Session::addFiles(std::vector<std::filesystem::path> files)
+{
+    emit progressed();
+    Pending pending;
+    pending.use = Pending::For::Addition;
+    pending.models = std::move(files);
+    load(std::move(pending));
+}
+
+void Session::openScene(const std::filesystem::path &file)
+{
+    emit progressed();
+    const std::filesystem::path path = absolutePath(file);
+    // Taken before it is read, so that what changes in between is seen as a change.
+    std::error_code error;
+    std::optional<files::FileStamp> stamp;
+    if (std::filesystem::file_size(path, error) <= kMostSceneBytes && !error)
+        stamp = files::stampOf(path);
+    Result<SceneFile, SceneFileError> scene = readSceneFile(file);
+    if (!scene) {
+        emit failed(QString::fromStdString(sceneErrorText(scene.error())));
+        emit loadingEnded();
+        return;
+    }
+    if (!mayLeave()) {
+        emit loadingEnded();
+        return;
+    }
+    load({Pending::For::SceneFile, path, std::move(scene).value(), stamp, pathText(file.filename())});
+}
+
+void Session::openBundledScene()
+{
+    if (!mayLeave())
+        return;
+    emit progressed();
+    m_document.setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    setScene(tr("Bundled scene"));
+}
+
+void Session::openExample(const std::string &id)
+{
+    const std::vector<Example> all = examples();
+    const auto found = std::find_if(all.begin(), all.end(), [&id](const Example &example) { return example.id == id; });
+    if (found == all.end() || !mayLeave())
+        return;
+    emit progressed();
+    if (const Check shown = m_document.open(found->scene); !shown) {
+        emit failed(errorText(shown.error()));
+        return;
+    }
+    setScene(exampleText(id)->name, QString::fromStdString(id));
+}
+
+void Session::load(Pending pending)
+{
+    m_loader.cancel(); // it would take what this is for
+    if (pending.use == Pending::For::SceneFile) {
+        for (const SceneFileObject &object : pending.contents.objects) {
+            if (!object.bundled.empty())
+                continue;
+            std::filesystem::path file = objectFile(object, pending.path);
+            if (std::find(pending.models.begin(), pending.models.end(), file) == pending.models.end())
+                pending.models.push_back(std::move(file));
+        }
+    }
+    std::vector<std::filesystem::path> models = pending.models;
+    m_pending = std::move(pending);
+    m_loader.load(std::move(models)); // also where there are none: it then ends as any other
+}
+
+void Session::takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors)
+{
+    Pending pending = std::move(m_pending).value_or(Pending{});
+    m_pending.reset();
+    if (pending.use != Pending::For::SceneFile)
+        takeModels(models, pending.use);
+    else if (errors.empty())
+        takeScene(std::move(pending), models);
+    if (!errors.empty()) {
+        QStringList reasons;
+        for (const ImportError &error : errors)
+            reasons << errorText(error);
+        emit failed(reasons.join(u'\n'));
+    }
+    emit loadingEnded();
+}
+
+void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For use)
+{
+    const bool isAddition = use == Pending::For::Addition;
+    if (models.empty() || (!isAddition && !mayLeave()))
+        return;
+    std::vector<SceneObject> objects;
+    for (const LoadedModel &loaded : models) {
+        objects.push_back(
+            {pathText(loaded.file.filename()).toStdString(), absolutePath(loaded.file), loaded.model, {}});
+        rememberRecent(loaded.file);
+    }
+    if (isAddition) {
+        if (const Check added = m_document.addObjects(std::move(objects)); !added)
+            emit failed(errorText(added.error()));
+        return;
+    }
+    const QString first = QString::fromStdString(objects.front().name);
+    const int others = static_cast<int>(models.size()) - 1;
+    m_document.setObjects(std::move(objects));
+    setScene(others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first));
+}
+
+void Session::takeScene(Pending pending, const std::vector<LoadedModel> &models)
+{
+    std::map<std::filesystem::path, ModelPointer> read;
+    for (const LoadedModel &loaded : models)
+        read.emplace(loaded.file, loaded.model);
+    const std::map<std::string, ModelPointer> bundled =
+        hasBundledModels(pending.contents) ? bundledModels() : std::map<std::string, ModelPointer>();
+    std::vector<ModelPointer> inOrder;
+    for (const SceneFileObject &object : pending.contents.objects) {
+        if (object.bundled.empty()) {
+            inOrder.push_back(read.at(objectFile(object, pending.path)));
+            continue;
+        }
+        const auto found = bundled.find(object.bundled);
+        if (found == bundled.end()) {
+            emit failed(
+                tr("%1: there is no bundled model \"%2\".").arg(pending.name, QString::fromStdString(object.bundled)));
+            return;
+        }
+        inOrder.push_back(found->second);
+    }
+    Result<Scene> scene = sceneFromFile(pending.contents, pending.path, inOrder);
+    const Check shown = scene ? m_document.open(std::move(scene).value()) : Check(scene.error());
+    if (!shown) {
+        emit failed(tr("%1: %2").arg(pending.name, errorText(shown.error())));
+        return;
+    }
+    setScene(pending.name, {}, pending.path, std::move(pending.contents), pending.stamp);
+    if (pending.recovered)
+        takeRecovered(pending.recovered);
+    else
+        rememberRecent(pending.path);
+}
+
+void Session::setScene(const QString &name, const QString &example, const std::filesystem::path &file,
+                       SceneFile contents, const std::optional<files::FileStamp> &stamp)
+{
+    m_name = name;
+    m_file = file;
+    m_contents = std::move(contents);
+    m_stamp = stamp;
+    m_document.markSaved();
+    emit opened(example);
+}
+
+} // namespace unprojector::gui

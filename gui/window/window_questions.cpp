@@ -1,0 +1,64 @@
+#include "gui/window/window_questions.h"
+
+#include "gui/text/error_text.h"
+
+#include <QFileDialog>
+#include <QMessageBox>
+
+namespace unprojector::gui {
+namespace {
+
+/// Names come from files: whatever looks like markup in them is text.
+QMessageBox::StandardButton ask(QWidget &window, const QString &title, const QString &text,
+                                QMessageBox::StandardButtons buttons, QMessageBox::StandardButton proposed)
+{
+    QMessageBox box(QMessageBox::Question, title, text, buttons, &window);
+    box.setTextFormat(Qt::PlainText);
+    box.setDefaultButton(proposed);
+    return static_cast<QMessageBox::StandardButton>(box.exec());
+}
+
+} // namespace
+
+SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name)
+{
+    switch (ask(m_window, tr("Unsaved Changes"), tr("Save the changes to %1?").arg(name),
+                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save)) {
+    case QMessageBox::Save: return SaveAnswer::Save;
+    case QMessageBox::Discard: return SaveAnswer::Discard;
+    default: return SaveAnswer::Cancel;
+    }
+}
+
+std::filesystem::path WindowQuestions::askFileName(const std::filesystem::path &proposal)
+{
+    const QString name =
+        QFileDialog::getSaveFileName(&m_window, tr("Save Scene"), pathText(proposal), tr("Scenes (*.json)"));
+    return std::filesystem::path(name.toStdU16String());
+}
+
+bool WindowQuestions::askOverwrite(const std::filesystem::path &file)
+{
+    return ask(m_window, tr("Save Scene"), tr("%1 is there already. Replace it?").arg(pathText(file)),
+               QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel)
+           == QMessageBox::Yes;
+}
+
+bool WindowQuestions::askOverwriteChanged(const std::filesystem::path &file)
+{
+    return ask(m_window, tr("Save Scene"),
+               tr("%1 has been changed by another window or program since it was opened here. Replace it, and lose "
+                  "those changes?")
+                   .arg(pathText(file)),
+               QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel)
+           == QMessageBox::Yes;
+}
+
+bool WindowQuestions::askDeleteKept(const QString &name)
+{
+    return ask(m_window, tr("Discard Unsaved Changes"), tr("Delete the unsaved changes to %1 for good?").arg(name),
+               QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel)
+           == QMessageBox::Discard;
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gui/document/session.h"
+
+#include <QCoreApplication>
+
+class QWidget;
+
+namespace unprojector::gui {
+
+/// Asks the session's questions in message boxes over a window.
+class WindowQuestions : public SessionQuestions {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::WindowQuestions)
+public:
+    explicit WindowQuestions(QWidget &window) : m_window(window) {}
+
+    SaveAnswer askSave(const QString &name) override;
+    std::filesystem::path askFileName(const std::filesystem::path &proposal) override;
+    bool askOverwrite(const std::filesystem::path &file) override;
+    bool askOverwriteChanged(const std::filesystem::path &file) override;
+    bool askDeleteKept(const QString &name) override;
+
+private:
+    QWidget &m_window;
+};
+
+} // namespace unprojector::gui
