@@ -58,7 +58,7 @@ void TestBlockPipeline::whatAWorkerThrowsEndsAll()
             --living;
         };
     };
-    QVERIFY_EXCEPTION_THROWN(runBlocks(blocks, source, sink, threads, makeWorker), std::bad_alloc);
+    QVERIFY_THROWS_EXCEPTION(std::bad_alloc, runBlocks(blocks, source, sink, threads, makeWorker));
     QCOMPARE(living.load(), 0);
     QVERIFY(begun <= failing + 2 * int(threads)); // those before it are written, and nobody goes on for long
     QFile file(output);
@@ -72,7 +72,7 @@ void TestBlockPipeline::aWorkerThatCannotBeMade()
     LineBlocks blocks(source);
     ByteSink sink(m_folder.path("output").toStdString());
     const auto none = []() -> BlockWorker { throw std::runtime_error("none"); };
-    QVERIFY_EXCEPTION_THROWN(runBlocks(blocks, source, sink, 4, none), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, runBlocks(blocks, source, sink, 4, none));
 }
 
 /// The command itself, with less memory than its threads want.
