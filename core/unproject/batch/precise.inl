@@ -34,8 +34,7 @@ struct Factor {
         highHalf = product - (product - a.high);
         lowHalf = a.high - highHalf;
     }
-    Factor(const Twofold &a)
-        : number{Pack(a.value), Pack(a.rest)}, highHalf(Pack(a.highHalf)), lowHalf(Pack(a.lowHalf))
+    Factor(const Twofold &a) : number{Pack(a.value), Pack(a.rest)}, highHalf(Pack(a.highHalf)), lowHalf(Pack(a.lowHalf))
     {
     }
 };
@@ -58,8 +57,7 @@ TwoPacks quotient(TwoPacks a, TwoPacks b)
     const Pack high = a.high / b.high;
     const Factor factor(TwoPacks{high, Pack(0.0)}), divisor(b);
     const Pack product = high * b.high;
-    const Pack remainder =
-        ((a.high - product) - lostByProduct(factor, divisor, product)) + (a.low - high * b.low);
+    const Pack remainder = ((a.high - product) - lostByProduct(factor, divisor, product)) + (a.low - high * b.low);
     return {high, remainder / b.high};
 }
 
@@ -89,7 +87,8 @@ void unprojectPrecisely(const PreciseConstants &c, Pack px, Pack py, Pack d, Pac
         isPerspective ? quotient(TwoPacks{Pack(c.nearTerm.value), Pack(c.nearTerm.rest)}, both) : both;
     const Factor z(distance);
 
-    Pack size = Pack(c.reach) + (magnitude(x.number.high) * Pack(c.acrossSize) + magnitude(y.number.high) * Pack(c.upSize));
+    Pack size =
+        Pack(c.reach) + (magnitude(x.number.high) * Pack(c.acrossSize) + magnitude(y.number.high) * Pack(c.upSize));
     if (isPerspective)
         size = size * magnitude(distance.high);
     const Pack error = (Pack(c.originSize) + size) * Pack(kPreciseError);
@@ -99,8 +98,8 @@ void unprojectPrecisely(const PreciseConstants &c, Pack px, Pack py, Pack d, Pac
         const TwoPacks origin{Pack(c.origin[k].value), Pack(c.origin[k].rest)};
         const TwoPacks sideways = Factor(c.across[k]) * x + Factor(c.up[k]) * y;
         const TwoPacks ahead{Pack(c.ahead[k].value), Pack(c.ahead[k].rest)};
-        const TwoPacks point = isPerspective ? origin + Factor(sideways + ahead) * z
-                                             : origin + (sideways + Factor(c.ahead[k]) * z);
+        const TwoPacks point =
+            isPerspective ? origin + Factor(sideways + ahead) * z : origin + (sideways + Factor(c.ahead[k]) * z);
         doubt = doubt + rounded(point, error, p[k]);
     }
 }
