@@ -34,6 +34,10 @@ enum class ErrorCode {
     RotationAxisIsZero,    ///< the axis has no length
     ClipPlaneHasNoNormal,  ///< A = B = C = 0
     MatrixNotAProjection,  ///< value: the entry that fits no known form; other: its place, column by column from 0
+    ViewportNotWhole,      ///< value: the number with a fraction; OpenGL takes whole pixels
+    ViewportTooLarge,      ///< value: the number of pixels, other: the most that is drawn
+    FramebufferTooLarge,   ///< value: width, other: height, of a window that no driver draws
+    DepthRangeNotDrawable, ///< value: an end outside [0, 1], where OpenGL would cut it
     ViewNotRigid,          ///< value: how far the axes are from orthonormal; with other, the entry at that place
 };
 

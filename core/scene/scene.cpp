@@ -1,6 +1,7 @@
 #include "core/scene/scene.h"
 
 #include "core/geometry/camera_motion.h"
+#include "core/geometry/drawable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,9 +93,10 @@ Result<Picture> pictureOf(const Scene &scene, const Surface &surface, const Box 
         geometry.projection() = withAspect(geometry.projection(), geometry.viewport.width / geometry.viewport.height);
     if (scene.clipDistancesFitObjects)
         geometry.projection() = withFittedClipDistances(geometry, boundsOf(scene), reach);
-    if (const Check valid = check(geometry); !valid)
-        return valid.error();
-    return geometry;
+    const Result<Drawable> drawn = drawable(geometry);
+    if (!drawn)
+        return drawn.error();
+    return drawn->picture;
 }
 
 } // namespace unprojector::scene

@@ -81,7 +81,8 @@ Check check(const Scene &scene);
 /// The picture of a scene in a window of this size: the viewport by its rule, the projection with the viewport's aspect
 /// where it follows it, near and far fitted where they are to.
 /// @param reach  of what is drawn besides the objects (the ground): it only stretches the far plane
-/// @return the errors of check(scene), check(surface)
+/// Its depth range is the one that OpenGL has, in single precision (see drawable).
+/// @return the errors of check(scene), check(surface), drawable
 Result<Picture> pictureOf(const Scene &scene, const Surface &surface, const Box &reach);
 
 } // namespace unprojector::scene

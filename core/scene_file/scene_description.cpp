@@ -113,7 +113,7 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
     file.devicePixelRatio = geometry.surface.devicePixelRatio;
     if (scene.viewport.kind != ViewportRule::Kind::WholeWindow || before.viewport)
         file.viewport = geometry.viewport;
-    file.depthRange = geometry.depthRange;
+    file.depthRange = scene.depthRange;
     file.projection = geometry.projection();
     file.aspectFromViewport =
         scene.projectionFollowsViewport && std::holds_alternative<Perspective>(geometry.projection());

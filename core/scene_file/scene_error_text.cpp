@@ -71,6 +71,10 @@ std::string causeText(const Error &error)
     case ErrorCode::EmptyDepthRange: return "both ends are " + value + "; they must differ";
     case ErrorCode::DepthOutsideRange: return value + " lies outside the depth range";
     case ErrorCode::OutsideFramebuffer: return "(" + value + ", " + other + ") lies outside the window";
+    case ErrorCode::ViewportNotWhole:
+    case ErrorCode::ViewportTooLarge:
+    case ErrorCode::FramebufferTooLarge:
+    case ErrorCode::DepthRangeNotDrawable: return errorText(error); // of drawing, not of the file
     case ErrorCode::SingularMatrix: return "the matrix has no inverse";
     case ErrorCode::PointAtInfinity: return "the point lies at infinity";
     case ErrorCode::ScaleIsZero: return "a factor is 0; it must differ from 0";

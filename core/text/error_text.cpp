@@ -35,6 +35,11 @@ std::string errorText(const Error &error)
     case ErrorCode::EmptyDepthRange: return "both ends of the depth range are " + value + "; they must differ";
     case ErrorCode::DepthOutsideRange: return "the depth " + value + " lies outside the depth range";
     case ErrorCode::OutsideFramebuffer: return "the position (" + value + ", " + other + ") lies outside the window";
+    case ErrorCode::ViewportNotWhole: return value + " is not a whole number of pixels";
+    case ErrorCode::ViewportTooLarge: return value + " pixels are too many; use at most " + other;
+    case ErrorCode::FramebufferTooLarge:
+        return "the window is " + value + " x " + other + " pixels, which is more than is drawn; make it smaller";
+    case ErrorCode::DepthRangeNotDrawable: return "the depth is " + value + "; it must lie between 0 and 1";
     case ErrorCode::SingularMatrix: return "the matrix has no inverse";
     case ErrorCode::PointAtInfinity: return "the point lies at infinity";
     case ErrorCode::ScaleIsZero: return "the scale is 0; it must differ from 0";

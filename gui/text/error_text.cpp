@@ -95,6 +95,13 @@ QString errorText(const Error &error)
     case ErrorCode::DepthOutsideRange: return Errors::tr("The depth %1 lies outside the depth range.").arg(value);
     case ErrorCode::OutsideFramebuffer:
         return Errors::tr("The position (%1, %2) lies outside the view.").arg(value, other);
+    case ErrorCode::ViewportNotWhole: return Errors::tr("%1 is not a whole number of pixels.").arg(value);
+    case ErrorCode::ViewportTooLarge: return Errors::tr("%1 pixels are too many; use at most %2.").arg(value, other);
+    case ErrorCode::FramebufferTooLarge:
+        return Errors::tr("The window is %1 × %2 pixels, which is more than is drawn; make it smaller.")
+            .arg(value, other);
+    case ErrorCode::DepthRangeNotDrawable:
+        return Errors::tr("The depth is %1; it must lie between 0 and 1.").arg(value);
     case ErrorCode::SingularMatrix: return Errors::tr("The matrix has no inverse.");
     case ErrorCode::PointAtInfinity: return Errors::tr("The point lies at infinity.");
     case ErrorCode::ScaleIsZero: return Errors::tr("The scale is 0; it must differ from 0.");

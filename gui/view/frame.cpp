@@ -15,18 +15,6 @@ constexpr std::array<GLenum, 2> kColorsAndObjects{GL_COLOR_ATTACHMENT0, GL_COLOR
 
 } // namespace
 
-DrawnNumbers drawnNumbers(const Picture &picture)
-{
-    const auto whole = [](double value) { return static_cast<int>(std::lround(value)); };
-    const Viewport &v = picture.viewport;
-    return {whole(v.x),
-            whole(v.y),
-            whole(v.width),
-            whole(v.height),
-            static_cast<float>(picture.depthRange.atNear),
-            static_cast<float>(picture.depthRange.atFar)};
-}
-
 void Frame::initialize()
 {
     initializeOpenGLFunctions();
@@ -106,22 +94,21 @@ bool Frame::allocate(int widthPixels, int heightPixels)
     return true;
 }
 
-bool Frame::begin(const Picture &picture)
+bool Frame::begin(const Drawable &drawable)
 {
     dropRequest();
     m_picture.reset();
-    if (!allocate(picture.surface.widthPixels, picture.surface.heightPixels))
+    if (!allocate(drawable.picture.surface.widthPixels, drawable.picture.surface.heightPixels))
         return false;
-    m_begun = picture;
+    m_begun = drawable;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &m_boundBefore);
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glDisable(GL_DITHER); // an object's number must come out as it went in
     glDepthMask(GL_TRUE);
-    const DrawnNumbers n = drawnNumbers(picture);
-    glViewport(n.x, n.y, n.width, n.height);
-    glDepthRangef(n.atNear, n.atFar);
+    glViewport(drawable.x, drawable.y, drawable.width, drawable.height);
+    glDepthRangef(drawable.depthAtNear, drawable.depthAtFar);
     constexpr std::array<GLfloat, 4> kAround{0.80f, 0.82f, 0.84f, 1.0f};
     glDrawBuffers(2, kColorsAndObjects.data());
     glClearBufferfv(GL_COLOR, 0, kAround.data());
@@ -129,7 +116,7 @@ bool Frame::begin(const Picture &picture)
         glClearBufferuiv(GL_COLOR, 1, std::array<GLuint, 4>{}.data());
     else
         glClearBufferfv(GL_COLOR, 1, std::array<GLfloat, 4>{}.data());
-    glClearBufferfv(GL_DEPTH, 0, &n.atFar);
+    glClearBufferfv(GL_DEPTH, 0, &drawable.depthAtFar);
     glDrawBuffers(2, kColorsAlone.data());
     glDisable(GL_DEPTH_TEST);
     return true;
@@ -139,14 +126,14 @@ void Frame::beginObjects()
 {
     glDrawBuffers(2, kColorsAndObjects.data());
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(m_begun->depthRange.atNear < m_begun->depthRange.atFar ? GL_LESS : GL_GREATER);
+    glDepthFunc(m_begun->depthAtNear < m_begun->depthAtFar ? GL_LESS : GL_GREATER);
 }
 
 void Frame::end()
 {
     glDisable(GL_DEPTH_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(m_boundBefore));
-    m_picture = m_begun;
+    m_picture = m_begun->picture;
     m_begun.reset();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/drawable.h"
 #include "core/unproject/pick.h"
 #include "gui/painters/object_ids.h"
 
@@ -12,15 +13,6 @@
 namespace unprojector::gui {
 using namespace geometry;
 using namespace unproject;
-
-/// The arguments of glViewport and glDepthRange.
-struct DrawnNumbers {
-    int x = 0, y = 0, width = 0, height = 0;
-    float atNear = 0.0f, atFar = 1.0f;
-};
-
-/// What OpenGL takes of a picture.
-DrawnNumbers drawnNumbers(const Picture &picture);
 
 /// A framebuffer of our own: the colour, the depth and the object of every pixel, one sample each, and the picture that
 /// they were drawn with. Whether there is a surface under a pixel is told by the object, never by comparing depths.
@@ -39,7 +31,7 @@ public:
     /// Takes the picture's size, clears everything, and is drawn into from now on, at first with colours alone: what is
     /// drawn is background. The depth is cleared to that of the far plane.
     /// @return false when OpenGL gives no such framebuffer; then nothing is bound, and there is nothing to end
-    bool begin(const Picture &picture);
+    bool begin(const Drawable &drawable);
     /// From now on objects are drawn: colour, depth and object id.
     void beginObjects();
     /// What was bound before is drawn into again.
@@ -81,7 +73,7 @@ private:
     int m_widthPixels = 0, m_heightPixels = 0;
     int m_depthBits = 24;
     int m_boundBefore = 0;
-    std::optional<Picture> m_begun;
+    std::optional<Drawable> m_begun;
     std::optional<Picture> m_picture;
     unsigned m_requestBuffer = 0;
     GLsync m_fence = nullptr;

@@ -244,7 +244,7 @@ void ObserverView::updateFrame(const ObserverPicture &p)
         return;
     m_isStale = false;
     m_drawnFrom = clipFromWorld;
-    if (!m_frame.begin(p.observer)) {
+    if (const Result<Drawable> drawn = drawable(p.observer); !drawn || !m_frame.begin(*drawn)) {
         emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
                        "driver.")
                         .arg(p.observer.surface.widthPixels)

@@ -41,13 +41,13 @@ void SceneOverlay::draw(const SceneDocument &document)
     const Picture &g = document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
-    if (!matrix || !frame)
+    const Result<Drawable> drawn = drawable(g);
+    if (!matrix || !frame || !drawn)
         return;
-    const DrawnNumbers n = drawnNumbers(g);
-    glViewport(n.x, n.y, n.width, n.height);
-    glDepthRangef(n.atNear, n.atFar);
+    glViewport(drawn->x, drawn->y, drawn->width, drawn->height);
+    glDepthRangef(drawn->depthAtNear, drawn->depthAtFar);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(n.atNear < n.atFar ? GL_LESS : GL_GREATER);
+    glDepthFunc(drawn->depthAtNear < drawn->depthAtFar ? GL_LESS : GL_GREATER);
     glDepthMask(GL_FALSE);
     m_lines.draw(groundLines(document.ground(), document.groundSpacing()), *matrix, viewportPixels(g), pixelRatio(g));
     m_lines.draw(axisLines(document.ground()), *matrix, viewportPixels(g), 2.0f * pixelRatio(g));

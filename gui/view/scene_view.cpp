@@ -120,11 +120,13 @@ void SceneView::onSize()
     timer.start();
     const Surface surface = currentSurface();
     m_document.setSurface(surface);
-    const DrawnNumbers n = drawnNumbers(m_document.geometry());
-    emit happened({LifecycleEvent::Kind::OnSize,
-                   QStringLiteral("%1, %2").arg(surface.widthPixels).arg(surface.heightPixels),
-                   QStringLiteral("glViewport(%1, %2, %3, %4)").arg(n.x).arg(n.y).arg(n.width).arg(n.height),
-                   milliseconds(timer)});
+    const Result<Drawable> drawn = drawable(m_document.geometry());
+    if (!drawn)
+        return;
+    emit happened(
+        {LifecycleEvent::Kind::OnSize, QStringLiteral("%1, %2").arg(surface.widthPixels).arg(surface.heightPixels),
+         QStringLiteral("glViewport(%1, %2, %3, %4)").arg(drawn->x).arg(drawn->y).arg(drawn->width).arg(drawn->height),
+         milliseconds(timer)});
 }
 
 void SceneView::onDraw()
@@ -163,9 +165,10 @@ bool SceneView::updateFrame()
     const Picture &g = m_document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
-    if (!matrix || !frame)
+    const Result<Drawable> drawn = drawable(g);
+    if (!matrix || !frame || !drawn)
         return false;
-    if (!m_frame.begin(g)) {
+    if (!m_frame.begin(*drawn)) {
         emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
                        "driver.")
                         .arg(g.surface.widthPixels)

@@ -59,6 +59,22 @@
 <context>
     <name>Errors</name>
     <message>
+        <source>%1 is not a whole number of pixels.</source>
+        <translation>%1 不是整数个像素。</translation>
+    </message>
+    <message>
+        <source>%1 pixels are too many; use at most %2.</source>
+        <translation>%1 像素太多；最多 %2。</translation>
+    </message>
+    <message>
+        <source>The depth is %1; it must lie between 0 and 1.</source>
+        <translation>深度为 %1；它必须在 0 与 1 之间。</translation>
+    </message>
+    <message>
+        <source>The window is %1 × %2 pixels, which is more than is drawn; make it smaller.</source>
+        <translation>窗口为 %1 × %2 像素，超出可绘制的大小；请缩小窗口。</translation>
+    </message>
+    <message>
         <source>Models (%1)</source>
         <translation>模型 (%1)</translation>
     </message>
@@ -2437,18 +2453,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
 </context>
 <context>
     <name>unprojector::gui::ViewportTab</name>
-    <message>
-        <source>%1 is not a whole number of pixels.</source>
-        <translation>%1 不是整数个像素。</translation>
-    </message>
-    <message>
-        <source>%1 pixels are too many; use at most %2.</source>
-        <translation>%1 像素太多；最多 %2。</translation>
-    </message>
-    <message>
-        <source>The depth is %1; it must lie between 0 and 1.</source>
-        <translation>深度为 %1；它必须在 0 与 1 之间。</translation>
-    </message>
     <message>
         <source>Viewport</source>
         <translation>视口</translation>

@@ -1,6 +1,8 @@
 #include "gui/panels/parameters/viewport_tab.h"
 
+#include "core/geometry/drawable.h"
 #include "gui/document/scene_document.h"
+#include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 
 #include <QComboBox>
@@ -8,33 +10,23 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace unprojector::gui {
 namespace {
 
-/// glViewport's limit on the graphics cards of today; beyond its own a driver cuts sizes silently.
-constexpr double kLargestPixels = 16384.0;
-
-/// glViewport takes whole pixels.
-QString pixelRefusal(double value)
+/// What core says of a number that OpenGL does not take; that it is finite, every field asks for itself.
+QString refusalText(const Check &check)
 {
-    if (!std::isfinite(value))
-        return {}; // core's to say
-    if (value != std::floor(value))
-        return ViewportTab::tr("%1 is not a whole number of pixels.").arg(shortestText(value));
-    if (std::abs(value) > kLargestPixels)
-        return ViewportTab::tr("%1 pixels are too many; use at most %2.")
-            .arg(shortestText(value), shortestText(kLargestPixels));
-    return {};
+    return check || check.error().code == ErrorCode::NotFinite ? QString() : errorText(check.error());
 }
 
-/// OpenGL would put a depth outside [0, 1] onto its end without a word.
+QString pixelRefusal(double value)
+{
+    return refusalText(checkViewportNumber(value));
+}
+
 QString depthRefusal(double value)
 {
-    if (std::isnan(value) || (value >= 0.0 && value <= 1.0))
-        return {};
-    return ViewportTab::tr("The depth is %1; it must lie between 0 and 1.").arg(shortestText(value));
+    return refusalText(checkDepthRangeEnd(value));
 }
 
 QLabel *selectableLabel(const QString &name)
