@@ -47,7 +47,7 @@ int usageError(const QString &reason)
     return 2;
 }
 
-/// To whoever asked for it. A full disk is no answer.
+/// Prints what was asked for; a full disk is an error, not an answer.
 [[maybe_unused]] int told(const QString &text)
 {
     const std::string problem = print(text.toLocal8Bit().toStdString());

@@ -46,7 +46,7 @@ std::optional<Size> sizeOf(const std::string &text)
     return Size{*width, *height};
 }
 
-/// The words of a PFM's or PGM's header; comments from # to the line's end are none.
+/// The words of a PFM's or PGM's header; comments, from # to the line's end, are passed over.
 class Header {
 public:
     explicit Header(const std::string &bytes) : m_bytes(bytes) {}

@@ -12,7 +12,7 @@ namespace unprojector::cli {
 struct LineBlock {
     std::string text;          ///< ends with a line, its line end included but for a last line that has none
     std::size_t firstLine = 1; ///< number of the first one, counted from 1
-    bool isOverlong = false;   ///< stands for one line that no block holds; `text` is empty
+    bool isOverlong = false;   ///< one line that is too long for a block; `text` is empty
 };
 
 /// Something to say about a line.

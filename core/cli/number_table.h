@@ -45,7 +45,7 @@ struct NumberRows {
     std::size_t count() const { return places.size(); }
 };
 
-/// Reads the rows of a block. Empty lines are none. Numbers may have quotes and blanks around them, a sign and an exponent;
+/// Reads the rows of a block. Empty lines are passed over. Numbers may have quotes and blanks around them, a sign and an exponent;
 /// anything else, NaN, infinity and more cells than the header has make a row bad and are said in `messages`.
 class NumberReader {
 public:

@@ -37,7 +37,7 @@ public:
         appendNumber(m_output, value);
     }
 
-    /// An empty cell for what is no finite number.
+    /// An empty cell for NaN and infinity.
     void numberOrNothing(double value)
     {
         if (std::isfinite(value))

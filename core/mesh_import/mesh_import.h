@@ -17,7 +17,7 @@ enum class ImportErrorCode {
     IsDirectory,
     NotReadable,   ///< exists, but cannot be read
     EmptyFile,     ///< no bytes
-    UnknownFormat, ///< the suffix is none of OBJ, STL, PLY, OFF, glTF, GLB
+    UnknownFormat, ///< the suffix is not one of OBJ, STL, PLY, OFF, glTF, GLB
     Malformed,     ///< detail: what the parser says, with a line number where it has one
     NoTriangles,   ///< readable, but nothing to show
     NotFinite,     ///< a vertex holds NaN or infinity; index: the vertex, counted from 0

@@ -62,7 +62,7 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
     try {
         texture.encoded = readFile(texture.file);
     } catch (const Failure &) {
-        // A picture that cannot be read is no reason to show nothing.
+        // The model is shown without a picture that cannot be read.
         texture.encoded.clear();
     }
     return texture;

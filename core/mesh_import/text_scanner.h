@@ -38,7 +38,7 @@ private:
 };
 
 /// The number a word stands for, independent of the locale; "nan", "inf" and "1.#IND" count as numbers, values too
-/// large or too small for a float become infinity or 0. Nothing when the word is no number.
+/// large or too small for a float become infinity or 0. Nothing when the word is not a number.
 std::optional<float> floatFromWord(std::string_view word);
 std::optional<long long> integerFromWord(std::string_view word);
 

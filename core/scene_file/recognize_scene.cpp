@@ -55,7 +55,7 @@ bool isSceneFile(const std::filesystem::path &file)
     if (!std::filesystem::is_regular_file(file, error))
         return false;
     std::ifstream stream(file, std::ios::binary);
-    // Models of gigabytes need not be read to know that they are none.
+    // A model of gigabytes need not be read whole to know that it is not a scene.
     constexpr std::size_t kStart = 64;
     std::string text(kStart, '\0');
     const auto read = [&](std::size_t from) {

@@ -9,7 +9,7 @@ Translation::Translation(const QStringList &languages)
 {
     for (const QString &language : languages) {
         const QLocale locale(language);
-        // Who prefers English to Chinese gets English, though there is no file for it.
+        // English needs no file: a user who lists it before Chinese must not get Chinese.
         if (locale.language() == QLocale::English)
             return;
         if (!m_program.load(locale, QStringLiteral("unprojector"), QStringLiteral("_"),

@@ -41,7 +41,7 @@ void SceneView::mousePressEvent(QMouseEvent *event)
 void SceneView::mouseMoveEvent(QMouseEvent *event)
 {
     const QPointF delta = event->position() - m_lastPosition;
-    // A hand that only clicks trembles by a pixel or two: that is no drag yet.
+    // A hand that only clicks trembles by a pixel or two: that is not yet a drag.
     constexpr double kTremblePixels = 3.0;
     if (m_drag != Drag::None && !m_hasMoved && std::hypot(delta.x(), delta.y()) < kTremblePixels)
         return;

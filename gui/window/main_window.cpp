@@ -60,7 +60,7 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
 
 MainWindow::~MainWindow()
 {
-    // Its end empties the undo stack, which is no reason to forget the unsaved changes.
+    // The undo stack is emptied when it ends; unsaved changes must not be forgotten then.
     m_document->disconnect(this);
     delete m_session;
     // The view tells the log of its end, so it goes while the log is there.

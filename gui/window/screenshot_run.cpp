@@ -55,7 +55,7 @@ void ScreenshotRun::fail(const QString &reason)
 
 QString ScreenshotRun::savePicture()
 {
-    // All of it first: a name that is no picture's must not cost the file that has it.
+    // The whole picture is encoded first: a name that no picture format has must not cost the file of that name.
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!m_window->grab().save(&buffer, QFileInfo(m_request.picture).suffix().toLatin1().constData()))

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// A pipe whose reading end no child inherits: while anybody had it open, nobody would be seen to have gone.
+/// A pipe whose reading end no child inherits: while a child had it open, the pipe would not count as closed.
 class Pipe {
 public:
 #ifdef Q_OS_WIN

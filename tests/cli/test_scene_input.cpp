@@ -1,4 +1,4 @@
-// Scenes that are none, through the executable: a message with the file and the place, exit code 2, never a crash.
+// Files that are not scenes, through the executable: a message with the file and the place, exit code 2, never a crash.
 
 #include "tests/cli/command.h"
 

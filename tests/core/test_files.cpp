@@ -382,7 +382,7 @@ void TestFiles::theSameFile()
 #endif
 }
 
-/// None is half of one and half of the other.
+/// No content is half of one and half of the other.
 void TestFiles::writersAtOnce()
 {
     const Folder folder;

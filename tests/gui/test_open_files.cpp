@@ -189,7 +189,7 @@ void TestOpenFiles::aDroppedFileIsShown()
     QVERIFY(ended.wait(kLoadMilliseconds));
     QCOMPARE(namesOf(window->document()), QStringList{QStringLiteral("dropped file.obj")});
 
-    // Text is no file.
+    // Dropped text is not a file.
     QMimeData text;
     text.setText(QStringLiteral("words"));
     QDragEnterEvent refused(QPoint(50, 50), Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);

@@ -35,7 +35,7 @@ public:
     /// refused while the document's value stays as it is.
     void setValue(double value);
 
-    /// The number in the field, good or not; nothing where the text is none.
+    /// The number in the field, good or not; nothing where the text is not a number.
     std::optional<double> typed() const { return numberFromText(text()); }
 
     bool isBad() const { return !m_reason.isEmpty(); }
