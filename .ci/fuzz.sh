@@ -32,4 +32,5 @@ if [ ${#names[@]} -eq 0 ]; then
     done
 fi
 [ ${#names[@]} -gt 0 ] || { echo "There are no fuzzers in $build/tests/fuzz" >&2; exit 1; }
+# shellcheck disable=SC2016 # the name is for the shell that xargs starts
 printf '%s\0' "${names[@]}" | xargs -0 -n 1 -P 2 bash -c 'fuzzOne "$1"' _

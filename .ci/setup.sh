@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what building, testing and running need on Debian 12 or later and Ubuntu 24.04 or later. Does nothing when
-# everything is there.
+# Installs what building, testing and running need on Debian 12 or later and Ubuntu 24.04 or later, and the packages named.
+# Does nothing when everything is there.
 set -euo pipefail
 
 packages=(
@@ -12,6 +12,7 @@ packages=(
     libglm-dev libassimp-dev zlib1g-dev nlohmann-json3-dev libcli11-dev libboost-dev
     # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none
     libgl1-mesa-dri fonts-dejavu-core xvfb xauth
+    "$@"
 )
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then

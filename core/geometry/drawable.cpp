@@ -1,8 +1,20 @@
 #include "core/geometry/drawable.h"
 
+#include <bit>
 #include <cmath>
 
 namespace unprojector::geometry {
+
+namespace {
+
+/// A number of single precision as a double. By way of its bits, because GCC 12 at -O3 takes two such conversions beside each
+/// other for none at all and leaves the digits that were rounded away.
+double exactDouble(float number)
+{
+    return static_cast<double>(std::bit_cast<float>(std::bit_cast<std::uint32_t>(number)));
+}
+
+} // namespace
 
 Check checkViewportNumber(double pixels)
 {
@@ -48,7 +60,7 @@ Result<Drawable> drawable(const Picture &picture)
                     static_cast<float>(range.atFar)};
     if (result.depthAtNear == result.depthAtFar)
         return Error{ErrorCode::EmptyDepthRange, range.atNear};
-    result.picture.depthRange = {double(result.depthAtNear), double(result.depthAtFar)};
+    result.picture.depthRange = {exactDouble(result.depthAtNear), exactDouble(result.depthAtFar)};
     return result;
 }
 

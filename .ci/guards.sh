@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# bash .ci/guards.sh [format] [tidy] [asan] [tsan] [fuzz]: the guards beside the tests; without names, all of them.
+#
+#   format  clang-format has nothing to change
+#   asan    everything compiles with Clang without a warning; all tests under the address and undefined behaviour
+#           sanitizers, with all assertions
+#   tidy    clang-tidy finds nothing in what changed lately
+#   tsan    the loader's and the rows' tests under the thread sanitizer
+#   fuzz    each reader's fuzzer for a minute
+#
+# The last line names those that failed.
+# shellcheck source=.ci/common.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+export LC_ALL=C.UTF-8
+cd -- "$root" # Presets are looked for in the current folder.
+bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev llvm ccache
+export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+
+# In a container the clone may belong to somebody else.
+repository() { git -c safe.directory="$root" "$@"; }
+
+# Other versions of the tools have other opinions.
+isDebian12s() {
+    "$1" --version | grep -q 'version 14\.' && return
+    echo "$1 is not version 14, Debian 12's: passed over"
+    return 1
+}
+
+format() {
+    isDebian12s clang-format || return 0
+    find core gui tests '(' -name '*.cpp' -o -name '*.h' -o -name '*.inl' ')' -print0 | xargs -0 clang-format --dry-run --Werror
+}
+
+asan() {
+    cmake --preset asan >/dev/null && cmake --build --preset asan && onVirtualDisplay ctest --preset asan
+}
+
+# Sources that changed against main or, on main itself, in its last commits, and those whose header did: the latest
+# changes first.
+changedSources() {
+    local from
+    from=$(repository merge-base HEAD origin/main 2>/dev/null || true)
+    if [ -z "$from" ] || [ "$from" = "$(repository rev-parse HEAD)" ]; then
+        from=$(repository rev-list --first-parent HEAD | sed -n '1,20p' | tail -n 1)
+    fi
+    repository log --format= --name-only "$from..HEAD" -- core gui tests | sed -n 's/\.h$/.cpp/p; /\.cpp$/p' |
+        awk '!seen[$0]++' | while read -r file; do
+        # Only what is compiled: fuzzers and benchmarks are not, everywhere.
+        if [ -f "$file" ] && grep -qF "/$file\"" build/asan/compile_commands.json; then echo "$file"; fi
+    done
+}
+
+tidy() {
+    isDebian12s clang-tidy || return 0
+    local changed rc=0
+    changed=$(changedSources)
+    [ -n "$changed" ] || { echo "No source changed."; return 0; }
+    echo "$(wc -l <<<"$changed") changed sources"
+    # Five minutes' worth of them.
+    timeout 300 xargs -P 2 -n 1 clang-tidy -p build/asan --quiet --warnings-as-errors='*' <<<"$changed" 2>/dev/null || rc=$?
+    [ "$rc" -ne 124 ] || { echo "The time was over before all were read."; rc=0; }
+    return "$rc"
+}
+
+tsan() {
+    cmake --workflow --preset tsan
+}
+
+fuzz() {
+    cmake --preset fuzz >/dev/null && cmake --build --preset fuzz && bash .ci/fuzz.sh 60
+}
+
+guards=("$@")
+[ ${#guards[@]} -gt 0 ] || guards=(format asan tidy tsan fuzz)
+failed=()
+for guard in "${guards[@]}"; do
+    case $guard in
+    format | tidy | asan | tsan | fuzz) ;;
+    *) echo "There is no guard $guard" >&2; exit 2 ;;
+    esac
+    echo "== $guard"
+    start=$SECONDS
+    "$guard" || failed+=("$guard")
+    echo "== $guard: $((SECONDS - start)) s"
+done
+if [ ${#failed[@]} -gt 0 ]; then
+    echo "Guards failed: ${failed[*]}"
+    exit 1
+fi
+echo "All guards passed: ${guards[*]}"
