@@ -98,7 +98,7 @@ Written replaceFile(const std::filesystem::path &file, std::string_view contents
         return replacing.error();
     ReplacingFile writing = std::move(replacing).value();
     if (const Written written = writing.write(contents); !written)
-        return written;
+        return written.error();
     return writing.commit(onlyIf);
 }
 

@@ -13,7 +13,7 @@ class SceneKeyFinder {
 public:
     bool hasFound() const { return m_hasFound; }
 
-    // ---- what nlohmann::json::sax_parse calls; false ends it ----
+    // NOLINTBEGIN(readability-identifier-naming): what nlohmann::json::sax_parse calls; false ends it
     bool null() { return m_level > 0; }
     bool boolean(bool) { return m_level > 0; }
     bool number_integer(Json::number_integer_t) { return m_level > 0; }
@@ -31,6 +31,7 @@ public:
         return !m_hasFound;
     }
     bool parse_error(std::size_t, const std::string &, const nlohmann::detail::exception &) { return false; }
+    // NOLINTEND(readability-identifier-naming)
 
 private:
     std::size_t m_level = 0; ///< of the brackets that are open
