@@ -1,17 +1,17 @@
 #include "core/geometry/drawable.h"
 
-#include <bit>
 #include <cmath>
 
 namespace unprojector::geometry {
 
 namespace {
 
-/// A number of single precision as a double. By way of its bits, because GCC 12 at -O3 takes two such conversions beside each
-/// other for none at all and leaves the digits that were rounded away.
+/// A number of single precision as a double. Read back from memory, because GCC 12 at -O3 takes two such conversions beside
+/// each other for none at all and leaves the digits that were rounded away.
 double exactDouble(float number)
 {
-    return static_cast<double>(std::bit_cast<float>(std::bit_cast<std::uint32_t>(number)));
+    const volatile float stored = number;
+    return static_cast<double>(stored);
 }
 
 } // namespace
