@@ -78,6 +78,7 @@ SceneFile sceneOf(const Pick &pick, const Scene &scene)
 {
     SceneFile file = sceneFileFrom(scene, pick.geometry, {});
     file.viewport = pick.geometry.viewport;
+    file.depthRange = pick.geometry.depthRange; // in single precision, as OpenGL had it
     file.aspectFromViewport = false;
     file.ui = {};
     return file;
