@@ -167,7 +167,7 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
                 QCOMPARE(pick.hit, object.has_value());
                 QCOMPARE(pick.object, object);
                 if (!object) {
-                    QCOMPARE(pick.window.z, atFar);
+                    QCOMPARE(static_cast<float>(pick.window.z), static_cast<float>(atFar));
                     ++background;
                     continue;
                 }
