@@ -2,46 +2,103 @@
 
 #include "gui/painters/shader.h"
 
+#include <QElapsedTimer>
+
+#include <algorithm>
+
 namespace unprojector::gui {
 
 void FramePainter::initialize()
 {
     initializeOpenGLFunctions();
-    // Two programs, because renderers on the processor would compute the smooth colours and throw them away.
-    m_plain = loadProgram(QStringLiteral("frame"));
-    m_smooth = loadProgram(QStringLiteral("frame"), QByteArrayLiteral("SMOOTH_EDGES"));
+    m_copying = loadPictureProgram(QStringLiteral("frame"));
     m_vertexArray.create();
+    m_measuredCount = 0;
+    m_smoothingMilliseconds.reset();
 }
 
 void FramePainter::release()
 {
-    m_plain.reset();
+    m_copying.reset();
+    m_smoothing.reset();
     m_smooth.reset();
+    m_isSmoothed = false;
     m_vertexArray.destroy();
 }
 
-void FramePainter::draw(unsigned colors, unsigned depths, int widthPixels, int heightPixels, bool smoothEdges)
+bool FramePainter::isSmoothingSlow() const
+{
+    constexpr double kUnnoticedMilliseconds = 4.0;
+    return !m_smoothingMilliseconds || *m_smoothingMilliseconds > kUnnoticedMilliseconds;
+}
+
+void FramePainter::drawTriangle(QOpenGLShaderProgram &program)
+{
+    m_vertexArray.bind();
+    program.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    program.release();
+    m_vertexArray.release();
+}
+
+unsigned FramePainter::smoothed(const FrameTextures &frame)
+{
+    const QSize size(frame.widthPixels, frame.heightPixels);
+    if (m_isSmoothed && m_smooth && m_smooth->size() == size)
+        return m_smooth->texture();
+    GLint boundBefore = 0;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &boundBefore);
+    if (!m_smooth || m_smooth->size() != size) {
+        m_smooth.reset(); // its memory goes first
+        m_smooth = std::make_unique<QOpenGLFramebufferObject>(size);
+    }
+    m_isSmoothed = m_smooth->isValid() && m_smooth->bind();
+    if (m_isSmoothed) {
+        // Built when it is first needed: that takes longer than all the other programs together.
+        if (!m_smoothing)
+            m_smoothing = loadPictureProgram(QStringLiteral("smooth_edges"));
+        // The first pictures are waited for, to see what smoothing costs here; a driver may still build the program while
+        // it draws the very first.
+        constexpr int kMeasured = 3;
+        const bool isMeasured = m_measuredCount < kMeasured;
+        QElapsedTimer timer;
+        if (isMeasured)
+            glFinish();
+        timer.start();
+        glDisable(GL_DEPTH_TEST);
+        glBindTexture(GL_TEXTURE_2D, frame.colors);
+        drawTriangle(*m_smoothing);
+        if (isMeasured) {
+            glFinish();
+            ++m_measuredCount;
+            const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+            m_smoothingMilliseconds = std::min(milliseconds, m_smoothingMilliseconds.value_or(milliseconds));
+        }
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(boundBefore));
+    return m_isSmoothed ? m_smooth->texture() : frame.colors;
+}
+
+void FramePainter::draw(const FrameTextures &frame, bool smoothEdges)
 {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
-    glViewport(0, 0, widthPixels, heightPixels);
+    glViewport(0, 0, frame.widthPixels, frame.heightPixels);
+    glActiveTexture(GL_TEXTURE0);
+    const unsigned colors = smoothEdges ? smoothed(frame) : frame.colors;
     // Every depth is taken over; that takes a test which nothing fails, because without one no depth is written.
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
     glDepthRangef(0.0f, 1.0f);
     glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, depths);
+    glBindTexture(GL_TEXTURE_2D, frame.depths);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, colors);
-    QOpenGLShaderProgram &program = smoothEdges ? *m_smooth : *m_plain;
-    program.bind();
-    program.setUniformValue("colors", 0);
-    program.setUniformValue("depths", 1);
-    m_vertexArray.bind();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    m_vertexArray.release();
-    program.release();
+    m_copying->bind();
+    m_copying->setUniformValue("colors", 0);
+    m_copying->setUniformValue("depths", 1);
+    drawTriangle(*m_copying);
     glBindTexture(GL_TEXTURE_2D, 0);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, 0);

@@ -1,26 +1,49 @@
 #pragma once
 
 #include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 
 #include <memory>
+#include <optional>
 
 namespace unprojector::gui {
 
-/// Puts a frame that was drawn before onto the framebuffer that is bound, pixel by pixel: its colours, with smooth edges
-/// if wanted, and its depths, so that what is drawn next is hidden by the frame's surfaces. Smoothing goes by the colours
-/// alone (FXAA); the depths are copied as they are. All calls need the OpenGL context current.
+/// What a frame was drawn as: textures of one size.
+struct FrameTextures {
+    unsigned colors = 0, depths = 0;
+    int widthPixels = 0, heightPixels = 0;
+};
+
+/// Puts a frame that was drawn before onto the framebuffer that is bound and has its size, pixel by pixel: its colours,
+/// with smooth edges if wanted, and its depths, so that what is drawn next is hidden by the frame's surfaces. Smoothing
+/// goes by the colours alone (FXAA), once for each frame; the depths are copied as they are. All calls need the OpenGL
+/// context current.
 class FramePainter : protected QOpenGLExtraFunctions {
 public:
     void initialize();
     void release();
 
-    /// @param colors, depths  textures of one size, which is that of the framebuffer bound
-    void draw(unsigned colors, unsigned depths, int widthPixels, int heightPixels, bool smoothEdges);
+    /// The frame has been drawn anew: what was smoothed was another one.
+    void setStale() { m_isSmoothed = false; }
+    void draw(const FrameTextures &frame, bool smoothEdges);
+
+    /// Whether smoothing takes so long that a picture in motion had better do without: it does on renderers that use the
+    /// processor (some tens of milliseconds), and does not on graphics cards. Known after the first pictures; until then
+    /// it counts as slow.
+    bool isSmoothingSlow() const;
 
 private:
-    std::unique_ptr<QOpenGLShaderProgram> m_plain, m_smooth;
+    /// @return the texture with smooth edges, or the frame's own where OpenGL gives none
+    unsigned smoothed(const FrameTextures &frame);
+    void drawTriangle(QOpenGLShaderProgram &program);
+
+    std::unique_ptr<QOpenGLShaderProgram> m_copying, m_smoothing;
+    std::unique_ptr<QOpenGLFramebufferObject> m_smooth;
+    bool m_isSmoothed = false;
+    int m_measuredCount = 0;
+    std::optional<double> m_smoothingMilliseconds; ///< of the fastest so far
     QOpenGLVertexArrayObject m_vertexArray; ///< empty: the shader makes its three corners; core profile wants one
 };
 

@@ -14,17 +14,30 @@ QByteArray source(const QString &path, const QByteArray &definition)
     return "#version 330 core\n" + defined + file.readAll();
 }
 
+std::unique_ptr<QOpenGLShaderProgram> linked(const QString &vertexName, const QString &fragmentName,
+                                             const QByteArray &definition)
+{
+    const QString path = QStringLiteral(":/shaders/%1.%2");
+    auto program = std::make_unique<QOpenGLShaderProgram>();
+    program->addShaderFromSourceCode(QOpenGLShader::Vertex,
+                                     source(path.arg(vertexName, QStringLiteral("vert")), definition));
+    program->addShaderFromSourceCode(QOpenGLShader::Fragment,
+                                     source(path.arg(fragmentName, QStringLiteral("frag")), definition));
+    if (!program->link())
+        qFatal("The shader %s does not build: %s", qPrintable(fragmentName), qPrintable(program->log()));
+    return program;
+}
+
 } // namespace
 
 std::unique_ptr<QOpenGLShaderProgram> loadProgram(const QString &name, const QByteArray &definition)
 {
-    auto program = std::make_unique<QOpenGLShaderProgram>();
-    const QString base = QStringLiteral(":/shaders/") + name;
-    program->addShaderFromSourceCode(QOpenGLShader::Vertex, source(base + QStringLiteral(".vert"), definition));
-    program->addShaderFromSourceCode(QOpenGLShader::Fragment, source(base + QStringLiteral(".frag"), definition));
-    if (!program->link())
-        qFatal("The shader %s does not build: %s", qPrintable(name), qPrintable(program->log()));
-    return program;
+    return linked(name, name, definition);
+}
+
+std::unique_ptr<QOpenGLShaderProgram> loadPictureProgram(const QString &name)
+{
+    return linked(QStringLiteral("whole_picture"), name, {});
 }
 
 } // namespace unprojector::gui

@@ -11,4 +11,8 @@ namespace unprojector::gui {
 /// @param definition  a name for `#ifdef`; empty: none
 std::unique_ptr<QOpenGLShaderProgram> loadProgram(const QString &name, const QByteArray &definition = {});
 
+/// As loadProgram(), for a fragment shader alone that is run for every pixel of the picture: drawn as one triangle, three
+/// vertices without attributes.
+std::unique_ptr<QOpenGLShaderProgram> loadPictureProgram(const QString &name);
+
 } // namespace unprojector::gui

@@ -3,7 +3,7 @@
 #include "gui/painters/clip_plane_shapes.h"
 #include "gui/painters/observer_shapes.h"
 #include "gui/painters/scene_lines.h"
-#include "gui/view/scene_view.h"
+#include "gui/text/error_text.h"
 
 #include <QOpenGLContext>
 
@@ -35,12 +35,8 @@ glm::vec4 withAlpha(glm::vec4 color, float alpha)
 
 } // namespace
 
-ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : QOpenGLWidget(parent), m_document(document)
+ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : FrameView(parent), m_document(document)
 {
-    setFormat(SceneView::preCreateWindow());
-    setMouseTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(160, 120);
     setAccessibleName(tr("Observer view"));
     setAccessibleDescription(
         tr("The camera and its view volume from outside. Arrow keys turn the view, plus and minus zoom, F fits it."));
@@ -74,48 +70,27 @@ void ObserverView::setMorph(double t)
     emit morphChanged(m_t);
 }
 
-void ObserverView::setSmoothEdges(bool smooth)
-{
-    m_smoothEdges = smooth;
-    update();
-}
-
 void ObserverView::initializeGL()
 {
-    initializeOpenGLFunctions();
-    const QSurfaceFormat actual = context()->format();
-    if (actual.version() < qMakePair(3, 3)) {
-        emit failed(tr("OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.")
-                        .arg(actual.majorVersion())
-                        .arg(actual.minorVersion()));
+    if (!createFrame())
         return;
-    }
-    m_frame.initialize();
-    m_framePainter.initialize();
-    m_background.initialize();
-    m_meshes.initialize(m_frame.ids());
     m_lines.initialize();
     m_faces.initialize();
     m_pickPainter.initialize();
     m_isStale = true;
-    m_isCreated = true;
     // The context is a new one when the widget moves to another window: everything in the old one is released first.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ObserverView::releaseGL, Qt::UniqueConnection);
 }
 
 void ObserverView::releaseGL()
 {
-    if (!m_isCreated)
+    if (!isReady())
         return;
     makeCurrent();
-    m_frame.release();
-    m_framePainter.release();
-    m_background.release();
-    m_meshes.release();
+    releaseFrame();
     m_lines.release();
     m_faces.release();
     m_pickPainter.release();
-    m_isCreated = false;
     disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ObserverView::releaseGL);
     doneCurrent();
 }
@@ -197,19 +172,18 @@ std::optional<QPointF> ObserverView::placeOf(const WorldPoint &point) const
 
 void ObserverView::paintGL()
 {
-    if (!m_isCreated)
+    if (!isReady())
         return;
     updateSurface(); // a pixel ratio can change without a change of size
     placeObserver();
     const std::optional<ObserverPicture> p = picture();
-    if (p)
-        updateFrame(*p);
-    if (!p || !m_frame.picture()) {
+    if (!p) {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         return;
     }
-    m_framePainter.draw(m_frame.colors(), m_frame.depths(), p->observer.surface.widthPixels,
-                        p->observer.surface.heightPixels, m_smoothEdges);
+    updateFrame(*p);
+    if (!showFrame())
+        return;
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     drawGround(*p);
@@ -244,19 +218,11 @@ void ObserverView::updateFrame(const ObserverPicture &p)
         return;
     m_isStale = false;
     m_drawnFrom = clipFromWorld;
-    if (const Result<Drawable> drawn = drawable(p.observer); !drawn || !m_frame.begin(*drawn)) {
-        emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
-                       "driver.")
-                        .arg(p.observer.surface.widthPixels)
-                        .arg(p.observer.surface.heightPixels));
-        return;
-    }
-    m_background.draw();
-    m_frame.beginObjects();
-    m_meshes.draw(m_document.objects(), clipFromWorld, p.observerFromWorld, cuttingPlanes(p));
-    m_frame.end();
-    for (const QString &failure : m_meshes.takeFailures())
-        emit failed(failure);
+    const Result<Drawable> drawn = drawable(p.observer);
+    if (drawn)
+        drawFrame(*drawn, m_document.objects(), clipFromWorld, p.observerFromWorld, cuttingPlanes(p));
+    else
+        emit failed(errorText(drawn.error()));
 }
 
 void ObserverView::drawGround(const ObserverPicture &p)

@@ -1,17 +1,11 @@
 #pragma once
 
 #include "gui/document/scene_document.h"
-#include "gui/painters/background_painter.h"
 #include "gui/painters/face_painter.h"
-#include "gui/painters/frame_painter.h"
 #include "gui/painters/line_painter.h"
-#include "gui/painters/mesh_painter.h"
 #include "gui/painters/pick_painter.h"
-#include "gui/view/frame.h"
+#include "gui/view/frame_view.h"
 #include "gui/view/observer_picture.h"
-
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLWidget>
 
 #include <optional>
 
@@ -21,7 +15,7 @@ namespace unprojector::gui {
 /// pixel, the point and the scene; all of it can be morphed into the canonical view volume. It has a camera of its own,
 /// which a hand turns and which stays where it is when the first one moves. The edges of the near and far planes can be
 /// dragged. It never unprojects.
-class ObserverView : public QOpenGLWidget, protected QOpenGLExtraFunctions {
+class ObserverView : public FrameView {
     Q_OBJECT
 public:
     explicit ObserverView(SceneDocument &document, QWidget *parent = nullptr);
@@ -30,8 +24,6 @@ public:
     /// 0: eye space, as it is; 1: the canonical view volume. Between them it morphs.
     double morph() const { return m_t; }
     void setMorph(double t);
-
-    void setSmoothEdges(bool smooth);
 
     /// Shows the eye and the view volume fully, from the direction that the observer looks in.
     void fit();
@@ -42,8 +34,6 @@ public:
 
 signals:
     void morphChanged(double t);
-    /// OpenGL cannot draw here, or not all of it; for a message.
-    void failed(const QString &reason);
 
 protected:
     void initializeGL() override;
@@ -88,16 +78,10 @@ private:
     void zoom(const QPointF &position, double factor);
 
     SceneDocument &m_document;
-    Frame m_frame;
-    FramePainter m_framePainter;
-    BackgroundPainter m_background;
-    MeshPainter m_meshes;
     LinePainter m_lines;
     FacePainter m_faces;
     PickPainter m_pickPainter;
 
-    bool m_isCreated = false;
-    bool m_smoothEdges = true;
     bool m_isStale = true;       ///< the frame does not show the document as it is
     glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame
     double m_t = 0.0;

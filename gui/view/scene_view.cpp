@@ -23,25 +23,10 @@ double milliseconds(const QElapsedTimer &timer)
 
 } // namespace
 
-QSurfaceFormat SceneView::preCreateWindow()
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    format.setSamples(0);
-    return format;
-}
-
 SceneView::SceneView(SceneDocument &document, QWidget *parent)
-    : QOpenGLWidget(parent), m_document(document), m_overlay(std::make_unique<SceneOverlay>())
+    : FrameView(parent), m_document(document), m_overlay(std::make_unique<SceneOverlay>())
 {
-    setFormat(preCreateWindow());
-    setMouseTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
-    setMinimumSize(160, 120);
     setCursor(Qt::CrossCursor);
     setAccessibleName(tr("3-D view"));
     setAccessibleDescription(tr("Press the left button on the model to read the world coordinate of that pixel"));
@@ -61,12 +46,6 @@ SceneView::~SceneView()
     onDestroy();
 }
 
-void SceneView::setSmoothEdges(bool smooth)
-{
-    m_smoothEdges = smooth;
-    update();
-}
-
 void SceneView::redraw()
 {
     m_isStale = true;
@@ -78,21 +57,10 @@ void SceneView::onCreate()
 {
     QElapsedTimer timer;
     timer.start();
-    initializeOpenGLFunctions();
-    const QSurfaceFormat actual = context()->format();
-    if (actual.version() < qMakePair(3, 3)) {
-        emit failed(tr("OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.")
-                        .arg(actual.majorVersion())
-                        .arg(actual.minorVersion()));
+    if (!createFrame())
         return;
-    }
-    m_frame.initialize();
-    m_framePainter.initialize();
-    m_background.initialize();
-    m_meshes.initialize(m_frame.ids());
     m_overlay->initialize();
     m_isStale = true;
-    m_isCreated = true;
     const QSurfaceFormat asked = format();
     emit happened({LifecycleEvent::Kind::PreCreateWindow, QString(),
                    QStringLiteral("OpenGL %1.%2 core, depth %3 bits, stencil %4 bits, %5 samples")
@@ -131,19 +99,13 @@ void SceneView::onSize()
 
 void SceneView::onDraw()
 {
-    if (!m_isCreated)
+    if (!isReady())
         return;
     QElapsedTimer timer;
     timer.start();
     const bool hasDrawnObjects = updateFrame();
-    if (m_frame.picture()) {
-        const Surface &surface = m_frame.picture()->surface;
-        m_framePainter.draw(m_frame.colors(), m_frame.depths(), surface.widthPixels, surface.heightPixels,
-                            m_smoothEdges);
+    if (showFrame())
         m_overlay->draw(m_document);
-    } else {
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); // why has been told
-    }
     emit happened({LifecycleEvent::Kind::OnDraw, QString(),
                    hasDrawnObjects ? kObjectCalls + QStringLiteral(", glDrawArrays")
                                    : QStringLiteral("glDrawArrays: the objects are as they were drawn before"),
@@ -168,35 +130,18 @@ bool SceneView::updateFrame()
     const Result<Drawable> drawn = drawable(g);
     if (!matrix || !frame || !drawn)
         return false;
-    if (!m_frame.begin(*drawn)) {
-        emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
-                       "driver.")
-                        .arg(g.surface.widthPixels)
-                        .arg(g.surface.heightPixels));
-        return false;
-    }
-    m_background.draw();
-    m_frame.beginObjects();
-    m_meshes.draw(m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes);
-    m_frame.end();
-    for (const QString &failure : m_meshes.takeFailures())
-        emit failed(failure);
-    return true;
+    return drawFrame(*drawn, m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes);
 }
 
 void SceneView::onDestroy()
 {
-    if (!m_isCreated)
+    if (!isReady())
         return;
     QElapsedTimer timer;
     timer.start();
     makeCurrent();
-    m_frame.release();
-    m_framePainter.release();
-    m_background.release();
-    m_meshes.release();
+    releaseFrame();
     m_overlay->release();
-    m_isCreated = false;
     m_requested.reset();
     disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneView::onDestroy);
     doneCurrent();
@@ -209,7 +154,7 @@ void SceneView::onDestroy()
 std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)
 {
     makeCurrent();
-    if (!m_isCreated)
+    if (!isReady())
         return std::nullopt;
     QElapsedTimer timer;
     timer.start();

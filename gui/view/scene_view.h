@@ -1,14 +1,9 @@
 #pragma once
 
 #include "gui/document/scene_document.h"
-#include "gui/painters/background_painter.h"
-#include "gui/painters/frame_painter.h"
-#include "gui/painters/mesh_painter.h"
-#include "gui/view/frame.h"
+#include "gui/view/frame_view.h"
 #include "gui/view/lifecycle_event.h"
 
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLWidget>
 #include <QTimer>
 #include <QUrl>
 
@@ -20,26 +15,12 @@ class SceneOverlay;
 
 /// The picture of a document's scene. Its life mirrors the paper's MFC view (Weng et al. 2008, section 4) by name:
 /// preCreateWindow, onCreate, onSize, onDraw, onLButtonDown, onDestroy, called from Qt's own hooks. It reads depths
-/// and reports positions; it never unprojects.
-///
-/// The objects are drawn into a Frame, once a change; the frame is what clicks are read from. Onto the widget goes a copy
-/// of it, with smooth edges if wanted, and over that what cannot be clicked.
-class SceneView : public QOpenGLWidget, protected QOpenGLExtraFunctions {
+/// and reports positions; it never unprojects. Clicks are read from its frame; what is drawn over that cannot be clicked.
+class SceneView : public FrameView {
     Q_OBJECT
 public:
-    /// The surface format of a view: OpenGL 3.3 core, 24-bit depth, one sample. Stands for the pixel format that the
-    /// paper sets up before the window exists.
-    static QSurfaceFormat preCreateWindow();
-
     explicit SceneView(SceneDocument &document, QWidget *parent = nullptr);
     ~SceneView() override;
-
-    /// A matter of looks alone: the depths that are read are the same.
-    void setSmoothEdges(bool smooth);
-    bool smoothEdges() const { return m_smoothEdges; }
-
-    /// How this driver tells the object under a pixel; valid once the view is ready.
-    ObjectIds objectIds() const { return m_frame.ids(); }
 
     /// The left button pressed at a widget position in logical pixels: the depth there is read and `clicked` emitted.
     /// A position outside the view is ignored.
@@ -49,14 +30,10 @@ public:
     /// device pixels, while the event's position is relative to the view's logical corner.
     WidgetPoint widgetPosition(const QPointF &local) const;
 
-    bool isReady() const { return m_isCreated; }
-
 signals:
     void clicked(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
     void hovered(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
     void pointerLeft();
-    /// OpenGL cannot draw here, or not all of it, or not read depths; for a message.
-    void failed(const QString &reason);
     /// A step of the view's life has been taken; for a log.
     void happened(const unprojector::gui::LifecycleEvent &event);
     void filesDropped(const QList<QUrl> &urls);
@@ -97,14 +74,8 @@ private:
     void takeHover();
 
     SceneDocument &m_document;
-    Frame m_frame;
-    FramePainter m_framePainter;
-    BackgroundPainter m_background;
-    MeshPainter m_meshes;
     std::unique_ptr<SceneOverlay> m_overlay;
 
-    bool m_isCreated = false;
-    bool m_smoothEdges = true;
     bool m_isStale = true; ///< the frame does not show the document as it is
 
     std::optional<WidgetPoint> m_hovered;   ///< to be read

@@ -89,7 +89,7 @@ void SceneView::requestHover()
 {
     // A request under way is not overtaken, or a pointer that never rests would never be answered. A picture that is
     // about to be drawn is not drawn for the pointer's sake: it asks again.
-    if (!m_isCreated || !m_hovered || m_isStale || m_frame.isRequested())
+    if (!isReady() || !m_hovered || m_isStale || m_frame.isRequested())
         return;
     const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, *m_hovered);
     m_requested = std::exchange(m_hovered, std::nullopt);
@@ -104,7 +104,7 @@ void SceneView::requestHover()
 void SceneView::takeHover()
 {
     constexpr int kPollMilliseconds = 2;
-    if (!m_isCreated || !m_requested)
+    if (!isReady() || !m_requested)
         return;
     makeCurrent();
     const std::optional<DepthSample> sample = m_frame.takeRequested();
@@ -156,7 +156,7 @@ void SceneView::wheelEvent(QWheelEvent *event)
 
 void SceneView::leaveEvent(QEvent *event)
 {
-    QOpenGLWidget::leaveEvent(event);
+    FrameView::leaveEvent(event);
     m_hovered.reset();
     m_requested.reset();
     emit pointerLeft();

@@ -865,6 +865,17 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::FrameView</name>
+    <message>
+        <source>OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.</source>
+        <translation>OpenGL %1.%2 太旧：视图需要 3.3。请更新显卡驱动程序。</translation>
+    </message>
+    <message>
+        <source>OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
+        <translation>OpenGL 无法绘制 %1 × %2 像素的画面。请缩小窗口，或更新显卡驱动。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::LifecycleLog</name>
     <message>
         <source>From %1 s to %2 s</source>
@@ -1647,20 +1658,12 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>从外部看相机及其视景体。方向键转动视图，加号和减号缩放，F 适合窗口。</translation>
     </message>
     <message>
-        <source>OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.</source>
-        <translation>OpenGL %1.%2 太旧：视图需要 3.3。请更新显卡驱动程序。</translation>
-    </message>
-    <message>
         <source>Near plane</source>
         <translation>近裁剪面</translation>
     </message>
     <message>
         <source>Far plane</source>
         <translation>远裁剪面</translation>
-    </message>
-    <message>
-        <source>OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
-        <translation>OpenGL 无法绘制 %1 × %2 像素的画面。请缩小窗口，或更新显卡驱动。</translation>
     </message>
 </context>
 <context>
@@ -2228,16 +2231,8 @@ in logical pixels from the top-left corner, y down</source>
         <translation>在模型上按下左键，读取该像素的世界坐标</translation>
     </message>
     <message>
-        <source>OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.</source>
-        <translation>OpenGL %1.%2 太旧：视图需要 3.3。请更新显卡驱动程序。</translation>
-    </message>
-    <message>
         <source>The depth of this pixel could not be read: OpenGL reported an error.</source>
         <translation>无法读取该像素的深度：OpenGL 报告了错误。</translation>
-    </message>
-    <message>
-        <source>OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
-        <translation>OpenGL 无法绘制 %1 × %2 像素的画面。请缩小窗口，或更新显卡驱动。</translation>
     </message>
 </context>
 <context>

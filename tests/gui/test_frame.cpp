@@ -46,6 +46,7 @@ std::vector<SceneObject> twoCubes()
 }
 
 const LookAt kCamera{WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}};
+const LookAt kElsewhere{WorldPoint(kCubeCenter + glm::dvec3(3.0, 1.0, 6.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}};
 
 void setPlanes(SceneDocument &document, const std::vector<glm::dvec4> &planes)
 {
@@ -92,6 +93,10 @@ private slots:
     void smoothEdgesMoveNoDepth_data() { addDepthRanges(); }
     void smoothEdgesMoveNoDepth();
     void smoothEdgesAreSeenInBothViews();
+    void aGrabbedPictureIsSmoothInMotion();
+    void theScreenShowsSmoothEdgesAtRest();
+    void aWindowThatOpensIsDrawnOnce();
+    void aResizedViewIsOnTheScreen();
     void aPickIsNeverOnAClippedPart_data();
     void aPickIsNeverOnAClippedPart();
     void aRemovedPlaneIsGone();
@@ -228,6 +233,76 @@ void TestFrame::smoothEdgesAreSeenInBothViews()
     smooth->trigger();
     QVERIFY(window->view().grabFramebuffer() == before);
     QVERIFY(outside->grabFramebuffer() == outsideBefore);
+}
+
+/// What the screen shows of a widget, as its framebuffer would be.
+QImage onScreen(const QWidget &widget)
+{
+    const QPoint corner = widget.mapToGlobal(QPoint(0, 0));
+    return widget.screen()
+        ->grabWindow(0, corner.x(), corner.y(), widget.width(), widget.height())
+        .toImage()
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+QImage grabbed(SceneView &view)
+{
+    return view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+}
+
+void TestFrame::aGrabbedPictureIsSmoothInMotion()
+{
+    const auto window = this->window();
+    SceneView &view = window->view();
+    view.setSmoothEdges(true);
+    QTest::qWait(300);
+    const QImage atRest = grabbed(view);
+    window->document().setCamera(kElsewhere);
+    QVERIFY(grabbed(view) != atRest);
+    window->document().setCamera(kCamera);
+    QVERIFY(grabbed(view) == atRest);
+}
+
+void TestFrame::theScreenShowsSmoothEdgesAtRest()
+{
+    const auto window = this->window();
+    SceneView &view = window->view();
+    const QImage plain = grabbed(view);
+    QTRY_VERIFY(onScreen(view) == plain);
+    view.setSmoothEdges(true);
+    const QImage smooth = grabbed(view);
+    QVERIFY(smooth != plain);
+    QTRY_VERIFY(onScreen(view) == smooth);
+    // A picture that has just been drawn may be shown as it is; it does not stay so.
+    window->document().setCamera(kElsewhere);
+    window->document().setCamera(kCamera);
+    QTest::qWait(40);
+    QTRY_VERIFY(onScreen(view) == smooth);
+}
+
+void TestFrame::aWindowThatOpensIsDrawnOnce()
+{
+    MainWindow::Options options;
+    options.remembers = false;
+    MainWindow window(options);
+    QSignalSpy steps(&window.view(), &SceneView::happened);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QTRY_VERIFY(drawnObjects(steps) > 0);
+    QTest::qWait(50);
+    // The window's system may lay it out once more.
+    QVERIFY2(drawnObjects(steps) <= 2, qPrintable(QString::number(drawnObjects(steps))));
+}
+
+void TestFrame::aResizedViewIsOnTheScreen()
+{
+    const auto window = this->window();
+    for (const QSize &size : {QSize(500, 300), QSize(300, 420), QSize(640, 480)}) {
+        window->resize(size);
+        QTRY_COMPARE(window->size(), size);
+        QTest::qWait(30);
+        QTRY_VERIFY(onScreen(window->view()) == grabbed(window->view()));
+    }
 }
 
 void TestFrame::aPickIsNeverOnAClippedPart_data()
