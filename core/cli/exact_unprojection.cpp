@@ -5,19 +5,24 @@
 namespace unprojector::cli {
 namespace {
 
-using Vector = std::array<Extended, 3>;
+using Triple = std::array<Extended, 3>;
 
-Vector difference(const glm::dvec3 &a, const glm::dvec3 &b)
+Triple extended(const Components<3> &v)
 {
-    return {Extended(a.x) - b.x, Extended(a.y) - b.y, Extended(a.z) - b.z};
+    return {Extended(v.x), Extended(v.y), Extended(v.z)};
 }
 
-Vector cross(const Vector &a, const Vector &b)
+Triple difference(const Triple &a, const Triple &b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Triple cross(const Triple &a, const Triple &b)
 {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Vector unit(const Vector &v)
+Triple unit(const Triple &v)
 {
     const Extended length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     return {v[0] / length, v[1] / length, v[2] / length};
@@ -50,12 +55,12 @@ ExactUnprojection::Matrix ExactUnprojection::extended(const glm::dmat4 &matrix)
 
 ExactUnprojection::Matrix ExactUnprojection::eyeFromWorld(const LookAt &camera)
 {
-    const Vector forward = unit(difference(camera.center, camera.eye));
-    const Vector side = unit(cross(forward, difference(camera.up, glm::dvec3(0.0))));
-    const Vector upward = cross(side, forward);
-    const Vector back{-forward[0], -forward[1], -forward[2]};
+    const Triple forward = unit(difference(cli::extended(camera.center), cli::extended(camera.eye)));
+    const Triple side = unit(cross(forward, cli::extended(camera.up)));
+    const Triple upward = cross(side, forward);
+    const Triple back{-forward[0], -forward[1], -forward[2]};
     Matrix m = extended(glm::dmat4(1.0));
-    const Vector *rows[] = {&side, &upward, &back};
+    const Triple *rows[] = {&side, &upward, &back};
     for (std::size_t row = 0; row < 3; ++row) {
         m[row][3] = 0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -172,7 +177,7 @@ std::optional<std::array<Extended, 3>> ExactUnprojection::world(const WindowPoin
     // Beyond what a double can hold, or there only by the last of 50 digits.
     if (abs(p[3]) * 1e30 <= abs(m_worldFromWindow[3][3]) + abs(m_worldFromWindow[3][2] * window.z))
         return std::nullopt;
-    return Vector{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+    return Triple{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
 }
 
 } // namespace unprojector::cli

@@ -32,12 +32,12 @@ bool isZero(const DoubleDouble3 &v)
     return v[0].value == 0.0 && v[1].value == 0.0 && v[2].value == 0.0;
 }
 
-DoubleDouble3 precise(const glm::dvec3 &v)
+DoubleDouble3 precise(const Components<3> &v)
 {
     return {v.x, v.y, v.z};
 }
 
-glm::dvec3 rounded(const DoubleDouble3 &v)
+WorldVector rounded(const DoubleDouble3 &v)
 {
     return {v[0].value, v[1].value, v[2].value};
 }
@@ -51,7 +51,7 @@ EyeFrame PreciseEyeFrame::rounded() const
 
 Result<PreciseEyeFrame> preciseEyeFrame(const LookAt &view)
 {
-    for (const glm::dvec3 &v : {view.eye.coordinates(), view.center.coordinates(), view.up}) {
+    for (const glm::dvec3 &v : {view.eye.coordinates(), view.center.coordinates(), view.up.coordinates()}) {
         if (const auto value = firstNotFinite(v))
             return Error{ErrorCode::NotFinite, *value};
     }
@@ -82,12 +82,12 @@ Result<EyeFrame> eyeFrame(const LookAt &view)
 glm::dmat4 eyeFromWorld(const EyeFrame &frame)
 {
     const auto &[eye, s, u, f] = frame;
-    const glm::dvec3 origin = eye.coordinates();
+    const WorldVector toEye = eye - WorldPoint();
     return {
         {s.x, u.x, -f.x, 0.0},
         {s.y, u.y, -f.y, 0.0},
         {s.z, u.z, -f.z, 0.0},
-        {-glm::dot(s, origin), -glm::dot(u, origin), glm::dot(f, origin), 1.0},
+        {-dot(s, toEye), -dot(u, toEye), dot(f, toEye), 1.0},
     };
 }
 
@@ -111,8 +111,8 @@ WorldPoint worldFromEye(const EyeFrame &frame, const EyePoint &point)
 
 EyePoint eyeFromWorld(const EyeFrame &frame, const WorldPoint &point)
 {
-    const glm::dvec3 fromEye = point.coordinates() - frame.eye.coordinates();
-    return EyePoint(glm::dot(frame.side, fromEye), glm::dot(frame.upward, fromEye), -glm::dot(frame.forward, fromEye));
+    const WorldVector fromEye = point - frame.eye;
+    return EyePoint(dot(frame.side, fromEye), dot(frame.upward, fromEye), -dot(frame.forward, fromEye));
 }
 
 } // namespace unprojector::geometry

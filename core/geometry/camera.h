@@ -12,16 +12,16 @@ namespace unprojector::geometry {
 struct LookAt {
     WorldPoint eye{0.0, 0.0, 5.0};
     WorldPoint center{0.0, 0.0, 0.0};
-    glm::dvec3 up{0.0, 1.0, 0.0};
+    WorldVector up{0.0, 1.0, 0.0};
     friend bool operator==(const LookAt &, const LookAt &) = default;
 };
 
 /// The eye's position and its orthonormal axes in world space: s points right, u up, f into the scene.
 struct EyeFrame {
     WorldPoint eye;
-    glm::dvec3 side;
-    glm::dvec3 upward;
-    glm::dvec3 forward;
+    WorldVector side;
+    WorldVector upward;
+    WorldVector forward;
 };
 
 /// The axes before they are rounded.

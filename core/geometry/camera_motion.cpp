@@ -12,20 +12,19 @@
 namespace unprojector::geometry {
 namespace {
 
-constexpr glm::dvec3 kWorldUp{0.0, 1.0, 0.0};
+constexpr WorldVector kWorldUp{0.0, 1.0, 0.0};
 /// The turntable stops this far from looking straight up or down.
 constexpr double kPoleMarginRadians = 0.01;
 
 /// Rodrigues' rotation of v about a unit axis.
-glm::dvec3 rotated(const glm::dvec3 &v, const glm::dvec3 &axis, double angle)
+WorldVector rotated(const WorldVector &v, const WorldVector &axis, double angle)
 {
-    return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle)
-           + axis * glm::dot(axis, v) * (1.0 - std::cos(angle));
+    return v * std::cos(angle) + cross(axis, v) * std::sin(angle) + axis * dot(axis, v) * (1.0 - std::cos(angle));
 }
 
 double centerDistance(const LookAt &camera)
 {
-    return glm::length(camera.center - camera.eye);
+    return distance(camera.center, camera.eye);
 }
 
 /// A camera's own frame. Callers hold a valid geometry, so it exists.
@@ -38,14 +37,14 @@ EyeFrame frameOf(const LookAt &camera)
 
 /// A camera with these axes; its up is world up wherever that is the same camera, because that is what people
 /// expect to read and to pass to gluLookAt.
-LookAt fromAxes(const WorldPoint &eye, const glm::dvec3 &forward, const glm::dvec3 &upward, double distance)
+LookAt fromAxes(const WorldPoint &eye, const WorldVector &forward, const WorldVector &upward, double distance)
 {
-    const glm::dvec3 side = glm::cross(forward, upward);
-    const glm::dvec3 level = glm::cross(forward, kWorldUp);
+    const WorldVector side = cross(forward, upward);
+    const WorldVector level = cross(forward, kWorldUp);
     constexpr double kLevel = 1e-9;
-    const bool isLevel = glm::length(level) > kPoleMarginRadians / 2.0
-                         && glm::length(glm::normalize(level) - glm::normalize(side)) < kLevel;
-    return {eye, WorldPoint(eye.coordinates() + forward * distance), isLevel ? kWorldUp : upward};
+    const bool isLevel =
+        length(level) > kPoleMarginRadians / 2.0 && length(normalized(level) - normalized(side)) < kLevel;
+    return {eye, eye + forward * distance, isLevel ? kWorldUp : upward};
 }
 
 /// The projection's window scaled about the point (x, y) on the near plane.
@@ -67,30 +66,28 @@ LookAt orbited(const LookAt &camera, const WorldPoint &pivot, double yawRadians,
     // Tipping the scene towards the viewer lowers the view direction. The poles bound it; a camera that stands at one
     // already (a top view) may leave it, not pass it. One that hangs upside down has no such bounds.
     double pitch = -pitchRadians;
-    if (glm::dot(frame.upward, kWorldUp) > -1e-9) {
-        const double elevation = std::asin(std::clamp(glm::dot(frame.forward, kWorldUp), -1.0, 1.0));
+    if (dot(frame.upward, kWorldUp) > -1e-9) {
+        const double elevation = std::asin(std::clamp(dot(frame.forward, kWorldUp), -1.0, 1.0));
         constexpr double kLimit = kPi / 2.0 - kPoleMarginRadians;
         pitch = std::clamp(elevation + pitch, std::min(-kLimit, elevation), std::max(kLimit, elevation)) - elevation;
     }
 
-    const auto turned = [&](const glm::dvec3 &v) {
+    const auto turned = [&](const WorldVector &v) {
         return rotated(rotated(v, frame.side, pitch), kWorldUp, -yawRadians);
     };
-    const WorldPoint eye(pivot.coordinates() + turned(frame.eye.coordinates() - pivot.coordinates()));
-    return fromAxes(eye, glm::normalize(turned(frame.forward)), glm::normalize(turned(frame.upward)),
-                    centerDistance(camera));
+    const WorldPoint eye = pivot + turned(frame.eye - pivot);
+    return fromAxes(eye, normalized(turned(frame.forward)), normalized(turned(frame.upward)), centerDistance(camera));
 }
 
-LookAt moved(const LookAt &camera, const glm::dvec3 &worldOffset)
+LookAt moved(const LookAt &camera, const WorldVector &offset)
 {
-    return {WorldPoint(camera.eye.coordinates() + worldOffset), WorldPoint(camera.center.coordinates() + worldOffset),
-            camera.up};
+    return {camera.eye + offset, camera.center + offset, camera.up};
 }
 
 LookAt seenFrom(const LookAt &camera, StandardView side)
 {
-    glm::dvec3 towardsViewer{0.0, 0.0, 1.0};
-    glm::dvec3 up = kWorldUp;
+    WorldVector towardsViewer{0.0, 0.0, 1.0};
+    WorldVector up = kWorldUp;
     switch (side) {
     case StandardView::Front: break;
     case StandardView::Back: towardsViewer = {0.0, 0.0, -1.0}; break;
@@ -105,7 +102,7 @@ LookAt seenFrom(const LookAt &camera, StandardView side)
         up = {0.0, 0.0, 1.0};
         break;
     }
-    return {WorldPoint(camera.center.coordinates() + towardsViewer * centerDistance(camera)), camera.center, up};
+    return {camera.center + towardsViewer * centerDistance(camera), camera.center, up};
 }
 
 double worldPerPixel(const Picture &geometry, const WorldPoint &anchor)
@@ -121,13 +118,12 @@ Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor)
     const EyePoint inEye = eyeFromWorld(frame, anchor);
     const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(geometry.camera());
     if (isPerspective(geometry.projection())) {
-        const glm::dvec3 toAnchor = anchor.coordinates() - frame.eye.coordinates();
-        result.camera().eye = WorldPoint(frame.eye.coordinates() + toAnchor * (1.0 - 1.0 / factor));
+        result.camera().eye = frame.eye + (anchor - frame.eye) * (1.0 - 1.0 / factor);
     } else {
         // The eye of a box comes along: that changes nothing in the picture of a glOrtho, and a perspective that is
         // switched to later has the field of view it had.
         const double step = distance * (1.0 - 1.0 / factor);
-        result.camera().eye = WorldPoint(frame.eye.coordinates() + frame.forward * step);
+        result.camera().eye = frame.eye + frame.forward * step;
         if (auto *ortho = std::get_if<Ortho>(&result.projection()))
             *ortho = scaledAbout(*ortho, inEye.x, inEye.y, 1.0 / factor);
         else if (auto *oblique = std::get_if<Oblique>(&result.projection())) {
@@ -140,7 +136,7 @@ Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor)
                             box.top + shift.y,  box.nearDistance,    box.farDistance};
         }
     }
-    result.camera().center = WorldPoint(result.camera().eye.coordinates() + frame.forward * (distance / factor));
+    result.camera().center = result.camera().eye + frame.forward * (distance / factor);
     return result;
 }
 
@@ -154,10 +150,10 @@ LookAt recentered(const Picture &geometry, const WorldPoint &point)
     glm::dvec2 middle((w.left + w.right) / 2.0 * scale, (w.bottom + w.top) / 2.0 * scale);
     if (const auto *oblique = std::get_if<Oblique>(&geometry.projection()))
         middle -= glm::dvec2(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)) * inEye.z;
-    const glm::dvec3 offset = (inEye.x - middle.x) * frame.side + (inEye.y - middle.y) * frame.upward;
+    const WorldVector offset = (inEye.x - middle.x) * frame.side + (inEye.y - middle.y) * frame.upward;
     LookAt camera = moved(geometry.camera(), offset);
     const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(camera);
-    camera.center = WorldPoint(camera.eye.coordinates() + frame.forward * distance);
+    camera.center = camera.eye + frame.forward * distance;
     return camera;
 }
 
@@ -192,7 +188,7 @@ Picture framed(const Picture &geometry, const Box &bounds)
     }
     const WorldPoint center(bounds.isEmpty() ? glm::dvec3(0.0) : bounds.center());
     result.camera().center = center;
-    result.camera().eye = WorldPoint(center.coordinates() - frame.forward * distance);
+    result.camera().eye = center - frame.forward * distance;
     result.camera() = recentered(result, center);
     return result;
 }

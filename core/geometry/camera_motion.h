@@ -18,7 +18,7 @@ enum class StandardView { Front, Back, Right, Left, Top, Bottom };
 LookAt orbited(const LookAt &camera, const WorldPoint &pivot, double yawRadians, double pitchRadians);
 
 /// Moves eye and center together.
-LookAt moved(const LookAt &camera, const glm::dvec3 &worldOffset);
+LookAt moved(const LookAt &camera, const WorldVector &offset);
 
 /// Looks at the same centre from one of the six sides, at the same distance.
 LookAt seenFrom(const LookAt &camera, StandardView side);

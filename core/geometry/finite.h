@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/components.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -30,7 +32,7 @@ std::optional<double> firstNotFinite(const double (&values)[Count])
     return std::nullopt;
 }
 
-/// The same of a vector's components.
+/// The same of the components of GLM's vectors.
 template <class Vector>
 requires requires(const Vector &v)
 {
@@ -44,6 +46,13 @@ std::optional<double> firstNotFinite(const Vector &v)
             return static_cast<double>(v[i]);
     }
     return std::nullopt;
+}
+
+/// The same of a point or a vector.
+template <int Dimension>
+std::optional<double> firstNotFinite(const Components<Dimension> &components)
+{
+    return firstNotFinite(components.coordinates());
 }
 
 /// The same of a matrix, column by column.

@@ -10,7 +10,7 @@
 namespace unprojector::geometry {
 namespace {
 
-constexpr glm::dvec3 kWorldUp{0.0, 1.0, 0.0};
+constexpr WorldVector kWorldUp{0.0, 1.0, 0.0};
 constexpr double kElevationRadians = 0.6108652381980153; // 35 degrees
 constexpr double kAzimuthRadians = 1.0471975511965976;   // 60 degrees from straight behind
 
@@ -39,22 +39,22 @@ Placement between(const Placement &from, const Placement &to, double t)
 
 Placement placementOf(const EyeFrame &frame, const ViewVolumeMorph &morph)
 {
-    const glm::dmat3 axes(frame.side, frame.upward, -frame.forward);
+    const glm::dmat3 axes(frame.side.coordinates(), frame.upward.coordinates(), (-frame.forward).coordinates());
     return {worldFromEye(frame, morph.center).coordinates(), glm::normalize(glm::quat_cast(axes)), 1.0 / morph.scale};
 }
 
 LookAt observerOf(const EyeFrame &watched, const WorldPoint &center)
 {
     // Level ahead; a camera that looks straight up or down has its upper edge there.
-    glm::dvec3 ahead = watched.forward - kWorldUp * glm::dot(watched.forward, kWorldUp);
+    WorldVector ahead = watched.forward - kWorldUp * dot(watched.forward, kWorldUp);
     constexpr double kSteep = 1e-3;
-    if (glm::length(ahead) < kSteep)
-        ahead = watched.upward - kWorldUp * glm::dot(watched.upward, kWorldUp);
-    ahead = glm::normalize(ahead);
-    const glm::dvec3 right = glm::cross(ahead, kWorldUp);
-    const glm::dvec3 level = right * std::sin(kAzimuthRadians) - ahead * std::cos(kAzimuthRadians);
-    const glm::dvec3 offset = level * std::cos(kElevationRadians) + kWorldUp * std::sin(kElevationRadians);
-    return {WorldPoint(center.coordinates() + offset), center, kWorldUp};
+    if (length(ahead) < kSteep)
+        ahead = watched.upward - kWorldUp * dot(watched.upward, kWorldUp);
+    ahead = normalized(ahead);
+    const WorldVector right = cross(ahead, kWorldUp);
+    const WorldVector level = right * std::sin(kAzimuthRadians) - ahead * std::cos(kAzimuthRadians);
+    const WorldVector offset = level * std::cos(kElevationRadians) + kWorldUp * std::sin(kElevationRadians);
+    return {center + offset, center, kWorldUp};
 }
 
 LookAt framedTightly(const Picture &observer, const std::vector<WorldPoint> &points)
@@ -85,7 +85,7 @@ LookAt framedTightly(const Picture &observer, const std::vector<WorldPoint> &poi
     const double distance = z - middle > 0.0 ? z - middle : 1.0; // a single point has no size to fill anything with
     LookAt camera = observer.camera();
     camera.center = worldFromEye(frame, EyePoint(x, y, middle));
-    camera.eye = WorldPoint(camera.center.coordinates() - frame.forward * distance);
+    camera.eye = camera.center - frame.forward * distance;
     return camera;
 }
 
@@ -94,13 +94,13 @@ ClipPlaneDrag::ClipPlaneDrag(const Projection &projection, ClipPlane plane, cons
     : m_plane(plane)
 {
     const double distance = -grabbed.z;
-    glm::dvec3 direction(0.0, 0.0, -1.0);
+    EyeVector direction(0.0, 0.0, -1.0);
     if (isPerspective(projection))
-        direction = grabbed.coordinates() / distance;
+        direction = (grabbed - EyePoint()) / distance;
     else if (const auto *oblique = std::get_if<Oblique>(&projection))
         direction = {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians), -1.0};
-    m_direction = widgetFromEye * glm::dvec4(direction, 0.0);
-    m_origin = widgetFromEye * glm::dvec4(grabbed.coordinates() - direction * distance, 1.0);
+    m_direction = widgetFromEye * glm::dvec4(direction.coordinates(), 0.0);
+    m_origin = widgetFromEye * glm::dvec4((grabbed - direction * distance).coordinates(), 1.0);
     const glm::dvec4 held = m_origin + m_direction * distance;
     const ProjectionWindow w = projectionWindow(projection);
     m_deepest = w.nearDistance + 1000.0 * (w.farDistance - w.nearDistance);

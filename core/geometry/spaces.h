@@ -1,11 +1,10 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include "core/geometry/components.h"
 
-#include <cstddef>
-#include <type_traits>
+#include <glm/geometric.hpp>
+
+#include <concepts>
 
 /// The coordinate spaces, stated once. Everything else in the project uses these names.
 ///
@@ -26,50 +25,164 @@
 namespace unprojector::geometry {
 
 struct ObjectSpace {
-    using Coordinates = glm::dvec3;
+    static constexpr int kDimension = 3;
 };
 struct WorldSpace {
-    using Coordinates = glm::dvec3;
+    static constexpr int kDimension = 3;
 };
 struct EyeSpace {
-    using Coordinates = glm::dvec3;
+    static constexpr int kDimension = 3;
 };
 struct ClipSpace {
-    using Coordinates = glm::dvec4;
+    static constexpr int kDimension = 4;
 };
 struct NdcSpace {
-    using Coordinates = glm::dvec3;
+    static constexpr int kDimension = 3;
 };
 struct WindowSpace {
-    using Coordinates = glm::dvec3;
+    static constexpr int kDimension = 3;
 };
 struct DeviceSpace {
-    using Coordinates = glm::dvec2;
+    static constexpr int kDimension = 2;
 };
 struct WidgetSpace {
-    using Coordinates = glm::dvec2;
+    static constexpr int kDimension = 2;
 };
 
-/// A position in one space. Points of different spaces do not convert into each other, so that mixing them up is
-/// a compile error; a point reads as the GLM vector of its coordinates.
+/// A point says where something is in its space: an eye, a pixel, a corner of a model. A new one is the origin.
 template <class Space>
-struct Point : Space::Coordinates {
-    using Coordinates = typename Space::Coordinates;
-
-    Point() : Coordinates(0.0) {}
-    /// One number a coordinate. GLM's own constructors are not taken over: they would let any vector become a point.
-    template <class... Scalars>
-    requires(sizeof...(Scalars) == static_cast<std::size_t>(Coordinates::length())
-             && (std::is_arithmetic_v<Scalars> && ...)) Point(Scalars... scalars)
-        : Coordinates(static_cast<double>(scalars)...)
-    {
-    }
-    explicit Point(const Coordinates &coordinates) : Coordinates(coordinates) {}
-    template <class Other>
-    Point(const Point<Other> &) = delete;
-
-    const Coordinates &coordinates() const { return *this; }
+struct Point : Components<Space::kDimension> {
+    using Components<Space::kDimension>::Components;
 };
+
+/// A space that has vectors: all but clip space, whose points are homogeneous. What lies between two of those nobody can
+/// say before they are divided by their w, and then they are in NDC.
+template <class Space>
+concept Affine = !std::same_as<Space, ClipSpace>;
+
+/// A vector says how far and which way, from wherever one starts: an offset, an axis, "up". Were the origin of the space
+/// moved, all its points would get new coordinates, and its vectors would keep theirs. A new one has length 0.
+template <Affine Space>
+struct Vector : Components<Space::kDimension> {
+    using Components<Space::kDimension>::Components;
+};
+
+// What can be done with them, all of it within one space:
+//
+//   point - point = vector       from the second to the first
+//   point + vector = point       -, +=, -=
+//   vector + vector = vector     -, +=, -=, and -vector
+//   vector * number = vector     number * vector, vector / number
+//   point == point, vector == vector
+//   distance of two points; dot, cross, length and normalized of vectors
+//
+// Nothing else compiles: no sum or multiple of points, no length of a point, nothing between two spaces.
+
+template <Affine Space>
+constexpr Vector<Space> operator-(const Point<Space> &to, const Point<Space> &from)
+{
+    return Vector<Space>(to.coordinates() - from.coordinates());
+}
+template <Affine Space>
+constexpr Point<Space> operator+(const Point<Space> &p, const Vector<Space> &v)
+{
+    return Point<Space>(p.coordinates() + v.coordinates());
+}
+template <Affine Space>
+constexpr Point<Space> operator-(const Point<Space> &p, const Vector<Space> &v)
+{
+    return Point<Space>(p.coordinates() - v.coordinates());
+}
+template <Affine Space>
+constexpr Point<Space> &operator+=(Point<Space> &p, const Vector<Space> &v)
+{
+    return p = p + v;
+}
+template <Affine Space>
+constexpr Point<Space> &operator-=(Point<Space> &p, const Vector<Space> &v)
+{
+    return p = p - v;
+}
+
+template <Affine Space>
+constexpr Vector<Space> operator+(const Vector<Space> &a, const Vector<Space> &b)
+{
+    return Vector<Space>(a.coordinates() + b.coordinates());
+}
+template <Affine Space>
+constexpr Vector<Space> operator-(const Vector<Space> &a, const Vector<Space> &b)
+{
+    return Vector<Space>(a.coordinates() - b.coordinates());
+}
+template <Affine Space>
+constexpr Vector<Space> operator-(const Vector<Space> &v)
+{
+    return Vector<Space>(-v.coordinates());
+}
+template <Affine Space>
+constexpr Vector<Space> &operator+=(Vector<Space> &a, const Vector<Space> &b)
+{
+    return a = a + b;
+}
+template <Affine Space>
+constexpr Vector<Space> &operator-=(Vector<Space> &a, const Vector<Space> &b)
+{
+    return a = a - b;
+}
+template <Affine Space>
+constexpr Vector<Space> operator*(const Vector<Space> &v, double factor)
+{
+    return Vector<Space>(v.coordinates() * factor);
+}
+template <Affine Space>
+constexpr Vector<Space> operator*(double factor, const Vector<Space> &v)
+{
+    return Vector<Space>(factor * v.coordinates());
+}
+template <Affine Space>
+constexpr Vector<Space> operator/(const Vector<Space> &v, double divisor)
+{
+    return Vector<Space>(v.coordinates() / divisor);
+}
+
+template <class Space>
+constexpr bool operator==(const Point<Space> &a, const Point<Space> &b)
+{
+    return a.coordinates() == b.coordinates();
+}
+template <Affine Space>
+constexpr bool operator==(const Vector<Space> &a, const Vector<Space> &b)
+{
+    return a.coordinates() == b.coordinates();
+}
+
+template <Affine Space>
+double dot(const Vector<Space> &a, const Vector<Space> &b)
+{
+    return glm::dot(a.coordinates(), b.coordinates());
+}
+template <Affine Space>
+requires(Space::kDimension == 3) Vector<Space> cross(const Vector<Space> &a, const Vector<Space> &b)
+{
+    return Vector<Space>(glm::cross(a.coordinates(), b.coordinates()));
+}
+template <Affine Space>
+double length(const Vector<Space> &v)
+{
+    return glm::length(v.coordinates());
+}
+/// The vector of length 1 that points the same way.
+/// @pre v is not 0
+template <Affine Space>
+Vector<Space> normalized(const Vector<Space> &v)
+{
+    return Vector<Space>(glm::normalize(v.coordinates()));
+}
+template <Affine Space>
+double distance(const Point<Space> &a, const Point<Space> &b)
+{
+    return length(a - b);
+}
 
 using ObjectPoint = Point<ObjectSpace>;
 using WorldPoint = Point<WorldSpace>;
@@ -79,6 +192,9 @@ using NdcPoint = Point<NdcSpace>;
 using WindowPoint = Point<WindowSpace>;
 using DevicePoint = Point<DeviceSpace>;
 using WidgetPoint = Point<WidgetSpace>;
+
+using WorldVector = Vector<WorldSpace>;
+using EyeVector = Vector<EyeSpace>;
 
 /// One pixel of the framebuffer: column i from the left, row j from the top.
 struct DevicePixel {

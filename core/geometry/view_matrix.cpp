@@ -104,7 +104,7 @@ Result<LookAt> lookAtFrom(const glm::dmat4 &eyeFromWorld, double distance)
     const glm::dmat3 rows = glm::transpose(glm::dmat3(eyeFromWorld)) / eyeFromWorld[3][3];
     if (glm::determinant(rows) < 0.0)
         return Error{ErrorCode::ViewNotRigid, 2.0};
-    return LookAt{*eye, WorldPoint(eye->coordinates() - rows[2] * distance), rows[1]};
+    return LookAt{*eye, *eye - WorldVector(rows[2]) * distance, WorldVector(rows[1])};
 }
 
 } // namespace unprojector::geometry

@@ -35,14 +35,14 @@ Result<ViewVolumeMorph> viewVolumeMorph(const Projection &projection)
         return clip.error();
     const ProjectionWindow w = projectionWindow(projection);
     const std::array<EyePoint, 8> corners = viewVolumeCorners(projection);
-    glm::dvec3 center(0.0);
+    EyePoint center;
     for (const EyePoint &corner : corners)
-        center += corner.coordinates() / 8.0;
+        center += (corner - EyePoint()) / 8.0;
     double radius = 0.0;
     for (const EyePoint &corner : corners)
-        radius = std::max(radius, glm::length(corner.coordinates() - center));
+        radius = std::max(radius, distance(corner, center));
 
-    ViewVolumeMorph morph{glm::dmat4(1.0), glm::dmat4(1.0), *clip, 1.0, EyePoint(center), std::sqrt(3.0) / radius};
+    ViewVolumeMorph morph{glm::dmat4(1.0), glm::dmat4(1.0), *clip, 1.0, center, std::sqrt(3.0) / radius};
     for (int axis = 0; axis < 3; ++axis) {
         morph.unitFromEye[axis][axis] = morph.scale;
         morph.unitFromEye[3][axis] = -center[axis] * morph.scale;

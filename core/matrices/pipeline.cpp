@@ -14,11 +14,11 @@ namespace {
 
 /// A point of finite coordinates, else NotFinite.
 template <class Space>
-Result<Point<Space>> finite(const typename Space::Coordinates &coordinates)
+Result<Point<Space>> finite(const Point<Space> &point)
 {
-    if (const std::optional<double> value = firstNotFinite(coordinates))
+    if (const std::optional<double> value = firstNotFinite(point))
         return Error{ErrorCode::NotFinite, *value};
-    return Point<Space>(coordinates);
+    return point;
 }
 
 /// The next stage of a point, or the reason why there was none before.
@@ -35,7 +35,7 @@ template <class Target, class Source>
 Result<Point<Target>> affine(const glm::dmat4 &targetFromSource, const Result<Point<Source>> &point)
 {
     return next<Target>(point, [&](const Point<Source> &p) {
-        return finite<Target>(glm::dvec3(targetFromSource * glm::dvec4(p.coordinates(), 1.0)));
+        return finite(Point<Target>(glm::dvec3(targetFromSource * glm::dvec4(p.coordinates(), 1.0))));
     });
 }
 
@@ -45,22 +45,19 @@ PipelinePoints forwardOf(const Pipeline &pipeline, const Result<ObjectPoint> &ob
     const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Forward); };
     const Result<EyePoint> eye = affine<EyeSpace>(matrix(PipelineStage::ViewMatrix), world);
     const Result<ClipPoint> clip = next<ClipSpace>(eye, [&](const EyePoint &p) {
-        return finite<ClipSpace>(matrix(PipelineStage::ProjectionMatrix) * glm::dvec4(p.coordinates(), 1.0));
+        return finite(ClipPoint(matrix(PipelineStage::ProjectionMatrix) * glm::dvec4(p.coordinates(), 1.0)));
     });
     const Result<NdcPoint> ndc = next<NdcSpace>(clip, [](const ClipPoint &p) -> Result<NdcPoint> {
         if (p.w == 0.0)
             return Error{ErrorCode::PointAtInfinity};
-        return finite<NdcSpace>(glm::dvec3(p.coordinates()) / p.w);
+        return finite(NdcPoint(glm::dvec3(p.coordinates()) / p.w));
     });
-    const Result<WindowPoint> window = next<WindowSpace>(ndc, [&](const NdcPoint &p) {
-        return finite<WindowSpace>(windowFromNdc(geometry.viewport, geometry.depthRange, p).coordinates());
-    });
-    const Result<DevicePoint> device = next<DeviceSpace>(window, [&](const WindowPoint &p) {
-        return finite<DeviceSpace>(deviceFromWindow(geometry.surface, p).coordinates());
-    });
-    const Result<WidgetPoint> widget = next<WidgetSpace>(device, [&](const DevicePoint &p) {
-        return finite<WidgetSpace>(widgetFromDevice(geometry.surface, p).coordinates());
-    });
+    const Result<WindowPoint> window = next<WindowSpace>(
+        ndc, [&](const NdcPoint &p) { return finite(windowFromNdc(geometry.viewport, geometry.depthRange, p)); });
+    const Result<DevicePoint> device =
+        next<DeviceSpace>(window, [&](const WindowPoint &p) { return finite(deviceFromWindow(geometry.surface, p)); });
+    const Result<WidgetPoint> widget =
+        next<WidgetSpace>(device, [&](const DevicePoint &p) { return finite(widgetFromDevice(geometry.surface, p)); });
     return {object, world, eye, clip, ndc, window, device, widget};
 }
 
@@ -87,8 +84,9 @@ Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromOb
         return Error{ErrorCode::SingularMatrix};
 
     const glm::dmat4 objectFromWorld = glm::inverse(worldFromObject);
-    const glm::dmat4 worldFromEye(glm::dvec4(frame.side, 0.0), glm::dvec4(frame.upward, 0.0),
-                                  glm::dvec4(-frame.forward, 0.0), glm::dvec4(frame.eye.coordinates(), 1.0));
+    const glm::dmat4 worldFromEye(
+        glm::dvec4(frame.side.coordinates(), 0.0), glm::dvec4(frame.upward.coordinates(), 0.0),
+        glm::dvec4((-frame.forward).coordinates(), 0.0), glm::dvec4(frame.eye.coordinates(), 1.0));
     const glm::dmat4 eyeFromClip = glm::inverse(projection);
     glm::dmat4 ndcFromWindow(1.0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -115,7 +113,7 @@ Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromOb
 
 PipelinePoints pointsForward(const Pipeline &pipeline, const ObjectPoint &point)
 {
-    const Result<ObjectPoint> object = finite<ObjectSpace>(point.coordinates());
+    const Result<ObjectPoint> object = finite(point);
     return forwardOf(
         pipeline, object,
         affine<WorldSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Forward), object));
@@ -123,7 +121,7 @@ PipelinePoints pointsForward(const Pipeline &pipeline, const ObjectPoint &point)
 
 PipelinePoints pointsForward(const Pipeline &pipeline, const WorldPoint &point)
 {
-    const Result<WorldPoint> world = finite<WorldSpace>(point.coordinates());
+    const Result<WorldPoint> world = finite(point);
     return forwardOf(
         pipeline, affine<ObjectSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Backward), world),
         world);
@@ -133,24 +131,24 @@ PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &point
 {
     const Surface &surface = pipeline.geometry.surface;
     const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Backward); };
-    const Result<WindowPoint> window = finite<WindowSpace>(point.coordinates());
+    const Result<WindowPoint> window = finite(point);
     const Result<NdcPoint> ndc = affine<NdcSpace>(matrix(PipelineStage::ViewportMatrix), window);
     const Result<ClipPoint> clip = next<ClipSpace>(ndc, [&](const NdcPoint &p) -> Result<ClipPoint> {
         const glm::dvec4 homogeneous(p.coordinates(), 1.0);
         const glm::dvec4 eye = matrix(PipelineStage::ProjectionMatrix) * homogeneous;
         if (eye.w == 0.0)
             return Error{ErrorCode::PointAtInfinity};
-        return finite<ClipSpace>(homogeneous / eye.w);
+        return finite(ClipPoint(homogeneous / eye.w));
     });
     const Result<EyePoint> eye = next<EyeSpace>(clip, [&](const ClipPoint &p) {
-        return finite<EyeSpace>(glm::dvec3(matrix(PipelineStage::ProjectionMatrix) * p.coordinates()));
+        return finite(EyePoint(glm::dvec3(matrix(PipelineStage::ProjectionMatrix) * p.coordinates())));
     });
     const Result<WorldPoint> world = affine<WorldSpace>(matrix(PipelineStage::ViewMatrix), eye);
     const Result<ObjectPoint> object = affine<ObjectSpace>(matrix(PipelineStage::ModelMatrix), world);
-    const Result<DevicePoint> device = next<DeviceSpace>(
-        window, [&](const WindowPoint &p) { return finite<DeviceSpace>(deviceFromWindow(surface, p).coordinates()); });
-    const Result<WidgetPoint> widget = next<WidgetSpace>(
-        device, [&](const DevicePoint &p) { return finite<WidgetSpace>(widgetFromDevice(surface, p).coordinates()); });
+    const Result<DevicePoint> device =
+        next<DeviceSpace>(window, [&](const WindowPoint &p) { return finite(deviceFromWindow(surface, p)); });
+    const Result<WidgetPoint> widget =
+        next<WidgetSpace>(device, [&](const DevicePoint &p) { return finite(widgetFromDevice(surface, p)); });
     return {object, world, eye, clip, ndc, window, device, widget};
 }
 

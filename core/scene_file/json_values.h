@@ -34,12 +34,13 @@ struct Plain {
     static void read(const JsonNode &node, glm::dvec2 &value);
     static void read(const JsonNode &node, glm::dvec3 &value);
     static void read(const JsonNode &node, glm::dvec4 &value);
-    template <class Space>
-    static void read(const JsonNode &node, Point<Space> &value)
+    /// A point or a vector.
+    template <int Dimension>
+    static void read(const JsonNode &node, Components<Dimension> &value)
     {
-        typename Space::Coordinates coordinates = value.coordinates();
+        auto coordinates = value.coordinates();
         read(node, coordinates);
-        value = Point<Space>(coordinates);
+        value = Components<Dimension>(coordinates);
     }
     /// 16 numbers, column by column.
     static void read(const JsonNode &node, glm::dmat4 &value);
@@ -59,8 +60,8 @@ struct Plain {
     static Json write(const glm::dvec2 &value);
     static Json write(const glm::dvec3 &value);
     static Json write(const glm::dvec4 &value);
-    template <class Space>
-    static Json write(const Point<Space> &value)
+    template <int Dimension>
+    static Json write(const Components<Dimension> &value)
     {
         return write(value.coordinates());
     }

@@ -9,12 +9,6 @@
 namespace unprojector::scene_file {
 namespace {
 
-bool isSame(const LookAt &a, const LookAt &b)
-{
-    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates()
-           && a.up == b.up;
-}
-
 /// Puts the matrices of `before` in place of the parameters that were read from them and are still the same.
 void keepMatrices(SceneFile &file, const SceneFile &before)
 {
@@ -31,7 +25,7 @@ void keepMatrices(SceneFile &file, const SceneFile &before)
         if (const auto form = recognised(*projection); form && form->reversed)
             std::swap(file.depthRange.atNear, file.depthRange.atFar);
     }
-    if (view && isSame(std::get<LookAt>(file.view), read->camera()))
+    if (view && std::get<LookAt>(file.view) == read->camera())
         file.view = *view;
 }
 

@@ -6,7 +6,7 @@
 
 namespace unprojector::unproject {
 
-double ulpOfLargest(const glm::dvec3 &point)
+double ulpOfLargest(const Components<3> &point)
 {
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;

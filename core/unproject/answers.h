@@ -48,10 +48,7 @@ public:
 
     /// formula - matrix.
     /// @pre both have an answer
-    glm::dvec3 difference() const
-    {
-        return (*this)[Method::Formula]->coordinates() - (*this)[Method::Matrix]->coordinates();
-    }
+    Vector<Space> difference() const { return *(*this)[Method::Formula] - *(*this)[Method::Matrix]; }
 
 private:
     explicit Answers(std::array<Result<Point<Space>>, kMethods.size()> of) : m_of(std::move(of)) {}
@@ -67,6 +64,6 @@ struct Unprojected {
 
 /// The spacing of doubles at the largest component of a point: the unit that differences of this point are
 /// counted in. Counting each component in its own unit would call the noise of a component near 0 enormous.
-double ulpOfLargest(const glm::dvec3 &point);
+double ulpOfLargest(const Components<3> &point);
 
 } // namespace unprojector::unproject

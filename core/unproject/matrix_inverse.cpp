@@ -26,7 +26,7 @@ Result<MatrixInverse<Space, Scalar>> MatrixInverse<Space, Scalar>::of(const glm:
 template <class Space, class Scalar>
 Result<glm::vec<4, Scalar>> MatrixInverse<Space, Scalar>::homogeneousAt(const WindowPoint &window) const
 {
-    if (const auto value = firstNotFinite(window.coordinates()))
+    if (const auto value = firstNotFinite(window))
         return Error{ErrorCode::NotFinite, *value};
 
     const auto &[vx, vy, width, height] = m_viewport;

@@ -179,7 +179,7 @@ Unprojected Unprojector::at(const WindowPoint &window) const
 
 Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world)
 {
-    for (const auto &value : {firstNotFinite(worldFromObject), firstNotFinite(world.coordinates())}) {
+    for (const auto &value : {firstNotFinite(worldFromObject), firstNotFinite(world)}) {
         if (value)
             return Error{ErrorCode::NotFinite, *value};
     }

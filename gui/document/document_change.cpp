@@ -13,12 +13,6 @@ namespace {
 /// Of a length: what a few roundings make of it, and far less than a hand can move.
 constexpr double kRounding = 1e-12;
 
-bool isSame(const LookAt &a, const LookAt &b)
-{
-    return a.eye.coordinates() == b.eye.coordinates() && a.center.coordinates() == b.center.coordinates()
-           && a.up == b.up;
-}
-
 /// The settings without camera and projection, where only these may differ.
 bool differOnlyInLook(const SceneSettings &a, const SceneSettings &b)
 {
@@ -30,14 +24,12 @@ bool differOnlyInLook(const SceneSettings &a, const SceneSettings &b)
 
 bool isNearlySame(const LookAt &a, const LookAt &b)
 {
-    const glm::dvec3 eye = a.eye.coordinates(), center = a.center.coordinates();
     // Far from the origin a coordinate itself is no more exact than its last digits.
-    const double size = std::max(glm::length(eye), glm::length(center));
+    const double size = std::max(distance(a.eye, WorldPoint()), distance(a.center, WorldPoint()));
     const double tolerance =
-        kRounding * glm::length(center - eye) + 8.0 * std::numeric_limits<double>::epsilon() * size;
-    return glm::length(b.eye.coordinates() - eye) <= tolerance
-           && glm::length(b.center.coordinates() - center) <= tolerance
-           && glm::length(b.up - a.up) <= kRounding * glm::length(a.up);
+        kRounding * distance(a.center, a.eye) + 8.0 * std::numeric_limits<double>::epsilon() * size;
+    return distance(b.eye, a.eye) <= tolerance && distance(b.center, a.center) <= tolerance
+           && length(b.up - a.up) <= kRounding * length(a.up);
 }
 
 bool isNearlySame(const Projection &a, const Projection &b)
@@ -65,7 +57,7 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
     Changes changes;
     if (a.clipPlanes != b.clipPlanes || a.clipPlanesOff != b.clipPlanesOff)
         changes |= Change::ClipPlanes;
-    if (!isSame(a.camera, b.camera) || !isSame(a.home, b.home) || a.projection != b.projection
+    if (a.camera != b.camera || a.home != b.home || a.projection != b.projection
         || a.projectionFollowsViewport != b.projectionFollowsViewport
         || a.clipDistancesFitObjects != b.clipDistancesFitObjects || a.viewport != b.viewport
         || a.depthRange != b.depthRange)

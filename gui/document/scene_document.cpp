@@ -357,8 +357,7 @@ double SceneDocument::pivotDistance() const
         if (distance > 0.0)
             return distance;
     }
-    const glm::dvec3 toCenter = m_scene.camera.center - m_scene.camera.eye;
-    return glm::length(toCenter);
+    return distance(m_scene.camera.center, m_scene.camera.eye);
 }
 
 void SceneDocument::switchProjection()
@@ -411,7 +410,7 @@ WorldPoint SceneDocument::pivotAt(const WidgetPoint &position, const DepthSample
     const double zEnter = eyeFromWorld(*frame, *enter).z;
     const double zLeave = eyeFromWorld(*frame, *leave).z;
     const double t = (wanted - zEnter) / (zLeave - zEnter);
-    return WorldPoint(enter->coordinates() + t * (leave->coordinates() - enter->coordinates()));
+    return *enter + t * (*leave - *enter);
 }
 
 } // namespace unprojector::gui

@@ -30,7 +30,7 @@ template <typename Space>
 void ComparisonModel::addRows(const QString &space, const Answers<Space> &point, std::optional<double> certaintyRadius)
 {
     const auto component = [](const Result<Point<Space>> &p, int axis) {
-        return p ? std::optional(p->coordinates()[axis]) : std::nullopt;
+        return p ? std::optional((*p)[axis]) : std::nullopt;
     };
     for (int axis = 0; axis < 3; ++axis) {
         Row row;
@@ -38,8 +38,8 @@ void ComparisonModel::addRows(const QString &space, const Answers<Space> &point,
         for (const Method method : kMethods)
             row.by[static_cast<std::size_t>(method)] = component(point[method], axis);
         if (const Result<Point<Space>> &formula = point[Method::Formula]) {
-            row.ulp = ulpOfLargest(formula->coordinates());
-            row.decimals = decimalsFor(formula->coordinates(), kDoubleDigits);
+            row.ulp = ulpOfLargest(*formula);
+            row.decimals = decimalsFor(*formula, kDoubleDigits);
         }
         row.certain = certaintyRadius ? std::min(row.decimals, certainDecimals(*certaintyRadius)) : row.decimals;
         m_rows.push_back(std::move(row));

@@ -26,7 +26,7 @@ public:
         }
         Coordinates coordinates;
         for (int i = 0; i < m_coordinates; ++i)
-            coordinates[static_cast<std::size_t>(i)] = point->coordinates()[i];
+            coordinates[static_cast<std::size_t>(i)] = (*point)[i];
         setCoordinates(coordinates);
     }
     /// No point: a dash for each coordinate.

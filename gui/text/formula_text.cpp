@@ -69,7 +69,7 @@ QString axisLine(const QString &head, const QString &position, double low, doubl
     return QStringLiteral("%1 = %2 / %3 + %4 = %5").arg(head, window, number(size), term(low), number(result));
 }
 
-QString vectorText(const glm::dvec3 &v)
+QString vectorText(const Components<3> &v)
 {
     return QStringLiteral("(%1, %2, %3)").arg(number(v.x), number(v.y), number(v.z));
 }
@@ -118,9 +118,8 @@ QString formulaText(const Pick &pick)
               << shear(QStringLiteral("y"), boxY, oblique->phiRadians, eye->y);
     }
     lines << Formulas::tr("world = eye + x s + y u + z f\n  = %1 + %2 × %3 + %4 × %5 + %6 × %7\n  = %8")
-                 .arg(vectorText(frame->eye.coordinates()), term(eye->x), vectorText(frame->side), term(eye->y),
-                      vectorText(frame->upward), term(a.z), vectorText(frame->forward),
-                      vectorText(world->coordinates()));
+                 .arg(vectorText(frame->eye), term(eye->x), vectorText(frame->side), term(eye->y),
+                      vectorText(frame->upward), term(a.z), vectorText(frame->forward), vectorText(*world));
     return lines.join(QStringLiteral("\n\n"));
 }
 
@@ -131,7 +130,7 @@ QString rayText(const Pick &pick)
     if (!enter || !leave)
         return {};
     return Formulas::tr("p(t) = near + t (far − near), 0 ≤ t ≤ 1\nnear = %1\nfar = %2")
-        .arg(vectorText(enter->coordinates()), vectorText(leave->coordinates()));
+        .arg(vectorText(*enter), vectorText(*leave));
 }
 
 QString differenceCauseText(const Pick &pick)
@@ -139,9 +138,8 @@ QString differenceCauseText(const Pick &pick)
     const Answers<WorldSpace> &world = pick.hit ? pick.point.world : pick.rayFar.world;
     if (!world[Method::Formula] || !world[Method::Matrix])
         return {};
-    const glm::dvec3 d = world.difference();
-    const double ulps =
-        std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(world[Method::Formula]->coordinates());
+    const WorldVector d = world.difference();
+    const double ulps = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(*world[Method::Formula]);
     if (ulps <= 4.0)
         return Formulas::tr(
             "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
@@ -149,9 +147,9 @@ QString differenceCauseText(const Pick &pick)
     if (!eye)
         return {};
     // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
-    const glm::dvec3 point = world[Method::Formula]->coordinates(), origin = pick.geometry.camera().eye.coordinates();
-    const auto largest = [](const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-    const double cancelled = std::max(largest(origin), largest(eye->coordinates())) / largest(point);
+    const WorldPoint point = *world[Method::Formula], origin = pick.geometry.camera().eye;
+    const auto largest = [](const Components<3> &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const double cancelled = std::max(largest(origin), largest(*eye)) / largest(point);
     const QString byCancelling = significantText(std::max(1.0, cancelled), 2);
     if (!isPerspective(pick.geometry.projection()))
         return Formulas::tr(

@@ -27,7 +27,7 @@ QString fixedText(double value, int decimals)
     return text;
 }
 
-int decimalsFor(const glm::dvec3 &point, int digits)
+int decimalsFor(const Components<3> &point, int digits)
 {
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     if (!(largest > 0.0) || !std::isfinite(largest))
@@ -44,7 +44,7 @@ int certainDecimals(double radius)
     return std::clamp(static_cast<int>(std::floor(-std::log10(radius))), 0, 15);
 }
 
-QString pointText(const glm::dvec3 &point, int decimals)
+QString pointText(const Components<3> &point, int decimals)
 {
     return QStringLiteral("(%1, %2, %3)")
         .arg(fixedText(point.x, decimals), fixedText(point.y, decimals), fixedText(point.z, decimals));

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "core/geometry/components.h"
+
 #include <QString>
 
-#include <glm/vec3.hpp>
-
 namespace unprojector::gui {
+using namespace geometry;
 
 // How numbers are written everywhere in the window. Copied text uses the ASCII minus, so that it can be pasted into code.
 
@@ -18,12 +19,12 @@ QString significantText(double value, int digits);
 QString fixedText(double value, int decimals);
 
 /// Decimals with which the largest component of a point shows `digits` significant digits; from 0.1 to 1 one less.
-int decimalsFor(const glm::dvec3 &point, int digits);
+int decimalsFor(const Components<3> &point, int digits);
 
 /// Decimals that stay certain when a value may be off by `radius`; at least 0, at most 15.
 int certainDecimals(double radius);
 
 /// "(x, y, z)" with so many decimals.
-QString pointText(const glm::dvec3 &point, int decimals);
+QString pointText(const Components<3> &point, int decimals);
 
 } // namespace unprojector::gui

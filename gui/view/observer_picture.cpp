@@ -60,20 +60,20 @@ std::optional<ObserverPicture> observerPicture(const Picture &watched, const Box
         plane = planeInSource(plane, eyeWorld);
 
     // Clip distances around a ball that holds the scene, the volume and the eye.
-    const glm::dvec3 middle = placement.position;
+    const WorldPoint middle(placement.position);
     double radius = 2.0 * placement.scale;
     for (int corner = 0; corner < 8 && !extent.isEmpty(); ++corner) {
-        const glm::dvec3 p(corner & 1 ? extent.highest.x : extent.lowest.x,
+        const WorldPoint p(corner & 1 ? extent.highest.x : extent.lowest.x,
                            corner & 2 ? extent.highest.y : extent.lowest.y,
                            corner & 4 ? extent.highest.z : extent.lowest.z);
-        radius = std::max(radius, glm::length(p - middle));
+        radius = std::max(radius, distance(p, middle));
     }
     if (const std::optional<WorldPoint> eye = picture.drawnPoint(EyePoint());
-        eye && glm::length(eye->coordinates() - middle) < 20.0 * placement.scale)
-        radius = std::max(radius, 1.2 * glm::length(eye->coordinates() - middle));
-    const double distance = glm::dot(middle - observerFrame->eye.coordinates(), observerFrame->forward);
-    const double f = std::max(distance + radius, radius * 0.01);
-    const double n = std::max(distance - radius, f * 1e-4);
+        eye && distance(*eye, middle) < 20.0 * placement.scale)
+        radius = std::max(radius, 1.2 * distance(*eye, middle));
+    const double ahead = dot(middle - observerFrame->eye, observerFrame->forward);
+    const double f = std::max(ahead + radius, radius * 0.01);
+    const double n = std::max(ahead - radius, f * 1e-4);
     picture.observer.projection() = withClipDistances(observer.projection(), std::min(n, f * 0.5), f);
     const Result<glm::dmat4> clip = clipFromEye(picture.observer.projection());
     if (!clip)
@@ -89,17 +89,17 @@ std::optional<Segment> rayThrough(const Pick &pick, const ObserverPicture &pictu
     if (!frame || !enter || !leave)
         return std::nullopt;
     const bool perspective = isPerspective(pick.geometry.projection());
-    const glm::dvec3 from = perspective ? frame->eye.coordinates() : enter->coordinates();
-    const glm::dvec3 along = leave->coordinates() - from;
-    const bool isSameCamera = frame->eye.coordinates() == picture.watched.eye.coordinates()
-                              && frame->forward == picture.watched.forward && frame->upward == picture.watched.upward;
+    const WorldPoint from = perspective ? frame->eye : *enter;
+    const WorldVector along = *leave - from;
+    const bool isSameCamera = frame->eye == picture.watched.eye && frame->forward == picture.watched.forward
+                              && frame->upward == picture.watched.upward;
     if (!isSameCamera || perspective != isPerspective(picture.projection))
-        return Segment{from, leave->coordinates()};
+        return Segment{from.coordinates(), leave->coordinates()};
     const ProjectionWindow w = projectionWindow(picture.projection);
-    const double start = glm::dot(from - frame->eye.coordinates(), frame->forward);
-    const double depth = glm::dot(along, frame->forward);
-    const auto at = [&](double distance) { return from + along * ((distance - start) / depth); };
-    return Segment{perspective ? from : at(w.nearDistance), at(w.farDistance)};
+    const double start = dot(from - frame->eye, frame->forward);
+    const double depth = dot(along, frame->forward);
+    const auto at = [&](double distance) { return (from + along * ((distance - start) / depth)).coordinates(); };
+    return Segment{perspective ? from.coordinates() : at(w.nearDistance), at(w.farDistance)};
 }
 
 std::vector<WorldPoint> pointsToFit(const ObserverPicture &picture)

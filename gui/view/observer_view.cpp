@@ -142,9 +142,9 @@ void ObserverView::fit()
         m_observer.camera() = framedTightly(m_observer, points);
         // The camera's sign has a constant size in the picture: how large it is follows from the first try.
         const double size = signSize(m_observer, frame->eye);
-        for (const glm::dvec3 &axis : {frame->side, frame->upward, frame->forward}) {
+        for (const WorldVector &axis : {frame->side, frame->upward, frame->forward}) {
             for (const double sign : {-1.0, 1.0})
-                points.push_back(WorldPoint(frame->eye.coordinates() + axis * (sign * size)));
+                points.push_back(frame->eye + axis * (sign * size));
         }
         m_observer.camera() = framedTightly(m_observer, points);
     }
@@ -306,9 +306,9 @@ void ObserverView::drawVolume(const ObserverPicture &p)
         for (int axis = 0; axis < 3; ++axis)
             tips[static_cast<std::size_t>(axis)] = origin + glm::dvec3(drawnFromNdc[axis]) * 1.35;
         const double letter = 5.5 * worldPerPixel(p.observer, WorldPoint(origin)) * p.observer.surface.devicePixelRatio;
-        drawLines(
-            letteredAxes(origin, tips, "xyz", p.observerFrame.side * letter, p.observerFrame.upward * letter, opacity),
-            p.clipFromDrawn, 1.6);
+        drawLines(letteredAxes(origin, tips, "xyz", (p.observerFrame.side * letter).coordinates(),
+                               (p.observerFrame.upward * letter).coordinates(), opacity),
+                  p.clipFromDrawn, 1.6);
     }
     glDepthMask(GL_TRUE);
 }
@@ -330,8 +330,8 @@ void ObserverView::drawCamera(const ObserverPicture &p)
     drawLines(
         letteredAxes(glm::dvec3(0.0),
                      {glm::dvec3(kLength, 0.0, 0.0), glm::dvec3(0.0, kLength, 0.0), glm::dvec3(0.0, 0.0, -kLength)},
-                     "suf", glyphFromObserver * p.observerFrame.side * kHalfLetter,
-                     glyphFromObserver * p.observerFrame.upward * kHalfLetter, opacity),
+                     "suf", glyphFromObserver * p.observerFrame.side.coordinates() * kHalfLetter,
+                     glyphFromObserver * p.observerFrame.upward.coordinates() * kHalfLetter, opacity),
         clipFromGlyph, 2.0);
     glDepthMask(GL_TRUE);
 }

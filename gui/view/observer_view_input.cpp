@@ -124,13 +124,12 @@ void ObserverView::zoom(const QPointF &position, double factor)
         return;
     // The point under the pointer at the depth of the centre keeps its place.
     const double scale = worldPerPixel(m_observer, m_observer.camera().center) * m_observer.surface.devicePixelRatio;
-    const glm::dvec3 anchor = m_observer.camera().center.coordinates()
-                              + frame->side * ((position.x() - width() / 2.0) * scale)
+    const WorldPoint anchor = m_observer.camera().center + frame->side * ((position.x() - width() / 2.0) * scale)
                               - frame->upward * ((position.y() - height() / 2.0) * scale);
-    Picture next = zoomed(m_observer, WorldPoint(anchor), factor);
+    Picture next = zoomed(m_observer, anchor, factor);
     // Closer than this the picture would lose its digits, farther off it shows nothing.
-    const double distance = glm::length(next.camera().center.coordinates() - next.camera().eye.coordinates());
-    if (distance < 1e-3 * m_reference.scale || distance > 1e3 * m_reference.scale || !check(next))
+    const double away = distance(next.camera().center, next.camera().eye);
+    if (away < 1e-3 * m_reference.scale || away > 1e3 * m_reference.scale || !check(next))
         return;
     m_observer.camera() = next.camera();
     m_isTouched = true;

@@ -63,7 +63,7 @@ glm::dvec3 byUsualFormula(const Picture &g, const WindowPoint &window)
         y += cotangent(oblique->phiRadians) * z;
     }
     const EyeFrame frame = eyeFrame(std::get<LookAt>(g.pose)).value();
-    return frame.eye.coordinates() + x * frame.side + y * frame.upward + z * frame.forward;
+    return (frame.eye + x * frame.side + y * frame.upward + z * frame.forward).coordinates();
 }
 
 #ifdef UNPROJECTOR_GLU
@@ -105,7 +105,7 @@ void printRow(double nearDistance, double farDistance)
                 const oracle::Vector3 truth = exact.worldUnder(at);
                 const double largest = static_cast<double>(oracle::maxNorm(truth));
                 const double ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-                const auto error = [&](const glm::dvec3 &p) {
+                const auto error = [&](const auto &p) {
                     return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(p), truth)) / ulp);
                 };
                 std::size_t place = 0;

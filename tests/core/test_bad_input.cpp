@@ -333,7 +333,7 @@ void TestBadInput::aMatrixOfAnyScaleIsInverted()
     const EyePoint expected = unprojectByInverse<EyeSpace>(matrix, kViewport, {}, kWindow).value();
     const auto scaled = unprojectByInverse<EyeSpace>(scale * matrix, kViewport, {}, kWindow);
     QVERIFY(scaled);
-    QVERIFY(scaled->coordinates() == expected.coordinates());
+    QVERIFY(*scaled == expected);
 }
 
 void TestBadInput::aBadCameraIsRefused_data()
@@ -347,7 +347,7 @@ void TestBadInput::aBadCameraIsRefused_data()
         QTest::newRow(name) << camera << code << value;
     };
     const WorldPoint eye(1, 2, 3), center(4, 6, 3);
-    const glm::dvec3 up(0, 1, 0), along(3, 4, 0);
+    const WorldVector up(0, 1, 0), along(3, 4, 0);
     row("eye on the centre", {eye, eye, up}, EyeEqualsCenter);
     row("up zero", {eye, center, {0, 0, 0}}, UpIsZero);
     row("up along the view", {eye, center, along}, UpParallelToView);
@@ -361,7 +361,7 @@ void TestBadInput::aBadCameraIsRefused_data()
             const QByteArray is = QByteArray::number(k) + " = " + QByteArray::number(bad);
             row("eye " + is, {with(eye, [&](WorldPoint &p) { p[k] = bad; }), center, up}, NotFinite, bad);
             row("centre " + is, {eye, with(center, [&](WorldPoint &p) { p[k] = bad; }), up}, NotFinite, bad);
-            row("up " + is, {eye, center, with(up, [&](glm::dvec3 &p) { p[k] = bad; })}, NotFinite, bad);
+            row("up " + is, {eye, center, with(up, [&](WorldVector &p) { p[k] = bad; })}, NotFinite, bad);
         }
     }
 }

@@ -21,7 +21,7 @@ constexpr double kOrthonormal = 4 * kEpsilon;
 /// Three products, four roundings, each way; relative to the largest of eye, point and their distance.
 constexpr double kRoundTrip = 16 * kEpsilon;
 
-double maxNorm(const glm::dvec3 &v)
+double maxNorm(const Components<3> &v)
 {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
@@ -45,12 +45,12 @@ private slots:
 void TestCamera::literalAxes_data()
 {
     QTest::addColumn<LookAt>("camera");
-    QTest::addColumn<glm::dvec3>("side");
-    QTest::addColumn<glm::dvec3>("upward");
-    QTest::addColumn<glm::dvec3>("forward");
+    QTest::addColumn<WorldVector>("side");
+    QTest::addColumn<WorldVector>("upward");
+    QTest::addColumn<WorldVector>("forward");
 
-    const auto row = [](const char *name, const LookAt &camera, const glm::dvec3 &side, const glm::dvec3 &upward,
-                        const glm::dvec3 &forward) { QTest::newRow(name) << camera << side << upward << forward; };
+    const auto row = [](const char *name, const LookAt &camera, const WorldVector &side, const WorldVector &upward,
+                        const WorldVector &forward) { QTest::newRow(name) << camera << side << upward << forward; };
     const WorldPoint origin;
     // World x points right when the camera looks down -z: the paper's figure has it to the left.
     row("from the front", {WorldPoint(0, 0, 5), origin, {0, 1, 0}}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1});
@@ -65,14 +65,14 @@ void TestCamera::literalAxes_data()
 void TestCamera::literalAxes()
 {
     QFETCH(LookAt, camera);
-    QFETCH(glm::dvec3, side);
-    QFETCH(glm::dvec3, upward);
-    QFETCH(glm::dvec3, forward);
+    QFETCH(WorldVector, side);
+    QFETCH(WorldVector, upward);
+    QFETCH(WorldVector, forward);
     const EyeFrame frame = eyeFrame(camera).value();
     QVERIFY(maxNorm(frame.side - side) <= kEpsilon);
     QVERIFY(maxNorm(frame.upward - upward) <= kEpsilon);
     QVERIFY(maxNorm(frame.forward - forward) <= kEpsilon);
-    QVERIFY(frame.eye.coordinates() == camera.eye.coordinates());
+    QVERIFY(frame.eye == camera.eye);
 }
 
 void TestCamera::axesAreOrthonormalAndRightHanded_data()
@@ -94,14 +94,14 @@ void TestCamera::axesAreOrthonormalAndRightHanded()
         const oracle::Scene scene = oracle::randomScene(random, oracle::RandomKind::Ortho, limits);
         const EyeFrame frame = eyeFrame(oracle::coreView(scene.view)).value();
         const auto &[eye, s, u, f] = frame;
-        for (const glm::dvec3 &axis : {s, u, f})
-            QVERIFY(std::abs(glm::dot(axis, axis) - 1.0) <= kOrthonormal);
-        QVERIFY(std::abs(glm::dot(s, u)) <= kOrthonormal);
-        QVERIFY(std::abs(glm::dot(s, f)) <= kOrthonormal);
-        QVERIFY(std::abs(glm::dot(u, f)) <= kOrthonormal);
-        QVERIFY(maxNorm(glm::cross(s, f) - u) <= kOrthonormal);
-        const glm::dvec3 up(scene.view.up[0], scene.view.up[1], scene.view.up[2]);
-        QVERIFY(glm::dot(u, up) > 0.0);
+        for (const WorldVector &axis : {s, u, f})
+            QVERIFY(std::abs(dot(axis, axis) - 1.0) <= kOrthonormal);
+        QVERIFY(std::abs(dot(s, u)) <= kOrthonormal);
+        QVERIFY(std::abs(dot(s, f)) <= kOrthonormal);
+        QVERIFY(std::abs(dot(u, f)) <= kOrthonormal);
+        QVERIFY(maxNorm(cross(s, f) - u) <= kOrthonormal);
+        const WorldVector up(scene.view.up[0], scene.view.up[1], scene.view.up[2]);
+        QVERIFY(dot(u, up) > 0.0);
     }
 }
 
@@ -116,7 +116,7 @@ void TestCamera::worldFromEyeUndoesEyeFromWorld()
         const oracle::Scene scene = oracle::randomScene(random, oracle::RandomKind::Ortho, limits);
         const EyeFrame frame = eyeFrame(oracle::coreView(scene.view)).value();
         const WorldPoint world(random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-100, 100));
-        const double scale = std::max({maxNorm(world), maxNorm(frame.eye), glm::length(world - frame.eye)});
+        const double scale = std::max({maxNorm(world), maxNorm(frame.eye), distance(world, frame.eye)});
         QVERIFY(maxNorm(worldFromEye(frame, eyeFromWorld(frame, world)) - world) <= kRoundTrip * scale);
 
         const EyePoint eye(random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-100, 100));
@@ -131,18 +131,18 @@ void TestCamera::theMatrixDoesWhatTheFunctionDoes()
     const glm::dmat4 matrix = eyeFromWorld(frame);
     for (const WorldPoint &world : {WorldPoint(0, 0, 0), WorldPoint(1, 2, 3), WorldPoint(-7, 8, 9)}) {
         const glm::dvec4 product = matrix * glm::dvec4(world.coordinates(), 1.0);
-        QVERIFY(maxNorm(glm::dvec3(product) - eyeFromWorld(frame, world)) <= 20 * kRoundTrip);
+        QVERIFY(maxNorm(EyePoint(glm::dvec3(product)) - eyeFromWorld(frame, world)) <= 20 * kRoundTrip);
         QCOMPARE(product.w, 1.0);
     }
-    QVERIFY(eyeFromWorld(frame, WorldPoint(1, 2, 3)).coordinates() == glm::dvec3(0, 0, 0));
-    QVERIFY(worldFromEye(frame, EyePoint(0, 0, 0)).coordinates() == glm::dvec3(1, 2, 3));
+    QVERIFY(eyeFromWorld(frame, WorldPoint(1, 2, 3)) == EyePoint());
+    QVERIFY(worldFromEye(frame, EyePoint()) == WorldPoint(1, 2, 3));
 }
 
 void TestCamera::theScaleOfUpDoesNotMatter()
 {
     const EyeFrame one = eyeFrame({WorldPoint(1, 2, 3), WorldPoint(-4, 0, 1), {0.25, 1, 0.5}}).value();
     for (const double scale : {0x1p-900, 0x1p-3, 0x1p+3, 0x1p+900}) {
-        const glm::dvec3 up = scale * glm::dvec3(0.25, 1, 0.5);
+        const WorldVector up = scale * WorldVector(0.25, 1, 0.5);
         const EyeFrame other = eyeFrame({WorldPoint(1, 2, 3), WorldPoint(-4, 0, 1), up}).value();
         QVERIFY(maxNorm(other.side - one.side) <= kEpsilon);
         QVERIFY(maxNorm(other.upward - one.upward) <= kEpsilon);

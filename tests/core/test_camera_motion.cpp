@@ -255,7 +255,7 @@ void TestCameraMotion::manyOrbitsStayLevel()
     QVERIFY(frame.hasValue());
     QVERIFY(isNear(frame->side.y, 0.0, 1e-9));
     QVERIFY(isNear(distanceOf(camera), distance, 1e-9));
-    QVERIFY(isNear(camera.up, {0.0, 1.0, 0.0}, 0.0));
+    QVERIFY(isNear(camera.up.coordinates(), {0.0, 1.0, 0.0}, 0.0));
 }
 
 void TestCameraMotion::movedShiftsEyeAndCenter()
@@ -263,7 +263,7 @@ void TestCameraMotion::movedShiftsEyeAndCenter()
     const LookAt camera = moved(obliqueCamera(), {1.0, -2.0, 0.5});
     QVERIFY(isNear(camera.eye.coordinates(), {6.0, 4.0, 9.5}, 0.0));
     QVERIFY(isNear(camera.center.coordinates(), {2.0, 0.0, 3.5}, 0.0));
-    QVERIFY(isNear(camera.up, {0.0, 1.0, 0.0}, 0.0));
+    QVERIFY(isNear(camera.up.coordinates(), {0.0, 1.0, 0.0}, 0.0));
 }
 
 void TestCameraMotion::seenFromLooksAlongTheNamedAxis_data()
@@ -295,8 +295,8 @@ void TestCameraMotion::seenFromLooksAlongTheNamedAxis()
     QVERIFY(isNear(camera.eye.coordinates(), eye, kRounding));
     const Result<EyeFrame> frame = eyeFrame(camera);
     QVERIFY(frame.hasValue());
-    QVERIFY(isNear(frame->side, rightInPicture, kRounding));
-    QVERIFY(isNear(frame->upward, upInPicture, kRounding));
+    QVERIFY(isNear(frame->side.coordinates(), rightInPicture, kRounding));
+    QVERIFY(isNear(frame->upward.coordinates(), upInPicture, kRounding));
 }
 
 void TestCameraMotion::worldPerPixelMovesByOnePixel()
@@ -324,7 +324,7 @@ void TestCameraMotion::zoomKeepsTheAnchorsPlace()
             QVERIFY(isNear(forwardOf(after.camera()), forwardOf(geometry.camera()), kRounding));
             // Closer by the factor: something beside the anchor, at its depth, stands that much farther from it.
             const EyeFrame frame = *eyeFrame(geometry.camera());
-            const WorldPoint beside(anchor.coordinates() + 0.1 * frame.side + 0.2 * frame.upward);
+            const WorldPoint beside = anchor + 0.1 * frame.side + 0.2 * frame.upward;
             const glm::dvec2 was = placeOf(geometry, beside) - placeOf(geometry, anchor);
             const glm::dvec2 is = placeOf(after, beside) - placeOf(after, anchor);
             QVERIFY(isNear(is.x, was.x * factor, kRoundingPixels * 10.0));
@@ -454,7 +454,7 @@ void TestCameraMotion::theSwitchedProjectionKeepsThePictureAtTheCenter()
 {
     QFETCH(Picture, geometry);
     const EyeFrame frame = *eyeFrame(geometry.camera());
-    const double distance = glm::length(geometry.camera().center - geometry.camera().eye);
+    const double distance = distanceOf(geometry.camera());
     for (const ProjectionKind kind : {ProjectionKind::Frustum, ProjectionKind::Ortho, ProjectionKind::Oblique}) {
         Picture other = geometry;
         other.projection() = converted(geometry.projection(), kind, distance);
@@ -467,7 +467,7 @@ void TestCameraMotion::theSwitchedProjectionKeepsThePictureAtTheCenter()
         QVERIFY(check(back).hasValue());
         for (const double x : {-2.0, 0.0, 1.5}) {
             for (const double y : {-1.0, 0.0, 2.5}) {
-                const WorldPoint point(geometry.camera().center.coordinates() + x * frame.side + y * frame.upward);
+                const WorldPoint point = geometry.camera().center + x * frame.side + y * frame.upward;
                 QVERIFY(hasSamePlace(geometry, other, point));
                 QVERIFY(hasSamePlace(geometry, back, point));
             }

@@ -181,10 +181,10 @@ void TestFormulaNumbers::theWorldOriginIsTheMiddleOfTheWidgetAndBack()
 
     const WindowPoint clicked = windowFromDevice(surface, deviceFromWidget(surface, WidgetPoint(150, 150)), depth);
     const EyePoint byFormula = unprojectClosedForm(projection, viewport, DepthRange{}, clicked).value();
-    QVERIFY(isNear(worldFromEye(frame, byFormula), {0, 0, 0}, kRoundTrip));
+    QVERIFY(isNear(worldFromEye(frame, byFormula).coordinates(), {0, 0, 0}, kRoundTrip));
     const glm::dmat4 clipFromWorld = clipFromEye(projection).value() * eyeFromWorld(frame);
-    QVERIFY(isNear(unprojectByInverse<WorldSpace>(clipFromWorld, viewport, DepthRange{}, clicked).value(), {0, 0, 0},
-                   kRoundTrip));
+    QVERIFY(isNear(unprojectByInverse<WorldSpace>(clipFromWorld, viewport, DepthRange{}, clicked).value().coordinates(),
+                   {0, 0, 0}, kRoundTrip));
 }
 
 void TestFormulaNumbers::threeProjectionsGiveOnePictureOnlyInASquareWindow_data()
@@ -294,13 +294,15 @@ void TestFormulaNumbers::programVerticesGoToTheirPixelsAndBack()
     QFETCH(EyePoint, vertex);
     QFETCH(glm::dvec3, window);
 
-    QVERIFY(isNear(windowFromEye(projection, viewport, vertex), window, kRoundTrip));
+    QVERIFY(isNear(windowFromEye(projection, viewport, vertex).coordinates(), window, kRoundTrip));
 
     const WindowPoint clicked(window);
-    QVERIFY(isNear(unprojectClosedForm(projection, viewport, DepthRange{}, clicked).value(), vertex, kRoundTrip));
+    QVERIFY(isNear(unprojectClosedForm(projection, viewport, DepthRange{}, clicked).value().coordinates(),
+                   vertex.coordinates(), kRoundTrip));
     // 5 : 80000 costs the inverse matrix four more digits.
     const glm::dmat4 matrix = clipFromEye(projection).value();
-    QVERIFY(isNear(unprojectByInverse<EyeSpace>(matrix, viewport, DepthRange{}, clicked).value(), vertex, 1e-9));
+    QVERIFY(isNear(unprojectByInverse<EyeSpace>(matrix, viewport, DepthRange{}, clicked).value().coordinates(),
+                   vertex.coordinates(), 1e-9));
 }
 
 void TestFormulaNumbers::theCotangentOfTheObliqueProgramIsNotOne()

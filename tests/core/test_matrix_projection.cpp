@@ -79,7 +79,7 @@ glm::dmat4 inSinglePrecision(const glm::dmat4 &m)
     return glm::dmat4(glm::mat4(m));
 }
 
-double relativeError(const glm::dvec3 &actual, const oracle::Vector3 &exact, const Extended &scale)
+double relativeError(const Components<3> &actual, const oracle::Vector3 &exact, const Extended &scale)
 {
     return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(actual), exact)) / scale);
 }
@@ -386,12 +386,12 @@ void TestMatrixProjection::viewsAreReadBackFromTheirMatrix()
         const LookAt found = lookAtFrom(eyeFromWorld(frame), 2.0).value();
         const EyeFrame again = eyeFrame(found).value();
         const double scale = glm::length(frame.eye.coordinates());
-        QVERIFY(glm::length(again.eye.coordinates() - frame.eye.coordinates()) <= 8 * kEpsilon * scale);
+        QVERIFY(distance(again.eye, frame.eye) <= 8 * kEpsilon * scale);
         // The center is two units away from an eye that may be a million away: so many digits of the direction are gone.
         const double tolerance = 8 * kEpsilon * (1.0 + scale);
-        QVERIFY(glm::length(again.forward - frame.forward) <= tolerance);
-        QVERIFY(glm::length(again.upward - frame.upward) <= tolerance);
-        QVERIFY(glm::length(again.side - frame.side) <= tolerance);
+        QVERIFY(length(again.forward - frame.forward) <= tolerance);
+        QVERIFY(length(again.upward - frame.upward) <= tolerance);
+        QVERIFY(length(again.side - frame.side) <= tolerance);
     }
     glm::dmat4 mirrored(1.0);
     mirrored[0][0] = -1.0;

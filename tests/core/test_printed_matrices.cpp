@@ -95,8 +95,8 @@ bool isSingle(Arithmetic arithmetic)
 glm::dmat4 worldFromEyeOf(const oracle::View &view)
 {
     const EyeFrame frame = eyeFrame(oracle::coreView(view)).value();
-    return glm::dmat4(glm::dvec4(frame.side, 0.0), glm::dvec4(frame.upward, 0.0), glm::dvec4(-frame.forward, 0.0),
-                      glm::dvec4(frame.eye.coordinates(), 1.0));
+    return glm::dmat4(glm::dvec4(frame.side.coordinates(), 0.0), glm::dvec4(frame.upward.coordinates(), 0.0),
+                      glm::dvec4((-frame.forward).coordinates(), 0.0), glm::dvec4(frame.eye.coordinates(), 1.0));
 }
 
 Result<WorldPoint> worldUnder(const glm::dmat4 &clipFromEye, const glm::dmat4 &eyeFromWorld,

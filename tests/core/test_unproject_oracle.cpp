@@ -36,7 +36,7 @@ constexpr double kMatrixEpsilons = 32.0;
 /// truth is at most half of one off; the rest is for points where two are equally near.
 constexpr double kUlps = 0.51;
 
-double relativeError(const glm::dvec3 &actual, const oracle::Vector3 &exact, const Extended &scale)
+double relativeError(const Components<3> &actual, const oracle::Vector3 &exact, const Extended &scale)
 {
     return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(actual), exact)) / scale);
 }
@@ -390,8 +390,8 @@ void TestUnprojectOracle::literalPixels()
         const WorldPoint formula =
             worldFromEye(frame, unprojectClosedForm(frustum, viewport, DepthRange{}, window).value());
         const WorldPoint matrix = unprojectByInverse<WorldSpace>(clipFromWorld, viewport, DepthRange{}, window).value();
-        const auto isNear = [&](const glm::dvec3 &p) {
-            return glm::all(glm::lessThan(glm::abs(p - world), glm::dvec3(tolerance)));
+        const auto isNear = [&](const WorldPoint &p) {
+            return glm::all(glm::lessThan(glm::abs(p.coordinates() - world), glm::dvec3(tolerance)));
         };
         return isNear(formula) && isNear(matrix);
     };
@@ -440,7 +440,8 @@ void TestUnprojectOracle::unitsInTheLastPlace()
                 const Extended ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
                 closedForm.push_back(relativeError(s.worldByFormula(c.window), c.exactWorld, ulp));
                 glmUnProject.push_back(relativeError(
-                    glm::unProject(c.window.coordinates(), view, s.clipFromEyeMatrix, viewport), c.exactWorld, ulp));
+                    WorldPoint(glm::unProject(c.window.coordinates(), view, s.clipFromEyeMatrix, viewport)),
+                    c.exactWorld, ulp));
             }
         }
     }

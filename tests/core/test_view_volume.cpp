@@ -143,7 +143,7 @@ void TestViewVolume::cornersAreWhereTheArgumentsPutThem()
     QFETCH(double, x);
     QFETCH(double, y);
     QFETCH(double, z);
-    QVERIFY(isNear(viewVolumeCorners(projection)[static_cast<std::size_t>(index)], {x, y, z}, 1e-13));
+    QVERIFY(isNear(viewVolumeCorners(projection)[static_cast<std::size_t>(index)].coordinates(), {x, y, z}, 1e-13));
 }
 
 void TestViewVolume::cornersLandOnTheCube()
@@ -157,7 +157,7 @@ void TestViewVolume::cornersLandOnTheCube()
         const ProjectionWindow w = projectionWindow(projection);
         const glm::dvec3 drawn(ndc.x * (w.right > w.left ? 1.0 : -1.0), ndc.y * (w.top > w.bottom ? 1.0 : -1.0),
                                -ndc.z);
-        QVERIFY(isNear(placeOf(morph, 1.0, corners[i]), drawn, kRounding));
+        QVERIFY(isNear(placeOf(morph, 1.0, corners[i].coordinates()), drawn, kRounding));
         QVERIFY(isNear(divided(morph.morphedFromNdc * glm::dvec4(ndc, 1.0)), drawn, 0.0));
     }
 }
@@ -169,10 +169,10 @@ void TestViewVolume::itBeginsAsASimilarity()
     const ViewVolumeMorph morph = morphOf(projection);
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < 8; ++i) {
-        const glm::dvec3 a = placeOf(morph, 0.0, corners[i]);
+        const glm::dvec3 a = placeOf(morph, 0.0, corners[i].coordinates());
         sum += a;
         for (std::size_t j = 0; j < i; ++j) {
-            const glm::dvec3 moved = a - placeOf(morph, 0.0, corners[j]);
+            const glm::dvec3 moved = a - placeOf(morph, 0.0, corners[j].coordinates());
             QVERIFY(isNear(moved, (corners[i].coordinates() - corners[j].coordinates()) * morph.scale, kRounding));
         }
     }
@@ -245,7 +245,7 @@ void TestViewVolume::nothingLeavesTheBall()
     const ViewVolumeMorph morph = morphOf(projection);
     for (const double t : kTimes) {
         for (const EyePoint &corner : corners)
-            QVERIFY(glm::length(placeOf(morph, t, corner)) <= std::sqrt(3.0) + kRounding);
+            QVERIFY(glm::length(placeOf(morph, t, corner.coordinates())) <= std::sqrt(3.0) + kRounding);
     }
 }
 
@@ -264,7 +264,7 @@ void TestViewVolume::thePlanesHoldAllThenTheVolume()
     const double size = glm::length(corners[7].coordinates() - corners[0].coordinates());
     for (const double t : kTimes) {
         for (const EyePoint &corner : corners)
-            QVERIFY(holds(t, corner, 1e-10));
+            QVERIFY(holds(t, corner.coordinates(), 1e-10));
         // Whatever they hold can be drawn, wherever it lies.
         for (int i = 0; i < 2000; ++i) {
             const glm::dvec3 p = size * glm::dvec3(std::sin(i * 1.1), std::sin(i * 1.7 + 1.0), std::sin(i * 2.3 + 2.0));

@@ -212,7 +212,7 @@ double distanceOf(const LookAt &camera, const glm::dvec3 &world)
 Ray rayThrough(const Picture &g, const glm::dvec2 &window)
 {
     const glm::dvec3 f = forwardOf(g.camera());
-    const glm::dvec3 s = glm::normalize(glm::cross(f, g.camera().up));
+    const glm::dvec3 s = glm::normalize(glm::cross(f, g.camera().up.coordinates()));
     const glm::dvec3 u = glm::cross(s, f);
     const auto inWindow = [&](double left, double right, double bottom, double top) {
         return glm::dvec2(left + (right - left) * (window.x - g.viewport.x) / g.viewport.width,

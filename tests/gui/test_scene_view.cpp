@@ -63,7 +63,7 @@ LookAt cameraBefore(const Face &face, const Picture &g)
     const glm::dvec3 middle = kCubeCenter + face.normal;
     const glm::dvec3 other = glm::cross(face.normal, face.across);
     const LookAt camera{WorldPoint(middle + 5.0 * face.normal + 1.7 * face.across + 2.3 * other), WorldPoint(middle),
-                        std::abs(face.normal.y) > 0.5 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0)};
+                        std::abs(face.normal.y) > 0.5 ? WorldVector(0.0, 0.0, -1.0) : WorldVector(0.0, 1.0, 0.0)};
     Picture seen = g;
     seen.camera() = camera;
     return recentered(seen, WorldPoint(middle));

@@ -37,7 +37,8 @@ inline unprojector::geometry::DepthRange coreDepthRange(const Target &t)
     return {t.depthAtNear, t.depthAtFar};
 }
 
-inline Vector3 extended(const glm::dvec3 &v)
+template <class Numbers> // a point, a vector or GLM's
+Vector3 extended(const Numbers &v)
 {
     return {Extended(v.x), Extended(v.y), Extended(v.z)};
 }

@@ -53,7 +53,8 @@ Result<Axes> axesOf(const LookAt &camera)
     const Result<EyeFrame> frame = eyeFrame(camera);
     if (!frame)
         return frame.error();
-    return Axes{frame->eye.coordinates(), frame->side, frame->upward, -frame->forward};
+    return Axes{frame->eye.coordinates(), frame->side.coordinates(), frame->upward.coordinates(),
+                (-frame->forward).coordinates()};
 }
 
 Result<Axes> axesOf(const glm::dmat4 &eyeFromWorld)

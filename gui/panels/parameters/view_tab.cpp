@@ -71,8 +71,7 @@ void ViewTab::showScene()
 {
     // A step moves the eye by about a hundredth of its distance.
     const LookAt &view = document().scene().camera;
-    const double distance = glm::length(view.center - view.eye);
-    const double step = std::pow(10.0, std::floor(std::log10(distance / 50.0)));
+    const double step = std::pow(10.0, std::floor(std::log10(distance(view.center, view.eye) / 50.0)));
     if (step == m_step || !std::isfinite(step))
         return;
     m_step = step;
