@@ -63,7 +63,7 @@ ClickPoint pointOf(const Answers<Space> &answers)
 
 std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
 {
-    if (!pick.hit || !pick.object || *pick.object >= scene.objects.size())
+    if (!pick.object || *pick.object >= scene.objects.size())
         return std::nullopt;
     const SceneObject &object = scene.objects[*pick.object];
     const glm::dmat4 placement = worldFromObject(object.transform);
@@ -88,7 +88,7 @@ SceneFile sceneOf(const Pick &pick, const Scene &scene)
 
 Click clickOf(const Pick &pick, const Scene &scene)
 {
-    Click click{pick.widget, pick.devicePixel,      pick.window,         pick.hit, {},
+    Click click{pick.widget, pick.devicePixel,      pick.window,         pick.hit(), {},
                 {},          objectOf(pick, scene), sceneOf(pick, scene)};
     click.eye = {pointOf(pick.point.eye), pointOf(pick.rayNear.eye), pointOf(pick.rayFar.eye)};
     click.world = {pointOf(pick.point.world), pointOf(pick.rayNear.world), pointOf(pick.rayFar.world)};

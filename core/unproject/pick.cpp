@@ -13,7 +13,7 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
 
     Unprojected point = unprojector.at(window);
     Certainty certainty;
-    if (sample.hit) {
+    if (sample.hit()) {
         const Result<EyePoint> &eye = point.eye[Method::Formula];
         if (!eye)
             return eye.error();
@@ -22,7 +22,6 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
     return Pick{position,
                 *pixel,
                 window,
-                sample.hit,
                 sample.object,
                 picture,
                 std::move(point),

@@ -352,7 +352,7 @@ void SceneDocument::goHome()
 double SceneDocument::pivotDistance() const
 {
     const Result<EyeFrame> frame = eyeFrame(m_scene.camera);
-    if (frame && m_pick && m_pick->hit && m_pick->point.world[Method::Formula]) {
+    if (frame && m_pick && m_pick->hit() && m_pick->point.world[Method::Formula]) {
         const double distance = -eyeFromWorld(*frame, *m_pick->point.world[Method::Formula]).z;
         if (distance > 0.0)
             return distance;
@@ -374,14 +374,13 @@ Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const Depth
     return unproject::pickAt(*m_unprojector, position, sample);
 }
 
-void SceneDocument::pickAt(const WidgetPoint &position, const DepthSample &sample)
+void SceneDocument::setPick(const Result<Pick> &pick)
 {
-    Result<Pick> pick = unprojected(position, sample);
     if (!pick) {
         emit pickFailed(pick.error());
         return;
     }
-    m_pick.emplace(std::move(pick).value());
+    m_pick = *pick;
     tell(Change::Pick);
 }
 
@@ -393,14 +392,13 @@ void SceneDocument::clearPick()
     tell(Change::Pick);
 }
 
-WorldPoint SceneDocument::pivotAt(const WidgetPoint &position, const DepthSample &sample) const
+WorldPoint SceneDocument::pivotOf(const Result<Pick> &pick) const
 {
     const LookAt &camera = geometry().camera();
-    const Result<Pick> pick = unprojected(position, sample);
     if (!pick)
         return camera.center;
-    if (pick->hit)
-        return *pick->point.world[Method::Formula];
+    if (const Result<WorldPoint> &surface = pick->point.world[Method::Formula]; pick->hit())
+        return surface ? *surface : camera.center;
     const Result<WorldPoint> &enter = pick->rayNear.world[Method::Formula];
     const Result<WorldPoint> &leave = pick->rayFar.world[Method::Formula];
     const Result<EyeFrame> frame = eyeFrame(camera);

@@ -102,14 +102,16 @@ public:
     /// Distance in front of the eye where two projections are to agree: the picked point's, else the centre's.
     double pivotDistance() const;
 
-    /// Unprojects a click and keeps it as the pick.
-    void pickAt(const WidgetPoint &position, const DepthSample &sample);
-    void clearPick();
-    /// Unprojects without keeping, for the pointer's readout.
+    /// Unprojects a click or the pointer's position. It is not kept.
     Result<Pick> unprojected(const WidgetPoint &position, const DepthSample &sample) const;
-    /// The world point that navigation turns about when the pointer is at this sample: the surface there, else the
-    /// point of the pointer's ray at the centre's distance.
-    WorldPoint pivotAt(const WidgetPoint &position, const DepthSample &sample) const;
+    /// Keeps a click as the pick. Of one that could not be unprojected `pickFailed` tells why, and the last pick stays.
+    void setPick(const Result<Pick> &pick);
+    /// unprojected() and setPick().
+    void pickAt(const WidgetPoint &position, const DepthSample &sample) { setPick(unprojected(position, sample)); }
+    void clearPick();
+    /// The world point that navigation turns about with the pointer there: the surface; on the background the point of
+    /// the pointer's ray at the centre's distance; where nothing could be unprojected the camera's centre.
+    WorldPoint pivotOf(const Result<Pick> &pick) const;
 
 signals:
     /// Told once for all that was done together, when all of it is in place.

@@ -50,7 +50,7 @@ void ComparisonModel::setPick(const std::optional<Pick> &pick)
 {
     beginResetModel();
     m_rows.clear();
-    if (pick && pick->hit) {
+    if (pick && pick->hit()) {
         addRows(tr("World"), pick->point.world, pick->certainty.radius());
         addRows(tr("Eye"), pick->point.eye, pick->certainty.radius());
     } else if (pick) {

@@ -222,7 +222,7 @@ void ComparisonPanel::setPick(const std::optional<Pick> &pick)
     }
     m_copy->setEnabled(true);
     const Surface &surface = pick->geometry.surface;
-    m_heading->setText(pick->hit ? tr("A point on the surface") : tr("Background: no surface here"));
+    m_heading->setText(pick->hit() ? tr("A point on the surface") : tr("Background: no surface here"));
     m_widget->setText(tr("%1 logical pixels").arg(positionText(pick->widget.x, pick->widget.y)));
     m_devicePixel->setText(tr("(%1, %2) of %3 × %4, ratio %5")
                                .arg(pick->devicePixel.i)
@@ -231,10 +231,10 @@ void ComparisonPanel::setPick(const std::optional<Pick> &pick)
                                .arg(surface.heightPixels)
                                .arg(significantText(surface.devicePixelRatio, 4)));
     m_window->setText(tr("%1, the pixel's centre").arg(positionText(pick->window.x, pick->window.y)));
-    m_depth->setText(pick->hit ? significantText(pick->window.z, 9)
+    m_depth->setText(pick->hit() ? significantText(pick->window.z, 9)
                                : tr("%1, the background's").arg(significantText(pick->window.z, 9)));
     m_cause->setText(differenceCauseText(*pick));
-    if (pick->hit) {
+    if (pick->hit()) {
         m_certainty->setText(certaintyText(*pick));
         m_formulaText = formulaText(*pick);
     } else {

@@ -176,7 +176,7 @@ void ObserverPanel::showDistances()
     m_nearDistance->setText(significantText(w.nearDistance, kDigits));
     m_farDistance->setText(significantText(w.farDistance, kDigits));
     const std::optional<Pick> &pick = m_document.pick();
-    m_ray->setText(!pick ? tr("none") : pick->hit ? tr("hit") : tr("no hit"));
+    m_ray->setText(!pick ? tr("none") : pick->hit() ? tr("hit") : tr("no hit"));
 }
 
 void ObserverPanel::animate()

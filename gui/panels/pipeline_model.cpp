@@ -1,6 +1,5 @@
 #include "gui/panels/pipeline_model.h"
 
-#include "core/scene/object_around.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 
@@ -18,8 +17,6 @@ PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent) : Q
     for (int space = 0; space < PointModel::kSpaces; ++space)
         m_points[static_cast<std::size_t>(space)] = new PointModel(static_cast<Space>(space), this);
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (Change::Objects | Change::Pick))
-            m_pickedObjectIsStale = true;
         if (changes & Change::Objects)
             m_object = kAutomaticObject;
     });
@@ -31,7 +28,8 @@ std::optional<std::size_t> PipelineModel::shownObject() const
     const std::size_t count = m_document.objects().size();
     if (m_object == kNoObject || count == 0)
         return std::nullopt;
-    const std::size_t index = m_object >= 0 ? static_cast<std::size_t>(m_object) : m_pickedObject.value_or(0);
+    const std::size_t picked = m_document.pick() ? m_document.pick()->object.value_or(0) : 0;
+    const std::size_t index = m_object >= 0 ? static_cast<std::size_t>(m_object) : picked;
     return index < count ? std::optional(index) : std::nullopt;
 }
 
@@ -57,13 +55,6 @@ void PipelineModel::setView(const MatrixView &view)
 void PipelineModel::update()
 {
     const std::optional<Pick> &pick = m_document.pick();
-    if (m_pickedObjectIsStale) {
-        m_pickedObject.reset();
-        if (pick && pick->hit && pick->point.world[Method::Formula])
-            m_pickedObject =
-                pick->object ? pick->object : objectAround(m_document.scene(), *pick->point.world[Method::Formula]);
-        m_pickedObjectIsStale = false;
-    }
     const std::optional<std::size_t> object = shownObject();
     const glm::dmat4 model = object ? worldFromObject(m_document.objects()[*object].transform) : glm::dmat4(1.0);
     const Result<Pipeline> pipeline = matrices::pipeline(m_document.geometry(), model);
@@ -79,7 +70,7 @@ void PipelineModel::update()
     if (!pick) {
         clearPoints();
         m_status = tr("Press the left button on the model: its point appears at every stage.");
-    } else if (!pick->hit) {
+    } else if (!pick->hit()) {
         clearPoints();
         m_status = tr("Background: no surface here, so there is no point to follow.");
     } else {

@@ -54,8 +54,6 @@ private:
     PipelineDirection m_direction = PipelineDirection::Forward;
     int m_object = kAutomaticObject;
     /// Found once for each pick: moving the object afterwards does not make the point another's.
-    std::optional<std::size_t> m_pickedObject;
-    bool m_pickedObjectIsStale = true;
     MatrixView m_view;
     std::array<MatrixModel *, kPipelineStages.size()> m_matrices;
     std::array<PointModel *, PointModel::kSpaces> m_points;

@@ -135,7 +135,7 @@ QString rayText(const Pick &pick)
 
 QString differenceCauseText(const Pick &pick)
 {
-    const Answers<WorldSpace> &world = pick.hit ? pick.point.world : pick.rayFar.world;
+    const Answers<WorldSpace> &world = pick.hit() ? pick.point.world : pick.rayFar.world;
     if (!world[Method::Formula] || !world[Method::Matrix])
         return {};
     const WorldVector d = world.difference();
@@ -143,7 +143,7 @@ QString differenceCauseText(const Pick &pick)
     if (ulps <= 4.0)
         return Formulas::tr(
             "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
-    const Result<EyePoint> &eye = pick.hit ? pick.point.eye[Method::Formula] : pick.rayFar.eye[Method::Formula];
+    const Result<EyePoint> &eye = pick.hit() ? pick.point.eye[Method::Formula] : pick.rayFar.eye[Method::Formula];
     if (!eye)
         return {};
     // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.

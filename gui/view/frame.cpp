@@ -166,12 +166,12 @@ DepthSample Frame::decoded(const Raw &raw) const
     }
     const DepthRange &range = m_picture->depthRange;
     if (id == 0)
-        return {range.atFar, false, m_depthBits, std::nullopt};
+        return {range.atFar, std::nullopt, m_depthBits};
     const double steps = std::ldexp(1.0, m_depthBits) - 1.0;
     const double depth = std::round(raw.depth / 4294967295.0 * steps) / steps;
     // Rounding to whole steps can lead out of the range, where no surface was drawn: its end is nearer to the truth.
     const auto [lowest, highest] = std::minmax(range.atNear, range.atFar);
-    return {std::clamp(depth, lowest, highest), true, m_depthBits, static_cast<std::size_t>(id - 1)};
+    return {std::clamp(depth, lowest, highest), static_cast<std::size_t>(id - 1), m_depthBits};
 }
 
 std::optional<DepthSample> Frame::sample(const DevicePixel &pixel)

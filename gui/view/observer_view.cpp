@@ -348,7 +348,7 @@ void ObserverView::drawPick(const ObserverPicture &p)
         glDepthMask(GL_TRUE);
     }
     glDisable(GL_DEPTH_TEST);
-    if (pick->hit && pick->point.world[Method::Formula] && p.holds(*pick->point.world[Method::Formula])) {
+    if (pick->hit() && pick->point.world[Method::Formula] && p.holds(*pick->point.world[Method::Formula])) {
         const Surface &surface = p.observer.surface;
         m_pickPainter.draw(*pick->point.world[Method::Formula], clipFromWorld,
                            glm::vec2(surface.widthPixels, surface.heightPixels),

@@ -71,7 +71,7 @@ void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat
 void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
     const std::optional<Pick> &pick = document.pick();
-    if (!pick || !pick->hit || !pick->point.world[Method::Formula])
+    if (!pick || !pick->hit() || !pick->point.world[Method::Formula])
         return;
     const Picture &g = document.geometry();
     const WorldPoint &point = *pick->point.world[Method::Formula];

@@ -187,8 +187,9 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
                            .arg(sample->object ? *sample->object + 1 : 0),
                        milliseconds(timer)});
     }
-    m_pivot = m_document.pivotAt(position, *sample);
-    emit clicked(position, *sample);
+    const Result<Pick> pick = m_document.unprojected(position, *sample);
+    m_pivot = m_document.pivotOf(pick);
+    m_document.setPick(pick);
 }
 
 } // namespace unprojector::gui

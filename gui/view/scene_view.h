@@ -15,14 +15,14 @@ class SceneOverlay;
 
 /// The picture of a document's scene. Its life mirrors the paper's MFC view (Weng et al. 2008, section 4) by name:
 /// preCreateWindow, onCreate, onSize, onDraw, onLButtonDown, onDestroy, called from Qt's own hooks. It reads depths
-/// and reports positions; it never unprojects. Clicks are read from its frame; what is drawn over that cannot be clicked.
+/// and asks the document what is there; it never unprojects. Clicks are read from its frame; what is drawn over that cannot be clicked.
 class SceneView : public FrameView {
     Q_OBJECT
 public:
     explicit SceneView(SceneDocument &document, QWidget *parent = nullptr);
     ~SceneView() override;
 
-    /// The left button pressed at a widget position in logical pixels: the depth there is read and `clicked` emitted.
+    /// The left button pressed at a widget position in logical pixels: the depth there is read and picked.
     /// A position outside the view is ignored.
     void onLButtonDown(const WidgetPoint &position);
 
@@ -31,7 +31,6 @@ public:
     WidgetPoint widgetPosition(const QPointF &local) const;
 
 signals:
-    void clicked(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
     void hovered(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
     void pointerLeft();
     /// A step of the view's life has been taken; for a log.

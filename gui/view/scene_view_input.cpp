@@ -30,7 +30,7 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     const WidgetPoint position = widgetPosition(event->position());
     if (pans) {
         if (const std::optional<DepthSample> sample = sampleAt(position))
-            m_pivot = m_document.pivotAt(position, *sample);
+            m_pivot = m_document.pivotOf(m_document.unprojected(position, *sample));
         m_drag = Drag::Pan;
         return;
     }
@@ -125,10 +125,11 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
         return;
     const WidgetPoint position = widgetPosition(event->position());
     const std::optional<DepthSample> sample = sampleAt(position);
-    if (!sample || !sample->hit)
+    if (!sample || !sample->hit())
         return;
-    emit clicked(position, *sample);
-    m_document.setCamera(recentered(m_document.geometry(), m_document.pivotAt(position, *sample)));
+    const Result<Pick> pick = m_document.unprojected(position, *sample);
+    m_document.setPick(pick);
+    m_document.setCamera(recentered(m_document.geometry(), m_document.pivotOf(pick)));
 }
 
 void SceneView::wheelEvent(QWheelEvent *event)
@@ -142,7 +143,7 @@ void SceneView::wheelEvent(QWheelEvent *event)
         const std::optional<DepthSample> sample = sampleAt(position);
         if (!sample)
             return;
-        pivot = m_document.pivotAt(position, *sample);
+        pivot = m_document.pivotOf(m_document.unprojected(position, *sample));
     }
     const double notches = event->angleDelta().y() / 120.0;
     const double factor = std::pow(1.2, notches);

@@ -123,7 +123,6 @@ void MainWindow::createView()
     m_topBars->raise();
     m_loading->raise();
     connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
-    connect(m_view, &SceneView::clicked, m_document, &SceneDocument::pickAt);
     connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
     connect(m_view, &SceneView::pointerLeft, this, [this] {
         m_hover->clear();
@@ -209,12 +208,12 @@ void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sampl
 {
     m_inspector->setPointer(position);
     const Result<Pick> pick = m_document->unprojected(position, sample);
-    if (!pick || (pick->hit && !pick->point.world[Method::Formula])) {
+    if (!pick || (pick->hit() && !pick->point.world[Method::Formula])) {
         m_hover->clear();
         return;
     }
     const QString pixel = tr("pixel (%1, %2)").arg(pick->devicePixel.i).arg(pick->devicePixel.j);
-    if (!pick->hit) {
+    if (!pick->hit()) {
         m_hover->setText(tr("background, %1").arg(pixel));
         return;
     }

@@ -2537,6 +2537,14 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>宽高比：</translation>
     </message>
     <message>
+        <source>Depth range in use</source>
+        <translation>当前深度范围</translation>
+    </message>
+    <message>
+        <source>The depth range in use: OpenGL takes its ends in single precision</source>
+        <translation>当前深度范围：OpenGL 以单精度接受其两端</translation>
+    </message>
+    <message>
         <source>Viewport in use</source>
         <translation>当前视口</translation>
     </message>

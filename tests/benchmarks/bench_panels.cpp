@@ -34,7 +34,7 @@ struct Panels {
     {
         document.setSurface(surfaceFromWidget(600, 516, 1.0));
         document.setObjects(bundledScene());
-        document.pickAt(WidgetPoint(300.0, 250.0), {0.5, true, 24});
+        document.pickAt(WidgetPoint(300.0, 250.0), {0.5, 0, 24});
         comparison.setPick(document.pick());
         comparison.resize(440, 700);
         parameters.resize(240, 700);

@@ -35,8 +35,7 @@ Click clickAt(double x, double y, double depth, bool hit, double eyeX = 0.1)
                           Projection(Perspective{0.7, 1.3, 0.1, 50.0}),
                           LookAt{WorldPoint(eyeX, 0.2, 5.3), WorldPoint(0.0, 0.1, 0.0), {0, 1, 0.1}}};
     return clickOf(
-        pickAt(picture, WidgetPoint(x, y), {depth, hit, 24, hit ? std::optional<std::size_t>(1) : std::nullopt})
-            .value(),
+        pickAt(picture, WidgetPoint(x, y), {depth, hit ? std::optional<std::size_t>(1) : std::nullopt, 24}).value(),
         twoObjects());
 }
 

@@ -86,7 +86,6 @@ Result<Pick> randomPick(oracle::Random &random, oracle::RandomKind kind, bool hi
         random.uniform(0.0, picture.surface.heightPixels / picture.surface.devicePixelRatio - 1.0));
     DepthSample sample;
     sample.depth = click[2];
-    sample.hit = hit;
     if (hit)
         sample.object = 1;
     return pickAt(picture, widget, sample);

@@ -145,9 +145,9 @@ void TestPick::aClickIsFollowedBackToTheWorld()
     QFETCH(glm::dvec3, eye);
     QFETCH(glm::dvec3, world);
 
-    const Result<Pick> pick = pickAt(geometry, WidgetPoint(click.x, click.y), {click.z, true, 24});
+    const Result<Pick> pick = pickAt(geometry, WidgetPoint(click.x, click.y), {click.z, 0, 24});
     QVERIFY(pick.hasValue());
-    QVERIFY(pick->hit);
+    QVERIFY(pick->hit());
     QCOMPARE(pick->widget.x, click.x);
     QCOMPARE(pick->widget.y, click.y);
     QCOMPARE(QPoint(pick->devicePixel.i, pick->devicePixel.j), pixel);
@@ -167,11 +167,11 @@ void TestPick::aClickIsFollowedBackToTheWorld()
 void TestPick::allPositionsInAPixelGiveTheSamePoint()
 {
     const Picture geometry = plainFrustum();
-    const Result<Pick> middle = pickAt(geometry, WidgetPoint(412.5, 300.5), {0.5, true, 24});
+    const Result<Pick> middle = pickAt(geometry, WidgetPoint(412.5, 300.5), {0.5, 0, 24});
     QVERIFY(middle.hasValue());
     for (const WidgetPoint &position :
          {WidgetPoint(412.0, 300.0), WidgetPoint(412.99, 300.0), WidgetPoint(412.0, 300.99)}) {
-        const Result<Pick> pick = pickAt(geometry, position, {0.5, true, 24});
+        const Result<Pick> pick = pickAt(geometry, position, {0.5, 0, 24});
         QVERIFY(pick.hasValue());
         QVERIFY(pick->devicePixel == (DevicePixel{412, 300}));
         QVERIFY(isNear(pick->point.world[Method::Formula]->coordinates(),
@@ -183,9 +183,9 @@ void TestPick::allPositionsInAPixelGiveTheSamePoint()
 
 void TestPick::aBackgroundClickGivesTheRayOfItsPixel()
 {
-    const Result<Pick> pick = pickAt(plainFrustum(), WidgetPoint(0.0, 0.0), {1.0, false, 24});
+    const Result<Pick> pick = pickAt(plainFrustum(), WidgetPoint(0.0, 0.0), {1.0, {}, 24});
     QVERIFY(pick.hasValue());
-    QVERIFY(!pick->hit);
+    QVERIFY(!pick->hit());
     QVERIFY(isNear(pick->window.coordinates(), {0.5, 599.5, 1.0}, 0.0));
     QVERIFY(isNear(pick->rayNear.eye[Method::Formula]->coordinates(), {-0.99875, 0.74875, -1.0}, kRounding));
     QVERIFY(isNear(pick->rayFar.eye[Method::Formula]->coordinates(), {-9.9875, 7.4875, -10.0}, kRounding));
@@ -197,7 +197,7 @@ void TestPick::aBackgroundClickGivesTheRayOfItsPixel()
     // The ends are those of the depth range, wherever it puts them.
     Picture reversed = plainFrustum();
     reversed.depthRange = {1.0, 0.25};
-    const Result<Pick> other = pickAt(reversed, WidgetPoint(0.0, 0.0), {0.25, false, 24});
+    const Result<Pick> other = pickAt(reversed, WidgetPoint(0.0, 0.0), {0.25, {}, 24});
     QVERIFY(other.hasValue());
     QVERIFY(isNear(other->rayNear.world[Method::Formula]->coordinates(), {-0.99875, 0.74875, 4.0}, kRounding));
     QVERIFY(isNear(other->rayFar.world[Method::Formula]->coordinates(), {-9.9875, 7.4875, -5.0}, kRounding));
@@ -239,8 +239,8 @@ void TestPick::whatCannotBePickedIsRefused()
     QFETCH(Picture, geometry);
     QFETCH(glm::dvec3, click);
     QFETCH(int, code);
-    for (const bool hit : {true, false}) {
-        const Result<Pick> pick = pickAt(geometry, WidgetPoint(click.x, click.y), {click.z, hit, 24});
+    for (const std::optional<std::size_t> object : {std::optional<std::size_t>(0), {}}) {
+        const Result<Pick> pick = pickAt(geometry, WidgetPoint(click.x, click.y), {click.z, object, 24});
         QVERIFY(!pick.hasValue());
         QCOMPARE(static_cast<int>(pick.error().code), code);
     }
@@ -249,11 +249,11 @@ void TestPick::whatCannotBePickedIsRefused()
 void TestPick::aDepthOutsideItsRangeIsRefusedOnASurfaceOnly()
 {
     for (const double depth : {-0.001, 1.001, std::numeric_limits<double>::quiet_NaN()}) {
-        const Result<Pick> surface = pickAt(plainFrustum(), WidgetPoint(1.0, 1.0), {depth, true, 24});
+        const Result<Pick> surface = pickAt(plainFrustum(), WidgetPoint(1.0, 1.0), {depth, 0, 24});
         QVERIFY(!surface.hasValue());
         QCOMPARE(surface.error().code, ErrorCode::DepthOutsideRange);
         // The background's depth is not unprojected: its ray takes the ends of the range.
-        QVERIFY(pickAt(plainFrustum(), WidgetPoint(1.0, 1.0), {depth, false, 24}).hasValue());
+        QVERIFY(pickAt(plainFrustum(), WidgetPoint(1.0, 1.0), {depth, {}, 24}).hasValue());
     }
 }
 
@@ -313,7 +313,7 @@ void TestPick::certaintyIsTheDepthStepAndThePixel()
 void TestPick::thePickKeepsTheCertaintyOfItsDistance()
 {
     // z = 10 / 5.5 as above: z^2 x 9 / 10 / (2^24 - 1) / 2; 2 z / 800, 1.5 z / 600
-    const Result<Pick> pick = pickAt(plainFrustum(), WidgetPoint(400.0, 300.0), {0.5, true, 24});
+    const Result<Pick> pick = pickAt(plainFrustum(), WidgetPoint(400.0, 300.0), {0.5, 0, 24});
     QVERIFY(pick.hasValue());
     QVERIFY(isRelativelyNear(pick->certainty.halfDepthStep, 3.305785123966942 * 0.9 / 2.0 / 16777215.0, 1e-12));
     QVERIFY(isRelativelyNear(pick->certainty.footprintWidth, 1.8181818181818181 / 400.0, 1e-12));

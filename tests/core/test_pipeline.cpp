@@ -4,7 +4,6 @@
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/pipeline.h"
 #include "core/scene/bundled_scene.h"
-#include "core/scene/object_around.h"
 
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
@@ -79,7 +78,6 @@ private slots:
     void theProductsAreThoseOfTheStages();
     void aPointInThePlaneOfTheEyeStopsAtTheDivision();
     void badValuesAreNamed();
-    void anObjectIsFoundByTheTightestBox();
     void entryNamesMeanTheirNumbers_data();
     void entryNamesMeanTheirNumbers();
     void entriesNamedAsConstantsAreConstant();
@@ -262,30 +260,6 @@ void TestPipeline::badValuesAreNamed()
     QCOMPARE(pointsBackward(p, WindowPoint(0, kNaN, 0)).object.error().code, ErrorCode::NotFinite);
     geometry.camera().eye = geometry.camera().center;
     QCOMPARE(pipeline(geometry, glm::dmat4(1.0)).error().code, ErrorCode::EyeEqualsCenter);
-}
-
-void TestPipeline::anObjectIsFoundByTheTightestBox()
-{
-    Scene scene;
-    QVERIFY(!objectAround(scene, WorldPoint(0, 0, 0)));
-    const auto add = [&](double halfSide, const glm::dvec3 &at) {
-        auto model = std::make_shared<Model>();
-        model->bounds.add(glm::dvec3(-halfSide));
-        model->bounds.add(glm::dvec3(halfSide));
-        SceneObject object;
-        object.model = model;
-        object.transform = {Translate{at}};
-        scene.objects.push_back(object);
-    };
-    add(10, {0, 0, 0});
-    add(1, {0, 0, 0});
-    add(2, {0, 0, 0});
-    add(1, {30, 0, 0});
-    QCOMPARE(*objectAround(scene, WorldPoint(0.5, 0, 0)), std::size_t(1));
-    QCOMPARE(*objectAround(scene, WorldPoint(1.0 + 1e-9, 0, 0)), std::size_t(1)); // rounded off the surface
-    QCOMPARE(*objectAround(scene, WorldPoint(1.5, 0, 0)), std::size_t(2));
-    QCOMPARE(*objectAround(scene, WorldPoint(5, 0, 0)), std::size_t(0));
-    QCOMPARE(*objectAround(scene, WorldPoint(25, 0, 0)), std::size_t(3)); // none holds it: the nearest
 }
 
 void TestPipeline::entryNamesMeanTheirNumbers_data()

@@ -35,7 +35,8 @@ inline Picture boxGeometry(const Projection &projection)
 
 inline Pick picked(const Picture &geometry, double x, double y, double depth, bool hit = true)
 {
-    const Result<Pick> pick = pickAt(geometry, WidgetPoint(x, y), {depth, hit, 24});
+    const Result<Pick> pick =
+        pickAt(geometry, WidgetPoint(x, y), {depth, hit ? std::optional<std::size_t>(0) : std::nullopt, 24});
     if (!pick)
         qFatal("no pick");
     return *pick;

@@ -255,7 +255,7 @@ void TestDocument::aPickGoesWithTheObjectsBeforeIt()
 {
     SceneDocument document;
     openScene(document);
-    const auto pick = [&document] { document.pickAt(WidgetPoint(400, 300), {0.5, true, 24}); };
+    const auto pick = [&document] { document.pickAt(WidgetPoint(400, 300), {0.5, 0, 24}); };
     pick();
     QVERIFY(document.pick());
     QVERIFY(document.addObjects({bundledScene()[0]}));
@@ -272,7 +272,7 @@ void TestDocument::openingTellsWhenAllIsInPlace()
     SceneDocument document;
     openScene(document);
     document.setCamera(cameraAt(7.0));
-    document.pickAt(WidgetPoint(400, 300), {0.5, true, 24});
+    document.pickAt(WidgetPoint(400, 300), {0.5, 0, 24});
     int tellings = 0;
     connect(&document, &SceneDocument::changed, this, [&](Changes changes) {
         ++tellings;
@@ -292,7 +292,7 @@ void TestDocument::aSceneThatIsRefusedLeavesTheUndoStack()
     SceneDocument document;
     openScene(document);
     document.setCamera(cameraAt(7.0));
-    document.pickAt(WidgetPoint(400, 300), {0.5, true, 24});
+    document.pickAt(WidgetPoint(400, 300), {0.5, 0, 24});
     Scene scene;
     scene.projection = Ortho{1, 1, -2, 2, 1, 50};
     QVERIFY(!document.open(scene));

@@ -30,7 +30,6 @@ const Example &example(const std::string &id)
 struct Stage {
     Stage() : view(document)
     {
-        QObject::connect(&view, &SceneView::clicked, &document, &SceneDocument::pickAt);
         view.resize(800, 600);
         view.show();
     }
@@ -119,7 +118,7 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
     QTest::mouseClick(&stage.view, Qt::LeftButton, {}, QPoint(int(widget.x), int(widget.y)));
     QTRY_VERIFY(stage.document.pick());
     const Pick &pick = *stage.document.pick();
-    QVERIFY(pick.hit);
+    QVERIFY(pick.hit());
     QVERIFY(pick.point.world[Method::Formula] && pick.point.world[Method::Matrix]);
     // Within the pixel clicked, which is beside the point by at most one; and on the surface, which faces the eye.
     const Certainty c = pick.certainty;

@@ -115,7 +115,7 @@ void TestNavigation::theLeftButtonPicksBeforeItIsReleased()
             [&picks](Changes changes) { picks += changes.testFlag(Change::Pick) ? 1 : 0; });
     QTest::mousePress(&view, Qt::LeftButton, {}, position);
     QCOMPARE(picks, 1);
-    QVERIFY(window->document().pick() && window->document().pick()->hit);
+    QVERIFY(window->document().pick() && window->document().pick()->hit());
     QCOMPARE(heading(*window), QStringLiteral("A point on the surface"));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, position);
     QCOMPARE(picks, 1);
@@ -236,7 +236,7 @@ void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
     SceneView &view = window->view();
     const QPoint position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5)).toPoint();
     QTest::mouseDClick(&view, Qt::LeftButton, {}, position);
-    QVERIFY(window->document().pick() && window->document().pick()->hit);
+    QVERIFY(window->document().pick() && window->document().pick()->hit());
     const Viewport &viewport = window->document().geometry().viewport;
     QVERIFY(isAt(*window, picked(*window), {viewport.width / 2.0, viewport.height / 2.0}, kStillPixels));
     // On the background it leaves the camera alone.
@@ -255,7 +255,7 @@ void TestNavigation::theBackgroundHasNoSurface()
     QTest::mouseClick(&view, Qt::LeftButton, {}, position);
     QVERIFY(window->document().pick());
     const Pick &pick = *window->document().pick();
-    QVERIFY(!pick.hit);
+    QVERIFY(!pick.hit());
     QCOMPARE(pick.window.z, 1.0);
     QCOMPARE(heading(*window), QStringLiteral("Background: no surface here"));
     QVERIFY(window->message().isEmpty());
@@ -284,7 +284,7 @@ void TestNavigation::draggingOnTheBackgroundMovesTheCameraAllTheSame()
     const glm::dvec3 center = window->document().geometry().camera().center.coordinates();
     const QPointF from(view.width() - 30.0, 30.0);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::LeftButton);
-    QVERIFY(!window->document().pick()->hit);
+    QVERIFY(!window->document().pick()->hit());
     const LookAt turned = window->document().geometry().camera();
     QVERIFY(turned.center.coordinates() != center);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::MiddleButton);
@@ -322,7 +322,7 @@ void TestNavigation::whatIsOnlyDrawnIsNeverPicked()
     };
     const auto isBackground = [&](const QPointF &local) {
         click(view, local);
-        return document.pick() && !document.pick()->hit && document.pick()->window.z == 1.0;
+        return document.pick() && !document.pick()->hit() && document.pick()->window.z == 1.0;
     };
 
     // On the axes: x red, y green, z blue. The line is there, and nothing is picked.
@@ -452,7 +452,7 @@ void TestNavigation::smoothEdgesCanBeSwitchedWhileAPickIsShown()
         QTest::qWait(30);
         QCOMPARE(picked(*window), shown); // nothing that was picked is lost
         click(window->view(), position);
-        QVERIFY(window->document().pick()->hit);
+        QVERIFY(window->document().pick()->hit());
         QCOMPARE(picked(*window), before); // smoothing moves no depth
     }
 }

@@ -136,7 +136,7 @@ void TestObserverView::itDrawsWithoutErrors()
 {
     QFETCH(Projection, projection);
     show(projection);
-    m_document->pickAt(WidgetPoint(450.0, 300.0), {0.7, true, 24});
+    m_document->pickAt(WidgetPoint(450.0, 300.0), {0.7, 0, 24});
     QVERIFY(m_document->pick().has_value());
     for (const double t : {0.0, 1e-6, 0.5, 1.0 - 1e-6, 1.0}) {
         view().setMorph(t);

@@ -93,7 +93,7 @@ struct State {
                 return false;
         }
         return !pick
-               || (pick->hit == now.pick->hit
+               || (pick->hit() == now.pick->hit()
                    && pick->point.world[Method::Formula]->coordinates()
                           == now.pick->point.world[Method::Formula]->coordinates());
     }
@@ -167,7 +167,7 @@ void TestOpenFiles::aNamedFileIsShown()
     QVERIFY(!window->session().isLoading());
     // It can be clicked: the triangle lies in z = 0.
     click(window->view(), localOf(*window, {0.5, 0.5, 0.0}));
-    QVERIFY(window->document().pick() && window->document().pick()->hit);
+    QVERIFY(window->document().pick() && window->document().pick()->hit());
     QVERIFY(
         glm::length(window->document().pick()->point.world[Method::Formula]->coordinates() - glm::dvec3(0.5, 0.5, 0.0))
         < 0.02);
@@ -267,7 +267,7 @@ void TestOpenFiles::aBrokenFileChangesNothing()
     const auto window = shownWindow(false, {500, 400});
     window->document().setObjects(cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
-    QVERIFY(window->document().pick() && window->document().pick()->hit);
+    QVERIFY(window->document().pick() && window->document().pick()->hit());
     turnWheel(window->view(), QPointF(100.0, 100.0), 1);
     const State before(*window);
     QSignalSpy failures(window.get(), &MainWindow::openFailed);

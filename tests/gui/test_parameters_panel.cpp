@@ -7,6 +7,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QTest>
 
@@ -103,6 +104,7 @@ private slots:
     void typingTheSameNumberIsNoChange();
     void aHiddenPanelDoesNothingUntilItIsShown();
     void nothingIsCutInANarrowDock();
+    void theDepthRangeThatOpenGlTakesIsShown();
 };
 
 void TestParametersPanel::aTypedNumberIsTheScenes_data()
@@ -323,6 +325,22 @@ void TestParametersPanel::aHiddenPanelDoesNothingUntilItIsShown()
     QCOMPARE(eye->text(), QStringLiteral("0"));
     m_panel->show();
     QCOMPARE(eye->text(), QStringLiteral("3"));
+}
+
+void TestParametersPanel::theDepthRangeThatOpenGlTakesIsShown()
+{
+    const auto shown = [this] {
+        for (const QLabel *label : m_panel->findChildren<QLabel *>()) {
+            if (label->accessibleName() == QStringLiteral("Depth range in use"))
+                return label->text();
+        }
+        return QString();
+    };
+    type(QStringLiteral("depthAtNear"), QStringLiteral("0.25"));
+    QCOMPARE(shown(), QStringLiteral("glDepthRangef(0.25, 1)"));
+    type(QStringLiteral("depthAtFar"), QStringLiteral("0.65"));
+    QVERIFY(scene().depthRange.atFar == 0.65);
+    QCOMPARE(shown(), QStringLiteral("glDepthRangef(0.25, 0.649999976)"));
 }
 
 void TestParametersPanel::nothingIsCutInANarrowDock()

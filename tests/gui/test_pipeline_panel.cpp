@@ -153,7 +153,7 @@ void TestPipelinePanel::aPickIsFollowedThroughEverySpace()
     openFigures(document);
     PipelineModel model(document);
     // Pixel (30, 35) has its centre at window (30.5, 14.5); depth 0.85 is z_eye = -7.
-    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     model.update();
     QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 1}));
     QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
@@ -171,7 +171,7 @@ void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     model.setDirection(PipelineDirection::Backward);
     QCOMPARE(value(model.point(Space::Window), 0, 0), 30.5);
     QCOMPARE(value(model.point(Space::Window), 0, 2), 0.85);
@@ -188,7 +188,7 @@ void TestPipelinePanel::backwardStartsFromThePointOnceTheViewChanged()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     model.setDirection(PipelineDirection::Backward);
     document.setCamera({WorldPoint(1, 0, 5), WorldPoint(1, 0, 0), {0, 1, 0}});
     model.update();
@@ -209,10 +209,10 @@ void TestPipelinePanel::theBackgroundHasNoPoint()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     model.update();
     QVERIFY(!isBlank(model));
-    document.pickAt(WidgetPoint(30, 35), {1.0, false, 24});
+    document.pickAt(WidgetPoint(30, 35), {1.0, {}, 24});
     model.update();
     QVERIFY(isBlank(model));
     QVERIFY(model.status().contains(QStringLiteral("Background")));
@@ -271,15 +271,14 @@ void TestPipelinePanel::theObjectIsThePickedOneUntilAnotherIsChosen()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     model.update();
-    QCOMPARE(*model.shownObject(), std::size_t(0)); // in both boxes: the small one
-    // The view knows whose surface it drew, whatever the boxes say.
-    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24, 1});
+    QCOMPARE(*model.shownObject(), std::size_t(0));
+    document.pickAt(WidgetPoint(30, 35), {0.85, 1, 24});
     model.update();
     QCOMPARE(*model.shownObject(), std::size_t(1));
-    // Window (45.5, 25.5, 0.85) is the world's (8.2, 0.2, -2): outside the small one's box.
-    document.pickAt(WidgetPoint(45, 24), {0.85, true, 24});
+    // Window (45.5, 25.5, 0.85) is the world's (8.2, 0.2, -2).
+    document.pickAt(WidgetPoint(45, 24), {0.85, 1, 24});
     model.update();
     QCOMPARE(*model.shownObject(), std::size_t(1));
     QVERIFY(isPoint(model.point(Space::Object), {4.1, 0.1, -1}));
@@ -301,7 +300,7 @@ void TestPipelinePanel::undoAndRedoTakeTheNumbersAlong()
 {
     SceneDocument document;
     openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     PipelinePanel panel(document);
     panel.show();
     const PipelineModel &model = panel.model();
@@ -336,7 +335,7 @@ void TestPipelinePanel::aPointInThePlaneOfTheEyeHasNoWindowPosition()
 {
     SceneDocument document;
     openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.75, true, 24}); // on z = 0
+    document.pickAt(WidgetPoint(30, 35), {0.75, 0, 24}); // on z = 0
     document.setView({WorldPoint(1, 2, 0), WorldPoint(1, 2, -5), {0, 1, 0}}, Frustum{-1, 1, -1, 1, 1, 10});
     PipelineModel model(document);
     QCOMPARE(value(model.point(Space::Clip), 0, 3), 0.0);
@@ -408,7 +407,7 @@ void TestPipelinePanel::copyingTakesAllDigits()
 {
     SceneDocument document;
     openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, true, 24});
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
     PipelinePanel panel(document);
     panel.show();

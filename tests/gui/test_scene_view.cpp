@@ -133,7 +133,7 @@ void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::d
     QTest::mouseClick(&view, Qt::LeftButton, {}, position);
     QVERIFY(document.pick());
     const Pick &pick = *document.pick();
-    QVERIFY(pick.hit);
+    QVERIFY(pick.hit());
     QCOMPARE(QPoint(pick.devicePixel.i, pick.devicePixel.j), QPoint(pixel.i, pixel.j));
     const glm::dvec2 center = windowOf(view, pixel);
     QCOMPARE(pick.window.x, center.x);
@@ -224,7 +224,7 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
         positions.push_back({w / 3 + k, h / 3 + k});
     for (const QPoint &position : positions) {
         click(view, position); // QTest takes (0, 0) for the middle
-        QVERIFY(document.pick() && document.pick()->hit);
+        QVERIFY(document.pick() && document.pick()->hit());
         const Pick &pick = *document.pick();
         const DevicePixel pixel = pixelUnder(view, position);
         QCOMPARE(QPoint(pick.devicePixel.i, pick.devicePixel.j), QPoint(pixel.i, pixel.j));

@@ -110,6 +110,9 @@ ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTa
              tr("Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)"), &DepthRange::atNear);
     addDepth(tr("Far plane:"), tr("Depth of the far plane"), QStringLiteral("depthAtFar"),
              tr("Depth that the far plane gets, from 0 to 1; usually 1 (glDepthRange)"), &DepthRange::atFar);
+    m_depthCall = selectableLabel(tr("Depth range in use"));
+    m_depthCall->setToolTip(tr("The depth range in use: OpenGL takes its ends in single precision"));
+    content()->addWidget(m_depthCall);
     content()->addStretch();
 
     connect(m_kind, &QComboBox::activated, this,
@@ -165,6 +168,9 @@ void ViewportTab::showScene()
                             .arg(significantText(v.x, 9), significantText(v.y, 9), significantText(v.width, 9),
                                  significantText(v.height, 9)));
     }
+    m_depthCall->setText(QStringLiteral("glDepthRangef(%1, %2)")
+                             .arg(significantText(geometry.depthRange.atNear, 9),
+                                  significantText(geometry.depthRange.atFar, 9)));
     const ViewportRule::Kind kind = document().scene().viewport.kind;
     if (kind == m_shownKind)
         return;

@@ -28,6 +28,7 @@ private:
     NumberField *m_aspect;
     QLabel *m_window;
     QLabel *m_call;
+    QLabel *m_depthCall;
     Surface m_shownSurface;
     Viewport m_shownViewport;
     std::optional<ViewportRule::Kind> m_shownKind;
