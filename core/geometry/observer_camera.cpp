@@ -1,6 +1,7 @@
 #include "core/geometry/observer_camera.h"
 
-#include <glm/geometric.hpp>
+#include "core/geometry/angle.h"
+
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace unprojector::geometry {
 namespace {
 
 constexpr WorldVector kWorldUp{0.0, 1.0, 0.0};
-constexpr double kElevationRadians = 0.6108652381980153; // 35 degrees
-constexpr double kAzimuthRadians = 1.0471975511965976;   // 60 degrees from straight behind
+constexpr double kElevationRadians = radiansFromDegrees(35.0);
+constexpr double kAzimuthRadians = radiansFromDegrees(60.0); // from straight behind
 
 /// Rounded to the power of ten that is not above `step`, without leaving noise digits behind.
 double roundedTo(double value, double step)

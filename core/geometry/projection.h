@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/angle.h"
 #include "core/geometry/double_double.h"
 #include "core/geometry/result.h"
 
@@ -26,7 +27,7 @@ struct Ortho {
 
 /// The arguments of gluPerspective, with the angle in radians. aspect = width / height.
 struct Perspective {
-    double verticalFovRadians = 0.7853981633974483;
+    double verticalFovRadians = radiansFromDegrees(45.0);
     double aspect = 1.0;
     double nearDistance = 1.0, farDistance = 100.0;
     friend bool operator==(const Perspective &, const Perspective &) = default;
@@ -36,8 +37,8 @@ struct Perspective {
 /// pi/2 leaves its axis unsheared.
 struct Oblique {
     Ortho box;
-    double thetaRadians = 1.5707963267948966;
-    double phiRadians = 1.5707963267948966;
+    double thetaRadians = radiansFromDegrees(90.0);
+    double phiRadians = radiansFromDegrees(90.0);
     friend bool operator==(const Oblique &, const Oblique &) = default;
 };
 

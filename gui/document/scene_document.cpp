@@ -1,5 +1,7 @@
 #include "gui/document/scene_document.h"
 
+#include "core/geometry/angle.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -9,8 +11,6 @@
 
 namespace unprojector::gui {
 namespace {
-
-constexpr double kFovyRadians = 0.7853981633974483; // 45 degrees
 
 /// 1, 2 or 5 times a power of ten, at least `value`.
 double roundedUp(double value)
@@ -26,7 +26,7 @@ double roundedUp(double value)
 /// The aspect follows the window.
 Projection initialProjection()
 {
-    return Perspective{kFovyRadians, 1.0, 0.1, 100.0};
+    return Perspective{radiansFromDegrees(45.0), 1.0, 0.1, 100.0};
 }
 
 /// Whether a list only got longer: every object kept its place.

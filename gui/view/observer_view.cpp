@@ -1,5 +1,6 @@
 #include "gui/view/observer_view.h"
 
+#include "core/geometry/angle.h"
 #include "gui/painters/clip_plane_shapes.h"
 #include "gui/painters/observer_shapes.h"
 #include "gui/painters/scene_lines.h"
@@ -16,8 +17,6 @@
 
 namespace unprojector::gui {
 namespace {
-
-constexpr double kFovyRadians = 0.6108652381980153; // 35 degrees
 
 constexpr double kSignPixels = 30.0;
 
@@ -40,7 +39,7 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : FrameView
     setAccessibleName(tr("Observer view"));
     setAccessibleDescription(
         tr("The camera and its view volume from outside. Arrow keys turn the view, plus and minus zoom, F fits it."));
-    m_observer.projection() = Perspective{kFovyRadians, 1.0, 0.1, 100.0};
+    m_observer.projection() = Perspective{radiansFromDegrees(35.0), 1.0, 0.1, 100.0};
 
     // A hidden view is told as well, and draws nothing.
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {

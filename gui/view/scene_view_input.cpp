@@ -2,6 +2,8 @@
 
 #include "gui/view/scene_view.h"
 
+#include "core/geometry/angle.h"
+
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -55,7 +57,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
         return;
     case Drag::Orbit: {
         // Half a turn for the height of the view.
-        const double radiansPerPixel = 3.14159265358979323846 / std::max(1, height());
+        const double radiansPerPixel = kPi / std::max(1, height());
         m_document.setCamera(orbited(g.camera(), m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel),
                              m_gesture);
         return;

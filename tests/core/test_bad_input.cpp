@@ -1,6 +1,7 @@
 // Every refusal that core documents, by its own code and with the offending value. Nothing bad may come back as a
 // point, and no refusal may be another's.
 
+#include "core/geometry/angle.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/projection.h"
 #include "core/geometry/viewport.h"
@@ -11,7 +12,6 @@
 #include <QTest>
 
 #include <limits>
-#include <numbers>
 
 using namespace unprojector;
 using namespace unprojector::geometry;
@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kPi = std::numbers::pi;
 
 const Frustum kFrustum{-1, 1, -1, 1, 1, 100};
 const Ortho kOrtho{-1, 1, -1, 1, 1, 100};

@@ -1,6 +1,7 @@
 // What a hand does to the camera, judged by where points stand in the picture before and after: by windowFromWorld,
 // which has tests of its own, never by the motion's own terms.
 
+#include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
 
 #include <QTest>
@@ -14,7 +15,6 @@ using namespace unprojector::geometry;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /// Window positions up to 1000, after some dozens of roundings.
 constexpr double kRoundingPixels = 1e-8;
 constexpr double kRounding = 1e-12;

@@ -114,7 +114,8 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
         << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
     // cot 45 degrees = 1: x and y grow by z = 3.
     Picture oblique = offsetBox();
-    oblique.projection() = Oblique{std::get<Ortho>(offsetBox().projection()), 0.7853981633974483, 0.7853981633974483};
+    oblique.projection() =
+        Oblique{std::get<Ortho>(offsetBox().projection()), radiansFromDegrees(45.0), radiansFromDegrees(45.0)};
     QTest::newRow("oblique, offset viewport@1.5x")
         << oblique << click << QPoint(450, 750) << window << glm::dvec3(3.505, 1.995, -3.0)
         << glm::dvec3(13.505, 21.995, 27.0);

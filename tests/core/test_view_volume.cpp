@@ -1,6 +1,7 @@
 // The view volume's corners against literals, and the morph between eye space and the canonical view volume against what
 // it promises.
 
+#include "core/geometry/angle.h"
 #include "core/geometry/observer_camera.h"
 #include "core/geometry/view_volume.h"
 
@@ -16,7 +17,6 @@ using namespace unprojector::geometry;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /// Numbers of size 1 to 100 after a few roundings.
 constexpr double kRounding = 1e-12;
 

@@ -19,8 +19,6 @@ using namespace unprojector::gui;
 
 namespace {
 
-constexpr double kQuarterTurnHalf = 0.7853981633974483; // 45 degrees
-
 /// With spaces that may break for those that may not: which is which is a matter of looks.
 QString withPlainSpaces(QString text)
 {
@@ -128,8 +126,8 @@ void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
                           "  = (10, 20, 30) + (−2.495) × (1, 0, 0) + 0.795 × (0, 1, 0) + 1.5 × (0, 0, −1)\n"
                           "  = (7.505, 20.795, 28.5)");
 
-    QTest::newRow("oblique") << picked(boxGeometry(Oblique{box, kQuarterTurnHalf, 2.0 * kQuarterTurnHalf}), 350.0,
-                                       120.0, 0.25)
+    QTest::newRow("oblique") << picked(boxGeometry(Oblique{box, radiansFromDegrees(45.0), radiansFromDegrees(90.0)}),
+                                       350.0, 120.0, 0.25)
                              << QStringLiteral(
                                     "z = n (1 − d) + f d\n"
                                     "  = 1 × (1 − 0.25) + 9 × 0.25 = 3\n\n"
