@@ -130,15 +130,21 @@ private:
     std::optional<Error> m_problem;
 };
 
+/// Where in [0, 1] the middle of the i-th of so many equal parts lies.
+double middleOfPart(int i, int parts)
+{
+    return (i + 0.5) / parts;
+}
+
 /// The centres of pixels spread over the viewport, times depths from one end to the other.
 template <class Function>
 void forEachPoint(const Picture &g, const CompareOptions &options, Function function)
 {
     const auto spread = [&](double start, double size, int i) {
-        return start + std::floor((i + 0.5) / options.pixels * size) + kHalfPixel;
+        return start + std::floor(middleOfPart(i, options.pixels) * size) + kHalfPixel;
     };
     for (int k = 0; k < options.depths; ++k) {
-        const double share = options.depths == 1 ? 0.5 : double(k) / (options.depths - 1);
+        const double share = options.depths == 1 ? middleOfPart(0, 1) : double(k) / (options.depths - 1);
         const double depth = share == 1.0 ? g.depthRange.atFar
                                           : g.depthRange.atNear + share * (g.depthRange.atFar - g.depthRange.atNear);
         for (int j = 0; j < options.pixels; ++j) {

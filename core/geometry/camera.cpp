@@ -2,8 +2,6 @@
 
 #include "core/geometry/finite.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/components.h"
+#include "core/geometry/result.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -63,6 +64,16 @@ inline std::optional<double> firstNotFinite(const glm::dmat4 &m)
             return value;
     }
     return std::nullopt;
+}
+
+/// NotFinite with the place among the 16, column by column.
+inline Check checkFinite(const glm::dmat4 &m)
+{
+    for (int i = 0; i < 16; ++i) {
+        if (!std::isfinite(m[i / 4][i % 4]))
+            return Error{ErrorCode::NotFinite, m[i / 4][i % 4], double(i)};
+    }
+    return std::monostate{};
 }
 
 template <class Values>

@@ -1,6 +1,7 @@
 #include "core/geometry/matrix_projection.h"
 
 #include "core/geometry/condition_number.h"
+#include "core/geometry/finite.h"
 
 #include <array>
 #include <charconv>
@@ -24,10 +25,8 @@ constexpr std::array<std::pair<int, int>, 3> kZerosOfPerspective{{{3, 0}, {3, 1}
 
 Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
 {
-    for (int i = 0; i < 16; ++i) {
-        if (!std::isfinite(m[i / 4][i % 4]))
-            return Error{ErrorCode::NotFinite, m[i / 4][i % 4], double(i)};
-    }
+    if (const Check finite = checkFinite(m); !finite)
+        return finite.error();
     if (std::isinf(conditionNumber(m)))
         return Error{ErrorCode::SingularMatrix};
     for (const auto &[column, row] : kZeros) {
@@ -303,10 +302,8 @@ Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projectio
         return depth.error();
     if (const Check valid = check(viewport); !valid)
         return valid.error();
-    for (const double value : {window.x, window.y}) {
-        if (!std::isfinite(value))
-            return Error{ErrorCode::NotFinite, value};
-    }
+    if (const auto value = firstNotFinite({window.x, window.y}))
+        return Error{ErrorCode::NotFinite, *value};
     const Result<DepthShares> d = depthShares(range, window.z);
     if (!d)
         return d.error();
@@ -326,7 +323,7 @@ Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projectio
         const DoubleDouble z = (c.w * ndc - c.zOffset) / c.zScale;
         eye = {x - c.xShear * z / c.xScale, y - c.yShear * z / c.yScale, z};
     }
-    if (!(std::isfinite(eye.x.value) && std::isfinite(eye.y.value) && std::isfinite(eye.z.value)))
+    if (!isFinite(eye.rounded()))
         return Error{ErrorCode::PointAtInfinity};
     return eye;
 }

@@ -12,10 +12,8 @@ namespace {
 
 Result<glm::dmat4> finite(const glm::dmat4 &m)
 {
-    for (int i = 0; i < 16; ++i) {
-        if (!std::isfinite(m[i / 4][i % 4]))
-            return Error{ErrorCode::NotFinite, m[i / 4][i % 4], double(i)};
-    }
+    if (const Check valid = checkFinite(m); !valid)
+        return valid.error();
     return m;
 }
 
@@ -23,19 +21,15 @@ Check checkedLens(const Lens &lens)
 {
     if (const auto *projection = std::get_if<Projection>(&lens))
         return check(*projection);
-    if (const Result<glm::dmat4> matrix = finite(std::get<MatrixProjection>(lens).clipFromEye); !matrix)
-        return matrix.error();
-    return std::monostate{};
+    return checkFinite(std::get<MatrixProjection>(lens).clipFromEye);
 }
 
 Check checkedPose(const Pose &pose)
 {
-    if (const auto *matrix = std::get_if<glm::dmat4>(&pose)) {
-        if (const Result<glm::dmat4> valid = finite(*matrix); !valid)
-            return valid.error();
-    } else if (const Result<EyeFrame> frame = eyeFrame(std::get<LookAt>(pose)); !frame) {
+    if (const auto *matrix = std::get_if<glm::dmat4>(&pose))
+        return checkFinite(*matrix);
+    if (const Result<EyeFrame> frame = eyeFrame(std::get<LookAt>(pose)); !frame)
         return frame.error();
-    }
     return std::monostate{};
 }
 

@@ -1,6 +1,6 @@
 #include "core/geometry/projection.h"
 
-#include "core/geometry/angle.h"
+#include "core/geometry/finite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,8 @@ namespace {
 
 Check checkWindow(const ProjectionWindow &w)
 {
-    for (const double value : {w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance}) {
-        if (!std::isfinite(value))
-            return Error{ErrorCode::NotFinite, value};
-    }
+    if (const auto value = firstNotFinite({w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance}))
+        return Error{ErrorCode::NotFinite, *value};
     if (w.left == w.right)
         return Error{ErrorCode::LeftEqualsRight, w.left};
     if (w.bottom == w.top)
@@ -23,10 +21,8 @@ Check checkWindow(const ProjectionWindow &w)
 
 Check checkClipDistances(double nearDistance, double farDistance, bool perspective)
 {
-    if (!std::isfinite(nearDistance))
-        return Error{ErrorCode::NotFinite, nearDistance};
-    if (!std::isfinite(farDistance))
-        return Error{ErrorCode::NotFinite, farDistance};
+    if (const auto value = firstNotFinite({nearDistance, farDistance}))
+        return Error{ErrorCode::NotFinite, *value};
     if (perspective && !(nearDistance > 0.0))
         return Error{ErrorCode::NearNotPositive, nearDistance, farDistance};
     if (!(nearDistance < farDistance))
@@ -46,10 +42,8 @@ struct Checker {
     Check operator()(const Ortho &p) const { return checkBox(projectionWindow(p), false); }
     Check operator()(const Perspective &p) const
     {
-        for (const double value : {p.verticalFovRadians, p.aspect}) {
-            if (!std::isfinite(value))
-                return Error{ErrorCode::NotFinite, value};
-        }
+        if (const auto value = firstNotFinite({p.verticalFovRadians, p.aspect}))
+            return Error{ErrorCode::NotFinite, *value};
         if (!(p.verticalFovRadians > 0.0 && p.verticalFovRadians < kPi))
             return Error{ErrorCode::FieldOfViewOutOfRange, p.verticalFovRadians};
         if (!(p.aspect > 0.0))

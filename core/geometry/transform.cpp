@@ -1,6 +1,7 @@
 #include "core/geometry/transform.h"
 
 #include "core/geometry/angle.h"
+#include "core/geometry/finite.h"
 
 #include <cmath>
 
@@ -9,10 +10,8 @@ namespace {
 
 Check checkFinite(const glm::dvec3 &v)
 {
-    for (const double value : {v.x, v.y, v.z}) {
-        if (!std::isfinite(value))
-            return Error{ErrorCode::NotFinite, value};
-    }
+    if (const auto value = firstNotFinite(v))
+        return Error{ErrorCode::NotFinite, *value};
     return std::monostate{};
 }
 

@@ -28,10 +28,8 @@ Error notRigid(double value, int column, int row)
 
 Result<double> axesOff(const glm::dmat4 &m)
 {
-    for (int i = 0; i < 16; ++i) {
-        if (!std::isfinite(m[i / 4][i % 4]))
-            return Error{ErrorCode::NotFinite, m[i / 4][i % 4], double(i)};
-    }
+    if (const Check finite = checkFinite(m); !finite)
+        return finite.error();
     const double w = m[3][3];
     if (!(w > 0.0))
         return notRigid(w, 3, 3);

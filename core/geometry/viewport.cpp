@@ -1,5 +1,7 @@
 #include "core/geometry/viewport.h"
 
+#include "core/geometry/finite.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,12 +16,18 @@ double floorSnapped(double value)
     return std::abs(value - nearest) < kSnapPixels ? nearest : std::floor(value);
 }
 
+/// The edge of device pixels that an edge in logical pixels comes to lie on; halves go up, as Qt rounds them.
+double deviceEdge(double logical, double devicePixelRatio)
+{
+    return std::floor(logical * devicePixelRatio + 0.5);
+}
+
 } // namespace
 
 Surface surfaceFromWidget(int widthLogical, int heightLogical, double devicePixelRatio)
 {
-    const auto pixels = [=](int logical) { return static_cast<int>(std::floor(logical * devicePixelRatio + 0.5)); };
-    return {pixels(widthLogical), pixels(heightLogical), devicePixelRatio};
+    return {static_cast<int>(deviceEdge(widthLogical, devicePixelRatio)),
+            static_cast<int>(deviceEdge(heightLogical, devicePixelRatio)), devicePixelRatio};
 }
 
 int logicalFromDevice(const Surface &surface, int pixels)
@@ -34,10 +42,8 @@ Viewport wholeSurface(const Surface &surface)
 
 Check check(const Viewport &viewport)
 {
-    for (const double value : {viewport.x, viewport.y, viewport.width, viewport.height}) {
-        if (!std::isfinite(value))
-            return Error{ErrorCode::NotFinite, value};
-    }
+    if (const auto value = firstNotFinite({viewport.x, viewport.y, viewport.width, viewport.height}))
+        return Error{ErrorCode::NotFinite, *value};
     if (!(viewport.width > 0.0 && viewport.height > 0.0))
         return Error{ErrorCode::EmptyViewport, viewport.width, viewport.height};
     return std::monostate{};
@@ -45,10 +51,8 @@ Check check(const Viewport &viewport)
 
 Check check(const DepthRange &range)
 {
-    for (const double value : {range.atNear, range.atFar}) {
-        if (!std::isfinite(value))
-            return Error{ErrorCode::NotFinite, value};
-    }
+    if (const auto value = firstNotFinite({range.atNear, range.atFar}))
+        return Error{ErrorCode::NotFinite, *value};
     if (range.atNear == range.atFar)
         return Error{ErrorCode::EmptyDepthRange, range.atNear};
     return std::monostate{};
@@ -77,7 +81,7 @@ WidgetPoint widgetOnSurface(const Surface &surface, const WidgetPoint &position,
 {
     const double ratio = surface.devicePixelRatio;
     const auto corrected = [ratio](double logical, double origin, int pixels) {
-        const double device = (logical + origin) * ratio - std::floor(origin * ratio + 0.5);
+        const double device = (logical + origin) * ratio - deviceEdge(origin, ratio);
         return std::clamp(device, 0.0, pixels - kHalfPixel) / ratio;
     };
     return WidgetPoint(corrected(position.x, corner.x, surface.widthPixels),
@@ -88,10 +92,8 @@ Result<DevicePixel> devicePixelFromWidget(const Surface &surface, const WidgetPo
 {
     if (const Check valid = check(surface); !valid)
         return valid.error();
-    for (const double value : {position.x, position.y}) {
-        if (!std::isfinite(value))
-            return Error{ErrorCode::NotFinite, value};
-    }
+    if (const auto value = firstNotFinite(position))
+        return Error{ErrorCode::NotFinite, *value};
     const DevicePoint device = deviceFromWidget(surface, position);
     const double i = floorSnapped(device.x);
     const double j = floorSnapped(device.y);

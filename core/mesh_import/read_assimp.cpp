@@ -1,3 +1,4 @@
+#include "core/geometry/finite.h"
 #include "core/mesh_import/assimp_files.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
@@ -176,7 +177,7 @@ private:
                                          + 0.3 * static_cast<double>(m_doneVertices + v)
                                                / static_cast<double>(std::max<std::size_t>(m_totalVertices, 1)));
             const glm::vec3 position(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z);
-            if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
+            if (!isFinite(position))
                 throw Failure(ImportErrorCode::NotFinite, {}, m_doneVertices + v);
             target.positions.push_back(isIdentity ? position
                                                   : glm::vec3(worldFromMesh * glm::dvec4(glm::dvec3(position), 1.0)));

@@ -1,3 +1,4 @@
+#include "core/geometry/finite.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
 #include "core/mesh_import/text_scanner.h"
@@ -40,7 +41,7 @@ public:
     }
     void add(const glm::vec3 &position)
     {
-        if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
+        if (!isFinite(position))
             throw Failure(ImportErrorCode::NotFinite, {}, m_mesh.indices.size());
         m_mesh.indices.push_back(m_positions.add(position));
     }

@@ -2,6 +2,7 @@
 
 #include "core/geometry/camera_motion.h"
 #include "core/geometry/drawable.h"
+#include "core/geometry/finite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,10 +73,8 @@ Check check(const Scene &scene)
     for (const ClipPlaneOff &off : scene.clipPlanesOff)
         planes.push_back(off.plane);
     for (const glm::dvec4 &plane : planes) {
-        for (int i = 0; i < 4; ++i) {
-            if (!std::isfinite(plane[i]))
-                return Error{ErrorCode::NotFinite, plane[i]};
-        }
+        if (const auto value = firstNotFinite(plane))
+            return Error{ErrorCode::NotFinite, *value};
         if (plane.x == 0.0 && plane.y == 0.0 && plane.z == 0.0)
             return Error{ErrorCode::ClipPlaneHasNoNormal};
     }

@@ -1,5 +1,7 @@
 #include "core/unproject/closed_form.h"
 
+#include "core/geometry/finite.h"
+
 #include <cmath>
 
 namespace unprojector::unproject {
@@ -15,10 +17,8 @@ Result<DepthShares> checkedDepth(const Projection &projection, const Viewport &v
         return valid.error();
     if (const Check valid = check(viewport); !valid)
         return valid.error();
-    for (const double value : {window.x, window.y}) {
-        if (!std::isfinite(value))
-            return Error{ErrorCode::NotFinite, value};
-    }
+    if (const auto value = firstNotFinite({window.x, window.y}))
+        return Error{ErrorCode::NotFinite, *value};
     return depthShares(range, window.z);
 }
 
@@ -52,7 +52,7 @@ DoubleDouble betweenEdges(const DoubleDouble &low, const DoubleDouble &high, dou
 /// Parameters at the ends of the range of doubles can overflow on the way.
 Result<PreciseEye> finite(const PreciseEye &point)
 {
-    if (!(std::isfinite(point.x.value) && std::isfinite(point.y.value) && std::isfinite(point.z.value)))
+    if (!isFinite(point.rounded()))
         return Error{ErrorCode::PointAtInfinity};
     return point;
 }

@@ -1,7 +1,5 @@
 #include "gui/document/document_change.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "gui/view/observer_picture.h"
 
-#include <glm/geometric.hpp>
+#include "core/geometry/finite.h"
+
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ std::optional<WorldPoint> ObserverPicture::drawnPoint(const EyePoint &point) con
 {
     const glm::dvec4 p = drawnFromEye * glm::dvec4(point.coordinates(), 1.0);
     const glm::dvec3 place = glm::dvec3(p) / p.w;
-    if (!(p.w > 0.0) || !std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z))
+    if (!(p.w > 0.0) || !isFinite(place))
         return std::nullopt;
     return WorldPoint(place);
 }

@@ -6,8 +6,6 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include <glm/geometric.hpp>
-
 #include <cmath>
 
 namespace unprojector::gui {
