@@ -54,6 +54,7 @@ bool FrameView::createFrame()
     m_meshes.initialize(m_frame.ids());
     m_painter.initialize();
     m_isCreated = true;
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &FrameView::releaseGL, Qt::UniqueConnection);
     return true;
 }
 
@@ -64,6 +65,7 @@ void FrameView::releaseFrame()
     m_meshes.release();
     m_painter.release();
     m_isCreated = false;
+    disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &FrameView::releaseGL);
 }
 
 bool FrameView::drawFrame(const Drawable &drawn, const std::vector<SceneObject> &objects,
@@ -102,6 +104,11 @@ bool FrameView::showFrame()
     if (m_smoothEdges && isInMotion)
         m_restTimer.start(kRestMilliseconds);
     return true;
+}
+
+Surface FrameView::currentSurface() const
+{
+    return surfaceFromWidget(width(), height(), devicePixelRatio());
 }
 
 void FrameView::paintEvent(QPaintEvent *event)

@@ -39,7 +39,7 @@ signals:
 protected:
     explicit FrameView(QWidget *parent);
 
-    // All of these need the OpenGL context current.
+    // All of these up to showFrame() need the OpenGL context current.
 
     /// @return whether OpenGL is new enough; when it is not, `failed` has told so, and nothing can be drawn
     bool createFrame();
@@ -52,6 +52,12 @@ protected:
     /// Puts the frame onto the widget; where there is none, clears the widget.
     /// @return whether there is one
     bool showFrame();
+
+    /// The widget's size in device pixels.
+    Surface currentSurface() const;
+    /// To release all that was made in the context, if anything was. It is called when the context goes, as it does when
+    /// the widget moves to another window; a destructor has to call it itself.
+    virtual void releaseGL() = 0;
 
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;

@@ -6,8 +6,6 @@
 #include "gui/painters/scene_lines.h"
 #include "gui/text/error_text.h"
 
-#include <QOpenGLContext>
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -77,8 +75,6 @@ void ObserverView::initializeGL()
     m_faces.initialize();
     m_pickPainter.initialize();
     m_isStale = true;
-    // The context is a new one when the widget moves to another window: everything in the old one is released first.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ObserverView::releaseGL, Qt::UniqueConnection);
 }
 
 void ObserverView::releaseGL()
@@ -90,7 +86,6 @@ void ObserverView::releaseGL()
     m_lines.release();
     m_faces.release();
     m_pickPainter.release();
-    disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ObserverView::releaseGL);
     doneCurrent();
 }
 
@@ -101,7 +96,7 @@ void ObserverView::resizeGL(int, int)
 
 void ObserverView::updateSurface()
 {
-    const Surface surface = surfaceFromWidget(width(), height(), devicePixelRatio());
+    const Surface surface = currentSurface();
     if (surface == m_observer.surface || !check(surface))
         return;
     m_observer.surface = surface;

@@ -39,6 +39,7 @@ protected:
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
+    void releaseGL() override;
 
     bool event(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -52,7 +53,6 @@ protected:
 private:
     enum class Drag { None, Orbit, Pan, Plane };
 
-    void releaseGL();
     void updateSurface();
     /// Takes the default place once it is known how large the pictures are, and again until a hand has taken over.
     void placeObserver();

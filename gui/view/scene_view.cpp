@@ -3,7 +3,6 @@
 #include "gui/view/scene_overlay.h"
 
 #include <QElapsedTimer>
-#include <QOpenGLContext>
 #include <QSurfaceFormat>
 
 #include <algorithm>
@@ -73,13 +72,6 @@ void SceneView::onCreate()
     emit happened({LifecycleEvent::Kind::OnCreate, QString(),
                    QStringLiteral("glCreateProgram, glCreateShader, glCompileShader, glLinkProgram"),
                    milliseconds(timer)});
-    // The context is a new one when the widget moves to another window: everything in the old one is released first.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneView::onDestroy, Qt::UniqueConnection);
-}
-
-Surface SceneView::currentSurface() const
-{
-    return surfaceFromWidget(width(), height(), devicePixelRatio());
 }
 
 void SceneView::onSize()
@@ -143,7 +135,6 @@ void SceneView::onDestroy()
     releaseFrame();
     m_overlay->release();
     m_requested.reset();
-    disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneView::onDestroy);
     doneCurrent();
     emit happened({LifecycleEvent::Kind::OnDestroy, QString(),
                    QStringLiteral("glDeleteFramebuffers, glDeleteProgram, glDeleteBuffers, glDeleteVertexArrays, "

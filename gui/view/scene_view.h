@@ -41,6 +41,7 @@ protected:
     void initializeGL() override { onCreate(); }
     void resizeGL(int, int) override { onSize(); }
     void paintGL() override { onDraw(); }
+    void releaseGL() override { onDestroy(); }
 
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
@@ -59,7 +60,6 @@ private:
     void onDraw();
     void onDestroy();
 
-    Surface currentSurface() const;
     /// Draws the objects into the frame where it does not show the document as it is.
     /// @return whether it had to
     bool updateFrame();
