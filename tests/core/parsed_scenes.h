@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
+
+#include <QByteArray>
+
+/// Scene files there and back, for tests.
+namespace scene_texts {
+using namespace unprojector::scene_file;
+
+inline SceneFile parsed(const QByteArray &text)
+{
+    const auto scene = parseScene(std::string_view(text.constData(), std::size_t(text.size())), "scene.json");
+    if (!scene)
+        qFatal("%s", sceneErrorText(scene.error()).c_str());
+    return *scene;
+}
+
+inline QByteArray written(const SceneFile &scene)
+{
+    return QByteArray::fromStdString(sceneText(scene).value());
+}
+
+using Json = nlohmann::ordered_json;
+
+/// Puts a key that nobody knows into every object that has room for one.
+/// @return how many there are
+inline std::size_t mark(Json &json)
+{
+    std::size_t marks = 0;
+    for (auto it = json.begin(); it != json.end(); ++it) {
+        const bool isSteps = json.is_object() && it.key() == "transform";
+        if (it->is_structured() && !isSteps)
+            marks += mark(*it);
+    }
+    if (!json.is_object())
+        return marks;
+    json["mark"] = {{"deep", {1, 2.5, nullptr, true}}};
+    return marks + 1;
+}
+
+/// How many marks stand where they stood.
+inline std::size_t marksIn(const Json &json, const Json &marked)
+{
+    std::size_t marks = 0;
+    if (marked.is_array()) {
+        for (std::size_t i = 0; i < marked.size() && i < json.size(); ++i)
+            marks += marksIn(json[i], marked[i]);
+    }
+    if (!marked.is_object() || !json.is_object())
+        return marks;
+    for (const auto &[key, value] : marked.items()) {
+        if (key == "mark")
+            marks += json.contains(key) && json[key] == value ? 1 : 0;
+        else if (json.contains(key))
+            marks += marksIn(json[key], value);
+    }
+    return marks;
+}
+
+} // namespace scene_texts

@@ -1,0 +1,169 @@
+// A window's scene and its file: what the one shows the other says, wherever it is saved.
+
+#include "parsed_scenes.h"
+#include "scene_texts.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::scene_file;
+using namespace unprojector::unproject;
+using namespace scene_texts;
+
+class TestSceneDescription : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aWindowsSceneSurvivesASave();
+    void aSceneSavedElsewhereKeepsUnknownKeys_data();
+    void aSceneSavedElsewhereKeepsUnknownKeys();
+    void withoutUiTheFilesNumbersHold();
+    void aWindowShowsWhatMatricesOfItsCamerasSay();
+};
+
+void TestSceneDescription::aWindowsSceneSurvivesASave()
+{
+    const auto model = std::make_shared<Model>();
+    model->name = "Teapot";
+    Scene scene;
+    scene.camera = {{1, 2, 3}, {0, 0.5, 0}, {0, 1, 0}};
+    scene.home = {{5, 5, 5}, {0, 0, 0}, {0, 1, 0}};
+    scene.projection = Perspective{0.7, 1.5, 0.25, 40};
+    scene.viewport = {ViewportRule::Kind::KeepAspect, {1, 2, 30, 40}, 1.25};
+    scene.depthRange = {1, 0};
+    scene.objects = {{"a", "/there/models/a.obj", model, {Scale{{2, 2, 2}}}}, {"pot", {}, model, {}}};
+    scene.clipPlanes = {{1, 0, 0, 0.5}};
+    scene.clipPlanesOff = {{0, {0, 1, 0, 0.125}}};
+    scene.clipDistancesFitObjects = false;
+    for (const bool follows : {true, false}) {
+        scene.projectionFollowsViewport = follows;
+        const Picture geometry = pictureOf(scene, {1001, 751, 1.25}, {}).value();
+        SceneFile file = sceneFileFrom(scene, geometry, "/there/scene.json");
+        QVERIFY(file.objects[0].file == std::filesystem::path("models") / "a.obj");
+        QCOMPARE(file.objects[1].bundled, "Teapot");
+        file = parsed(written(file));
+
+        // Another program sees what the window showed.
+        const Picture shown = byParameters(pictureOf(file)).value();
+        QVERIFY(shown.surface == geometry.surface && shown.viewport == geometry.viewport);
+        QVERIFY(shown.projection() == geometry.projection() && shown.depthRange == geometry.depthRange);
+        QVERIFY(shown.camera() == geometry.camera());
+
+        const Scene again = sceneFromFile(file, "/there/scene.json", {model, model}).value();
+        QVERIFY(again.camera == scene.camera && again.home == scene.home);
+        QVERIFY(again.viewport == scene.viewport && again.depthRange == scene.depthRange);
+        QCOMPARE(again.projectionFollowsViewport, follows);
+        QVERIFY(!again.clipDistancesFitObjects);
+        QVERIFY(pictureOf(again, geometry.surface, {}).value().projection() == geometry.projection());
+        QVERIFY(again.objects[0].file == scene.objects[0].file && again.objects[1].file.empty());
+        QVERIFY(again.objects[0].transform == scene.objects[0].transform);
+        QVERIFY(again.clipPlanes == scene.clipPlanes);
+        QCOMPARE(again.clipPlanesOff.size(), std::size_t(1));
+        QVERIFY(again.clipPlanesOff[0].place == 0 && again.clipPlanesOff[0].plane == scene.clipPlanesOff[0].plane);
+    }
+
+    // Of a scene that has no file yet the paths are absolute, and a bundled model has none.
+    const SceneFile unnamed = sceneFileFrom(scene, pictureOf(scene, {100, 75, 1}, {}).value(), {});
+    QVERIFY(unnamed.objects[0].file == unnamed.objects[0].absoluteFile && unnamed.objects[0].file.is_absolute());
+    QVERIFY(unnamed.objects[1].file.empty() && unnamed.objects[1].bundled == "Teapot");
+
+    SceneFile before = parsed(kLeastScene);
+    before.extra = {{"author", "A"}};
+    before.objects = {{"a", std::filesystem::path("models") / "a.obj", "", {}, {{"colour", "red"}}, {}}};
+    const SceneFile kept =
+        sceneFileFrom(scene, pictureOf(scene, {100, 75, 1}, {}).value(), "/there/scene.json", before);
+    QVERIFY(kept.extra["author"] == "A");
+    QVERIFY(kept.objects[0].extra["colour"] == "red" && kept.objects[1].extra.is_null());
+}
+
+void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys_data()
+{
+    QTest::addColumn<QString>("target");
+    QTest::addColumn<bool>("isAbsolute");
+    QTest::addColumn<QString>("path"); // of the object, as it is to be written
+    QTest::newRow("the same file") << "here/scene.json" << false << "models/a.obj";
+    QTest::newRow("the folder above") << "scene.json" << false << "here/models/a.obj";
+    QTest::newRow("another folder") << "there/other.json" << false << "../here/models/a.obj";
+    QTest::newRow("beside the model") << "here/models/scene.json" << false << "a.obj";
+    QTest::newRow("absolute path, the same file") << "here/scene.json" << true << "models/a.obj";
+    QTest::newRow("absolute path, another folder") << "there/other.json" << true << "../here/models/a.obj";
+}
+
+void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys()
+{
+    QFETCH(QString, target);
+    QFETCH(bool, isAbsolute);
+    QFETCH(QString, path);
+    const QTemporaryDir folder;
+    for (const char *name : {"here/models", "there"})
+        QVERIFY(QDir(folder.path()).mkpath(name));
+    const std::filesystem::path root(folder.path().toStdU16String());
+    const std::filesystem::path source = root / "here" / "scene.json";
+
+    Json marked = Json::parse(kFullScene);
+    marked["objects"][0]["file"] = isAbsolute ? (folder.path() + "/here/models/a.obj").toStdString() : "models/a.obj";
+    const std::size_t marks = mark(marked);
+    QCOMPARE(marks, std::size_t(12));
+    marked["objects"][0]["mark"] = "of the first object";
+    QFile file(folder.filePath("here/scene.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(marked.dump()));
+    file.close();
+
+    const auto model = std::make_shared<Model>();
+    model->name = "Teapot";
+    const SceneFile before = readSceneFile(source).value();
+    const Scene scene = sceneFromFile(before, source, {model, model}).value();
+    const std::filesystem::path written = root / target.toStdU16String();
+    const SceneFile after = sceneFileFrom(scene, pictureOf(scene, {801, 599, 1.25}, {}).value(), written, before);
+    QVERIFY(writeSceneFile(written, after).hasValue());
+    const SceneFile again = readSceneFile(written).value();
+    const Json json = Json::parse(sceneText(again).value());
+    marked["objects"][0]["file"] = path.toStdString();
+    QVERIFY2(marksIn(json, marked) == marks, json.dump(2).c_str());
+    QVERIFY(json["objects"][0]["mark"] == "of the first object");
+    QCOMPARE(QString::fromStdString(json["objects"][0]["file"]), path);
+    QVERIFY(again.objects[0].absoluteFile == before.objects[0].absoluteFile);
+    // And from there to where it was.
+    const SceneFile back = sceneFileFrom(sceneFromFile(again, written, {model, model}).value(),
+                                         pictureOf(scene, {801, 599, 1.25}, {}).value(), source, after);
+    QVERIFY(back.objects[0].extra["mark"] == "of the first object");
+}
+
+void TestSceneDescription::withoutUiTheFilesNumbersHold()
+{
+    const Scene scene = sceneFromFile(parsed(kLeastScene), "scene.json", {}).value();
+    QVERIFY(!scene.projectionFollowsViewport && !scene.clipDistancesFitObjects);
+    QVERIFY(scene.viewport.kind == ViewportRule::Kind::WholeWindow);
+    QVERIFY(scene.home == scene.camera);
+    const auto rule = [](const QByteArray &viewport) {
+        return sceneFromFile(parsed(withMember("\"viewport\": " + viewport)), "scene.json", {}).value().viewport;
+    };
+    QVERIFY(rule(R"({"x": 0, "y": 0, "width": 800, "height": 600})").kind == ViewportRule::Kind::WholeWindow);
+    QVERIFY(rule(R"({"x": 1, "y": 0, "width": 800, "height": 600})").kind == ViewportRule::Kind::Fixed);
+    QVERIFY(rule(R"({"x": 1, "y": 0, "width": 800, "height": 600})").fixed == (Viewport{1, 0, 800, 600}));
+    const auto perspective = parsed(withProjection(R"({"type": "perspective", "fovy": 45, "near": 1, "far": 9})"));
+    QVERIFY(sceneFromFile(perspective, "scene.json", {}).value().projectionFollowsViewport);
+}
+
+void TestSceneDescription::aWindowShowsWhatMatricesOfItsCamerasSay()
+{
+    // glFrustum(-1, 1, -0.75, 0.75, 1, 9), and the view from (0, 0, 5.5).
+    QByteArray text = withProjection(
+        R"({"type": "matrix", "matrix": [1,0,0,0, 0,1.3333333333333333,0,0, 0,0,-1.25,-1, 0,0,-2.25,0]})");
+    text.replace(R"({"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})",
+                 "{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.5,1]}");
+    const Scene scene = sceneFromFile(parsed(text), "scene.json", {}).value();
+    QVERIFY(scene.projection == Projection(Frustum{-1, 1, -0.75, 0.75, 1, 9}));
+    QVERIFY(scene.camera == (LookAt{{0, 0, 5.5}, {0, 0, 2.5}, {0, 1, 0}}));
+    const auto refused = sceneFromFile(parsed(withProjection(kMatrix)), "scene.json", {});
+    QVERIFY(!refused && refused.error().code == ErrorCode::MatrixNotAProjection);
+    QCOMPARE(refused.error().other, 2.0);
+}
+
+QTEST_GUILESS_MAIN(TestSceneDescription)
+#include "test_scene_description.moc"
