@@ -4,6 +4,7 @@
 
 #include "core/cli/progress_bar.h"
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QProcessEnvironment>
 #include <QStandardPaths>
@@ -53,7 +54,7 @@ struct Terminal {
 };
 
 /// `unproject points` on a terminal that script(1) makes, fed with rows without end until it is asked to finish, then with
-/// one bad row.
+/// one bad row. The rows also end with the test, however that ends: nothing else would stop the command.
 class OnTerminal {
 public:
     OnTerminal(const QString &redirection, const Folder &folder) : m_stop(folder.path("stop"))
@@ -69,14 +70,24 @@ public:
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("TERM", "xterm");
         m_process.setProcessEnvironment(environment);
-        const QString feed =
-            "(echo px,py,depth; until [ -e '" + m_stop + "' ]; do cat '" + rows + "'; done; echo a,b,c)";
+        const QString isWanted = "[ ! -e '" + m_stop + "' ] && kill -0 "
+                                 + QString::number(QCoreApplication::applicationPid()) + " 2>/dev/null";
+        const QString feed = "(echo px,py,depth; while " + isWanted + "; do cat '" + rows + "'; done; echo a,b,c)";
         m_process.start(script, {"-qefc", feed + " | '" UNPROJECT_COMMAND "' points '" + scene + "' - " + redirection,
                                  "/dev/null"});
 #else
         Q_UNUSED(redirection)
 #endif
     }
+
+    /// A test that failed in the middle leaves the command running.
+    ~OnTerminal()
+    {
+        if (m_process.state() != QProcess::NotRunning)
+            finished();
+    }
+    OnTerminal(const OnTerminal &) = delete;
+    OnTerminal &operator=(const OnTerminal &) = delete;
 
     bool isPossible() const
     {
