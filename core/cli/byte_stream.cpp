@@ -110,6 +110,7 @@ ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : fi
             complain(file + ": cannot be written: " + std::generic_category().message(errno));
         return;
     }
+    const InterruptionsWait untilItIsGuarded;
     Result<ReplacingFile, FileError> replacing = ReplacingFile::open(path);
     if (!replacing) {
         complain(file + ": " + fileErrorText(replacing.error()));

@@ -137,6 +137,24 @@ RemovedWhenInterrupted::~RemovedWhenInterrupted()
     }
 }
 
+InterruptionsWait::InterruptionsWait()
+{
+#ifndef _WIN32
+    sigset_t waiting;
+    sigemptyset(&waiting);
+    for (const int signal : kInterruptions)
+        sigaddset(&waiting, signal);
+    pthread_sigmask(SIG_BLOCK, &waiting, &m_before);
+#endif
+}
+
+InterruptionsWait::~InterruptionsWait()
+{
+#ifndef _WIN32
+    pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
+#endif
+}
+
 bool isTerminal(std::FILE *stream)
 {
 #ifdef _WIN32

@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#ifndef _WIN32
+#include <csignal>
+#endif
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -37,6 +40,21 @@ public:
     ~RemovedWhenInterrupted();
     RemovedWhenInterrupted(const RemovedWhenInterrupted &) = delete;
     RemovedWhenInterrupted &operator=(const RemovedWhenInterrupted &) = delete;
+};
+
+/// While it lives, this thread hears of no such end; it comes afterwards. So that a file which must be removed can be made
+/// and named in one step. Windows tells of it on a thread of its own, and cannot wait.
+class InterruptionsWait {
+public:
+    InterruptionsWait();
+    ~InterruptionsWait();
+    InterruptionsWait(const InterruptionsWait &) = delete;
+    InterruptionsWait &operator=(const InterruptionsWait &) = delete;
+
+#ifndef _WIN32
+private:
+    sigset_t m_before;
+#endif
 };
 
 /// Whether somebody sees at once what is written to a stream.
