@@ -7,6 +7,7 @@
 #include "gui/text/number_text.h"
 
 #include "comparison_picks.h"
+#include "depth_ranges.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -56,6 +57,8 @@ private slots:
     void theWholePanelIsCopied();
     void selectedCellsAreCopiedWithAllDigits();
     void theChainIsWrittenOut();
+    void theDepthRangeChangesOnlyTheDepth_data() { depthranges::addRows(); }
+    void theDepthRangeChangesOnlyTheDepth();
     void thePanelStandsStillFromClickToClick_data();
     void thePanelStandsStillFromClickToClick();
 };
@@ -299,6 +302,38 @@ void TestComparisonPanel::theChainIsWrittenOut()
     panel.setPick(std::nullopt);
     QCOMPARE(labelNamed(panel, "Window position")->text(), QStringLiteral("–"));
     QVERIFY(panel.findChild<QPlainTextEdit *>()->toPlainText().isEmpty());
+}
+
+void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
+{
+    const DepthRange range = depthranges::ofThisRow();
+    Picture geometry = frustumGeometry();
+    geometry.depthRange = range;
+    // By hand: half of the depths is the distance 2 n f / (n + f) = 10/3, the eye point (412.5, 300.5) of 800 x 600 there.
+    const double distance = 10.0 / 3.0;
+    const glm::dvec3 eye((412.5 / 400.0 - 1.0) * 0.8284271247461901 / 2.0 * distance,
+                         (300.5 / 300.0 - 1.0) * 0.6213203435596426 / 2.0 * distance, -distance);
+    ComparisonPanel panel;
+    panel.setPick(picked(geometry, 412.0, 299.0, (range.atNear + range.atFar) / 2.0));
+    QCOMPARE(labelNamed(panel, "Depth")->text(), shortestText((range.atNear + range.atFar) / 2.0));
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const int column : {int(ComparisonModel::Formula), int(ComparisonModel::Matrix)}) {
+            const double value = cell(panel.model(), 3 + axis, column, ComparisonModel::ValueRole).toDouble();
+            QVERIFY2(std::abs(value - eye[axis]) < 1e-14, qPrintable(QString::number(value, 'g', 17)));
+        }
+    }
+    // The formulas begin with the depth in [0, 1].
+    const QString formulas = panel.findChild<QPlainTextEdit *>()->toPlainText();
+    QVERIFY2(formulas.contains(QStringLiteral("0.5")) && formulas.contains(QStringLiteral("3.33333")),
+             qPrintable(formulas));
+    // The ray of the background goes from the near plane's depth to the far plane's.
+    panel.setPick(picked(geometry, 412.0, 299.0, range.atFar, false));
+    QCOMPARE(labelNamed(panel, "Depth")->text(), shortestText(range.atFar) + QStringLiteral(", the background's"));
+    const auto worldZ = [&](int row) {
+        return cell(panel.model(), row, ComparisonModel::Formula, ComparisonModel::ValueRole).toDouble();
+    };
+    QCOMPARE(worldZ(2), 3.0);
+    QCOMPARE(worldZ(5), -5.0);
 }
 
 void TestComparisonPanel::thePanelStandsStillFromClickToClick_data()

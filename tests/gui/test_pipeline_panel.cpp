@@ -4,6 +4,7 @@
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
 #include "gui/panels/pipeline_panel.h"
+#include "tests/gui/depth_ranges.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -93,6 +94,8 @@ private slots:
     void beforeAPickThereAreMatricesAndDashes();
     void theMemoryOrderIsTheTutorialsWatchWindow();
     void aPickIsFollowedThroughEverySpace();
+    void theDepthRangeChangesOnlyTheWindow_data() { depthranges::addRows(); }
+    void theDepthRangeChangesOnlyTheWindow();
     void backwardStartsFromTheClickedPixelsCentre();
     void backwardStartsFromThePointOnceTheViewChanged();
     void theBackgroundHasNoPoint();
@@ -164,6 +167,25 @@ void TestPipelinePanel::aPickIsFollowedThroughEverySpace()
     QVERIFY(isPoint(model.point(Space::Widget), {30.5, 35.5}));
     QVERIFY(model.point(Space::Widget)->index(0, 2).data().isNull());
     QCOMPARE(cell(model.point(Space::Ndc), 0, 2), QStringLiteral("0.7"));
+}
+
+void TestPipelinePanel::theDepthRangeChangesOnlyTheWindow()
+{
+    SceneDocument document;
+    openFigures(document);
+    QVERIFY(document.editViewport(document.scene().viewport, depthranges::ofThisRow(), {QStringLiteral("Depths")}));
+    const auto &[atNear, atFar] = document.geometry().depthRange; // OpenGL's, in single precision
+    PipelineModel model(document);
+    const double depth = atNear + 0.85 * (atFar - atNear);
+    document.pickAt(WidgetPoint(30, 35), {depth, 0, 24});
+    model.update();
+    QVERIFY(std::abs(value(model.matrix(Stage::ViewportMatrix), 2, 3) - (atFar + atNear) / 2.0) < kRounding);
+    for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
+        model.setDirection(direction);
+        QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
+        QVERIFY(isPoint(model.point(Space::Ndc), {0.22, -0.42, 0.7}));
+        QVERIFY(isPoint(model.point(Space::Window), {30.5, 14.5, depth}));
+    }
 }
 
 void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()

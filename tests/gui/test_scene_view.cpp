@@ -106,11 +106,17 @@ void TestSceneView::aClickOnAFaceGivesItsPlane_data()
 {
     QTest::addColumn<bool>("smooth");
     QTest::addColumn<QString>("projection");
+    QTest::addColumn<double>("atNear");
+    QTest::addColumn<double>("atFar");
     for (const bool smooth : {false, true}) {
         for (const char *projection : {"frustum", "frustum, off-centre", "ortho", "oblique"})
             QTest::addRow("%s%s", projection, smooth ? ", smooth edges" : "")
-                << smooth << QString::fromLatin1(projection);
+                << smooth << QString::fromLatin1(projection) << 0.0 << 1.0;
     }
+    QTest::newRow("frustum, depths reversed") << false << "frustum" << 1.0 << 0.0;
+    QTest::newRow("frustum, off-centre, the front of the depths") << false << "frustum, off-centre" << 0.0 << 0.65;
+    QTest::newRow("ortho, the middle of the depths") << false << "ortho" << 0.2 << 0.9;
+    QTest::newRow("oblique, depths reversed") << false << "oblique" << 1.0 << 0.0;
 }
 
 /// @param place  on the face, in half-edges from its middle
@@ -169,8 +175,11 @@ void TestSceneView::aClickOnAFaceGivesItsPlane()
 {
     QFETCH(bool, smooth);
     QFETCH(QString, projection);
+    QFETCH(double, atNear);
+    QFETCH(double, atFar);
     const auto window = shownWindow(smooth, {500, 400});
     window->document().setObjects(cubeScene());
+    QVERIFY(window->document().editViewport({}, {atNear, atFar}, {QStringLiteral("Depths")}));
     for (const QSize &size : {QSize(500, 400), QSize(417, 431)}) {
         QVERIFY(resized(*window, size));
         for (const Face &face : cubeFaces()) {

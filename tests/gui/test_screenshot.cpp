@@ -2,6 +2,7 @@
 
 #include "core/scene_file/clicks.h"
 
+#include "tests/gui/depth_ranges.h"
 #include "tests/support/unprojecting.h"
 
 #include <nlohmann/json.hpp>
@@ -101,6 +102,8 @@ private slots:
     void theNumbersReadBackAndComputedAgainAreTheSame();
     void theCommandComputesTheSamePoints_data();
     void theCommandComputesTheSamePoints();
+    void everyDepthRangeIsClickedAndComputedAgain_data() { depthranges::addRows(); }
+    void everyDepthRangeIsClickedAndComputedAgain();
     void thePictureHasTheSizeAskedFor_data();
     void thePictureHasTheSizeAskedFor();
     void withoutClicksTheListIsEmpty();
@@ -269,6 +272,42 @@ void TestScreenshot::theCommandComputesTheSamePoints()
         QVERIFY(row["formula_z"] == points["formula"][2] && row["matrix_x"] == points["matrix"][0]);
         QVERIFY(row["matrix_y"] == points["matrix"][1] && row["matrix_z"] == points["matrix"][2]);
     }
+}
+
+/// A surface and the background: a far-plane depth that a float or the buffer rounds is background all the same.
+void TestScreenshot::everyDepthRangeIsClickedAndComputedAgain()
+{
+    const DepthRange range = depthranges::ofThisRow();
+    const auto write = [this](const char *name, const QByteArray &text) {
+        QFile file(path(name));
+        return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+    };
+    QVERIFY(write("half.obj", "v -50 -50 1.25\nv 0 -50 1.25\nv 0 50 1.25\nv -50 50 1.25\nf 1 2 3 4\n"));
+    QVERIFY(
+        write("half.json", QByteArray(R"({"unprojector": 1, "window": {"width": 800, "height": 600}, "depthRange": )")
+                               + '[' + QByteArray::number(range.atNear) + ',' + QByteArray::number(range.atFar)
+                               + R"(], "projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -0.75,
+        "top": 0.75, "near": 1, "far": 100}, "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
+        "objects": [{"name": "half", "file": "half.obj"}]})"));
+    const Run printed = run({"--screenshot", path("half.png"), "--size", "900x640", "--click", "40,200", "--click",
+                             "400,200", path("half.json")});
+    QVERIFY2(printed.hasExited && printed.exitCode == 0, printed.errors.constData());
+    const Json clicks = Json::parse(printed.output.toStdString(), nullptr, false);
+    QVERIFY(clicks[0]["hit"].get<bool>() && !clicks[1]["hit"].get<bool>());
+    const glm::dvec3 point = vectorOf(clicks[0]["world"]["formula"]);
+    QVERIFY2(std::abs(point.z - 1.25) < 1e-5, qPrintable(QString::number(point.z, 'g', 17)));
+    QCOMPARE(float(clicks[1]["window"][2].get<double>()), float(range.atFar));
+    QVERIFY(std::abs(vectorOf(clicks[1]["eye"]["near"]["formula"]).z + 1.0) < 1e-12);
+    QVERIFY(std::abs(vectorOf(clicks[1]["eye"]["far"]["formula"]).z + 100.0) < 1e-10);
+    QProcess command;
+    command.start(QStringLiteral(UNPROJECT_COMMAND), {"points", "--format", "jsonl", "-"});
+    command.write(printed.output);
+    command.closeWriteChannel();
+    QVERIFY(command.waitForFinished(kRunMilliseconds));
+    const QList<QByteArray> rows = command.readAllStandardOutput().trimmed().split('\n');
+    const Json row = Json::parse(rows[0].toStdString(), nullptr, false);
+    QVERIFY(row["formula_x"] == clicks[0]["world"]["formula"][0]
+            && row["formula_z"] == clicks[0]["world"]["formula"][2]);
 }
 
 void TestScreenshot::thePictureHasTheSizeAskedFor_data()

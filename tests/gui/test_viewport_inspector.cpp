@@ -5,6 +5,7 @@
 #include "gui/panels/corners_model.h"
 #include "gui/panels/viewport_inspector.h"
 #include "gui/text/proportion_text.h"
+#include "tests/gui/depth_ranges.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -69,6 +70,8 @@ private slots:
     void cornersInAllSpaces_data();
     void cornersInAllSpaces();
     void aQuarterViewportMovesNdcOnly();
+    void theDepthRangeMovesNothing_data() { depthranges::addRows(); }
+    void theDepthRangeMovesNothing();
     void thePointersRowFollowsIt();
     void theProportionsHaveTheirNumbers_data();
     void theProportionsHaveTheirNumbers();
@@ -142,6 +145,28 @@ void TestViewportInspector::aQuarterViewportMovesNdcOnly()
     };
     QVERIFY(ink(CornersModel::TopLeft).isValid());
     QVERIFY(!ink(CornersModel::BottomRight).isValid());
+}
+
+void TestViewportInspector::theDepthRangeMovesNothing()
+{
+    for (const Projection &projection :
+         {Projection(Frustum{-1, 1, -1, 1, 1, 100}), Projection(Ortho{-9, 9, -2, 2, 1, 9})}) {
+        SceneDocument document;
+        document.setSurface({800, 600, 1.0});
+        setProjection(document, projection);
+        ViewportInspector panel(document);
+        panel.show();
+        panel.setPointer(WidgetPoint(412.0, 300.0));
+        const auto copied = [&] {
+            QApplication::clipboard()->clear();
+            panel.actions().constFirst()->trigger();
+            return QApplication::clipboard()->text();
+        };
+        const QString whole = copied();
+        QVERIFY(whole.contains(QStringLiteral("Pointer\t412\t300\t412\t300\t412.5\t299.5\t0.03125\t")));
+        QVERIFY(document.editViewport(document.scene().viewport, depthranges::ofThisRow(), {QStringLiteral("Depths")}));
+        QCOMPARE(copied(), whole);
+    }
 }
 
 void TestViewportInspector::thePointersRowFollowsIt()

@@ -1,0 +1,247 @@
+// Both views under every kind of depth range: what is seen, read and moved is what it is under [0, 1], but for the depths
+// themselves.
+
+#include "gui/panels/observer_panel.h"
+#include "gui/view/observer_view.h"
+#include "tests/gui/depth_ranges.h"
+#include "tests/gui/gui_scene.h"
+
+#include <QSignalSpy>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace guitest;
+
+namespace {
+
+/// Two cubes, the second partly behind the first.
+std::vector<SceneObject> twoCubes()
+{
+    std::vector<SceneObject> cubes = cubeScene();
+    cubes.push_back(cubes.front());
+    cubes.back().transform = {Translate{kCubeCenter + glm::dvec3(-1.2, 0.4, -3.1)}};
+    return cubes;
+}
+
+const LookAt kCamera{WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}};
+
+/// Two planes that cut the first cube; each keeps the side that its first three numbers point to.
+const std::vector<glm::dvec4> kPlanes{{-1.0, 0.1, 0.0, 3.4}, {0.2, -0.3, -1.0, -2.0}};
+
+void setDepthRange(SceneDocument &document, const DepthRange &range)
+{
+    QVERIFY(document.editViewport(document.scene().viewport, range, {QStringLiteral("Depth range")}));
+}
+
+void setPlanes(SceneDocument &document, const std::vector<glm::dvec4> &planes)
+{
+    QVERIFY(document.editClipPlanes(planes, {}, {QStringLiteral("Planes")}));
+}
+
+std::unique_ptr<MainWindow> cubesWindow(const DepthRange &range, bool isOrtho = false)
+{
+    auto window = shownWindow(false, {420, 360});
+    window->document().setObjects(twoCubes(), kCamera);
+    setDepthRange(window->document(), range);
+    if (isOrtho)
+        window->document().switchProjection();
+    return window;
+}
+
+/// Pixels that differ by more than a few steps of colour: where surfaces meet, another depth's rounding shows.
+int differentPixels(const QImage &a, const QImage &b)
+{
+    if (a.size() != b.size())
+        return a.width() * a.height();
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+            count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 24;
+        }
+    }
+    return count;
+}
+
+/// What a click on the view reads, over all of it: the surface's points, nothing on the background.
+std::vector<std::optional<glm::dvec3>> pointsOf(MainWindow &window)
+{
+    std::vector<std::optional<glm::dvec3>> points;
+    for (int y = 3; y < window.view().height(); y += 17) {
+        for (int x = 2; x < window.view().width(); x += 14) {
+            click(window.view(), QPointF(x, y));
+            const Pick &pick = *window.document().pick();
+            points.push_back(pick.hit() ? std::optional(pick.point.world[Method::Formula]->coordinates())
+                                        : std::nullopt);
+        }
+    }
+    return points;
+}
+
+} // namespace
+
+class TestDepthRanges : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void thePictureIsTheSame_data() { depthranges::addRows(); }
+    void thePictureIsTheSame();
+    void aCutModelIsReadTheSame_data() { depthranges::addRows(); }
+    void aCutModelIsReadTheSame();
+    void theBackgroundHasTheFarPlanesDepth_data() { depthranges::addRows(); }
+    void theBackgroundHasTheFarPlanesDepth();
+    void thePointerReadsWhatAClickReads_data() { depthranges::addRows(); }
+    void thePointerReadsWhatAClickReads();
+    void thePointStaysUnderThePointer_data() { depthranges::addRows(); }
+    void thePointStaysUnderThePointer();
+    void theViewFromOutsideIsTheSame_data() { depthranges::addRows(); }
+    void theViewFromOutsideIsTheSame();
+};
+
+/// Which cube hides the other, the planes' faint shapes, ground, axes and the marker.
+void TestDepthRanges::thePictureIsTheSame()
+{
+    const DepthRange range = depthranges::ofThisRow();
+    for (const bool isOrtho : {false, true}) {
+        const auto window = cubesWindow({}, isOrtho);
+        setPlanes(window->document(), kPlanes);
+        SceneView &view = window->view();
+        const QPointF marked = localOf(*window, kCubeCenter + glm::dvec3(-0.6, -0.5, 0.9));
+        const auto picture = [&] {
+            click(view, marked);
+            return view.grabFramebuffer();
+        };
+        const QImage whole = picture();
+        QVERIFY(window->document().pick()->hit());
+        setDepthRange(window->document(), range);
+        const int different = differentPixels(picture(), whole);
+        QVERIFY2(different < 40, qPrintable(QString::number(different)));
+    }
+}
+
+void TestDepthRanges::aCutModelIsReadTheSame()
+{
+    const DepthRange range = depthranges::ofThisRow();
+    for (const bool isOrtho : {false, true}) {
+        const auto window = cubesWindow({}, isOrtho);
+        setPlanes(window->document(), kPlanes);
+        const auto whole = pointsOf(*window);
+        setDepthRange(window->document(), range);
+        const auto read = pointsOf(*window);
+        QCOMPARE(read.size(), whole.size());
+        int hits = 0;
+        for (std::size_t i = 0; i < read.size(); ++i) {
+            QCOMPARE(read[i].has_value(), whole[i].has_value());
+            if (!read[i])
+                continue;
+            ++hits;
+            // Steps of a depth of 24 bits, a third coarser in the shortest of the ranges.
+            QVERIFY(glm::length(*read[i] - *whole[i]) < 2e-4);
+            for (const glm::dvec4 &plane : kPlanes)
+                QVERIFY(glm::dot(plane, glm::dvec4(*read[i], 1.0)) > -1e-4);
+        }
+        QVERIFY2(hits > 30 && hits < int(read.size()) / 2, qPrintable(QString::number(hits)));
+    }
+}
+
+void TestDepthRanges::theBackgroundHasTheFarPlanesDepth()
+{
+    const DepthRange range = depthranges::ofThisRow();
+    const auto window = cubesWindow(range);
+    click(window->view(), QPointF(window->view().width() - 6.0, 7.0));
+    const Pick &pick = *window->document().pick();
+    QVERIFY(!pick.hit());
+    QCOMPARE(pick.window.z, double(float(range.atFar)));
+    const ProjectionWindow w = projectionWindow(pick.geometry.projection());
+    const auto distance = [&](const Unprojected &end) {
+        return distanceOf(pick.geometry.camera(), end.world[Method::Formula]->coordinates());
+    };
+    QVERIFY(std::abs(distance(pick.rayNear) - w.nearDistance) < 1e-9);
+    QVERIFY(std::abs(distance(pick.rayFar) - w.farDistance) < 1e-9);
+}
+
+void TestDepthRanges::thePointerReadsWhatAClickReads()
+{
+    const auto window = cubesWindow(depthranges::ofThisRow());
+    SceneView &view = window->view();
+    QSignalSpy hovered(&view, &SceneView::hovered);
+    for (const QPointF &place : {localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.1, 1.0)), QPointF(5.0, 7.0)}) {
+        hovered.clear();
+        sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
+        QTRY_VERIFY(!hovered.isEmpty() && hovered.last().at(0).value<WidgetPoint>().x == place.x());
+        click(view, place);
+        const auto read = hovered.last().at(1).value<DepthSample>();
+        QCOMPARE(read.depth, window->document().pick()->window.z);
+        QCOMPARE(read.hit(), window->document().pick()->hit());
+    }
+}
+
+/// The depth under the pointer is what turning, moving and zooming go by.
+void TestDepthRanges::thePointStaysUnderThePointer()
+{
+    for (const bool isOrtho : {false, true}) {
+        const auto window = cubesWindow(depthranges::ofThisRow(), isOrtho);
+        SceneView &view = window->view();
+        const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.3, 0.2, 1.0));
+        click(view, place);
+        QVERIFY(window->document().pick()->hit());
+        const glm::dvec3 point = window->document().pick()->point.world[Method::Formula]->coordinates();
+        const auto isAt = [&](const glm::dvec2 &expected) {
+            return glm::length(placeOf(*window, point) - expected) < 1e-3;
+        };
+        const glm::dvec2 center = windowOf(view, pixelUnder(view, place));
+        turnWheel(view, place, 2);
+        QVERIFY(isAt(center));
+        drag(view, place, place + QPointF(40.0, -15.0), Qt::LeftButton);
+        QVERIFY(glm::length(placeOf(*window, window->document().pick()->point.world[Method::Formula]->coordinates())
+                            - center)
+                < 1e-3);
+        const glm::dvec2 before = placeOf(*window, point);
+        drag(view, place, place + QPointF(-30.0, 10.0), Qt::MiddleButton);
+        const glm::dvec2 way = placeOf(*window, point) - before;
+        QVERIFY(glm::length(way - glm::dvec2(-30.0, -10.0) * view.devicePixelRatio()) < 0.5);
+    }
+}
+
+/// The volume, the planes, the ray of a click and its point: half of the way, and morphed.
+void TestDepthRanges::theViewFromOutsideIsTheSame()
+{
+    const DepthRange range = depthranges::ofThisRow();
+    SceneDocument document;
+    document.setSurface({420, 360, 1.0});
+    document.setObjects(twoCubes(), kCamera);
+    setPlanes(document, kPlanes);
+    ObserverPanel panel(document);
+    panel.resize(500, 600);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    ObserverView &view = panel.view();
+    const auto pictures = [&] {
+        std::vector<QImage> seen;
+        const DepthRange &drawn = document.geometry().depthRange;
+        for (const bool hit : {true, false}) {
+            const double share = hit ? 0.9 : 1.0;
+            document.pickAt(WidgetPoint(190.0, 170.0), {drawn.atNear + share * (drawn.atFar - drawn.atNear),
+                                                        hit ? std::optional<std::size_t>(0) : std::nullopt});
+            for (const double t : {0.0, 0.5, 1.0}) {
+                view.setMorph(t);
+                seen.push_back(view.grabFramebuffer());
+            }
+        }
+        return seen;
+    };
+    const std::vector<QImage> whole = pictures();
+    setDepthRange(document, range);
+    const std::vector<QImage> seen = pictures();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const int different = differentPixels(seen[i], whole[i]);
+        QVERIFY2(different < 40, qPrintable(QStringLiteral("picture %1: %2 pixels").arg(i).arg(different)));
+        QVERIFY(i == 0 || differentPixels(seen[i], seen[i - 1]) > 40); // a check of pictures that differ
+    }
+}
+
+QTEST_MAIN(TestDepthRanges)
+#include "test_depth_ranges.moc"
