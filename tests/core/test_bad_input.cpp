@@ -114,7 +114,7 @@ void TestBadInput::aBadProjectionIsRefusedEverywhere_data()
         };
         for (const auto &[name, member] : members) {
             for (const double bad : {kNan, kInfinity, -kInfinity}) {
-                const Ortho box = with(kOrtho, [&](Ortho &p) { p.*member = bad; });
+                const Ortho box = with(kOrtho, [member = member, bad](Ortho &p) { p.*member = bad; });
                 row(kind + ": " + name + " = " + QByteArray::number(bad), make(box), NotFinite, bad);
             }
         }

@@ -107,10 +107,10 @@ private slots:
 
 void TestNavigation::theLeftButtonPicksBeforeItIsReleased()
 {
+    int picks = 0; // outlives the window, whose document tells of a change when it goes
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
     const QPoint position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2)).toPoint();
-    int picks = 0;
     connect(&window->document(), &SceneDocument::changed, this,
             [&picks](Changes changes) { picks += changes.testFlag(Change::Pick) ? 1 : 0; });
     QTest::mousePress(&view, Qt::LeftButton, {}, position);
