@@ -114,10 +114,12 @@ Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, 
         const JsonNode root(*json, error);
         const bool isClick = json->is_object() && json->contains("scene") && !json->contains("unprojector");
         if (json->is_array() || isClick) {
-            std::vector<Click> clicks(isClick ? 1 : json->size());
-            for (std::size_t i = 0; i < clicks.size() && !error; ++i)
-                static_cast<void>(isClick ? FieldReader::read(root, clicks[i], Plain{})
-                                          : FieldReader::read(root.element(i), clicks[i], Plain{}));
+            std::vector<Click> clicks;
+            if (isClick)
+                static_cast<void>(FieldReader::read(root, clicks.emplace_back(), Plain{}));
+            // One by one: what is no click must not take a click's memory, which is hundreds of times that of its text.
+            for (std::size_t i = 0; !isClick && i < json->size() && !error; ++i)
+                static_cast<void>(FieldReader::read(root.element(i), clicks.emplace_back(), Plain{}));
             found = std::move(clicks);
         } else {
             SceneFile scene;

@@ -3,11 +3,11 @@
 #include "core/scene_file/json_node.h"
 #include "core/scene_file/json_values.h"
 
-#include <array>
-#include <cassert>
+#include <algorithm>
 #include <concepts>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,21 +47,13 @@ class KnownKeys {
 public:
     void add(const char *key)
     {
-        assert(m_count < m_keys.size());
-        m_keys[m_count++] = key;
+        if (!has(key))
+            m_keys.push_back(key);
     }
-    bool has(const std::string &key) const
-    {
-        for (std::size_t i = 0; i < m_count; ++i) {
-            if (key == m_keys[i])
-                return true;
-        }
-        return false;
-    }
+    bool has(std::string_view key) const { return std::find(m_keys.begin(), m_keys.end(), key) != m_keys.end(); }
 
 private:
-    std::array<const char *, 24> m_keys{};
-    std::size_t m_count = 0;
+    std::vector<std::string_view> m_keys; ///< literals of the descriptions
 };
 
 /// Reads an object by its description.
@@ -127,7 +119,8 @@ public:
             keep(key, readObject(member, description));
     }
 
-    /// An array, which may be missing.
+    /// An array, which may be missing. It is read only as far as the first error: an element takes far more memory than
+    /// its text, which need not be one.
     template <class T, class How = Plain>
     void list(const char *key, std::vector<T> &values, std::size_t most = kAnyNumber, const How &how = {})
     {
@@ -135,18 +128,31 @@ public:
         const JsonNode member = m_object.member(key);
         if (!member.exists())
             return;
-        values.assign(checkedSize(member, most), T{});
-        for (std::size_t i = 0; i < values.size() && !failed(); ++i)
-            static_cast<void>(read(member.element(i), values[i], how));
+        const std::size_t count = checkedSize(member, most);
+        values.clear();
+        for (std::size_t i = 0; i < count && !failed(); ++i)
+            static_cast<void>(read(member.element(i), values.emplace_back(), how));
     }
 
     /// An angle, in degrees in JSON. Where no number of degrees gives the same radians again, those stand under a key of
     /// their own beside them.
     void angle(const char *degreesKey, const char *radiansKey, double &radians);
 
-    /// Whether a member is there: for what decides how the others are read.
+    /// Whether a member is there: for what decides how the others are read. The key is known even where it is left out.
     /// @param isWritten  what decides when writing
-    bool has(const char *key, [[maybe_unused]] bool isWritten) const { return m_object.member(key).exists(); }
+    bool has(const char *key, [[maybe_unused]] bool isWritten)
+    {
+        m_known.add(key);
+        return m_object.member(key).exists();
+    }
+
+    /// How many elements an array has, 0 where it is missing: for a list that is left out when it is empty, or whose
+    /// elements depend on their number.
+    /// @param written  the number when writing
+    std::size_t sizeOf(const char *key, [[maybe_unused]] std::size_t written)
+    {
+        return has(key, true) ? m_object.member(key).size() : 0;
+    }
 
     /// Which of the keys is there: exactly one must be, besides any others.
     /// @param written  which one to write
@@ -265,7 +271,16 @@ public:
         add(key, std::move(elements));
     }
     void angle(const char *degreesKey, const char *radiansKey, double radians);
-    static bool has([[maybe_unused]] const char *key, bool isWritten) { return isWritten; }
+    bool has(const char *key, bool isWritten)
+    {
+        m_known.add(key);
+        return isWritten;
+    }
+    std::size_t sizeOf(const char *key, std::size_t written)
+    {
+        m_known.add(key);
+        return written;
+    }
     std::size_t oneKeyOf(std::span<const char *const> keys, std::size_t written)
     {
         for (const char *key : keys)

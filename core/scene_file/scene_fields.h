@@ -179,11 +179,12 @@ void describeUi(Fields &json, T &scene)
     json.optional("projectionFollowsViewport", ui.projectionFollowsViewport);
     json.optional("clipDistancesFitObjects", ui.clipDistancesFitObjects);
     json.optional("home", ui.home);
-    if (!json.has("clipPlanesOff", !ui.clipPlanesOff.empty()))
+    const std::size_t notCutting = json.sizeOf("clipPlanesOff", ui.clipPlanesOff.size());
+    if (notCutting == 0)
         return;
     const std::size_t cutting = scene.clipPlanes.size();
     json.list("clipPlanesOff", ui.clipPlanesOff, kMostClipPlanes - cutting, [&](auto &entry, auto &off) {
-        const int last = static_cast<int>(cutting + ui.clipPlanesOff.size()) - 1;
+        const int last = static_cast<int>(cutting + notCutting) - 1;
         entry.required("place", off.place, Count{0, last});
         entry.required("plane", off.plane, ClipPlaneNumbers{});
     });
