@@ -7,7 +7,8 @@
 namespace unprojector::files {
 namespace {
 
-/// FNV-1a: nobody makes a scene on purpose that has another's hash and length.
+// FNV-1a: fast, and enough to notice a change that was not made to go unnoticed. It is no protection against a file that
+// somebody made on purpose with the same hash and length.
 constexpr std::uint64_t kHashStart = 14695981039346656037u;
 
 std::uint64_t hashed(std::uint64_t hash, std::string_view bytes)

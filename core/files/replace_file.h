@@ -12,7 +12,7 @@ namespace unprojector::files {
 
 /// Writes a file by way of a new one beside it, which takes its place when all is written: whatever happens meanwhile, a
 /// full disk or a crash, what was there stays as it was. Of a link it is the file behind it that is replaced; the
-/// permissions stay.
+/// permissions stay, but for those of a group that the new file cannot have.
 class ReplacingFile {
 public:
     /// Makes the new file; nothing of the old one is touched before commit().
@@ -40,8 +40,8 @@ private:
 Written replaceFile(const std::filesystem::path &file, std::string_view contents,
                     const std::optional<FileStamp> &onlyIf = std::nullopt);
 
-/// Whether two names mean the same regular file, by whatever links and ways they lead there. An output of which this is
-/// true of an input would destroy it. A device is nobody's in particular.
+/// Whether two names mean the same regular file, by whatever links and ways they lead there: an output that is the same
+/// file as an input would destroy it. False of devices, pipes and folders: writing to a device destroys no input.
 bool isSameFile(const std::filesystem::path &a, const std::filesystem::path &b);
 
 } // namespace unprojector::files

@@ -66,6 +66,18 @@ std::error_code lastError()
 {
     return {errno, std::system_category()};
 }
+
+/// What of a replaced file's permissions the new one may have: none that were meant for an owner or a group that it does
+/// not have.
+mode_t permissionsAfter(mode_t before, bool isOwnerKept, bool isGroupKept)
+{
+    mode_t refused = 0;
+    if (!isOwnerKept)
+        refused |= S_ISUID | S_ISGID;
+    if (!isGroupKept)
+        refused |= S_ISGID | S_IRWXG;
+    return before & mode_t{07777} & ~refused;
+}
 #endif
 
 } // namespace
@@ -191,10 +203,11 @@ std::error_code FreshFile::create(const std::filesystem::path &folder, const std
         return lastError();
     if (!isReplacing)
         return {};
-    // Who may not give files away keeps them; the permissions come last, as a change of owner may clear some.
-    const bool isOwnerKept = ::fchown(m_descriptor, before.st_uid, before.st_gid) == 0
-                             || ::fchown(m_descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
-    const mode_t permissions = before.st_mode & static_cast<mode_t>(isOwnerKept ? 07777 : 0777);
+    // Who may not give files away keeps them. The group comes first, as another's file cannot be given to one; the
+    // permissions last, as a change of owner may clear some.
+    const bool isGroupKept = ::fchown(m_descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
+    const bool isOwnerKept = ::fchown(m_descriptor, before.st_uid, static_cast<gid_t>(-1)) == 0;
+    const mode_t permissions = permissionsAfter(before.st_mode, isOwnerKept, isGroupKept);
     return ::fchmod(m_descriptor, permissions) == 0 ? std::error_code() : lastError();
 }
 

@@ -18,8 +18,9 @@ public:
     FreshFile &operator=(FreshFile &&other) noexcept;
 
     /// Makes it, empty. A file that exists is never opened, and no link is followed.
-    /// @param replaced  the file whose place it will take: it gets that one's permissions and, where the system lets it,
-    ///                  its owner; none there: those of any new file
+    /// @param replaced  the file whose place it will take: it gets that one's owner and group, where the system lets it,
+    ///                  and its permissions but for what a group or an owner that it did not get may do; none there:
+    ///                  those of any new file
     std::error_code create(const std::filesystem::path &folder, const std::filesystem::path &replaced);
     std::error_code write(std::string_view bytes);
     /// Waits until the disk has all that was written.

@@ -10,6 +10,7 @@
 #include <csignal>
 
 #ifndef Q_OS_WIN
+#include <grp.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -75,6 +76,8 @@ private slots:
     void aNameThatTakesNoFile();
     void aReadOnlyFileIsKept();
     void permissionsStay();
+    void anothersFileIsNotOpenedToMore_data();
+    void anothersFileIsNotOpenedToMore();
     void theFileBehindALinkIsReplaced();
     void aLinkToNowhereLeadsToANewFile();
     void linksInACircle();
@@ -213,6 +216,62 @@ void TestFiles::permissionsStay()
     struct stat status {};
     QCOMPARE(stat(qPrintable(folder.path("new.json")), &status), 0);
     QCOMPARE(status.st_mode & mode_t(07777), mode_t(0640));
+#endif
+}
+
+void TestFiles::anothersFileIsNotOpenedToMore_data()
+{
+    QTest::addColumn<bool>("isOwn");
+    QTest::addColumn<bool>("isOfOwnGroup");
+    QTest::addColumn<int>("before");
+    QTest::addColumn<int>("after");
+    // What the owner of the new file may do, others of its group, and all others; 4000 and 2000 run it as its owner or
+    // group. A group that could not be kept has no rights in its place.
+    QTest::newRow("all kept") << true << true << 0664 << 0664;
+    QTest::newRow("all kept, set-id") << true << true << 06775 << 06775;
+    QTest::newRow("another group") << true << false << 0664 << 0604;
+    QTest::newRow("another group, set-id") << true << false << 06775 << 04705;
+    QTest::newRow("another owner") << false << true << 0664 << 0664;
+    QTest::newRow("another owner, set-id") << false << true << 06775 << 0775;
+    QTest::newRow("another owner and group") << false << false << 0666 << 0606;
+    QTest::newRow("another owner and group, set-id") << false << false << 06777 << 0707;
+}
+
+void TestFiles::anothersFileIsNotOpenedToMore()
+{
+#ifdef Q_OS_WIN
+    QSKIP("Windows' rights are those of the folder");
+#else
+    QFETCH(bool, isOwn);
+    QFETCH(bool, isOfOwnGroup);
+    QFETCH(int, before);
+    QFETCH(int, after);
+    if (geteuid() != 0)
+        QSKIP("only an administrator can make another's file");
+    const uid_t self = 54321, another = 54322;
+    const gid_t own = 54323, othersGroup = 54324;
+    const Folder folder;
+    QCOMPARE(chmod(qPrintable(folder.path(".")), 0777), 0);
+    folder.write("a.json", "before");
+    const QByteArray file = folder.path("a.json").toLocal8Bit();
+    QCOMPARE(chown(file.constData(), isOwn ? self : another, othersGroup), 0);
+    QCOMPARE(chmod(file.constData(), mode_t(before)), 0); // a change of owner would clear some
+
+    const gid_t groupBefore = getegid();
+    std::vector<gid_t> groupsBefore(std::size_t(getgroups(0, nullptr)));
+    QVERIFY(getgroups(int(groupsBefore.size()), groupsBefore.data()) >= 0);
+    const bool isOther = setgroups(isOfOwnGroup ? 1 : 0, &othersGroup) == 0 && setegid(own) == 0 && seteuid(self) == 0;
+    const Written written = replaceFile(folder / "a.json", ""); // writing bytes takes set-id away by itself
+    const bool isBack =
+        seteuid(0) == 0 && setegid(groupBefore) == 0 && setgroups(groupsBefore.size(), groupsBefore.data()) == 0;
+    QVERIFY(isOther && isBack);
+
+    QCOMPARE(textOf(written), "written");
+    struct stat status {};
+    QCOMPARE(stat(file.constData(), &status), 0);
+    QCOMPARE(status.st_uid, self);
+    QCOMPARE(status.st_gid, isOfOwnGroup ? othersGroup : own);
+    QCOMPARE(QString::number(status.st_mode & mode_t(07777), 8), QString::number(after, 8));
 #endif
 }
 
