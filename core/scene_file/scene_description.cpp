@@ -29,11 +29,42 @@ void keepMatrices(SceneFile &file, const SceneFile &before)
         file.view = *view;
 }
 
+/// The path from the root, without "." and "..". Links stay as they are named, except one before a "..": the folder above
+/// is that of where the link leads, and not the one that the link lies in.
 std::filesystem::path absolutePath(const std::filesystem::path &path)
 {
     std::error_code failed;
-    std::filesystem::path result = path.empty() ? path : std::filesystem::absolute(path, failed);
-    return (failed ? path : result).lexically_normal();
+    const std::filesystem::path whole = path.empty() ? path : std::filesystem::absolute(path, failed);
+    if (failed || path.empty())
+        return path.lexically_normal();
+    std::filesystem::path result = whole.root_path();
+    for (const std::filesystem::path &part : whole.relative_path()) {
+        if (part == "..") {
+            std::error_code error;
+            if (std::filesystem::is_symlink(std::filesystem::symlink_status(result, error))) {
+                const std::filesystem::path target = std::filesystem::canonical(result, error);
+                result = error ? result : target;
+            }
+            result = result.parent_path();
+        } else if (part != ".") {
+            result /= part;
+        }
+    }
+    return result;
+}
+
+/// How to name a file from a folder: relative to it, where both are on one drive.
+/// @param file, folder  absolute, see absolutePath
+std::filesystem::path relativePath(const std::filesystem::path &file, const std::filesystem::path &folder)
+{
+    const std::filesystem::path relative = file.lexically_proximate(folder);
+    if (absolutePath(folder / relative) == file)
+        return relative;
+    // The folder is behind a link: the way up from it is another one than its name says.
+    std::error_code failed, failedToo;
+    const std::filesystem::path from = std::filesystem::weakly_canonical(folder, failed);
+    const std::filesystem::path to = std::filesystem::weakly_canonical(file.parent_path(), failedToo);
+    return failed || failedToo ? file : (to / file.filename()).lexically_proximate(from);
 }
 
 /// What an object or a plane that is written again had of keys that are not ours: those of the first one `isIt` of those
@@ -132,7 +163,7 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
             described.bundled = object.model ? object.model->name : object.name;
         } else {
             described.absoluteFile = absolutePath(object.file);
-            described.file = described.absoluteFile.lexically_proximate(folder);
+            described.file = relativePath(described.absoluteFile, folder);
         }
         described.transform = object.transform;
         described.extra = takeExtra(knownObjects, [&](const SceneFileObject &known) {

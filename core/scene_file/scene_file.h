@@ -129,7 +129,10 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
 Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
                             const std::vector<std::shared_ptr<const Model>> &models);
 
-/// What to write for a scene: the numbers of the picture as it is shown, and under "ui" how the window makes them.
+/// What to write for a scene: the numbers of the picture as it is shown, and under "ui" how the window makes them. Only
+/// the depth range is the scene's, with all the digits that were typed: OpenGL has it in single precision, and a depth
+/// that was read at an end of that range may lie just outside this one. For such depths a click has the range of its
+/// picture, see clickOf.
 /// @param geometry   of the scene, in the window that shows it
 /// @param sceneFile  to be written; the objects' files are given relative to its folder
 /// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its name

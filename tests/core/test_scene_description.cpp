@@ -1,5 +1,9 @@
 // A window's scene and its file: what the one shows the other says, wherever it is saved.
 
+#include "core/scene_file/clicks.h"
+
+#include "tests/support/unprojecting.h"
+
 #include "parsed_scenes.h"
 #include "scene_texts.h"
 
@@ -21,6 +25,9 @@ private slots:
     void aWindowsSceneSurvivesASave();
     void aSceneSavedElsewhereKeepsUnknownKeys_data();
     void aSceneSavedElsewhereKeepsUnknownKeys();
+    void aModelBehindALinkStaysTheSame_data();
+    void aModelBehindALinkStaysTheSame();
+    void theDepthRangeOfAClickIsInSinglePrecision();
     void withoutUiTheFilesNumbersHold();
     void aWindowShowsWhatMatricesOfItsCamerasSay();
 };
@@ -132,6 +139,113 @@ void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys()
     const SceneFile back = sceneFileFrom(sceneFromFile(again, written, {model, model}).value(),
                                          pictureOf(scene, {801, 599, 1.25}, {}).value(), source, after);
     QVERIFY(back.objects[0].extra["mark"] == "of the first object");
+}
+
+void TestSceneDescription::aModelBehindALinkStaysTheSame_data()
+{
+    QTest::addColumn<QString>("model");  // as the scene is given it
+    QTest::addColumn<QString>("target"); // where the scene is written
+    QTest::addColumn<QString>("path");   // as it is written
+    // far/folder/m.obj and far/m.obj are there, and m.obj; link leads to far/folder.
+    QTest::newRow("in a linked folder") << "link/m.obj"
+                                        << "scene.json"
+                                        << "link/m.obj";
+    QTest::newRow("above a linked folder") << "link/../m.obj"
+                                           << "scene.json"
+                                           << "far/m.obj";
+    QTest::newRow("below a folder, above a linked one") << "link/deep/../../m.obj"
+                                                        << "scene.json"
+                                                        << "far/m.obj";
+    QTest::newRow("no link") << "far/../m.obj"
+                             << "scene.json"
+                             << "m.obj";
+    QTest::newRow("a linked model") << "linked.obj"
+                                    << "scene.json"
+                                    << "linked.obj";
+    QTest::newRow("a missing model") << "none/../missing.obj"
+                                     << "scene.json"
+                                     << "missing.obj";
+    QTest::newRow("the scene in a linked folder") << "m.obj"
+                                                  << "link/scene.json"
+                                                  << "../../m.obj";
+    QTest::newRow("the scene and the model in a linked folder") << "link/m.obj"
+                                                                << "link/scene.json"
+                                                                << "m.obj";
+    QTest::newRow("the scene in a linked folder, the model in its own") << "far/folder/m.obj"
+                                                                        << "link/scene.json"
+                                                                        << "m.obj";
+    QTest::newRow("a linked model seen from a linked folder") << "linked.obj"
+                                                              << "link/scene.json"
+                                                              << "../../linked.obj";
+}
+
+void TestSceneDescription::aModelBehindALinkStaysTheSame()
+{
+    QFETCH(QString, model);
+    QFETCH(QString, target);
+    QFETCH(QString, path);
+#ifdef Q_OS_WIN
+    QSKIP("Windows goes up from a link to the folder that it lies in");
+#endif
+    const QTemporaryDir folder;
+    const std::filesystem::path root(folder.path().toStdU16String());
+    QVERIFY(QDir(folder.path()).mkpath("far/folder/deep"));
+    for (const char *name : {"m.obj", "far/m.obj", "far/folder/m.obj"}) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+    }
+    std::filesystem::create_directory_symlink(std::filesystem::path("far") / "folder", root / "link");
+    std::filesystem::create_symlink("m.obj", root / "linked.obj");
+
+    Scene scene;
+    scene.objects = {{"m", root / model.toStdU16String(), std::make_shared<Model>(), {}}};
+    const std::filesystem::path sceneFile = root / target.toStdU16String();
+    const Picture picture = pictureOf(scene, {100, 75, 1}, {}).value();
+    const SceneFile written = sceneFileFrom(scene, picture, sceneFile);
+    QCOMPARE(QString::fromStdU16String(written.objects[0].file.generic_u16string()), path);
+    const std::filesystem::path read = objectFile(written.objects[0], sceneFile);
+    if (std::filesystem::exists(scene.objects[0].file))
+        QVERIFY(std::filesystem::equivalent(read, scene.objects[0].file));
+    else
+        QVERIFY(!std::filesystem::exists(read));
+
+    // Keys that are not ours stay with their object, and only with it: where it is saved again, and where it was read.
+    SceneFile before = written;
+    before.objects[0].extra = {{"colour", "red"}};
+    const auto isKept = [&](const Scene &saved) {
+        return sceneFileFrom(saved, picture, root / "other.json", before).objects[0].extra == before.objects[0].extra;
+    };
+    QVERIFY(isKept(scene));
+    locateObjects(before, sceneFile);
+    Scene again = sceneFromFile(before, sceneFile, {std::make_shared<Model>()}).value();
+    QVERIFY(isKept(again));
+    again.objects[0].file = root / "far" / "other.obj";
+    QVERIFY(!isKept(again));
+    if (model == "link/../m.obj") {
+        again.objects[0].file = root / "m.obj";
+        QVERIFY(!isKept(again));
+    }
+}
+
+/// A scene has the numbers that were typed, a click those that it was drawn with: a depth that was read at the far end is
+/// in the range of the click's scene, and not of the other one.
+void TestSceneDescription::theDepthRangeOfAClickIsInSinglePrecision()
+{
+    Scene scene;
+    scene.depthRange = {0.0, 0.3};
+    const DepthRange drawn{0.0, double(0.3f)};
+    const Picture shown = pictureOf(scene, {100, 75, 1}, {}).value();
+    QVERIFY(shown.depthRange == drawn);
+    const SceneFile saved = parsed(written(sceneFileFrom(scene, shown, "scene.json")));
+    QVERIFY(saved.depthRange == scene.depthRange);
+    QVERIFY(sceneFromFile(saved, "scene.json", {}).value().depthRange == scene.depthRange);
+
+    const DepthSample sample{drawn.atFar, 0};
+    const Click click = clickOf(pickAt(shown, {50, 37}, sample).value(), scene);
+    QVERIFY(click.scene.depthRange == drawn);
+    QVERIFY(pickAt(pictureOf(click.scene), {50, 37}, sample).hasValue());
+    const Result<Pick> refused = pickAt(pictureOf(saved), {50, 37}, sample);
+    QVERIFY(!refused && refused.error().code == ErrorCode::DepthOutsideRange);
 }
 
 void TestSceneDescription::withoutUiTheFilesNumbersHold()
