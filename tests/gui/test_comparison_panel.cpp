@@ -324,7 +324,7 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
     }
     // The formulas begin with the depth in [0, 1].
     const QString formulas = panel.findChild<QPlainTextEdit *>()->toPlainText();
-    QVERIFY2(formulas.contains(QStringLiteral("0.5")) && formulas.contains(QStringLiteral("3.33333")),
+    QVERIFY2(formulas.contains(QStringLiteral("(1 − 0.5)")) && formulas.contains(QStringLiteral("3.33333")),
              qPrintable(formulas));
     // The ray of the background goes from the near plane's depth to the far plane's.
     panel.setPick(picked(geometry, 412.0, 299.0, range.atFar, false));
