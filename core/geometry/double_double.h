@@ -54,7 +54,7 @@ struct DoubleDouble {
 
     constexpr DoubleDouble() = default;
     constexpr DoubleDouble(double number) : value(number) {} // every double is one
-    constexpr DoubleDouble(double value_, double rest_) : value(value_), rest(rest_) {}
+    constexpr DoubleDouble(double nearest, double leftOut) : value(nearest), rest(leftOut) {}
 
     friend DoubleDouble operator-(const DoubleDouble &a) { return {-a.value, -a.rest}; }
     friend DoubleDouble operator+(const DoubleDouble &a, const DoubleDouble &b)

@@ -11,7 +11,7 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
     const auto windowAt = [&](double depth) { return windowFromDevice(picture.surface, pixelCenter(*pixel), depth); };
     const WindowPoint window = windowAt(sample.depth);
 
-    Unprojected point = unprojector.at(window);
+    const Unprojected point = unprojector.at(window);
     Certainty certainty;
     if (sample.hit()) {
         const Result<EyePoint> &eye = point.eye[Method::Formula];
@@ -24,7 +24,7 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
                 window,
                 sample.object,
                 picture,
-                std::move(point),
+                point,
                 certainty,
                 unprojector.at(windowAt(picture.depthRange.atNear)),
                 unprojector.at(windowAt(picture.depthRange.atFar))};

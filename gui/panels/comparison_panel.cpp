@@ -232,7 +232,7 @@ void ComparisonPanel::setPick(const std::optional<Pick> &pick)
                                .arg(significantText(surface.devicePixelRatio, 4)));
     m_window->setText(tr("%1, the pixel's centre").arg(positionText(pick->window.x, pick->window.y)));
     m_depth->setText(pick->hit() ? significantText(pick->window.z, 9)
-                               : tr("%1, the background's").arg(significantText(pick->window.z, 9)));
+                                 : tr("%1, the background's").arg(significantText(pick->window.z, 9)));
     m_cause->setText(differenceCauseText(*pick));
     if (pick->hit()) {
         m_certainty->setText(certaintyText(*pick));

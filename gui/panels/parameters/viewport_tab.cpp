@@ -168,9 +168,9 @@ void ViewportTab::showScene()
                             .arg(significantText(v.x, 9), significantText(v.y, 9), significantText(v.width, 9),
                                  significantText(v.height, 9)));
     }
-    m_depthCall->setText(QStringLiteral("glDepthRangef(%1, %2)")
-                             .arg(significantText(geometry.depthRange.atNear, 9),
-                                  significantText(geometry.depthRange.atFar, 9)));
+    m_depthCall->setText(
+        QStringLiteral("glDepthRangef(%1, %2)")
+            .arg(significantText(geometry.depthRange.atNear, 9), significantText(geometry.depthRange.atFar, 9)));
     const ViewportRule::Kind kind = document().scene().viewport.kind;
     if (kind == m_shownKind)
         return;
