@@ -50,6 +50,11 @@ bool isNearlySame(const Projection &a, const Projection &b)
 
 } // namespace
 
+bool isSameObject(const SceneObject &a, const SceneObject &b)
+{
+    return a.model == b.model && a.name == b.name && a.file == b.file;
+}
+
 Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
 {
     Changes changes;
@@ -65,9 +70,6 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
 
 Changes changesBetween(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
 {
-    const auto isSameObject = [](const SceneObject &x, const SceneObject &y) {
-        return x.model == y.model && x.name == y.name && x.file == y.file;
-    };
     if (!std::equal(a.begin(), a.end(), b.begin(), b.end(), isSameObject))
         return Change::Objects | Change::Placement;
     const auto isSamePlace = [](const SceneObject &x, const SceneObject &y) { return x.transform == y.transform; };

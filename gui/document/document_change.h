@@ -22,6 +22,8 @@ Q_DECLARE_FLAGS(Changes, Change)
 /// All that a view of the scene shows; the mark of the pick lies over it.
 constexpr Changes kSeen{Change::Objects, Change::Placement, Change::ClipPlanes, Change::Picture};
 
+/// Whether it is the same object, wherever it stands.
+bool isSameObject(const SceneObject &a, const SceneObject &b);
 /// Picture and ClipPlanes, or nothing where both settings are the same.
 Changes changesBetween(const SceneSettings &a, const SceneSettings &b);
 /// Objects or Placement, or nothing where both lists are the same.

@@ -32,9 +32,6 @@ Projection initialProjection()
 /// Whether a list only got longer: every object kept its place.
 bool isStartOf(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
 {
-    const auto isSameObject = [](const SceneObject &x, const SceneObject &y) {
-        return x.model == y.model && x.name == y.name && x.file == y.file;
-    };
     return a.size() <= b.size() && std::equal(a.begin(), a.end(), b.begin(), isSameObject);
 }
 
@@ -66,6 +63,11 @@ SceneDocument::SceneDocument(QObject *parent) : QObject(parent)
     empty.projection = initialProjection();
     const Check opened = open(std::move(empty));
     Q_ASSERT(opened.hasValue());
+}
+
+SceneDocument::~SceneDocument()
+{
+    m_undoStack.disconnect(this); // it tells of its own end
 }
 
 void SceneDocument::tell(Changes changes)

@@ -37,6 +37,8 @@ class SceneDocument : public QObject {
     Q_OBJECT
 public:
     explicit SceneDocument(QObject *parent = nullptr);
+    /// Tells nobody of its end.
+    ~SceneDocument() override;
 
     const Scene &scene() const { return m_scene; }
     const std::vector<SceneObject> &objects() const { return m_scene.objects; }
@@ -152,11 +154,11 @@ private:
     std::optional<Pick> m_pick;
     Box m_bounds;
     Ground m_ground;
-    QUndoStack m_undoStack;
     std::uint64_t m_lastEdit = 0;
     std::optional<std::uint64_t> m_savedEdit = 0; ///< none: no state of the scene is on the disk
     Changes m_untold;
     int m_tellings = 0;
+    QUndoStack m_undoStack;
 };
 
 } // namespace unprojector::gui

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <functional>
+#include <memory>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -79,6 +80,8 @@ private slots:
     void aSceneThatIsRefusedLeavesTheUndoStack();
     void whoHearsOfAChangeMayMakeAnother();
     void stepsShareTheObjects();
+    void nothingIsToldOfTheEnd_data();
+    void nothingIsToldOfTheEnd();
 };
 
 void TestDocument::everyVerbTellsItsKindOnceAndIsUndone_data()
@@ -331,6 +334,28 @@ void TestDocument::stepsShareTheObjects()
     QCOMPARE(document.undoStack().count(), 100);
     QCOMPARE(uses(), before);
     QCOMPARE(document.objects()[0].model.get(), teapot);
+}
+
+void TestDocument::nothingIsToldOfTheEnd_data()
+{
+    QTest::addColumn<Verb>("verb");
+    QTest::newRow("steps to undo") << Verb([](SceneDocument &d) { d.setCamera(cameraAt(7.0)); });
+    QTest::newRow("steps to redo") << Verb([](SceneDocument &d) {
+        d.setCamera(cameraAt(7.0));
+        d.undoStack().undo();
+    });
+    QTest::newRow("unsaved") << Verb([](SceneDocument &d) { d.markUnsaved(); });
+}
+
+void TestDocument::nothingIsToldOfTheEnd()
+{
+    QFETCH(Verb, verb);
+    auto document = std::make_unique<SceneDocument>();
+    openScene(*document);
+    verb(*document);
+    const Told told(*document);
+    document.reset();
+    QCOMPARE(told.count(), std::size_t(0));
 }
 
 QTEST_GUILESS_MAIN(TestDocument)

@@ -178,9 +178,6 @@ void ModelTab::removeObject()
 void ModelTab::showObjects()
 {
     const std::vector<SceneObject> &objects = document().objects();
-    const auto isSameObject = [](const SceneObject &x, const SceneObject &y) {
-        return x.model == y.model && x.name == y.name && x.file == y.file;
-    };
     if (!m_isEmpty && std::equal(objects.begin(), objects.end(), m_listed.begin(), m_listed.end(), isSameObject)) {
         m_object->setCurrentIndex(static_cast<int>(m_shown));
         return;
