@@ -222,6 +222,7 @@ std::unique_ptr<RecoveryFile> Session::takeOffered(std::size_t place)
 
 void Session::recover(std::size_t place)
 {
+    m_loader.cancel(); // it would replace the scene later, whatever becomes of this one
     const RecoveryFile &file = *m_offered.at(place);
     const std::optional<RecoveryInfo> info = file.info();
     Result<SceneFile, SceneFileError> scene = file.scene();

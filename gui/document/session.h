@@ -41,7 +41,8 @@ public:
 };
 
 /// Which scene the document shows, where it is from and what becomes of its changes: opens, saves, keeps in case of a
-/// crash and recovers, without a widget. Opening ends what is loading, then asks, then reads.
+/// crash and recovers, without a widget. Opening ends what is loading, then reads, then asks about unsaved changes: what
+/// cannot be read asks nothing. Of a scene it is the scene file that is read before the question, and its models after it.
 class Session : public QObject {
     Q_OBJECT
 public:

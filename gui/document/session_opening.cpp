@@ -69,6 +69,7 @@ void Session::addFiles(std::vector<std::filesystem::path> files)
 
 void Session::openScene(const std::filesystem::path &file)
 {
+    m_loader.cancel(); // it would replace the scene later, whatever becomes of this one
     emit progressed();
     const std::filesystem::path path = absolutePath(file);
     // Taken before it is read, so that what changes in between is seen as a change.
@@ -79,13 +80,10 @@ void Session::openScene(const std::filesystem::path &file)
     Result<SceneFile, SceneFileError> scene = readSceneFile(file);
     if (!scene) {
         emit failed(QString::fromStdString(sceneErrorText(scene.error())));
-        emit loadingEnded();
         return;
     }
-    if (!mayLeave()) {
-        emit loadingEnded();
+    if (!mayLeave())
         return;
-    }
     load({Pending::For::SceneFile, path, std::move(scene).value(), stamp, pathText(file.filename())});
 }
 
@@ -126,7 +124,9 @@ void Session::load(Pending pending)
     }
     std::vector<std::filesystem::path> models = pending.models;
     m_pending = std::move(pending);
-    m_loader.load(std::move(models)); // also where there are none: it then ends as any other
+    // A scene of bundled models alone names no file. The loader then has nothing to read and reports that it is done:
+    // takeLoaded opens every scene.
+    m_loader.load(std::move(models));
 }
 
 void Session::takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors)

@@ -43,9 +43,8 @@ std::unique_ptr<MainWindow> windowKeepingIn(const QString &folder)
 
 bool openAndWait(MainWindow &window, const QString &file)
 {
-    QSignalSpy ended(&window.session(), &Session::loadingEnded);
     window.session().openFiles({pathOf(file)});
-    return !ended.isEmpty() || ended.wait(kMostMilliseconds);
+    return QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kMostMilliseconds);
 }
 
 void edit(MainWindow &window, double d)

@@ -57,12 +57,11 @@ QStringList namesOf(const SceneDocument &document)
 
 bool openAndWait(MainWindow &window, const QStringList &files)
 {
-    QSignalSpy ended(&window.session(), &Session::loadingEnded);
     std::vector<std::filesystem::path> paths;
     for (const QString &file : files)
         paths.push_back(pathOf(file));
     window.session().openFiles(std::move(paths));
-    return !ended.isEmpty() || ended.wait(kLoadMilliseconds);
+    return QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kLoadMilliseconds);
 }
 
 /// What must stay when an opening fails.

@@ -40,10 +40,8 @@ private:
     }
     static void openAndWait(MainWindow &window, const std::filesystem::path &file)
     {
-        QSignalSpy ended(&window.session(), &Session::loadingEnded);
         window.session().openFiles({file});
-        if (ended.isEmpty())
-            QVERIFY(ended.wait(10000));
+        QVERIFY(QTest::qWaitFor([&window] { return !window.session().isLoading(); }, 10000));
     }
 
     QTemporaryDir m_folder;
