@@ -207,10 +207,11 @@ std::vector<glm::dvec4> ObserverView::cuttingPlanes(const ObserverPicture &p) co
 void ObserverView::updateFrame(const ObserverPicture &p)
 {
     const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
-    const bool isOfThisSize = m_frame.picture() && m_frame.picture()->surface == p.observer.surface;
-    if (!m_isStale && isOfThisSize && m_drawnFrom == clipFromWorld)
+    // A frame that cannot be drawn is told of once, and tried again when there is something else to draw.
+    if (!m_isStale && m_drawnOn == p.observer.surface && m_drawnFrom == clipFromWorld)
         return;
     m_isStale = false;
+    m_drawnOn = p.observer.surface;
     m_drawnFrom = clipFromWorld;
     const Result<Drawable> drawn = drawable(p.observer);
     if (drawn)

@@ -82,8 +82,9 @@ private:
     FacePainter m_faces;
     PickPainter m_pickPainter;
 
-    bool m_isStale = true;       ///< the frame does not show the document as it is
-    glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame
+    bool m_isStale = true;       ///< the frame was drawn of a document as it was before
+    glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame, whether or not it could be drawn
+    Surface m_drawnOn;           ///< the same of its surface
     double m_t = 0.0;
     Picture m_observer;
     Placement m_reference; ///< where the cube stands

@@ -1,6 +1,7 @@
 // The view from outside: it draws without errors, its hand moves what it says it moves, and nothing else.
 
 #include "core/geometry/angle.h"
+#include "core/geometry/drawable.h"
 #include "core/geometry/view_volume.h"
 #include "core/scene/bundled_scene.h"
 #include "gui/panels/observer_panel.h"
@@ -12,6 +13,7 @@
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 
@@ -79,6 +81,7 @@ private slots:
     void theCubeStandsStillWhileTheCameraMoves();
     void aNewSceneIsFitted();
     void keysTurnAndZoom();
+    void aPictureThatCannotBeDrawnIsToldOnce();
 
 private:
     static void addProjections();
@@ -318,6 +321,29 @@ void TestObserverView::keysTurnAndZoom()
     QVERIFY(distance() < placedDistance * 0.9);
     QTest::keyClick(&view(), Qt::Key_F);
     QVERIFY(std::abs(distance() - placedDistance) < 1e-6 * placedDistance);
+}
+
+void TestObserverView::aPictureThatCannotBeDrawnIsToldOnce()
+{
+    ObserverView wide(*m_document);
+    QSignalSpy failed(&wide, &ObserverView::failed);
+    wide.resize(kMostDrawnPixels + 100, 160);
+    wide.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&wide));
+    for (int i = 0; i < 3; ++i)
+        (void)wide.grabFramebuffer();
+    QCOMPARE(failed.size(), 1);
+    QVERIFY2(failed[0][0].toString().contains(QString::number(kMostDrawnPixels + 100)),
+             qPrintable(failed[0][0].toString()));
+    // Another try is made for another picture.
+    wide.fit();
+    wide.setMorph(0.5);
+    (void)wide.grabFramebuffer();
+    QCOMPARE(failed.size(), 2);
+    wide.resize(300, 200);
+    QTRY_COMPARE(wide.size(), QSize(300, 200));
+    (void)wide.grabFramebuffer();
+    QCOMPARE(failed.size(), 2);
 }
 
 QTEST_MAIN(TestObserverView)
