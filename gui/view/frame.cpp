@@ -3,6 +3,7 @@
 #include "gui/painters/gl_errors.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -140,7 +141,9 @@ void Frame::end()
 /// The targets are addresses, or places in the buffer that is bound to GL_PIXEL_PACK_BUFFER.
 void Frame::readPixel(const DevicePixel &pixel, void *depth, void *object)
 {
-    const int row = framebufferRow(m_picture->surface, pixel);
+    const Surface &surface = m_picture->surface;
+    assert(pixel.i >= 0 && pixel.i < surface.widthPixels && pixel.j >= 0 && pixel.j < surface.heightPixels);
+    const int row = framebufferRow(surface, pixel);
     GLint boundBefore = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &boundBefore);
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);

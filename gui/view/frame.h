@@ -28,8 +28,9 @@ public:
     /// How objects are written into the frame: valid from initialize() on.
     ObjectIds ids() const { return m_ids; }
 
-    /// Takes the picture's size, clears everything, and is drawn into from now on, at first with colours alone: what is
-    /// drawn is background. The depth is cleared to that of the far plane.
+    /// Makes the frame as large as the picture, clears it and binds it for drawing. Until beginObjects() only colours are
+    /// written: what is drawn lies behind every object and is no surface to click. The depth is cleared to that of the far
+    /// plane.
     /// @return false when OpenGL gives no such framebuffer; then nothing is bound, and there is nothing to end
     bool begin(const Drawable &drawable);
     /// From now on objects are drawn: colour, depth and object id.
@@ -43,11 +44,15 @@ public:
     unsigned depths() const { return m_depths; }
 
     /// What was drawn at a pixel. Waits until it is drawn.
+    /// @pre the pixel lies inside the picture, if there is one
     /// @return nothing without a picture, and when OpenGL reports an error
     std::optional<DepthSample> sample(const DevicePixel &pixel);
 
     /// Asks for a sample without waiting. There is one request at a time: another one, or another picture, drops it.
+    /// @pre the pixel lies inside the picture, if there is one
     void request(const DevicePixel &pixel);
+    /// Nobody waits for the sample any more: nothing is requested.
+    void dropRequest();
     bool isRequested() const { return m_fence != nullptr; }
     /// The sample that was asked for, once it has come; then nothing is requested any more. When OpenGL reports an
     /// error, nothing comes, and nothing is requested any more.
@@ -65,7 +70,6 @@ private:
     void releaseTextures();
     void readPixel(const DevicePixel &pixel, void *depth, void *object);
     DepthSample decoded(const Raw &raw) const;
-    void dropRequest();
 
     ObjectIds m_ids = ObjectIds::Integers;
     unsigned m_framebuffer = 0;

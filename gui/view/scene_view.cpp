@@ -144,11 +144,11 @@ void SceneView::onDestroy()
 
 std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)
 {
-    makeCurrent();
     if (!isReady())
         return std::nullopt;
     QElapsedTimer timer;
     timer.start();
+    makeCurrent();
     if (updateFrame())
         emit happened({LifecycleEvent::Kind::OnDraw, QString(), kObjectCalls, milliseconds(timer)});
     std::optional<DepthSample> sample;

@@ -86,7 +86,7 @@ private:
     QPointF m_lastPosition;
     WorldPoint m_pivot;
     QPointF m_wheelPosition;
-    std::optional<WorldPoint> m_wheelPivot; ///< under m_wheelPosition, until the next picture
+    std::optional<WorldPoint> m_wheelPivot; ///< under m_wheelPosition; gone with the next change of the document
     QString m_gesture;                      ///< the drag that is under way, undone as one
     int m_gestureCount = 0;
 };

@@ -24,20 +24,18 @@ void SceneView::mousePressEvent(QMouseEvent *event)
 {
     const bool pans = event->button() == Qt::MiddleButton
                       || (event->button() == Qt::LeftButton && event->modifiers().testFlag(Qt::ShiftModifier));
-    if (!pans && event->button() != Qt::LeftButton)
+    if (m_drag != Drag::None || (!pans && event->button() != Qt::LeftButton))
         return;
     m_lastPosition = event->position();
     m_hasMoved = false;
     m_gesture = QStringLiteral("drag %1").arg(++m_gestureCount);
     const WidgetPoint position = widgetPosition(event->position());
-    if (pans) {
-        if (const std::optional<DepthSample> sample = sampleAt(position))
-            m_pivot = m_document.pivotOf(m_document.unprojected(position, *sample));
-        m_drag = Drag::Pan;
-        return;
-    }
-    onLButtonDown(position);
-    m_drag = Drag::Orbit;
+    m_pivot = m_document.geometry().camera().center; // where nothing can be read
+    if (!pans)
+        onLButtonDown(position);
+    else if (const std::optional<DepthSample> sample = sampleAt(position))
+        m_pivot = m_document.pivotOf(m_document.unprojected(position, *sample));
+    m_drag = pans ? Drag::Pan : Drag::Orbit;
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent *event)
@@ -76,8 +74,10 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
 
 void SceneView::mouseReleaseEvent(QMouseEvent *event)
 {
+    if (event->buttons() != Qt::NoButton)
+        return;
     m_drag = Drag::None;
-    if (event->buttons() == Qt::NoButton && rect().contains(event->position().toPoint()))
+    if (rect().contains(event->position().toPoint()))
         reportHover(event->position());
 }
 
@@ -94,9 +94,10 @@ void SceneView::requestHover()
     if (!isReady() || !m_hovered || m_isStale || m_frame.isRequested())
         return;
     const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, *m_hovered);
-    m_requested = std::exchange(m_hovered, std::nullopt);
+    const std::optional<WidgetPoint> position = std::exchange(m_hovered, std::nullopt);
     if (!pixel)
         return;
+    m_requested = position;
     makeCurrent();
     m_frame.request(*pixel);
     doneCurrent();
@@ -116,14 +117,18 @@ void SceneView::takeHover()
         return;
     }
     const WidgetPoint position = *std::exchange(m_requested, std::nullopt);
-    if (sample && !m_isStale)
+    if (m_isStale) { // the answer is of a picture that is past: the next one is asked
+        m_hovered = m_hovered.value_or(position);
+        return;
+    }
+    if (sample)
         emit hovered(position, *sample);
     requestHover();
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    if (event->button() != Qt::LeftButton)
+    if (m_drag != Drag::None || event->button() != Qt::LeftButton)
         return;
     const WidgetPoint position = widgetPosition(event->position());
     const std::optional<DepthSample> sample = sampleAt(position);
@@ -161,7 +166,12 @@ void SceneView::leaveEvent(QEvent *event)
 {
     FrameView::leaveEvent(event);
     m_hovered.reset();
-    m_requested.reset();
+    if (m_requested) {
+        m_requested.reset();
+        makeCurrent();
+        m_frame.dropRequest();
+        doneCurrent();
+    }
     emit pointerLeft();
 }
 

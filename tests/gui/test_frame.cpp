@@ -105,6 +105,7 @@ private slots:
     void objectsAreDrawnOnceAChange();
     void theListOfObjectsMayChange();
     void theReadoutFollowsThePointer();
+    void anAnswerThatIsOvertakenIsGivenOfTheNextPicture();
     void aFrameTooLargeIsRefusedAndLeavesNothingBehind();
     void aBufferTooLargeIsRefused();
 
@@ -493,6 +494,29 @@ void TestFrame::theReadoutFollowsThePointer()
     QCoreApplication::sendEvent(&view, &leave);
     QTest::qWait(50);
     QVERIFY(hovered.isEmpty());
+    // It comes back.
+    sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
+    QTRY_COMPARE(hovered.size(), 1);
+    QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
+}
+
+void TestFrame::anAnswerThatIsOvertakenIsGivenOfTheNextPicture()
+{
+    const auto window = this->window();
+    SceneView &view = window->view();
+    (void)view.grabFramebuffer(); // or the answer would be asked for later, once there is a picture
+    QSignalSpy hovered(&view, &SceneView::hovered);
+    const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.1, 1.0));
+    sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
+    // The answer comes while the next picture is not drawn yet.
+    view.setUpdatesEnabled(false);
+    window->document().setCamera(kElsewhere);
+    QTest::qWait(100);
+    QVERIFY(hovered.isEmpty());
+    view.setUpdatesEnabled(true);
+    QTRY_COMPARE(hovered.size(), 1);
+    click(view, place);
+    QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
 }
 
 namespace {

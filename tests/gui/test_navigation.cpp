@@ -86,6 +86,10 @@ private slots:
     void aTrembleIsNoDrag();
     void aDragTurnsAboutThePickedPoint_data() { addProjections(); }
     void aDragTurnsAboutThePickedPoint();
+    void aSecondButtonStartsNoOtherDrag_data();
+    void aSecondButtonStartsNoOtherDrag();
+    void aHandThatReadsNothingGoesByTheCentre_data();
+    void aHandThatReadsNothingGoesByTheCentre();
     void panningKeepsThePointUnderThePointer_data();
     void panningKeepsThePointUnderThePointer();
     void theWheelKeepsThePointUnderThePointer_data() { addProjections(); }
@@ -107,8 +111,8 @@ private slots:
 
 void TestNavigation::theLeftButtonPicksBeforeItIsReleased()
 {
-    int picks = 0; // outlives the window, whose document tells of a change when it goes
     const auto window = cubeWindow(false);
+    int picks = 0;
     SceneView &view = window->view();
     const QPoint position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2)).toPoint();
     connect(&window->document(), &SceneDocument::changed, this,
@@ -165,6 +169,77 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
              glm::length(before.center.coordinates() - before.eye.coordinates()));
     // The pick stays what was clicked.
     QVERIFY(isSameCamera(window->document().pick()->geometry.camera(), before));
+}
+
+void TestNavigation::aSecondButtonStartsNoOtherDrag_data()
+{
+    QTest::addColumn<int>("first");
+    QTest::addColumn<int>("second");
+    QTest::addColumn<bool>("turns");
+    QTest::newRow("middle while turning") << int(Qt::LeftButton) << int(Qt::MiddleButton) << true;
+    QTest::newRow("left while moving") << int(Qt::MiddleButton) << int(Qt::LeftButton) << false;
+}
+
+void TestNavigation::aSecondButtonStartsNoOtherDrag()
+{
+    QFETCH(int, first);
+    QFETCH(int, second);
+    QFETCH(bool, turns);
+    const auto one = static_cast<Qt::MouseButton>(first), other = static_cast<Qt::MouseButton>(second);
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2));
+    int picks = 0;
+    connect(&document, &SceneDocument::changed, this,
+            [&picks](Changes changes) { picks += changes.testFlag(Change::Pick) ? 1 : 0; });
+    const auto forward = [&] { return forwardOf(document.geometry().camera()); };
+    const int steps = document.undoStack().index();
+
+    sendMouse(view, QEvent::MouseButtonPress, position, one, one);
+    sendMouse(view, QEvent::MouseMove, position + QPointF(20.0, 0.0), Qt::NoButton, one);
+    glm::dvec3 before = forward();
+    sendMouse(view, QEvent::MouseButtonPress, position + QPointF(20.0, 0.0), other, one | other);
+    sendMouse(view, QEvent::MouseMove, position + QPointF(40.0, 0.0), Qt::NoButton, one | other);
+    QCOMPARE(glm::length(forward() - before) > 0.01, turns);
+    // Nor does it end the first.
+    sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(40.0, 0.0), other, one);
+    const LookAt camera = document.geometry().camera();
+    before = forward();
+    sendMouse(view, QEvent::MouseMove, position + QPointF(60.0, 0.0), Qt::NoButton, one);
+    QVERIFY(!isSameCamera(document.geometry().camera(), camera));
+    QCOMPARE(glm::length(forward() - before) > 0.01, turns);
+    sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(60.0, 0.0), one, Qt::NoButton);
+    QCOMPARE(picks, turns ? 1 : 0);
+    QCOMPARE(document.undoStack().index(), steps + 1);
+}
+
+void TestNavigation::aHandThatReadsNothingGoesByTheCentre_data()
+{
+    QTest::addColumn<int>("button");
+    QTest::newRow("turning") << int(Qt::LeftButton);
+    QTest::newRow("moving") << int(Qt::MiddleButton);
+}
+
+void TestNavigation::aHandThatReadsNothingGoesByTheCentre()
+{
+    QFETCH(int, button);
+    SceneDocument document;
+    document.setObjects(cubeScene());
+    SceneView view(document); // never shown: without OpenGL there is nothing to read
+    view.resize(500, 400);
+    document.setSurface(surfaceFromWidget(500, 400, view.devicePixelRatio()));
+    const Picture before = document.geometry();
+    const WorldPoint center = before.camera().center;
+    drag(view, QPointF(100.0, 50.0), QPointF(160.0, 50.0), static_cast<Qt::MouseButton>(button));
+    const LookAt after = document.geometry().camera();
+    if (button == Qt::LeftButton) {
+        QVERIFY(distance(after.eye, before.camera().eye) > 0.1);
+        QVERIFY(distance(after.center, center) < 1e-9);
+    } else {
+        const double way = 60.0 * before.surface.devicePixelRatio * worldPerPixel(before, center);
+        QVERIFY(std::abs(distance(after.center, center) - way) < 1e-9 * way);
+    }
 }
 
 void TestNavigation::panningKeepsThePointUnderThePointer_data()
