@@ -13,6 +13,7 @@
 #include <QPixmap>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace unprojector::gui {
@@ -24,6 +25,12 @@ ScreenshotRun::~ScreenshotRun() = default;
 
 void ScreenshotRun::start()
 {
+    const std::filesystem::path picture(m_request.picture.toStdU16String());
+    const auto isPicture = [&](const std::filesystem::path &file) { return files::isSameFile(picture, file); };
+    if (std::any_of(m_request.files.begin(), m_request.files.end(), isPicture)) {
+        fail(tr("%1 is opened too and would be overwritten; give the picture another name.").arg(m_request.picture));
+        return;
+    }
     MainWindow::Options options;
     options.smoothEdges = m_request.smoothEdges;
     options.remembers = false;

@@ -16,7 +16,7 @@ class ScreenshotRun : public QObject {
     Q_OBJECT
 public:
     struct Request {
-        QString picture;                          ///< the file to write
+        QString picture;                          ///< the file to write; none of `files`
         QSize windowSize{1280, 800};              ///< logical pixels
         std::vector<WidgetPoint> clicks;          ///< logical pixels of the view
         std::vector<std::filesystem::path> files; ///< none: the bundled scene

@@ -2238,6 +2238,10 @@ in logical pixels from the top-left corner, y down</source>
 <context>
     <name>unprojector::gui::ScreenshotRun</name>
     <message>
+        <source>%1 is opened too and would be overwritten; give the picture another name.</source>
+        <translation>%1 也是要打开的文件，会被覆盖；请给图片另取一个名称。</translation>
+    </message>
+    <message>
         <source>The click %1,%2 lies outside the view, which is %3 × %4 logical pixels.</source>
         <translation>点击 %1,%2 在视图之外，视图为 %3 × %4 逻辑像素。</translation>
     </message>

@@ -29,6 +29,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kRunMilliseconds = 60000;
 
+constexpr const char *kScene = R"({"unprojector": 1, "window": {"width": 800, "height": 600},
+  "projection": {"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 100},
+  "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}})";
+
 struct Run {
     int exitCode = -1;
     bool hasExited = false;
@@ -381,6 +385,10 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     QVERIFY(broken.open(QIODevice::WriteOnly));
     broken.write("v 0 0 0\nf 1 2 9\n");
     broken.close();
+    QFile scene(path("scene.png")); // told to be one by what it holds
+    QVERIFY(scene.open(QIODevice::WriteOnly));
+    scene.write(kScene);
+    scene.close();
     const QString picture = path("never.png");
     const auto row = [](const char *name, const QStringList &arguments, const QString &words) {
         QTest::newRow(name) << arguments << words;
@@ -407,6 +415,10 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     row("no such folder", {"--screenshot", path("no/such/folder/out.png")}, "there is no such folder");
     row("unknown picture format", {"--screenshot", path("out.xyz")}, "out.xyz is no picture's name");
     row("a model for a picture", {"--screenshot", path("broken.obj")}, "broken.obj is no picture's name");
+    const QString isInput = "scene.png is opened too and would be overwritten; give the picture another name.";
+    row("the scene that it opens", {"--screenshot", path("scene.png"), path("scene.png")}, isInput);
+    row("the scene by another way", {"--screenshot", path("./scene.png"), path("scene.png")}, isInput);
+    row("one of several", {"--screenshot", path("scene.png"), broken.fileName(), path("scene.png")}, isInput);
 }
 
 void TestScreenshot::aMistakeIsToldOnStderr()
@@ -423,6 +435,9 @@ void TestScreenshot::aMistakeIsToldOnStderr()
     QVERIFY2(result.output.isEmpty(), result.output.constData());
     QVERIFY(!QFile::exists(path("never.png")));
     QVERIFY(QFileInfo(path("broken.obj")).size() > 0);
+    QFile scene(path("scene.png"));
+    QVERIFY(scene.open(QIODevice::ReadOnly));
+    QCOMPARE(scene.readAll(), QByteArray(kScene));
 }
 
 void TestScreenshot::whatCannotBePrintedIsTold_data()
