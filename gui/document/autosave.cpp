@@ -1,5 +1,7 @@
 #include "gui/document/autosave.h"
 
+#include <QDir>
+
 #include <algorithm>
 #include <utility>
 
@@ -43,15 +45,29 @@ void Autosave::discard()
 void Autosave::write()
 {
     m_sinceFirstChange.invalidate();
-    if (!m_file)
-        m_file = RecoveryFile::create(m_folder);
-    const std::optional<Content> content = m_file ? m_source() : std::nullopt;
-    if (content && m_file->write(content->info, content->sceneText)) {
+    const Kept kept = keep();
+    if (kept)
         m_hasFailed = false;
-        return;
+    else if (!std::exchange(m_hasFailed, true))
+        emit failed(kept.error());
+}
+
+Kept Autosave::keep()
+{
+    const auto onDisk = [this](const QString &reason) {
+        return QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(m_folder), reason);
+    };
+    const Result<Content, QString> content = m_source();
+    if (!content)
+        return content.error();
+    if (!m_file) {
+        Result<std::unique_ptr<RecoveryFile>, QString> created = RecoveryFile::create(m_folder);
+        if (!created)
+            return onDisk(created.error());
+        m_file = std::move(created).value();
     }
-    if (!std::exchange(m_hasFailed, true))
-        emit failed(m_folder);
+    const Kept written = m_file->write(content->info, content->sceneText);
+    return written ? written : onDisk(written.error());
 }
 
 } // namespace unprojector::gui

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace unprojector::gui {
@@ -29,8 +28,8 @@ public:
         RecoveryInfo info;
         std::string sceneText;
     };
-    /// What is to be kept, asked for at the moment of writing; nothing where the scene cannot be put into words.
-    using Source = std::function<std::optional<Content>()>;
+    /// What is to be kept, asked for at the moment of writing; or why the scene cannot be put into words.
+    using Source = std::function<Result<Content, QString>()>;
 
     Autosave(QString folder, AutosaveTiming timing, Source source, QObject *parent = nullptr);
     /// The file, if there is one, stays for the next start.
@@ -45,11 +44,13 @@ public:
     void discard();
 
 signals:
-    /// The changes could not be kept. Said once until it works again.
-    void failed(const QString &folder);
+    /// The changes could not be kept, and why: the folder and the system's reason, or the scene's. Said once until it works
+    /// again.
+    void failed(const QString &reason);
 
 private:
     void write();
+    Kept keep();
 
     QString m_folder;
     AutosaveTiming m_timing;

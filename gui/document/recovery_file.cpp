@@ -10,6 +10,7 @@
 #include <QUuid>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace unprojector::gui {
@@ -35,6 +36,11 @@ QString stampText(const files::FileStamp &stamp)
     return QStringLiteral("%1 %2 %3").arg(stamp.exists ? 1 : 0).arg(stamp.size).arg(stamp.hash);
 }
 
+QString reasonText(const std::error_code &error)
+{
+    return QString::fromLocal8Bit(error.message().c_str());
+}
+
 std::optional<files::FileStamp> stampFromText(const QString &text)
 {
     const QStringList numbers = text.split(u' ');
@@ -57,12 +63,18 @@ RecoveryFile::RecoveryFile(const QString &folder, const QString &id)
     m_lock.setStaleLockTime(0);
 }
 
-std::unique_ptr<RecoveryFile> RecoveryFile::create(const QString &folder)
+Result<std::unique_ptr<RecoveryFile>, QString> RecoveryFile::create(const QString &folder)
 {
-    if (!QDir().mkpath(folder))
-        return nullptr;
+    std::error_code error;
+    std::filesystem::create_directories(std::filesystem::path(folder.toStdU16String()), error);
+    if (error)
+        return reasonText(error);
     std::unique_ptr<RecoveryFile> file(new RecoveryFile(folder, QUuid::createUuid().toString(QUuid::Id128)));
-    return file->m_lock.tryLock(0) ? std::move(file) : nullptr;
+    if (file->m_lock.tryLock(0))
+        return file;
+    // No other program has its name: the lock's file could not be made.
+    const bool isForbidden = file->m_lock.error() == QLockFile::PermissionError;
+    return reasonText(std::make_error_code(isForbidden ? std::errc::permission_denied : std::errc::io_error));
 }
 
 std::vector<std::unique_ptr<RecoveryFile>> RecoveryFile::abandonedIn(const QString &folder)
@@ -104,7 +116,7 @@ void RecoveryFile::clearRests() const
         folder.remove(name);
 }
 
-bool RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
+Kept RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
 {
     QJsonObject json{{versionKey(), kVersion},
                      {QStringLiteral("name"), info.name},
@@ -115,11 +127,13 @@ bool RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
         json.insert(QStringLiteral("sceneStamp"), stampText(*info.stamp));
     QSaveFile file(path());
     if (!file.open(QIODevice::WriteOnly))
-        return false;
+        return file.errorString();
     file.write(QJsonDocument(json).toJson(QJsonDocument::Compact));
     file.write("\n");
     file.write(sceneText.data(), static_cast<qint64>(sceneText.size()));
-    return file.commit(); // fails where a write did
+    if (!file.commit()) // fails where a write did
+        return file.errorString();
+    return std::monostate{};
 }
 
 std::optional<RecoveryInfo> RecoveryFile::info() const

@@ -11,10 +11,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace unprojector::gui {
 using namespace scene_file;
+
+/// Done, or why not, in the system's words.
+using Kept = Result<std::monostate, QString>;
 
 /// Which scene a recovery file keeps.
 struct RecoveryInfo {
@@ -35,8 +39,8 @@ public:
     /// The user's own folder for them.
     static QString defaultFolder();
     /// A file of a new name, not written yet; the folder is made where there is none.
-    /// @return nothing where the folder cannot be written
-    static std::unique_ptr<RecoveryFile> create(const QString &folder);
+    /// @return why there is none, in the system's words
+    static Result<std::unique_ptr<RecoveryFile>, QString> create(const QString &folder);
     /// The files that no running program holds, the last written first. What else dead programs have left (half
     /// files, locks) is cleared away.
     static std::vector<std::unique_ptr<RecoveryFile>> abandonedIn(const QString &folder);
@@ -49,7 +53,7 @@ public:
     /// Replaces the content as a whole, or leaves it as it was.
     /// @param sceneText  by core's sceneText
     /// @return whether it is on the disk
-    bool write(const RecoveryInfo &info, const std::string &sceneText);
+    Kept write(const RecoveryInfo &info, const std::string &sceneText);
     /// @return nothing where the file is damaged
     std::optional<RecoveryInfo> info() const;
     /// @return NotReadable; the errors of parseScene, with lines counted from the scene's first

@@ -164,9 +164,8 @@ void Session::createAutosave()
         return;
     m_autosave = new Autosave(
         folder, m_options.autosave, [this] { return unsavedContent(); }, this);
-    connect(m_autosave, &Autosave::failed, this, [this](const QString &path) {
-        emit noticed(tr("In case of a crash unsaved changes would be lost: %1 cannot be written.")
-                         .arg(QDir::toNativeSeparators(path)));
+    connect(m_autosave, &Autosave::failed, this, [this](const QString &reason) {
+        emit noticed(tr("In case of a crash unsaved changes would be lost. They cannot be kept: %1").arg(reason));
     });
 }
 
@@ -177,12 +176,15 @@ void Session::followChanges()
     emit changed();
 }
 
-std::optional<Autosave::Content> Session::unsavedContent() const
+Result<Autosave::Content, QString> Session::unsavedContent() const
 {
     Result<std::string, SceneFileError> text =
         sceneText(sceneFileFrom(m_document.scene(), m_document.geometry(), m_file, m_contents));
-    if (!text)
-        return std::nullopt;
+    if (!text) {
+        SceneFileError error = text.error();
+        error.file = m_name.toStdString();
+        return QString::fromStdString(sceneErrorText(error));
+    }
     return Autosave::Content{{m_name, m_file, QDateTime::currentDateTime(), m_stamp}, std::move(text).value()};
 }
 

@@ -155,7 +155,7 @@ private:
     QString droppedMatrices(const SceneFile &written) const;
     void createAutosave();
     void followChanges();
-    std::optional<Autosave::Content> unsavedContent() const;
+    Result<Autosave::Content, QString> unsavedContent() const;
     void rememberRecent(const std::filesystem::path &file);
 
     SceneDocument &m_document;

@@ -2277,8 +2277,8 @@ in logical pixels from the top-left corner, y down</source>
         <translation>已保存。视图原为矩阵，读入后有改动，现以 eye、center 和 up 写出。</translation>
     </message>
     <message>
-        <source>In case of a crash unsaved changes would be lost: %1 cannot be written.</source>
-        <translation>无法写入 %1：如果程序意外退出，未保存的更改将会丢失。</translation>
+        <source>In case of a crash unsaved changes would be lost. They cannot be kept: %1</source>
+        <translation>如果程序意外退出，未保存的更改将会丢失，因为无法将其保留：%1</translation>
     </message>
     <message>
         <source>Unsaved changes of an earlier session are damaged and cannot be recovered. The file was put aside as %1.</source>

@@ -19,6 +19,8 @@ private slots:
     void manyChangesAreWrittenOnceAfterAPause();
     void changesWithoutAPauseAreWrittenAllTheSame();
     void aFolderThatCannotBeWrittenIsToldOnce();
+    void theReasonIsTold_data();
+    void theReasonIsTold();
 
     void changesAreKeptUntilTheyAreSaved();
     void undoneChangesAreNotKept();
@@ -77,6 +79,48 @@ void TestAutosave::aFolderThatCannotBeWrittenIsToldOnce()
     QTest::qWait(300);
     QCOMPARE(failed.size(), 1);
     QVERIFY(window->isWindowModified());
+}
+
+void TestAutosave::theReasonIsTold_data()
+{
+    QTest::addColumn<QString>("folder");
+    QTest::addColumn<bool>("isInTheWay"); // a folder of the recovery file's name
+    QTest::addColumn<QString>("problem"); // of the scene
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("below a file") << "scene.json/recovery" << false << ""
+                                  << "scene.json/recovery: ";
+    QTest::newRow("a folder in its place") << "recovery" << true << ""
+                                           << "recovery: ";
+    QTest::newRow("no words for the scene") << "recovery" << false << "the scene: too large"
+                                            << "the scene: too large";
+}
+
+void TestAutosave::theReasonIsTold()
+{
+    QFETCH(QString, folder);
+    QFETCH(bool, isInTheWay);
+    QFETCH(QString, problem);
+    QFETCH(QString, reason);
+    QString words;
+    Autosave autosave(m_folder->file(folder), {20ms, 200ms}, [&words]() -> Result<Autosave::Content, QString> {
+        if (!words.isEmpty())
+            return words;
+        return Autosave::Content{{QStringLiteral("a"), {}, QDateTime::currentDateTime()}, "scene"};
+    });
+    QSignalSpy failed(&autosave, &Autosave::failed);
+    if (isInTheWay) {
+        autosave.follow(true);
+        QVERIFY(becomesKept(m_folder->recovery()));
+        const QString file = m_folder->recovery() + u'/' + keptIn(m_folder->recovery())[0];
+        QVERIFY(QFile::remove(file) && QDir().mkpath(file + QStringLiteral("/full")));
+    }
+    words = problem;
+    autosave.follow(true);
+    QVERIFY(failed.wait(kMostMilliseconds));
+    const QString told = QDir::fromNativeSeparators(failed[0][0].toString());
+    // The system's own words, whatever they are, stand behind the folder.
+    QVERIFY2(told.contains(reason) && !told.endsWith(u' '), qPrintable(told));
+    QCOMPARE(failed.size(), 1);
 }
 
 // ---- the window --------------------------------------------------------------------------------------------------

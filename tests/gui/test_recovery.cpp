@@ -119,8 +119,10 @@ void TestRecovery::whatIsWrittenIsReadAgain()
                             QDateTime::currentDateTime()};
     QString path;
     {
-        const std::unique_ptr<RecoveryFile> file = RecoveryFile::create(m_folder->recovery());
-        QVERIFY(file && file->write(info, kScene.toStdString()));
+        const auto created = RecoveryFile::create(m_folder->recovery());
+        QVERIFY(created);
+        const std::unique_ptr<RecoveryFile> &file = *created;
+        QVERIFY(file->write(info, kScene.toStdString()));
         QVERIFY2(RecoveryFile::abandonedIn(m_folder->recovery()).empty(), "it is held");
         path = file->path();
     }
