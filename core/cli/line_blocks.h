@@ -26,7 +26,7 @@ struct LineMessage {
 class LineBlocks {
 public:
     /// A longer line is passed over as a whole.
-    static constexpr std::size_t kMostBytes = 128 * 1024;
+    static constexpr std::size_t kMostBytes = std::size_t(128) * 1024;
 
     explicit LineBlocks(ByteSource &source) : m_source(source) {}
 

@@ -60,7 +60,7 @@ std::string numPyNumber(double value, Digits digits)
 
 std::string latexNumber(double value, Digits digits)
 {
-    const std::string text = numberText(value, digits);
+    std::string text = numberText(value, digits);
     if (isInfinite(text))
         return value < 0.0 ? "-\\infty" : "\\infty";
     const std::size_t e = text.find('e');
@@ -81,6 +81,7 @@ std::array<std::array<std::string, 4>, 4> alignedRows(const glm::dmat4 &matrix, 
     std::array<std::array<std::string, 4>, 4> rows;
     for (int column = 0; column < 4; ++column) {
         std::vector<std::string> texts;
+        texts.reserve(4);
         for (int row = 0; row < 4; ++row)
             texts.push_back(write(entryAt(matrix, layout, row, column), digits));
         alignAtDecimalPoint(texts);

@@ -86,6 +86,7 @@ private:
         bool hasNormals;
         bool hasColors;
         bool hasTexcoords;
+        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in what the compiler writes here
         auto operator<=>(const Key &) const = default;
     };
 
@@ -268,7 +269,7 @@ Model readWithAssimp(const Source &source)
     if (source.progress.isCancelled())
         throw Failure(ImportErrorCode::Cancelled);
     if (!scene) {
-        if (const std::exception_ptr exception = importer.GetException()) {
+        if (const std::exception_ptr &exception = importer.GetException()) {
             try {
                 std::rethrow_exception(exception);
             } catch (const std::bad_alloc &) {

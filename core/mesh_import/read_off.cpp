@@ -106,9 +106,9 @@ public:
     {
         if (!m_isBinary && isLastInLine)
             return faceColor();
-        std::vector<float> values;
-        for (int i = 0; i < 4; ++i)
-            values.push_back(real("vertex colour"));
+        std::vector<float> values(4);
+        for (float &value : values)
+            value = real("vertex colour");
         m_areColorsIntegers = false;
         for (const float value : values)
             m_areColorsIntegers = m_areColorsIntegers || value > 1.0f;

@@ -60,7 +60,8 @@ public:
         const std::size_t bytesEach = m_format == PlyFormat::Ascii ? 2 : byteCount(list.type);
         if (!(length >= 0.0))
             failMalformed(where() + " has a list of negative length");
-        if (length > static_cast<double>((m_bytes.size() + 1 - offset()) / bytesEach))
+        const std::size_t most = (m_bytes.size() + 1 - offset()) / bytesEach;
+        if (length > static_cast<double>(most))
             failTruncated();
         return static_cast<std::size_t>(length);
     }

@@ -98,7 +98,7 @@ Mesh readBinary(const Source &source)
         if (t % kTrianglesBetweenReports == 0)
             source.progress.report(static_cast<double>(t) / static_cast<double>(declared));
         const std::uint8_t *triangle = source.bytes.data() + kBytesBeforeTriangles + t * kTriangleBytes;
-        for (int corner = 0; corner < 3; ++corner)
+        for (std::size_t corner = 0; corner < 3; ++corner)
             stl.add(vectorAt(triangle + 12 + 12 * corner));
         hasColorBits = hasColorBits || (triangle[49] & 0x80) != 0;
     }

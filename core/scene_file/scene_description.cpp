@@ -57,7 +57,7 @@ std::filesystem::path absolutePath(const std::filesystem::path &path)
 /// @param file, folder  absolute, see absolutePath
 std::filesystem::path relativePath(const std::filesystem::path &file, const std::filesystem::path &folder)
 {
-    const std::filesystem::path relative = file.lexically_proximate(folder);
+    std::filesystem::path relative = file.lexically_proximate(folder);
     if (absolutePath(folder / relative) == file)
         return relative;
     // The folder is behind a link: the way up from it is another one than its name says.

@@ -41,7 +41,7 @@ std::string choicesText(const std::vector<std::string> &choices)
     return list;
 }
 
-std::string withDetail(std::string sentence, const std::string &detail)
+std::string withDetail(const std::string &sentence, const std::string &detail)
 {
     return detail.empty() ? sentence : sentence + " (" + detail + ")";
 }

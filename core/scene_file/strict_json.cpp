@@ -72,7 +72,8 @@ public:
     Json takeDocument() { return std::move(m_document); }
     const std::optional<SceneFileError> &error() const { return m_error; }
 
-    // ---- what nlohmann::json::sax_parse calls ----
+    // ---- what nlohmann::json::sax_parse calls, by its names ----
+    // NOLINTBEGIN(readability-identifier-naming)
     bool null() { return add(nullptr) != nullptr; }
     bool boolean(bool value) { return add(value) != nullptr; }
     bool number_integer(Json::number_integer_t value) { return add(value) != nullptr; }
@@ -100,6 +101,7 @@ public:
                         position > lastToken.size() ? position - lastToken.size() : 0, lastToken);
         return failSyntax(position > 0 ? position - 1 : 0, parserDetail(error.what()));
     }
+    // NOLINTEND(readability-identifier-naming)
 
     bool failSyntax(std::size_t at, std::string detail)
     {

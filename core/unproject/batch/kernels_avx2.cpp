@@ -11,7 +11,7 @@ struct Pack {
     __m256d lanes;
 
     Pack() = default;
-    Pack(__m256d lanes_) : lanes(lanes_) {}
+    Pack(__m256d packed) : lanes(packed) {}
     explicit Pack(double value) : lanes(_mm256_set1_pd(value)) {}
     static Pack loaded(const double *from) { return _mm256_loadu_pd(from); }
     static Pack loaded(const float *from) { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }

@@ -11,7 +11,7 @@ struct Pack {
     __m512d lanes;
 
     Pack() = default;
-    Pack(__m512d lanes_) : lanes(lanes_) {}
+    Pack(__m512d packed) : lanes(packed) {}
     explicit Pack(double value) : lanes(_mm512_set1_pd(value)) {}
     static Pack loaded(const double *from) { return _mm512_loadu_pd(from); }
     static Pack loaded(const float *from) { return _mm512_maskz_cvtps_pd(kAll, _mm256_loadu_ps(from)); }

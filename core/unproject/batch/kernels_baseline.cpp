@@ -14,7 +14,7 @@ struct Pack {
     __m128d lanes;
 
     Pack() = default;
-    Pack(__m128d lanes_) : lanes(lanes_) {}
+    Pack(__m128d packed) : lanes(packed) {}
     explicit Pack(double value) : lanes(_mm_set1_pd(value)) {}
     static Pack loaded(const double *from) { return _mm_loadu_pd(from); }
     static Pack loaded(const float *from)
@@ -46,7 +46,7 @@ struct Pack {
         for (int k = 0; k < 3; ++k)
             p[k].store(of[k]);
         for (int i = 0; i < 6; ++i)
-            to[i] = of[i % 3][i / 3];
+            to[i] = of[i % 3][i / 3]; // NOLINT(clang-analyzer-core.uninitialized.Assign): the store filled it
     }
     friend Pack operator+(Pack a, Pack b) { return _mm_add_pd(a.lanes, b.lanes); }
     friend Pack operator-(Pack a, Pack b) { return _mm_sub_pd(a.lanes, b.lanes); }
