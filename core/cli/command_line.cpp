@@ -251,6 +251,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
     }
     try {
         std::vector<const char *> words;
+        words.reserve(arguments.size());
         for (const std::string &argument : arguments)
             words.push_back(argument.c_str());
         app.parse(static_cast<int>(words.size()), words.data());

@@ -81,9 +81,9 @@ std::string sortNumbers(const std::string &text, const std::string &name, Parts 
         }
         if (!std::isfinite(*value)) {
             const std::string_view before = std::string_view(text).substr(0, end - word.size());
-            return name + ':' + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) + ':'
-                   + std::to_string(before.size() - (before.rfind('\n') + 1) + 1) + ": \"" + word
-                   + "\" is not a finite number";
+            const std::string line = std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
+            const std::string column = std::to_string(before.size() - (before.rfind('\n') + 1) + 1);
+            return name + ':' + line + ':' + column + ": \"" + word + "\" is not a finite number";
         }
         Part *target = named;
         if (target == nullptr) {

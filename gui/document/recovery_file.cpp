@@ -99,6 +99,7 @@ std::vector<std::unique_ptr<RecoveryFile>> RecoveryFile::abandonedIn(const QStri
     }
     std::stable_sort(found.begin(), found.end(), [](const Dated &a, const Dated &b) { return a.first > b.first; });
     std::vector<std::unique_ptr<RecoveryFile>> files;
+    files.reserve(found.size());
     for (Dated &dated : found)
         files.push_back(std::move(dated.second));
     return files;

@@ -117,7 +117,7 @@ Result<Changes> SceneDocument::take(const SceneState &state)
         m_pick.reset();
         changes |= Change::Pick;
     }
-    m_unprojector = std::move(unprojector).value();
+    m_unprojector = unprojector.value();
     m_bounds = bounds;
     m_ground = ground;
     m_state = state;
