@@ -3,8 +3,6 @@
 #include "core/cli/byte_stream.h"
 #include "core/text/error_text.h"
 
-#include <glm/geometric.hpp>
-
 namespace unprojector::cli {
 using namespace text;
 namespace {
@@ -83,31 +81,16 @@ private:
 
     void write(std::size_t place, const Unprojected &click, const BatchSpace &space)
     {
-        std::optional<glm::dvec3> points[2];
-        constexpr Method kWritten[] = {Method::Formula, Method::Matrix};
-        constexpr Methods kAlone[] = {Methods::Formula, Methods::Matrix};
-        for (std::size_t k = 0; k < 2; ++k) {
-            if (m_options.methods != Methods::Both && m_options.methods != kAlone[k])
-                continue;
-            if (const Result<glm::dvec3> point = pointOf(click, kWritten[k], space)) {
-                points[k] = *point;
-            } else {
+        std::vector<std::optional<glm::dvec3>> points;
+        for (const Method method : m_options.methods) {
+            const Result<glm::dvec3> point = pointOf(click, method, space);
+            points.push_back(point ? std::optional(*point) : std::nullopt);
+            if (!point) {
                 m_hasBad = true;
-                complainOf(place, std::string(keyOf(kWritten[k])) + ": " + errorText(point.error()));
-            }
-            for (int i = 0; i < 3; ++i) {
-                if (points[k])
-                    m_writer.number((*points[k])[i]);
-                else
-                    m_writer.nothing();
+                complainOf(place, std::string(keyOf(method)) + ": " + errorText(point.error()));
             }
         }
-        if (m_options.methods != Methods::Both)
-            return;
-        if (points[0] && points[1])
-            m_writer.numberOrNothing(glm::length(*points[0] - *points[1]));
-        else
-            m_writer.nothing();
+        writePoints(m_writer, m_options.methods, points);
     }
 
     const PointsOptions &m_options;

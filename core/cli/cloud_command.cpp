@@ -90,7 +90,7 @@ ExitCode runCloud(const CloudOptions &options)
         return ExitCode::UnusableInput;
     const Picture &g = scene->geometry;
     const Result<BatchUnprojection> unprojection =
-        options.method == Methods::Matrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {});
+        options.method == Method::Matrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {});
     if (!unprojection) {
         complain(options.scene + ": " + errorText(unprojection.error()));
         return ExitCode::UnusableInput;

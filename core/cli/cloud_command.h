@@ -16,7 +16,7 @@ struct CloudOptions {
     std::string depth;  ///< raw floats, PFM or PGM
     std::string size;   ///< "WxH", for raw floats
     std::string output; ///< a PLY file, "-" for stdout
-    Methods method = Methods::Formula;
+    Method method = Method::Formula;
     PointPrecision precision = PointPrecision::Float;
 };
 

@@ -87,9 +87,13 @@ void addPoints(CLI::App &app, Run &run)
                   "px,py,depth; - or nothing: standard input.\npx and py are device pixels from the top left corner, "
                   "the centre of the\nfirst pixel is 0.5,0.5; depth is in the depth range",
                   "eye, world or object:NAME");
-    addChoice<Methods>(*command, "--method", options->methods,
-                       {{"both", Methods::Both}, {"formula", Methods::Formula}, {"matrix", Methods::Matrix}},
-                       "How to compute");
+    addChoice<std::vector<Method>>(*command, "--method", options->methods,
+                                   {{"all", {kMethods.begin(), kMethods.end()}},
+                                    {"both", {Method::Formula, Method::Matrix}},
+                                    {"formula", {Method::Formula}},
+                                    {"matrix", {Method::Matrix}},
+                                    {"matrixInFloat", {Method::MatrixInFloat}}},
+                                   "How to compute");
     command->add_flag("--pixel", options->isPixel,
                       "px and py are whole indices of pixels; their centres are meant (1/2 is added)");
     command->footer(
@@ -172,8 +176,8 @@ void addCloud(CLI::App &app, Run &run)
         ->required();
     addFile(*command, "-o,--output", options->output, "Binary PLY; - is standard output")->required();
     command->add_option("--size", options->size, "Of raw floats, in pixels")->type_name("WxH");
-    addChoice<Methods>(*command, "--method", options->method,
-                       {{"formula", Methods::Formula}, {"matrix", Methods::Matrix}}, "How to compute");
+    addChoice<Method>(*command, "--method", options->method, {{"formula", Method::Formula}, {"matrix", Method::Matrix}},
+                      "How to compute");
     addChoice<PointPrecision>(*command, "--precision", options->precision,
                               {{"float", PointPrecision::Float}, {"double", PointPrecision::Double}},
                               "Of the numbers written");

@@ -4,21 +4,35 @@
 #include "core/text/error_text.h"
 #include "core/unproject/batch/click_batch.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace unprojector::cli {
 using namespace unproject;
 using namespace text;
 namespace {
 
+/// Where the formulas and the matrix are among the methods, if both are: their difference is told.
+std::optional<std::pair<std::size_t, std::size_t>> comparedPlaces(const std::vector<Method> &methods)
+{
+    const auto formula = std::find(methods.begin(), methods.end(), Method::Formula);
+    const auto matrix = std::find(methods.begin(), methods.end(), Method::Matrix);
+    if (formula == methods.end() || matrix == methods.end())
+        return std::nullopt;
+    return std::pair(static_cast<std::size_t>(formula - methods.begin()),
+                     static_cast<std::size_t>(matrix - methods.begin()));
+}
+
 /// Everything that is the same for all rows.
 struct Task {
     PointsOptions options;
     NumberReader reader;
     DepthRange depthRange;
-    std::optional<ClickBatch> formula, matrix;
+    std::vector<std::optional<ClickBatch>>
+        batches;                    ///< by options.methods; nothing where one does not hold for the scene
     std::vector<std::string> names; ///< of the columns written
 };
 
@@ -92,15 +106,16 @@ private:
             py = m_centres[1].data();
         }
         const BatchInput<double> input{px, py, m_rows.values[2].data()};
-        const auto run = [&](const std::optional<ClickBatch> &method, Columns &points) {
-            if (!method)
-                return;
+        m_results.resize(m_task.batches.size());
+        for (std::size_t method = 0; method < m_results.size(); ++method) {
+            if (!m_task.batches[method])
+                continue;
+            Columns &points = m_results[method];
             for (auto &column : points)
                 column.resize(count);
-            (*method)(input, BatchOutput<double>{points[0].data(), points[1].data(), points[2].data()}, count);
-        };
-        run(m_task.formula, m_byFormula);
-        run(m_task.matrix, m_byMatrix);
+            (*m_task.batches[method])(input, BatchOutput<double>{points[0].data(), points[1].data(), points[2].data()},
+                                      count);
+        }
     }
 
     void write(const LineBlock &block, BlockResult &result)
@@ -124,37 +139,17 @@ private:
         }
     }
 
-    bool writeResults(std::size_t row, RowWriter &writer) const
+    bool writeResults(std::size_t row, RowWriter &writer)
     {
-        bool isFinite = true;
-        const auto add = [&](double value) {
-            isFinite = isFinite && std::isfinite(value);
-            writer.numberOrNothing(value);
-        };
-        const auto addPoint = [&](bool isWanted, const std::optional<ClickBatch> &method, const Columns &points) {
-            for (std::size_t k = 0; isWanted && k < 3; ++k) {
-                if (method)
-                    add(points[k][row]);
-                else
-                    writer.nothing();
-            }
-        };
-        const Methods methods = m_task.options.methods;
-        addPoint(methods != Methods::Matrix, m_task.formula, m_byFormula);
-        addPoint(methods != Methods::Formula, m_task.matrix, m_byMatrix);
-        if (methods != Methods::Both)
-            return isFinite;
-        if (m_task.formula && m_task.matrix) {
-            double squares = 0.0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double difference = m_byFormula[k][row] - m_byMatrix[k][row];
-                squares += difference * difference;
-            }
-            add(std::sqrt(squares));
-        } else {
-            writer.nothing();
+        m_points.clear();
+        for (std::size_t method = 0; method < m_results.size(); ++method) {
+            const Columns &columns = m_results[method];
+            if (m_task.batches[method])
+                m_points.emplace_back(glm::dvec3(columns[0][row], columns[1][row], columns[2][row]));
+            else
+                m_points.emplace_back();
         }
-        return isFinite;
+        return writePoints(writer, m_task.options.methods, m_points);
     }
 
     void writeBad(const BadRow &bad, RowWriter &writer) const
@@ -170,33 +165,48 @@ private:
     NumberRows m_rows;
     std::vector<BadRow> m_bad;
     std::array<std::vector<double>, 2> m_centres;
-    Columns m_byFormula, m_byMatrix;
+    std::vector<Columns> m_results;                  ///< of each method
+    std::vector<std::optional<glm::dvec3>> m_points; ///< of one row
 };
-
-/// A method prepared for the scene, where it is wanted. One that does not hold for it says why, and its cells stay empty.
-void prepare(std::optional<ClickBatch> &target, bool isWanted, const char *name, const Result<ClickBatch> &method,
-             const std::string &scene)
-{
-    if (!isWanted)
-        return;
-    if (method)
-        target = *method;
-    else
-        complain(scene + ": " + name + ": " + errorText(method.error()));
-}
 
 } // namespace
 
-std::vector<std::string> pointColumns(Methods methods)
+std::vector<std::string> pointColumns(const std::vector<Method> &methods)
 {
     std::vector<std::string> names{"px", "py", "depth"};
-    if (methods != Methods::Matrix)
-        names.insert(names.end(), {"formula_x", "formula_y", "formula_z"});
-    if (methods != Methods::Formula)
-        names.insert(names.end(), {"matrix_x", "matrix_y", "matrix_z"});
-    if (methods == Methods::Both)
+    for (const Method method : methods) {
+        for (const char *coordinate : {"_x", "_y", "_z"})
+            names.push_back(std::string(keyOf(method)) + coordinate);
+    }
+    if (comparedPlaces(methods))
         names.emplace_back("difference");
     return names;
+}
+
+bool writePoints(RowWriter &writer, const std::vector<Method> &methods,
+                 const std::vector<std::optional<glm::dvec3>> &points)
+{
+    bool isAllFinite = true;
+    const auto write = [&](double value) {
+        isAllFinite = isAllFinite && std::isfinite(value);
+        writer.numberOrNothing(value);
+    };
+    for (const std::optional<glm::dvec3> &point : points) {
+        for (int k = 0; k < 3; ++k) {
+            if (point)
+                write((*point)[k]);
+            else
+                writer.nothing();
+        }
+    }
+    if (const auto compared = comparedPlaces(methods)) {
+        const std::optional<glm::dvec3> &a = points[compared->first], &b = points[compared->second];
+        if (a && b)
+            write(glm::length(*a - *b));
+        else
+            writer.nothing();
+    }
+    return isAllFinite;
 }
 
 ExitCode runPoints(const PointsOptions &options)
@@ -214,13 +224,17 @@ ExitCode runPoints(const PointsOptions &options)
               NumberReader(rows->source.name(), rows->columns),
               geometry.depthRange,
               {},
-              {},
               pointColumns(options.methods)};
-    prepare(task.formula, options.methods != Methods::Matrix, "formula", ClickBatch::byFormula(geometry, rows->space),
-            options.rows.scene);
-    prepare(task.matrix, options.methods != Methods::Formula, "matrix", ClickBatch::byMatrix(geometry, rows->space),
-            options.rows.scene);
-    if (!task.formula && !task.matrix)
+    bool isUsable = false;
+    for (const Method method : options.methods) {
+        const Result<ClickBatch> batch = ClickBatch::of(method, geometry, rows->space);
+        isUsable = isUsable || batch;
+        // The cells of a method that does not hold for the scene stay empty.
+        task.batches.push_back(batch ? std::optional(*batch) : std::nullopt);
+        if (!batch)
+            complain(options.rows.scene + ": " + keyOf(method) + ": " + errorText(batch.error()));
+    }
+    if (!isUsable)
         return ExitCode::UnusableInput;
 
     return runRows(*rows, options.rows, task.names, [&] { return BlockWorker(Worker(task)); });

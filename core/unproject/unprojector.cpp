@@ -177,30 +177,4 @@ Unprojected Unprojector::at(const WindowPoint &window) const
             })};
 }
 
-Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world)
-{
-    for (const auto &value : {firstNotFinite(worldFromObject), firstNotFinite(world)}) {
-        if (value)
-            return Error{ErrorCode::NotFinite, *value};
-    }
-    if (isSingular(worldFromObject))
-        return Error{ErrorCode::SingularMatrix};
-    const glm::dmat3 inverse = glm::inverse(glm::dmat3(worldFromObject));
-    DoubleDouble3 p;
-    for (int i = 0; i < 3; ++i) { // the inverse's own error goes with the square of each step
-        glm::dvec3 left;
-        for (int row = 0; row < 3; ++row) {
-            const DoubleDouble3 entries{worldFromObject[0][row], worldFromObject[1][row], worldFromObject[2][row]};
-            left[row] = (DoubleDouble(world[row]) - worldFromObject[3][row] - dot(entries, p)).value;
-        }
-        const glm::dvec3 step = inverse * left;
-        for (int k = 0; k < 3; ++k)
-            p[std::size_t(k)] = p[std::size_t(k)] + DoubleDouble(step[k]);
-    }
-    const glm::dvec3 point(p[0].value, p[1].value, p[2].value);
-    if (!isFinite(point))
-        return Error{ErrorCode::PointAtInfinity};
-    return ObjectPoint(point);
-}
-
 } // namespace unprojector::unproject

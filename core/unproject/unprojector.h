@@ -65,9 +65,4 @@ private:
     Inverses<WorldSpace> m_world;
 };
 
-/// The object-space point of a world point: x of worldFromObject x = world, refined in value and rest and rounded once.
-/// @param worldFromObject  affine
-/// @return NotFinite; SingularMatrix; PointAtInfinity where it leaves the range of doubles
-Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world);
-
 } // namespace unprojector::unproject

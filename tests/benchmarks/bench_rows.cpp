@@ -51,8 +51,8 @@ void rows(benchmark::State &state, bool isComputing)
     const LineBlock text = block();
     const NumberReader reader("rows", {{"px", "py", "depth"}, {0, 1, 2}});
     const std::vector<std::string> names(10, "name");
-    const ClickBatch formula = *ClickBatch::byFormula(geometry(), {});
-    const ClickBatch matrix = *ClickBatch::byMatrix(geometry(), {});
+    const ClickBatch formula = *ClickBatch::of(Method::Formula, geometry(), {});
+    const ClickBatch matrix = *ClickBatch::of(Method::Matrix, geometry(), {});
     NumberRows numbers;
     std::vector<LineMessage> messages;
     std::array<std::vector<double>, 7> results;

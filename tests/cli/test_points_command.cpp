@@ -180,6 +180,11 @@ void TestPointsCommand::methodsLeaveColumnsOut_data()
     QTest::newRow("both") << "both" << kHeader;
     QTest::newRow("formula") << "formula" << QByteArray("px,py,depth,formula_x,formula_y,formula_z");
     QTest::newRow("matrix") << "matrix" << QByteArray("px,py,depth,matrix_x,matrix_y,matrix_z");
+    QTest::newRow("in float") << "matrixInFloat"
+                              << QByteArray("px,py,depth,matrixInFloat_x,matrixInFloat_y,matrixInFloat_z");
+    QTest::newRow("all") << "all"
+                         << QByteArray("px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,"
+                                       "matrixInFloat_x,matrixInFloat_y,matrixInFloat_z,difference");
 }
 
 void TestPointsCommand::methodsLeaveColumnsOut()

@@ -1,5 +1,6 @@
 // Rows have the digits of a click, to the last one, on every instruction set.
 
+#include "core/geometry/transform.h"
 #include "core/unproject/batch/click_batch.h"
 #include "tests/support/core_scene.h"
 #include "tests/support/instruction_sets.h"
@@ -84,6 +85,15 @@ Picture pictureOf(oracle::Random &random, oracle::RandomKind kind, int i)
     return g;
 }
 
+glm::dmat4 randomPlacement(oracle::Random &random)
+{
+    const auto three = [&](double low, double high) {
+        return glm::dvec3(random.uniform(low, high), random.uniform(low, high), random.uniform(low, high));
+    };
+    return worldFromObject(
+        {Translate{three(-10.0, 10.0)}, Rotate{random.uniform(0.0, 360.0), three(0.1, 1.0)}, Scale{three(0.2, 3.0)}});
+}
+
 } // namespace
 
 class TestClickBatch : public QObject {
@@ -127,31 +137,32 @@ void TestClickBatch::rowsHaveTheDigitsOfAClick()
             const DevicePoint at(clicks[0][k], clicks[1][k]);
             expected.push_back(unprojectedAt(g, windowFromDevice(g.surface, at, clicks[2][k])));
         }
-        const auto answers = [&](auto method) {
-            std::vector<std::decay_t<decltype(method(expected[0]))>> all;
-            for (const Unprojected &c : expected)
-                all.push_back(method(c));
-            return all;
+        const glm::dmat4 placement = randomPlacement(random);
+        const auto inObject = [&](const Result<WorldPoint> &world) {
+            return world ? objectFromWorld(placement, *world) : Result<ObjectPoint>(world.error());
         };
-        const auto eyeFormula = ClickBatch::byFormula(g, {BatchSpace::Kind::Eye, {}});
-        const auto worldFormula = ClickBatch::byFormula(g, {});
-        const auto eyeMatrix = ClickBatch::byMatrix(g, {BatchSpace::Kind::Eye, {}});
-        const auto worldMatrix = ClickBatch::byMatrix(g, {});
-        if (!worldFormula) {
+        const BatchSpace eye{BatchSpace::Kind::Eye, {}}, world{}, object{BatchSpace::Kind::Object, placement};
+        if (!ClickBatch::of(Method::Formula, g, world)) {
             QVERIFY(!expected[0].world[Method::Formula]);
             ++refused;
             continue;
         }
-        QVERIFY(areTheClicks(unprojected(*eyeFormula, clicks, is),
-                             answers([](auto &c) { return c.eye[Method::Formula]; })));
-        QVERIFY(areTheClicks(unprojected(*worldFormula, clicks, is),
-                             answers([](auto &c) { return c.world[Method::Formula]; })));
-        if (eyeMatrix)
-            QVERIFY(areTheClicks(unprojected(*eyeMatrix, clicks, is),
-                                 answers([](auto &c) { return c.eye[Method::Matrix]; })));
-        if (worldMatrix)
-            QVERIFY(areTheClicks(unprojected(*worldMatrix, clicks, is),
-                                 answers([](auto &c) { return c.world[Method::Matrix]; })));
+        for (const Method method : kMethods) {
+            std::vector<Result<EyePoint>> inEye;
+            std::vector<Result<WorldPoint>> inWorld;
+            std::vector<Result<ObjectPoint>> inObjects;
+            for (const Unprojected &click : expected) {
+                inEye.push_back(click.eye[method]);
+                inWorld.push_back(click.world[method]);
+                inObjects.push_back(inObject(click.world[method]));
+            }
+            if (const auto batch = ClickBatch::of(method, g, eye))
+                QVERIFY(areTheClicks(unprojected(*batch, clicks, is), inEye));
+            if (const auto batch = ClickBatch::of(method, g, world))
+                QVERIFY(areTheClicks(unprojected(*batch, clicks, is), inWorld));
+            if (const auto batch = ClickBatch::of(method, g, object))
+                QVERIFY(areTheClicks(unprojected(*batch, clicks, is), inObjects));
+        }
     }
     QVERIFY(refused < 30);
 }
@@ -164,7 +175,8 @@ void TestClickBatch::aCoordinateOfZeroIsOne()
     g.lens = Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 3.0};
     g.pose = LookAt{WorldPoint(0, 0, 1), WorldPoint(0, 0, 0), {0, 1, 0}};
     const Columns clicks{std::vector{2.0}, std::vector{2.0}, std::vector{0.0}};
-    const Columns points = unprojected(ClickBatch::byFormula(g, {}).value(), clicks, InstructionSet::Baseline);
+    const Columns points =
+        unprojected(ClickBatch::of(Method::Formula, g, {}).value(), clicks, InstructionSet::Baseline);
     for (const auto &column : points)
         QCOMPARE(column[0], 0.0);
 }

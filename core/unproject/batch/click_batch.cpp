@@ -166,46 +166,49 @@ batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &ax
     return c;
 }
 
-} // namespace
-
-Result<glm::dvec3> ClickBatch::Formula::exactly(const WindowPoint &window) const
+/// What a click gives there; not a number where it gives nothing.
+glm::dvec3 clicked(const Unprojector &unprojector, BatchSpace::Kind space, Method method, const WindowPoint &window)
 {
-    const auto coordinates = [](const auto &point) -> Result<glm::dvec3> {
-        if (!point)
-            return point.error();
-        return point->coordinates();
+    const auto coordinates = [](const auto &point) {
+        return point ? point->coordinates() : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
     };
-    return space == BatchSpace::Kind::Eye ? coordinates(unprojector.eyeAt(Method::Formula, window))
-                                          : coordinates(unprojector.worldAt(Method::Formula, window));
+    return space == BatchSpace::Kind::Eye ? coordinates(unprojector.eyeAt(method, window))
+                                          : coordinates(unprojector.worldAt(method, window));
 }
 
-Result<ClickBatch> ClickBatch::byFormula(const Picture &geometry, const BatchSpace &space)
+void put(const glm::dvec3 &point, const BatchOutput<double> &output, std::size_t i)
 {
-    const Result<BatchUnprojection> plain = BatchUnprojection::byFormula(geometry, space);
-    if (!plain)
+    output.x[i] = point.x;
+    output.y[i] = point.y;
+    output.z[i] = point.z;
+}
+
+WindowPoint windowOf(const Unprojector &unprojector, const BatchInput<double> &input, std::size_t i)
+{
+    return windowFromDevice(unprojector.picture().surface, DevicePoint(input.px[i], input.py[i]), input.depth[i]);
+}
+
+} // namespace
+
+Result<ClickBatch> ClickBatch::byFormula(const Unprojector &unprojector, BatchSpace::Kind space)
+{
+    const Picture &geometry = unprojector.picture();
+    if (const Result<BatchUnprojection> plain = BatchUnprojection::byFormula(geometry, {space, {}}); !plain)
         return plain.error();
-    if (space.kind == BatchSpace::Kind::Object)
-        return ClickBatch(*plain);
-    const Result<Unprojector> unprojector = Unprojector::of(geometry);
-    if (!unprojector)
-        return unprojector.error();
     PreciseAxes axes{{}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    if (space.kind != BatchSpace::Kind::Eye)
+    if (space != BatchSpace::Kind::Eye)
         axes = std::visit([](const auto &view) { return axesOf(view); }, geometry.pose);
     const PixelLens lens =
         std::visit([&](const auto &projection) { return pixelLens(projection, geometry); }, geometry.lens);
-    return ClickBatch(Formula{*unprojector, space.kind, lens.isPerspective, constantsOf(lens, axes, geometry)});
+    return ClickBatch(Formula{unprojector, space, lens.isPerspective, constantsOf(lens, axes, geometry)});
 }
 
-Result<ClickBatch> ClickBatch::byMatrix(const Picture &geometry, const BatchSpace &space)
+Result<ClickBatch> ClickBatch::byMatrix(const Picture &geometry, BatchSpace::Kind space)
 {
-    const Result<BatchUnprojection> plain = BatchUnprojection::byMatrix(geometry, space);
-    if (!plain)
+    if (const Result<BatchUnprojection> plain = BatchUnprojection::byMatrix(geometry, {space, {}}); !plain)
         return plain.error();
-    if (space.kind == BatchSpace::Kind::Object)
-        return ClickBatch(*plain);
     glm::dmat4 clipFromSpace = clipFromEye(geometry).value();
-    if (space.kind != BatchSpace::Kind::Eye)
+    if (space != BatchSpace::Kind::Eye)
         clipFromSpace = clipFromSpace * eyeFromWorld(geometry).value();
     if (isSingular(clipFromSpace))
         return Error{ErrorCode::SingularMatrix};
@@ -229,19 +232,37 @@ Result<ClickBatch> ClickBatch::byMatrix(const Picture &geometry, const BatchSpac
     return ClickBatch(c);
 }
 
-void ClickBatch::operator()(const BatchInput<double> &input, const BatchOutput<double> &output, std::size_t count,
-                            InstructionSet set) const
+Result<ClickBatch> ClickBatch::of(Method method, const Picture &geometry, const BatchSpace &space)
 {
-    if (const auto *plain = std::get_if<BatchUnprojection>(&m_method)) {
-        (*plain)(input, output, count, set);
-        return;
-    }
+    const Result<Unprojector> unprojector = Unprojector::of(geometry);
+    if (!unprojector)
+        return unprojector.error();
+    const bool isOfObject = space.kind == BatchSpace::Kind::Object;
+    const BatchSpace::Kind kind = isOfObject ? BatchSpace::Kind::World : space.kind;
+    const auto batchBy = [&]() -> Result<ClickBatch> {
+        switch (method) {
+        case Method::Formula: return byFormula(*unprojector, kind);
+        case Method::Matrix: return byMatrix(geometry, kind);
+        case Method::MatrixInFloat: break;
+        }
+        if (const Result<ClickBatch> inDouble = byMatrix(geometry, kind); !inDouble)
+            return inDouble.error();
+        return ClickBatch(OneByOne{*unprojector, kind, method});
+    };
+    Result<ClickBatch> batch = batchBy();
+    if (!batch || !isOfObject)
+        return batch;
+    const Result<ObjectFromWorld> object = ObjectFromWorld::of(space.worldFromObject);
+    if (!object)
+        return object.error();
+    batch->m_object = *object;
+    return batch;
+}
+
+void ClickBatch::run(const Formula &formula, const BatchInput<double> &input, const BatchOutput<double> &output,
+                     std::size_t count, InstructionSet set) const
+{
     const batch::ClickKernels &loops = batch::kernelsOf(set).clicks;
-    if (const auto *matrix = std::get_if<batch::ClickMatrixConstants>(&m_method)) {
-        loops.matrix(*matrix, input.px, input.py, input.depth, output.x, output.y, output.z, count);
-        return;
-    }
-    const Formula &formula = *std::get_if<Formula>(&m_method);
     const batch::PreciseKernel loop = formula.isPerspective ? loops.perspective : loops.box;
     std::array<double, 1024> doubt;
     for (std::size_t begin = 0; begin < count; begin += doubt.size()) {
@@ -249,17 +270,35 @@ void ClickBatch::operator()(const BatchInput<double> &input, const BatchOutput<d
         loop(formula.constants, input.px + begin, input.py + begin, input.depth + begin, output.x + begin,
              output.y + begin, output.z + begin, doubt.data(), part);
         for (std::size_t k = 0; k < part; ++k) {
-            if (doubt[k] == 0.0)
-                continue;
             const std::size_t i = begin + k;
-            const WindowPoint window = windowFromDevice(formula.unprojector.picture().surface,
-                                                        DevicePoint(input.px[i], input.py[i]), input.depth[i]);
-            const Result<glm::dvec3> exact = formula.exactly(window);
-            const glm::dvec3 point = exact ? *exact : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
-            output.x[i] = point.x;
-            output.y[i] = point.y;
-            output.z[i] = point.z;
+            if (doubt[k] != 0.0)
+                put(clicked(formula.unprojector, formula.space, Method::Formula,
+                            windowOf(formula.unprojector, input, i)),
+                    output, i);
         }
+    }
+}
+
+void ClickBatch::run(const batch::ClickMatrixConstants &matrix, const BatchInput<double> &input,
+                     const BatchOutput<double> &output, std::size_t count, InstructionSet set) const
+{
+    batch::kernelsOf(set).clicks.matrix(matrix, input.px, input.py, input.depth, output.x, output.y, output.z, count);
+}
+
+void ClickBatch::run(const OneByOne &click, const BatchInput<double> &input, const BatchOutput<double> &output,
+                     std::size_t count, InstructionSet) const
+{
+    for (std::size_t i = 0; i < count; ++i)
+        put(clicked(click.unprojector, click.space, click.method, windowOf(click.unprojector, input, i)), output, i);
+}
+
+void ClickBatch::operator()(const BatchInput<double> &input, const BatchOutput<double> &output, std::size_t count,
+                            InstructionSet set) const
+{
+    std::visit([&](const auto &loop) { run(loop, input, output, count, set); }, m_loop);
+    for (std::size_t i = 0; m_object && i < count; ++i) {
+        const Result<ObjectPoint> point = m_object->at(WorldPoint(output.x[i], output.y[i], output.z[i]));
+        put(point ? point->coordinates() : glm::dvec3(std::numeric_limits<double>::quiet_NaN()), output, i);
     }
 }
 

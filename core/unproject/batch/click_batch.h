@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/unproject/batch/batch_unproject.h"
+#include "core/unproject/object_from_world.h"
 #include "core/unproject/unprojector.h"
 
+#include <optional>
 #include <variant>
 
 namespace unprojector::unproject {
@@ -12,17 +14,13 @@ namespace unprojector::unproject {
 ///
 /// The formulas are computed with about 30 digits, many points at a time; where that does not tell how the sum is to be
 /// rounded (once in a billion points, and where a coordinate is 0), the click's own functions are asked. A point costs
-/// five to ten times that of a BatchUnprojection, which is still little beside its text. In an object's space, where no click
-/// is told, it is a BatchUnprojection.
+/// five to ten times that of a BatchUnprojection, which is still little beside its text. Single precision, and the way from
+/// the world into an object's space, are computed as a click does it, one point after the other.
 class ClickBatch {
 public:
-    /// preciseEyePoint and worldFromEye.
-    /// @return the errors of BatchUnprojection::byFormula
-    static Result<ClickBatch> byFormula(const Picture &geometry, const BatchSpace &space);
-
-    /// unprojectByInverse, the inverse computed once.
-    /// @return the errors of BatchUnprojection::byMatrix; SingularMatrix
-    static Result<ClickBatch> byMatrix(const Picture &geometry, const BatchSpace &space);
+    /// @return the errors of check(Picture), of ObjectFromWorld::of, and those of BatchUnprojection::byFormula or, for the
+    ///         matrix, byMatrix
+    static Result<ClickBatch> of(Method method, const Picture &geometry, const BatchSpace &space);
 
     /// A point that a click could not compute is not finite.
     void operator()(const BatchInput<double> &input, const BatchOutput<double> &output, std::size_t count,
@@ -34,14 +32,29 @@ private:
         BatchSpace::Kind space;
         bool isPerspective;
         batch::PreciseConstants constants;
-
-        Result<glm::dvec3> exactly(const WindowPoint &window) const;
     };
-    using Kind = std::variant<Formula, batch::ClickMatrixConstants, BatchUnprojection>;
+    /// A method that has no loop of its own.
+    struct OneByOne {
+        Unprojector unprojector;
+        BatchSpace::Kind space;
+        Method method;
+    };
+    using Loop = std::variant<Formula, batch::ClickMatrixConstants, OneByOne>;
 
-    explicit ClickBatch(const Kind &method) : m_method(method) {}
+    explicit ClickBatch(const Loop &loop) : m_loop(loop) {}
 
-    Kind m_method;
+    static Result<ClickBatch> byFormula(const Unprojector &unprojector, BatchSpace::Kind space);
+    static Result<ClickBatch> byMatrix(const Picture &geometry, BatchSpace::Kind space);
+
+    void run(const Formula &formula, const BatchInput<double> &input, const BatchOutput<double> &output,
+             std::size_t count, InstructionSet set) const;
+    void run(const batch::ClickMatrixConstants &matrix, const BatchInput<double> &input,
+             const BatchOutput<double> &output, std::size_t count, InstructionSet set) const;
+    void run(const OneByOne &click, const BatchInput<double> &input, const BatchOutput<double> &output,
+             std::size_t count, InstructionSet set) const;
+
+    Loop m_loop;
+    std::optional<ObjectFromWorld> m_object; ///< to go on from world space
 };
 
 } // namespace unprojector::unproject

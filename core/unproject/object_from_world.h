@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/geometry/result.h"
+#include "core/geometry/spaces.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace unprojector::unproject {
+using namespace geometry;
+
+/// From world space into that of an object, prepared once for it.
+class ObjectFromWorld {
+public:
+    /// @param worldFromObject  affine
+    /// @return NotFinite; SingularMatrix
+    static Result<ObjectFromWorld> of(const glm::dmat4 &worldFromObject);
+
+    /// x of worldFromObject x = world, refined with about 30 digits and rounded once.
+    /// @return NotFinite; PointAtInfinity where it leaves the range of doubles
+    Result<ObjectPoint> at(const WorldPoint &world) const;
+
+private:
+    explicit ObjectFromWorld(const glm::dmat4 &worldFromObject);
+
+    glm::dmat4 m_worldFromObject;
+    glm::dmat3 m_inverse;
+};
+
+/// ObjectFromWorld::of and at, for a single point.
+Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world);
+
+} // namespace unprojector::unproject
