@@ -2,6 +2,7 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/text/error_text.h"
+#include "core/unproject/object_from_world.h"
 
 namespace unprojector::cli {
 using namespace text;

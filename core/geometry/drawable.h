@@ -9,8 +9,9 @@ namespace unprojector::geometry {
 /// glViewport's limit on the graphics cards of today; beyond its own a driver cuts sizes silently.
 constexpr int kMostDrawnPixels = 16384;
 
-/// The very integers and floats that OpenGL takes of a picture. Views draw from nothing else, and clicks on them are
-/// unprojected with `picture`, which says the same in doubles: nothing is rounded between the two.
+/// The very integers and floats that OpenGL takes of a picture's viewport and depth range. Views draw from nothing else, and
+/// clicks on them are unprojected with `picture`, which says the same in doubles: nothing is rounded between the two. The
+/// matrix, which shaders take in single precision, is rounded once for each object.
 struct Drawable {
     Picture picture;                                  ///< its depth range is the one that OpenGL has
     std::int32_t x = 0, y = 0, width = 0, height = 0; ///< glViewport

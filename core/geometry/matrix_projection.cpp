@@ -281,15 +281,6 @@ NdcDepth ndcDepthOf(const MatrixProjection &projection)
     return depth ? *depth : NdcDepth::MinusOneToOne;
 }
 
-Result<EyePoint> unprojectClosedForm(const MatrixProjection &projection, const Viewport &viewport,
-                                     const DepthRange &range, const WindowPoint &window)
-{
-    const Result<PrecisePoint<EyeSpace>> point = preciseEyePoint(projection, viewport, range, window);
-    if (!point)
-        return point.error();
-    return point->rounded();
-}
-
 Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projection, const Viewport &viewport,
                                                const DepthRange &range, const WindowPoint &window)
 {

@@ -62,11 +62,8 @@ Result<RecognisedProjection> recognised(const MatrixProjection &projection);
 ///   z = zOffset / (w z_n + zScale), the denominator being (zScale + w) - w k (1 - d) or, reversed,
 ///   (zScale + w (1 - k)) + w k d, whose terms never cancel;  k = 2 for [-1, 1], 1 for [0, 1]
 ///
+/// Not rounded yet, see preciseEyePoint(Projection).
 /// @return the errors of recognised, check(viewport), depthShares; NotFinite (position); PointAtInfinity
-Result<EyePoint> unprojectClosedForm(const MatrixProjection &projection, const Viewport &viewport,
-                                     const DepthRange &range, const WindowPoint &window);
-
-/// The same before it is rounded, see preciseEyePoint(Projection).
 Result<PrecisePoint<EyeSpace>> preciseEyePoint(const MatrixProjection &projection, const Viewport &viewport,
                                                const DepthRange &range, const WindowPoint &window);
 

@@ -8,7 +8,7 @@
 
 namespace unprojector::geometry {
 
-/// What is wrong with an input. The wording is the caller's (gui/error_text, the command line); `Error` carries
+/// What is wrong with an input. The wording is the caller's (core/text/error_text, gui/text/error_text); `Error` carries
 /// the offending values for it.
 enum class ErrorCode {
     NotFinite,             ///< value: the NaN or infinity given

@@ -77,7 +77,9 @@ DevicePoint pixelCenter(const DevicePixel &pixel);
 /// The framebuffer row, counted from the bottom as glReadPixels counts, of a pixel: H - 1 - j.
 int framebufferRow(const Surface &surface, const DevicePixel &pixel);
 
-/// The y flip, from window to device or back: H - y. Everything that turns one into the other goes through it.
+/// The y flip, from window to device or back: H - y. Everything that turns one into the other goes through it, but the loops
+/// of the batches (unproject/batch), which write the same subtraction for many points, and framebufferRow, which counts
+/// whole rows.
 template <class Number>
 Number flippedY(const Surface &surface, const Number &y)
 {

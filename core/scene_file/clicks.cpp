@@ -4,6 +4,7 @@
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_fields.h"
 #include "core/scene_file/strict_json.h"
+#include "core/unproject/object_from_world.h"
 
 #include <limits>
 #include <utility>

@@ -10,7 +10,8 @@
 namespace unprojector::unproject {
 using namespace geometry;
 
-/// The ways to a point. What shows or writes answers goes through kMethods, so that a new one is a new line here.
+/// The ways to a point. What computes and what writes answers, as JSON and as CSV, goes through kMethods; what compares
+/// two of them side by side names them.
 enum class Method {
     Formula,      ///< (9) to (12), no matrix is inverted; rounded once
     Matrix,       ///< the inverted matrix, as gluUnProject does it

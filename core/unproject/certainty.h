@@ -15,7 +15,8 @@ struct Certainty {
     double footprintWidth = 0.0;
     double footprintHeight = 0.0;
 
-    /// The largest of the three halves: how far off a coordinate can be by what was read alone.
+    /// The largest of the three halves: the size of what the depth and the pixel that were read leave open. No bound of a
+    /// coordinate: the three can add up, and the rasteriser's own error is not in it.
     double radius() const;
 };
 

@@ -33,11 +33,6 @@ DoubleDouble boxDistance(double n, double f, const DepthShares &d)
     return n * d.fromFar + f * d.fromNear;
 }
 
-DepthShares sharesOf(double unitDepth)
-{
-    return {unitDepth, DoubleDouble(1.0) - unitDepth};
-}
-
 /// The edges of the window on the near plane.
 struct Edges {
     DoubleDouble left, right, bottom, top;
@@ -103,25 +98,6 @@ Result<PreciseEye> preciseOblique(const Oblique &oblique, const Viewport &viewpo
 }
 
 } // namespace
-
-double distanceFromDepthPerspective(double n, double f, double d)
-{
-    return (n / nearOverDistance(n, f, sharesOf(d))).value;
-}
-
-double distanceFromDepthOrtho(double n, double f, double d)
-{
-    return boxDistance(n, f, sharesOf(d)).value;
-}
-
-Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
-                                     const WindowPoint &window)
-{
-    const Result<PreciseEye> point = preciseEyePoint(projection, viewport, range, window);
-    if (!point)
-        return point.error();
-    return point->rounded();
-}
 
 Result<PreciseEye> preciseEyePoint(const Projection &projection, const Viewport &viewport, const DepthRange &range,
                                    const WindowPoint &window)

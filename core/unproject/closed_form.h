@@ -7,18 +7,6 @@
 namespace unprojector::unproject {
 using namespace geometry;
 
-/// Distance in front of the eye, z = -z_eye, of a depth in [0, 1] under a perspective:
-///
-///   z = n f / (f (1 - d) + n d)
-///
-/// The usual way to write it, n f / (f - d (f - n)), cancels near the far plane and loses seven digits at
-/// n : f = 0.01 : 10^6; this one stays right to the last place.
-/// @param unitDepth in [0, 1]; 0 is the near plane
-double distanceFromDepthPerspective(double nearDistance, double farDistance, double unitDepth);
-
-/// z = n (1 - d) + f d: the inverse of glOrtho's third row, exact at both ends.
-double distanceFromDepthOrtho(double nearDistance, double farDistance, double unitDepth);
-
 /// Eye-space point under a window position: no matrix is inverted. This is what a click, a row and a table compute.
 ///
 /// Frustum; a Perspective is taken as its frustum, the edges not rounded:
@@ -37,7 +25,8 @@ double distanceFromDepthOrtho(double nearDistance, double farDistance, double un
 /// eye.
 ///
 /// Evaluated with z / n taken out, ((x_v - vx) (r - l) / width + l) z / n, and with 32 digits: the two terms of (9) and
-/// of (10) cancel near the view axis. Not rounded yet, for going on to world space: near the world's origin the digits of
+/// of (10) cancel near the view axis. The usual way to write the distance, n f / (f - d (f - n)), cancels near the far plane
+/// and loses seven digits at n : f = 0.01 : 10^6; this one does not. Not rounded yet, for going on to world space: near the world's origin the digits of
 /// the eye cancel, and what an eye coordinate in double has dropped would be all that is left.
 /// @param window  device pixels, origin bottom-left, inside the viewport or not; depth in the depth range
 /// @return the errors of check(projection), check(viewport), unitDepth; NotFinite for a NaN or infinite position;
@@ -46,9 +35,5 @@ double distanceFromDepthOrtho(double nearDistance, double farDistance, double un
 ///         the eye. It calls the result view-volume coordinates: they are eye coordinates. For a box it gives x and y only.
 Result<PrecisePoint<EyeSpace>> preciseEyePoint(const Projection &projection, const Viewport &viewport,
                                                const DepthRange &range, const WindowPoint &window);
-
-/// The same rounded, once: the double nearest to what the formulas say.
-Result<EyePoint> unprojectClosedForm(const Projection &projection, const Viewport &viewport, const DepthRange &range,
-                                     const WindowPoint &window);
 
 } // namespace unprojector::unproject

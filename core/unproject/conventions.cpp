@@ -31,6 +31,8 @@ Looked pixelOfClick(const Surface &surface, Conventions::PixelRatio ratio, const
         return {devicePixelFromWidget(logical, widget), logical};
     }
     case Ratio::AppliedTwice: {
+        if (const Result<DevicePixel> once = devicePixelFromWidget(surface, widget); !once)
+            return {once, surface};
         const DevicePoint twice =
             deviceFromWidget(surface, WidgetPoint(deviceFromWidget(surface, widget).coordinates()));
         return {DevicePixel{int(std::floor(twice.x)), int(std::floor(twice.y))}, surface};

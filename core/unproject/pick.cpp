@@ -8,8 +8,11 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
     const Result<DevicePixel> pixel = devicePixelFromWidget(picture.surface, position);
     if (!pixel)
         return pixel.error();
-    const auto windowAt = [&](double depth) { return windowFromDevice(picture.surface, pixelCenter(*pixel), depth); };
-    const WindowPoint window = windowAt(sample.depth);
+    const Result<WindowPoint> clicked = unprojector.windowAt(position, sample.depth);
+    if (!clicked)
+        return clicked.error();
+    const WindowPoint window = *clicked;
+    const auto windowAt = [&](double depth) { return WindowPoint(window.x, window.y, depth); };
 
     const Unprojected point = unprojector.at(window);
     Certainty certainty;

@@ -35,7 +35,7 @@ struct Pick {
 
 /// The point under a click: the pixel that the position lies in, its centre, and every method there.
 /// @param unprojector  of the picture that was clicked, by parameters
-/// @return the errors of devicePixelFromWidget; DepthOutsideRange on a hit
+/// @return the errors of devicePixelFromWidget; on a hit those of the formulas: DepthOutsideRange, PointAtInfinity
 Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position, const DepthSample &sample);
 
 } // namespace unprojector::unproject

@@ -133,16 +133,18 @@ Result<WorldPoint> Unprojector::worldByFormula(const Result<PrecisePoint<EyeSpac
 {
     if (!eye)
         return eye.error();
-    if (m_frame)
-        return withModel(worldFromEye(*m_frame, *eye));
-    return withModel(worldFromEye(std::get<glm::dmat4>(m_picture.pose), *eye));
+    const Result<WorldPoint> world = m_frame ? Result<WorldPoint>(worldFromEye(*m_frame, *eye))
+                                             : worldFromEye(std::get<glm::dmat4>(m_picture.pose), *eye);
+    return withModel(world);
 }
 
 Result<WorldPoint> Unprojector::withModel(Result<WorldPoint> world) const
 {
-    if (!world || !m_model)
-        return world;
-    return WorldPoint(glm::dvec3(*m_model * glm::dvec4(world->coordinates(), 1.0)));
+    if (world && m_model)
+        world = WorldPoint(glm::dvec3(*m_model * glm::dvec4(world->coordinates(), 1.0)));
+    if (world && !isFinite(*world))
+        return Error{ErrorCode::PointAtInfinity};
+    return world;
 }
 
 Result<EyePoint> Unprojector::eyeAt(Method method, const WindowPoint &window) const

@@ -12,8 +12,8 @@
 namespace unprojector::unproject {
 using namespace geometry;
 
-/// A picture prepared for unprojecting: checked, its axes and its inverses computed once. Every click, row and table of the
-/// project goes through one.
+/// A picture prepared for unprojecting: checked, its axes and its inverses computed once. Every click goes through one, in the
+/// window, in a file of clicks and where methods are compared; a ClickBatch computes the same for many rows.
 ///
 /// The way of a click: widget position -> device pixel -> its centre -> the y flip (geometry/viewport) -> window point ->
 /// eye point by the closed form (unproject/closed_form, geometry/matrix_projection) and by the inverse of clipFromEye

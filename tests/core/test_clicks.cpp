@@ -2,7 +2,7 @@
 
 #include "core/scene_file/clicks.h"
 #include "core/scene_file/scene_error_text.h"
-
+#include "core/unproject/object_from_world.h"
 #include "tests/support/core_scene.h"
 #include "tests/support/unprojecting.h"
 

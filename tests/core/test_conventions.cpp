@@ -1,6 +1,7 @@
 // What programs with a mistake answer. The expected points were computed apart from this program, by following the mistake
 // through the textbook formulas, to four decimals.
 #include "core/geometry/transform.h"
+#include "core/unproject/pick.h"
 #include "core/unproject/unprojector.h"
 
 #include <QTest>
@@ -62,14 +63,18 @@ void TestConventions::theDefaultIsThisProgramsOwnPath()
     const Unprojected own = unprojector.at(window());
     for (const Method method : {Method::Formula, Method::Matrix})
         QVERIFY(glm::length(own.world[method]->coordinates() - kTruth) < 1e-12);
-    // One mistake told and taken back is none.
-    Conventions conventions;
-    conventions.w = Conventions::W::Ignored;
-    QVERIFY(!(conventions == Conventions{}));
-    conventions = {};
-    const Unprojected again = Unprojector::of(picture(), conventions).value().at(window());
-    for (const Method method : kMethods)
-        QVERIFY(again.world[method]->coordinates() == own.world[method]->coordinates());
+    // A click goes by the conventions of the unprojector that it is given.
+    const WidgetPoint widget(300.0, 200.0);
+    const DepthSample sample{0.5, 0};
+    Conventions unflipped;
+    unflipped.flip = Conventions::Flip::Left;
+    const Unprojector mistaken = Unprojector::of(picture(), unflipped).value();
+    for (const Unprojector &by : {unprojector, mistaken}) {
+        const Pick pick = pickAt(by, widget, sample).value();
+        QVERIFY(pick.window == by.windowAt(widget, sample.depth).value());
+        QVERIFY(*pick.point.world[Method::Formula] == *by.at(pick.window).world[Method::Formula]);
+    }
+    QVERIFY(!(unprojector.windowAt(widget, 0.5).value() == mistaken.windowAt(widget, 0.5).value()));
 }
 
 void TestConventions::aMistakeGivesItsOwnPoint_data()

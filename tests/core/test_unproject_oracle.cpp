@@ -347,7 +347,9 @@ void TestUnprojectOracle::theUsualDepthFormulaWouldBreakThePromise()
         const Extended exact = Extended(n) * f / (Extended(f) - Extended(d) * (Extended(f) - Extended(n)));
         const auto error = [&](double z) { return static_cast<double>(abs(z - exact) / exact); };
         worstUsual = std::max(worstUsual, error(n * f / (f - d * (f - n))));
-        worstOurs = std::max(worstOurs, error(distanceFromDepthPerspective(n, f, d)));
+        const auto eye = unprojectClosedForm(Projection(Frustum{-n, n, -n, n, n, f}), Viewport{0.0, 0.0, 2.0, 2.0},
+                                             DepthRange{}, WindowPoint(1.0, 1.0, d));
+        worstOurs = std::max(worstOurs, error(-eye->z));
     }
     qInfo("usual form %.2g, ours %.2g", worstUsual, worstOurs);
     QVERIFY(worstOurs <= kClosedForm);

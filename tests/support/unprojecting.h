@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/matrix_projection.h"
+#include "core/unproject/closed_form.h"
 #include "core/unproject/matrix_inverse.h"
 #include "core/unproject/pick.h"
 #include "core/unproject/unprojector.h"
@@ -21,6 +23,20 @@ pickAt(const unprojector::geometry::Picture &picture, const unprojector::geometr
     if (!prepared)
         return prepared.error();
     return unprojector::unproject::pickAt(*prepared, position, sample);
+}
+
+/// preciseEyePoint of any lens, rounded.
+template <class Lens>
+unprojector::geometry::Result<unprojector::geometry::EyePoint>
+unprojectClosedForm(const Lens &lens, const unprojector::geometry::Viewport &viewport,
+                    const unprojector::geometry::DepthRange &range, const unprojector::geometry::WindowPoint &window)
+{
+    using namespace unprojector;
+    using unproject::preciseEyePoint; // of a Projection; that of a matrix is found by its argument
+    const auto point = preciseEyePoint(lens, viewport, range, window);
+    if (!point)
+        return point.error();
+    return point->rounded();
 }
 
 template <class Space, class Scalar = double>

@@ -51,7 +51,7 @@ public:
     ///   p = eye + X (r - l) / width s - Y (t - b) / height u + z (f + cot(theta) s + cot(phi) u)    box
     ///
     /// Counted from the axis nothing cancels that (9) and (10) would let cancel. Within 8 units in the last place of the
-    /// largest world component for 99.99 of 100 points; the last digits may differ from unprojectClosedForm's.
+    /// largest world component for 99.99 of 100 points; the last digits may differ from a click's.
     /// A projection given as a matrix is taken by its coefficients, see `recognised`; a view, by its axes.
     /// @return the errors of check(Picture), recognised and axesOff; NotFinite where a constant leaves the range of
     ///         doubles; SingularMatrix

@@ -249,13 +249,14 @@ Result<ClickBatch> ClickBatch::of(Method method, const Picture &geometry, const 
             return inDouble.error();
         return ClickBatch(OneByOne{*unprojector, kind, method});
     };
-    Result<ClickBatch> batch = batchBy();
-    if (!batch || !isOfObject)
-        return batch;
+    Result<ClickBatch> inWorld = batchBy();
+    if (!inWorld || !isOfObject)
+        return inWorld;
     const Result<ObjectFromWorld> object = ObjectFromWorld::of(space.worldFromObject);
     if (!object)
         return object.error();
-    batch->m_object = *object;
+    ClickBatch batch = std::move(inWorld).value();
+    batch.m_object = *object;
     return batch;
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-/// The arithmetic of core/batch_unproject, compiled once for each instruction set from batch/kernels.inl. Only additions,
+/// The arithmetic of core/unproject/batch, compiled once for each instruction set from batch/kernels.inl. Only additions,
 /// subtractions, products and quotients, each rounded once and none fused: so every instruction set gives the same
 /// digits.
 namespace unprojector::unproject::batch {
