@@ -82,7 +82,9 @@ int main(int argc, char **argv)
     QCommandLineParser parser;
     parser.setApplicationDescription(
         CommandLine::tr("Click a pixel of a 3-D view and get its world coordinate, computed twice."));
-    const QCommandLineOption help = parser.addHelpOption();
+    // Qt's own help option brings --help-all along, which here would be the same.
+    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
+                                  CommandLine::tr("Say how the program is called, and quit."));
     const QCommandLineOption version = parser.addVersionOption();
     const QCommandLineOption screenshot(
         QStringLiteral("screenshot"),
@@ -100,11 +102,11 @@ int main(int argc, char **argv)
                                     CommandLine::tr("Whether the edges of surfaces are drawn without steps: on or off. "
                                                     "What clicks read is the same."),
                                     QStringLiteral("ON|OFF"));
-    parser.addOptions({screenshot, size, click, smooth});
+    parser.addOptions({help, screenshot, size, click, smooth});
     parser.addPositionalArgument(
         QStringLiteral("MODEL"),
-        CommandLine::tr("Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."),
-        QStringLiteral("[MODEL …]"));
+        CommandLine::tr("A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."),
+        QStringLiteral("[SCENE | MODEL …]"));
 
     if (!parser.parse(words->arguments()))
         return usageError(CommandLine::tr("%1 See --help.").arg(parser.errorText()));

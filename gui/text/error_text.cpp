@@ -39,6 +39,8 @@ QString viewFault(const Error &error)
         .arg(column + 1);
 }
 
+constexpr auto kModelSuffixes = "*.obj *.stl *.ply *.off *.gltf *.glb";
+
 } // namespace
 
 QString pathText(const std::filesystem::path &path)
@@ -57,7 +59,12 @@ QString plainToolTip(const QString &text)
 
 QString modelFileFilter()
 {
-    return Errors::tr("Models (%1)").arg(QStringLiteral("*.obj *.stl *.ply *.off *.gltf *.glb"));
+    return Errors::tr("Models (%1)").arg(QLatin1String(kModelSuffixes));
+}
+
+QString openableFileFilter()
+{
+    return Errors::tr("Models and scenes (%1)").arg(QLatin1String(kModelSuffixes) + QStringLiteral(" *.json"));
 }
 
 QString errorText(const Error &error)

@@ -17,7 +17,9 @@ QString errorText(const ImportError &error);
 QString pathText(const std::filesystem::path &path);
 /// A tooltip that shows this text as it is, whatever looks like markup in it; empty for none.
 QString plainToolTip(const QString &text);
-/// The suffixes that can be opened, as a filter of a file dialog: "Models (*.obj *.stl …)".
+/// The suffixes of models, as a filter of a file dialog: "Models (*.obj *.stl …)".
 QString modelFileFilter();
+/// The same with scenes: "Models and scenes (*.obj … *.json)".
+QString openableFileFilter();
 
 } // namespace unprojector::gui

@@ -60,7 +60,8 @@ void MainWindow::createFileMenu(QToolBar &bar)
     bar.addAction(
         addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"), [this, models, all] {
             std::vector<std::filesystem::path> files =
-                askForModels(tr("Open Models or a Scene"), models + QStringLiteral(";;") + tr("Scenes (*.json)") + all);
+                askForModels(tr("Open Models or a Scene"), openableFileFilter() + QStringLiteral(";;") + models
+                                                               + QStringLiteral(";;") + tr("Scenes (*.json)") + all);
             if (!files.empty())
                 m_session->openFiles(std::move(files));
         }));

@@ -20,8 +20,12 @@
         <translation>与 --screenshot 连用：在视图的这个位置按下左键，以逻辑像素计，原点在视图左上角。可以给出多次。</translation>
     </message>
     <message>
-        <source>Model files to open: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene.</source>
-        <translation>要打开的模型文件：OBJ、STL、PLY、OFF、glTF、GLB。不给出时打开自带场景。</translation>
+        <source>A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene.</source>
+        <translation>一个场景，或模型文件：OBJ、STL、PLY、OFF、glTF、GLB。不给出时打开自带场景。</translation>
+    </message>
+    <message>
+        <source>Say how the program is called, and quit.</source>
+        <translation>显示程序的用法并退出。</translation>
     </message>
     <message>
         <source>%1 See --help.</source>
@@ -73,6 +77,10 @@
     <message>
         <source>The window is %1 × %2 pixels, which is more than is drawn; make it smaller.</source>
         <translation>窗口为 %1 × %2 像素，超出可绘制的大小；请缩小窗口。</translation>
+    </message>
+    <message>
+        <source>Models and scenes (%1)</source>
+        <translation>模型和场景 (%1)</translation>
     </message>
     <message>
         <source>Models (%1)</source>

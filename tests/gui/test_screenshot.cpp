@@ -412,6 +412,7 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     row("click without a picture", {"--click", "10,10"}, "--screenshot");
     row("edges", {"--screenshot", picture, "--smooth-edges", "3"}, "--smooth-edges is 3");
     row("unknown option", {"--screnshot", picture}, "screnshot");
+    row("Qt's own help", {"--help-all"}, "help-all");
     row("no such folder", {"--screenshot", path("no/such/folder/out.png")}, "there is no such folder");
     row("unknown picture format", {"--screenshot", path("out.xyz")}, "out.xyz is no picture's name");
     row("a model for a picture", {"--screenshot", path("broken.obj")}, "broken.obj is no picture's name");
