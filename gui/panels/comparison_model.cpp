@@ -135,7 +135,7 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
             return static_cast<int>(std::min(length, text.size()));
         }
         return {};
-    case ValueRole: return v ? QVariant(*v) : QVariant();
+    case kValueRole: return v ? QVariant(*v) : QVariant();
     case Qt::ToolTipRole:
         if (v && isCoordinate)
             return tr("%1\nDigits in grey are below what the depth buffer and the pixel can tell.")
@@ -191,7 +191,7 @@ QString ComparisonModel::text() const
     for (int row = 0; row < rowCount(); ++row) {
         text += u'\n' + headerData(row, Qt::Vertical).toString();
         for (int column = 0; column < ColumnCount; ++column) {
-            const QVariant v = data(index(row, column), ValueRole);
+            const QVariant v = data(index(row, column), kValueRole);
             text += u'\t' + (v.isValid() ? shortestText(v.toDouble()) : QString());
         }
     }

@@ -21,7 +21,7 @@ public:
     /// Number of leading characters of a coordinate that are certain; the rest is below what depth and pixel tell.
     static constexpr int CertainLengthRole = Qt::UserRole;
     /// The double itself.
-    static constexpr int ValueRole = Qt::UserRole + 1;
+    static constexpr int kValueRole = Qt::UserRole + 1;
 
     explicit ComparisonModel(QObject *parent = nullptr);
 

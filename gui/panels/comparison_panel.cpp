@@ -299,7 +299,7 @@ void ComparisonPanel::copySelection() const
         if (!text.isEmpty())
             text += index.row() == row ? u'\t' : u'\n';
         row = index.row();
-        const QVariant value = index.data(ComparisonModel::ValueRole);
+        const QVariant value = index.data(ComparisonModel::kValueRole);
         text += value.isValid() ? shortestText(value.toDouble()) : index.data().toString();
     }
     if (!text.isEmpty())

@@ -107,7 +107,7 @@ QVariant CornersModel::data(const QModelIndex &index, int role) const
     if (!p)
         return role == Qt::DisplayRole ? QVariant(QStringLiteral("–")) : QVariant();
     switch (role) {
-    case ValueRole: return value(*p, index.column());
+    case kValueRole: return value(*p, index.column());
     case Qt::DisplayRole:
         switch (index.column()) {
         case Widget: return pairText(pixelText(p->widget.x), pixelText(p->widget.y));

@@ -19,7 +19,7 @@ class CornersModel : public QAbstractTableModel {
 public:
     enum Row { TopLeft, TopRight, BottomLeft, BottomRight, Centre, Pointer, RowCount };
     enum Column { Widget, Device, Window, Ndc, ColumnCount };
-    static constexpr int ValueRole = Qt::UserRole; ///< QPointF, with all digits
+    static constexpr int kValueRole = Qt::UserRole; ///< QPointF, with all digits
 
     explicit CornersModel(QObject *parent = nullptr);
 

@@ -72,7 +72,7 @@ void NumberGrid::fitColumns()
     const int width = viewport()->width();
     for (int column = 0; column < columns; ++column)
         setColumnWidth(column, width * (column + 1) / columns - width * column / columns);
-    const bool hasLabels = m_model->index(0, 0).data(NumberGridModel::LabelRole).toString().size() > 0;
+    const bool hasLabels = m_model->index(0, 0).data(NumberGridModel::kLabelRole).toString().size() > 0;
     const int room = width / columns - 2 * kCellMargin;
     const int characters = static_cast<int>(room / QFontMetricsF(font()).horizontalAdvance(u'0'));
     m_model->setCapacity(characters - (hasLabels ? kLabelLength + 1 : 0));
@@ -104,7 +104,7 @@ void NumberGrid::paintEvent(QPaintEvent *)
             const bool isSelected = selectionModel()->isSelected(index);
             if (isSelected)
                 painter.fillRect(cell, palette().brush(QPalette::Highlight));
-            if (const QString label = index.data(NumberGridModel::LabelRole).toString(); !label.isEmpty()) {
+            if (const QString label = index.data(NumberGridModel::kLabelRole).toString(); !label.isEmpty()) {
                 painter.setPen(isSelected ? selectedText : labelText);
                 painter.drawText(QPointF(cell.x() + kCellMargin + kBracketWidth, cell.y() + ascent), label);
             }

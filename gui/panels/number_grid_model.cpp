@@ -112,8 +112,8 @@ QVariant NumberGridModel::data(const QModelIndex &index, int role) const
         return m_texts[static_cast<std::size_t>(row * m_columns + column)];
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole: return toolTip(row, column);
-    case LabelRole: return label(row, column);
-    case ValueRole: {
+    case kLabelRole: return label(row, column);
+    case kValueRole: {
         const std::optional<double> &value = number(row, column);
         return value ? QVariant(*value) : QVariant();
     }

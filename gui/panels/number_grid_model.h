@@ -16,9 +16,9 @@ class NumberGridModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     /// The double itself (in float digits: the value rounded to float); invalid where there is no number.
-    static constexpr int ValueRole = Qt::UserRole;
+    static constexpr int kValueRole = Qt::UserRole;
     /// What stands before the number: "m[12]".
-    static constexpr int LabelRole = Qt::UserRole + 1;
+    static constexpr int kLabelRole = Qt::UserRole + 1;
 
     using QAbstractTableModel::QAbstractTableModel;
 

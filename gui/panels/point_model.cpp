@@ -53,7 +53,7 @@ QString PointModel::name() const
 
 QString PointModel::fullText() const
 {
-    if (!index(0, 0).data(ValueRole).isValid())
+    if (!index(0, 0).data(kValueRole).isValid())
         return QStringLiteral("–");
     QStringList coordinates;
     for (int i = 0; i < m_coordinates; ++i)

@@ -39,7 +39,7 @@ protected:
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
-    void releaseGL() override;
+    void releaseGL() final;
 
     bool event(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;

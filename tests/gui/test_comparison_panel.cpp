@@ -68,7 +68,7 @@ void TestComparisonPanel::theTableHoldsThePicksDoubles()
     ComparisonModel model;
     QCOMPARE(model.rowCount(), 6);
     for (int row = 0; row < 6; ++row)
-        QVERIFY(!cell(model, row, ComparisonModel::Formula, ComparisonModel::ValueRole).isValid());
+        QVERIFY(!cell(model, row, ComparisonModel::Formula, ComparisonModel::kValueRole).isValid());
 
     const Pick pick = picked(frustumGeometry(), 612.0, 99.0, 0.9);
     model.setPick(pick);
@@ -77,7 +77,7 @@ void TestComparisonPanel::theTableHoldsThePicksDoubles()
         for (int axis = 0; axis < 3; ++axis) {
             const int row = firstRow + axis;
             const auto value = [&](int column) {
-                return cell(model, row, column, ComparisonModel::ValueRole).toDouble();
+                return cell(model, row, column, ComparisonModel::kValueRole).toDouble();
             };
             const double formula = point[Method::Formula]->coordinates()[axis],
                          matrix = point[Method::Matrix]->coordinates()[axis];
@@ -105,9 +105,9 @@ void TestComparisonPanel::theTableOfABackgroundHoldsTheRay()
     QCOMPARE(model.headerData(0, Qt::Vertical).toString(), QStringLiteral("Near x"));
     QCOMPARE(model.headerData(5, Qt::Vertical).toString(), QStringLiteral("Far z"));
     for (int axis = 0; axis < 3; ++axis) {
-        QVERIFY(cell(model, axis, ComparisonModel::Formula, ComparisonModel::ValueRole).toDouble()
+        QVERIFY(cell(model, axis, ComparisonModel::Formula, ComparisonModel::kValueRole).toDouble()
                 == pick.rayNear.world[Method::Formula]->coordinates()[axis]);
-        QVERIFY(cell(model, 3 + axis, ComparisonModel::Matrix, ComparisonModel::ValueRole).toDouble()
+        QVERIFY(cell(model, 3 + axis, ComparisonModel::Matrix, ComparisonModel::kValueRole).toDouble()
                 == pick.rayFar.world[Method::Matrix]->coordinates()[axis]);
     }
 }
@@ -119,7 +119,7 @@ void TestComparisonPanel::differencesAreCountedInUlpsOfTheLargestComponent()
     model.setPick(pickWith({1.0, 2.0, 4.0}, {1.0 + std::ldexp(1.0, -52), 2.0, 4.0 - std::ldexp(1.0, -51)},
                            {1.0, 2.0, 4.5}, 0.01));
     const auto value = [&](int row, int column) {
-        return cell(model, row, column, ComparisonModel::ValueRole).toDouble();
+        return cell(model, row, column, ComparisonModel::kValueRole).toDouble();
     };
     QVERIFY(value(0, ComparisonModel::Difference) == -std::ldexp(1.0, -52));
     QVERIFY(value(0, ComparisonModel::Ulps) == -0.25);
@@ -199,8 +199,8 @@ void TestComparisonPanel::aMethodWithoutAnswerSaysNone()
     model.setPick(pick);
     QCOMPARE(cell(model, 0, ComparisonModel::Matrix).toString(), QStringLiteral("none"));
     QCOMPARE(cell(model, 0, ComparisonModel::Difference).toString(), QStringLiteral("none"));
-    QVERIFY(cell(model, 0, ComparisonModel::Formula, ComparisonModel::ValueRole).toDouble() == 1.0);
-    QVERIFY(!cell(model, 0, ComparisonModel::Matrix, ComparisonModel::ValueRole).isValid());
+    QVERIFY(cell(model, 0, ComparisonModel::Formula, ComparisonModel::kValueRole).toDouble() == 1.0);
+    QVERIFY(!cell(model, 0, ComparisonModel::Matrix, ComparisonModel::kValueRole).isValid());
 }
 
 void TestComparisonPanel::theCopiedTableReadsBackToTheSameDoubles()
@@ -221,7 +221,7 @@ void TestComparisonPanel::theCopiedTableReadsBackToTheSameDoubles()
                 bool isNumber = false;
                 const double value = cells[column + 1].toDouble(&isNumber);
                 QVERIFY(isNumber);
-                QVERIFY(value == cell(model, row, column, ComparisonModel::ValueRole).toDouble());
+                QVERIFY(value == cell(model, row, column, ComparisonModel::kValueRole).toDouble());
             }
         }
     }
@@ -318,7 +318,7 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
     QCOMPARE(labelNamed(panel, "Depth")->text(), shortestText((range.atNear + range.atFar) / 2.0));
     for (int axis = 0; axis < 3; ++axis) {
         for (const int column : {int(ComparisonModel::Formula), int(ComparisonModel::Matrix)}) {
-            const double value = cell(panel.model(), 3 + axis, column, ComparisonModel::ValueRole).toDouble();
+            const double value = cell(panel.model(), 3 + axis, column, ComparisonModel::kValueRole).toDouble();
             QVERIFY2(std::abs(value - eye[axis]) < 1e-14, qPrintable(QString::number(value, 'g', 17)));
         }
     }
@@ -330,7 +330,7 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
     panel.setPick(picked(geometry, 412.0, 299.0, range.atFar, false));
     QCOMPARE(labelNamed(panel, "Depth")->text(), shortestText(range.atFar) + QStringLiteral(", the background's"));
     const auto worldZ = [&](int row) {
-        return cell(panel.model(), row, ComparisonModel::Formula, ComparisonModel::ValueRole).toDouble();
+        return cell(panel.model(), row, ComparisonModel::Formula, ComparisonModel::kValueRole).toDouble();
     };
     QCOMPARE(worldZ(2), 3.0);
     QCOMPARE(worldZ(5), -5.0);

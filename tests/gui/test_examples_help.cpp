@@ -191,7 +191,7 @@ void TestExamplesHelp::thePipelineShowsTheFigures()
     model.setObject(0);
     model.update();
     const MatrixModel *matrix = model.matrix(static_cast<PipelineStage>(stage));
-    const QVariant value = matrix->index(row, column).data(NumberGridModel::ValueRole);
+    const QVariant value = matrix->index(row, column).data(NumberGridModel::kValueRole);
     QVERIFY(value.isValid());
     QVERIFY2(std::abs(value.toDouble() - expected) <= 2.5e-7, qPrintable(QString::number(value.toDouble(), 'g', 17)));
 }

@@ -54,7 +54,7 @@ void openFigures(SceneDocument &document)
 
 double value(const NumberGridModel *model, int row, int column)
 {
-    const QVariant value = model->index(row, column).data(NumberGridModel::ValueRole);
+    const QVariant value = model->index(row, column).data(NumberGridModel::kValueRole);
     return value.isValid() ? value.toDouble() : std::nan("");
 }
 
@@ -135,7 +135,7 @@ void TestPipelinePanel::theMemoryOrderIsTheTutorialsWatchWindow()
     const MatrixModel *modelview = model.matrix(Stage::ModelviewMatrix);
     QCOMPARE(modelview->rowCount(), 8);
     QCOMPARE(modelview->columnCount(), 2);
-    QCOMPARE(modelview->index(6, 1).data(NumberGridModel::LabelRole).toString(), QStringLiteral("m[14]"));
+    QCOMPARE(modelview->index(6, 1).data(NumberGridModel::kLabelRole).toString(), QStringLiteral("m[14]"));
     QCOMPARE(value(modelview, 6, 1), -8.0);
     QCOMPARE(cell(modelview, 6, 1), QStringLiteral("-8"));
 

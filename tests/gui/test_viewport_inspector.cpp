@@ -25,7 +25,7 @@ constexpr double kRounding = 1e-11;
 
 QPointF cell(const CornersModel &model, int row, int column)
 {
-    return model.index(row, column).data(CornersModel::ValueRole).toPointF();
+    return model.index(row, column).data(CornersModel::kValueRole).toPointF();
 }
 
 bool isAt(const CornersModel &model, int row, int column, double x, double y)
@@ -176,18 +176,18 @@ void TestViewportInspector::thePointersRowFollowsIt()
     ViewportInspector panel(document);
     panel.show();
     const CornersModel &corners = panel.corners();
-    QVERIFY(!corners.index(CornersModel::Pointer, 0).data(CornersModel::ValueRole).isValid());
+    QVERIFY(!corners.index(CornersModel::Pointer, 0).data(CornersModel::kValueRole).isValid());
     panel.setPointer(WidgetPoint(399.0, 299.0));
     QVERIFY(isAt(corners, CornersModel::Pointer, CornersModel::Widget, 399, 299));
     QVERIFY(isAt(corners, CornersModel::Pointer, CornersModel::Device, 498, 373));
     QVERIFY(isAt(corners, CornersModel::Pointer, CornersModel::Window, 498.5, 1.5));
     QVERIFY(isAt(corners, CornersModel::Pointer, CornersModel::Ndc, 0.994, -372 / 375.0));
     panel.setPointer(WidgetPoint(400.0, 10.0)); // one pixel beyond the right edge
-    QVERIFY(!corners.index(CornersModel::Pointer, 0).data(CornersModel::ValueRole).isValid());
+    QVERIFY(!corners.index(CornersModel::Pointer, 0).data(CornersModel::kValueRole).isValid());
     panel.setPointer(WidgetPoint(0.0, 0.0));
     QVERIFY(isAt(corners, CornersModel::Pointer, CornersModel::Window, 0.5, 374.5));
     panel.clearPointer();
-    QVERIFY(!corners.index(CornersModel::Pointer, 0).data(CornersModel::ValueRole).isValid());
+    QVERIFY(!corners.index(CornersModel::Pointer, 0).data(CornersModel::kValueRole).isValid());
     QCOMPARE(corners.index(CornersModel::Pointer, 0).data().toString(), QStringLiteral("–"));
 }
 
@@ -275,7 +275,7 @@ void TestViewportInspector::thePanelFollowsEveryResize()
              QStringLiteral("Window 500 × 375 device pixels, device pixel ratio 1.25"));
     QCOMPARE(labelNamed(panel, "Viewport")->text(), QStringLiteral("glViewport(0, 0, 500, 375)"));
     QVERIFY(isAt(panel.corners(), CornersModel::BottomRight, CornersModel::Device, 499, 374));
-    QVERIFY(!panel.corners().index(CornersModel::Pointer, 0).data(CornersModel::ValueRole).isValid());
+    QVERIFY(!panel.corners().index(CornersModel::Pointer, 0).data(CornersModel::kValueRole).isValid());
     document.setSurface({1000, 750, 1.25});
     QVERIFY(isAt(panel.corners(), CornersModel::Pointer, CornersModel::Device, 875, 12));
 }
