@@ -9,7 +9,7 @@ namespace unprojector::gui {
 
 void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
-    const QVariant length = index.data(ComparisonModel::CertainLengthRole);
+    const QVariant length = index.data(ComparisonModel::kCertainLengthRole);
     if (!length.isValid()) {
         QStyledItemDelegate::paint(painter, option, index);
         return;

@@ -127,7 +127,7 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
         if (column == Ulps)
             return ulpsText(*v);
         return significantText(*v, 2);
-    case CertainLengthRole:
+    case kCertainLengthRole:
         if (v && isCoordinate) {
             const QString text = coordinateText(row, column);
             const qsizetype point = text.indexOf(u'.');

@@ -19,7 +19,7 @@ class ComparisonModel : public QAbstractTableModel {
 public:
     enum Column { Formula, Matrix, Difference, Ulps, MatrixInFloat, FloatDifference, ColumnCount };
     /// Number of leading characters of a coordinate that are certain; the rest is below what depth and pixel tell.
-    static constexpr int CertainLengthRole = Qt::UserRole;
+    static constexpr int kCertainLengthRole = Qt::UserRole;
     /// The double itself.
     static constexpr int kValueRole = Qt::UserRole + 1;
 

@@ -58,9 +58,14 @@ void NumberGridModel::setNumbers(int rows, int columns, Numbers numbers, Digits 
         emit dataChanged(index(0, 0), index(rows - 1, columns - 1));
 }
 
+std::size_t NumberGridModel::placeOf(int row, int column) const
+{
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns) + static_cast<std::size_t>(column);
+}
+
 const std::optional<double> &NumberGridModel::number(int row, int column) const
 {
-    return m_numbers[static_cast<std::size_t>(row * m_columns + column)];
+    return m_numbers[placeOf(row, column)];
 }
 
 void NumberGridModel::makeTexts() const
@@ -69,6 +74,7 @@ void NumberGridModel::makeTexts() const
     const auto capacity = static_cast<std::size_t>(std::max(m_capacity, 1));
     for (int column = 0; column < m_columns && m_rows > 0; ++column) {
         std::vector<std::string> texts;
+        texts.reserve(static_cast<std::size_t>(m_rows));
         for (int row = 0; row < m_rows; ++row)
             texts.push_back(number(row, column) ? fittedText(*number(row, column), m_digits, capacity) : std::string());
         std::vector<std::string> aligned = texts;
@@ -83,8 +89,7 @@ void NumberGridModel::makeTexts() const
         }
         for (int row = 0; row < m_rows; ++row) {
             if (number(row, column))
-                m_texts[static_cast<std::size_t>(row * m_columns + column)] =
-                    shown(texts[static_cast<std::size_t>(row)]);
+                m_texts[placeOf(row, column)] = shown(texts[static_cast<std::size_t>(row)]);
         }
     }
     m_textsAreStale = false;
@@ -109,7 +114,7 @@ QVariant NumberGridModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         if (m_textsAreStale)
             makeTexts();
-        return m_texts[static_cast<std::size_t>(row * m_columns + column)];
+        return m_texts[placeOf(row, column)];
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole: return toolTip(row, column);
     case kLabelRole: return label(row, column);

@@ -42,6 +42,7 @@ protected:
     virtual QString toolTip(int row, int column) const = 0;
 
 private:
+    std::size_t placeOf(int row, int column) const;
     void makeTexts() const;
     const std::optional<double> &number(int row, int column) const;
 

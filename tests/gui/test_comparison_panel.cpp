@@ -176,14 +176,14 @@ void TestComparisonPanel::certainDigitsEndAtTheRadius()
     ComparisonModel model;
     model.setPick(pickWith({x, 0.0, 0.0}, {x, 0.0, 0.0}, {x, 0.0, 0.0}, radius));
     QCOMPARE(cell(model, 0, ComparisonModel::Formula).toString(), text);
-    const int length = cell(model, 0, ComparisonModel::Formula, ComparisonModel::CertainLengthRole).toInt();
+    const int length = cell(model, 0, ComparisonModel::Formula, ComparisonModel::kCertainLengthRole).toInt();
     QCOMPARE(text.left(length), certain);
-    QCOMPARE(cell(model, 0, ComparisonModel::Matrix, ComparisonModel::CertainLengthRole).toInt(), length);
+    QCOMPARE(cell(model, 0, ComparisonModel::Matrix, ComparisonModel::kCertainLengthRole).toInt(), length);
     // A number that is a difference has no certain part.
-    QVERIFY(!cell(model, 0, ComparisonModel::Difference, ComparisonModel::CertainLengthRole).isValid());
+    QVERIFY(!cell(model, 0, ComparisonModel::Difference, ComparisonModel::kCertainLengthRole).isValid());
     const QString inFloat = cell(model, 0, ComparisonModel::MatrixInFloat).toString();
     QVERIFY(inFloat.size() < text.size() && text.startsWith(inFloat));
-    QVERIFY(cell(model, 0, ComparisonModel::MatrixInFloat, ComparisonModel::CertainLengthRole).toInt()
+    QVERIFY(cell(model, 0, ComparisonModel::MatrixInFloat, ComparisonModel::kCertainLengthRole).toInt()
             <= inFloat.size());
 }
 

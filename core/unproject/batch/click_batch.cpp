@@ -249,13 +249,13 @@ Result<ClickBatch> ClickBatch::of(Method method, const Picture &geometry, const 
             return inDouble.error();
         return ClickBatch(OneByOne{*unprojector, kind, method});
     };
-    Result<ClickBatch> inWorld = batchBy();
+    const Result<ClickBatch> inWorld = batchBy();
     if (!inWorld || !isOfObject)
         return inWorld;
     const Result<ObjectFromWorld> object = ObjectFromWorld::of(space.worldFromObject);
     if (!object)
         return object.error();
-    ClickBatch batch = std::move(inWorld).value();
+    ClickBatch batch = *inWorld;
     batch.m_object = *object;
     return batch;
 }
