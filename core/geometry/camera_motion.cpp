@@ -105,10 +105,10 @@ LookAt seenFrom(const LookAt &camera, StandardView side)
     return {camera.center + towardsViewer * centerDistance(camera), camera.center, up};
 }
 
-double worldPerPixel(const Picture &geometry, const WorldPoint &anchor)
+double worldPerLogicalPixel(const Picture &geometry, const WorldPoint &anchor)
 {
     const double distance = -eyeFromWorld(frameOf(geometry.camera()), anchor).z;
-    return pixelFootprint(geometry, distance).y;
+    return pixelFootprint(geometry, distance).y * geometry.surface.devicePixelRatio;
 }
 
 Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor)

@@ -23,9 +23,9 @@ LookAt moved(const LookAt &camera, const WorldVector &offset);
 /// Looks at the same centre from one of the six sides, at the same distance.
 LookAt seenFrom(const LookAt &camera, StandardView side);
 
-/// World size of one device pixel at the depth of `anchor`, for panning with the hand.
+/// World size of one logical pixel at the depth of `anchor`: what a hand, whose ways are logical pixels, moves by.
 /// @pre the geometry is valid
-double worldPerPixel(const Picture &geometry, const WorldPoint &anchor);
+double worldPerLogicalPixel(const Picture &geometry, const WorldPoint &anchor);
 
 /// Zooms by `factor` (> 1: closer) so that `anchor` stays where it is in the picture: a perspective's eye moves
 /// along the ray to it, a box shrinks about it while its eye steps forward. The centre moves to the anchor's depth.

@@ -21,7 +21,7 @@ constexpr double kSignPixels = 30.0;
 /// World size of the camera's sign at a point of the picture: always as many pixels, because it is a sign, not a thing.
 double signSize(const Picture &observer, const WorldPoint &point)
 {
-    return kSignPixels * worldPerPixel(observer, point) * observer.surface.devicePixelRatio;
+    return kSignPixels * worldPerLogicalPixel(observer, point);
 }
 
 glm::vec4 withAlpha(glm::vec4 color, float alpha)
@@ -161,7 +161,10 @@ std::optional<QPointF> ObserverView::placeOf(const WorldPoint &point) const
     const glm::dvec4 clip = p->clipFromDrawn * drawn;
     if (!(drawn.w > 0.0) || !(clip.w > 0.0))
         return std::nullopt;
-    return QPointF((clip.x / clip.w + 1.0) / 2.0 * width(), (1.0 - clip.y / clip.w) / 2.0 * height());
+    const WindowPoint window = windowFromNdc(p->observer.viewport, p->observer.depthRange,
+                                             NdcPoint(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w));
+    const WidgetPoint widget = widgetFromDevice(p->observer.surface, deviceFromWindow(p->observer.surface, window));
+    return QPointF(widget.x, widget.y);
 }
 
 void ObserverView::paintGL()
@@ -300,7 +303,7 @@ void ObserverView::drawVolume(const ObserverPicture &p)
         std::array<glm::dvec3, 3> tips;
         for (int axis = 0; axis < 3; ++axis)
             tips[static_cast<std::size_t>(axis)] = origin + glm::dvec3(drawnFromNdc[axis]) * 1.35;
-        const double letter = 5.5 * worldPerPixel(p.observer, WorldPoint(origin)) * p.observer.surface.devicePixelRatio;
+        const double letter = 5.5 * worldPerLogicalPixel(p.observer, WorldPoint(origin));
         drawLines(letteredAxes(origin, tips, "xyz", (p.observerFrame.side * letter).coordinates(),
                                (p.observerFrame.upward * letter).coordinates(), opacity),
                   p.clipFromDrawn, 1.6);

@@ -123,7 +123,7 @@ void ObserverView::zoom(const QPointF &position, double factor)
     if (!frame)
         return;
     // The point under the pointer at the depth of the centre keeps its place.
-    const double scale = worldPerPixel(m_observer, m_observer.camera().center) * m_observer.surface.devicePixelRatio;
+    const double scale = worldPerLogicalPixel(m_observer, m_observer.camera().center);
     const WorldPoint anchor = m_observer.camera().center + frame->side * ((position.x() - width() / 2.0) * scale)
                               - frame->upward * ((position.y() - height() / 2.0) * scale);
     Picture next = zoomed(m_observer, anchor, factor);
@@ -178,8 +178,7 @@ void ObserverView::mouseMoveEvent(QMouseEvent *event)
         const Result<EyeFrame> frame = eyeFrame(m_observer.camera());
         if (!frame)
             return;
-        const double scale =
-            worldPerPixel(m_observer, m_observer.camera().center) * m_observer.surface.devicePixelRatio;
+        const double scale = worldPerLogicalPixel(m_observer, m_observer.camera().center);
         m_observer.camera() = moved(m_observer.camera(), (frame->upward * delta.y() - frame->side * delta.x()) * scale);
         m_isTouched = true;
         update();

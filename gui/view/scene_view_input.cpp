@@ -64,7 +64,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
         const Result<EyeFrame> frame = eyeFrame(g.camera());
         if (!frame)
             return;
-        const double scale = worldPerPixel(g, m_pivot) * g.surface.devicePixelRatio;
+        const double scale = worldPerLogicalPixel(g, m_pivot);
         m_document.setCamera(moved(g.camera(), (frame->upward * delta.y() - frame->side * delta.x()) * scale),
                              m_gesture);
         return;
