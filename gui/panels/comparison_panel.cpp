@@ -42,19 +42,22 @@ QLabel *noteLabel(const QString &accessibleName)
     return label;
 }
 
-/// Broken at blanks into lines of so many characters, continued with an indent. The editor's own wrapping would break
-/// numbers at their decimal points.
-QString wrapped(const QString &text, qsizetype columns)
+/// Broken at blanks into lines of a width, continued with an indent. The editor's own wrapping would break numbers at their
+/// decimal points. Measured, not counted: a sign that the font lacks comes from another one, and wider.
+QString wrapped(const QString &text, const QFontMetricsF &metrics, double width)
 {
+    constexpr qsizetype kIndent = 4;
     QStringList lines;
     for (const QString &line : text.split(u'\n')) {
         QString rest = line;
-        while (rest.size() > columns) {
-            const qsizetype blank = rest.lastIndexOf(u' ', columns);
-            if (blank <= 4)
+        while (metrics.horizontalAdvance(rest) > width) {
+            qsizetype blank = rest.lastIndexOf(u' ');
+            while (blank > kIndent && metrics.horizontalAdvance(rest.left(blank)) > width)
+                blank = rest.lastIndexOf(u' ', blank - 1);
+            if (blank <= kIndent)
                 break;
             lines << rest.left(blank);
-            rest = QStringLiteral("    ") + rest.mid(blank + 1);
+            rest = QString(kIndent, u' ') + rest.mid(blank + 1);
         }
         lines << rest;
     }
@@ -248,7 +251,7 @@ void ComparisonPanel::showFormula()
 {
     const QFontMetricsF metrics(m_formula->font());
     const double width = m_formula->viewport()->width() - 2.0 * m_formula->document()->documentMargin();
-    m_formula->setPlainText(wrapped(m_formulaText, static_cast<qsizetype>(width / metrics.horizontalAdvance(u'0'))));
+    m_formula->setPlainText(wrapped(m_formulaText, metrics, width));
 }
 
 void ComparisonPanel::resizeEvent(QResizeEvent *event)
