@@ -63,6 +63,14 @@ std::vector<SceneObject> cubeScene()
     return {{"cube", {}, modelOf(std::move(mesh)), {Translate{kCubeCenter}}}};
 }
 
+std::vector<SceneObject> twoCubes()
+{
+    std::vector<SceneObject> cubes = cubeScene();
+    cubes.push_back(cubes.front());
+    cubes.back().transform = {Translate{kTwoCubeCenters[1]}};
+    return cubes;
+}
+
 int faceOfColor(const QColor &color)
 {
     const glm::dvec3 seen = glm::dvec3(color.redF(), color.greenF(), color.blueF());
@@ -93,6 +101,32 @@ std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &
     return {{"plane", {}, modelOf(std::move(mesh)), {Translate{center}}}};
 }
 
+void setClipPlanes(SceneDocument &document, const std::vector<glm::dvec4> &planes)
+{
+    QVERIFY(document.editClipPlanes(planes, {}, {QStringLiteral("Planes")}));
+}
+
+void setDepthRange(SceneDocument &document, const DepthRange &range)
+{
+    QVERIFY(document.editViewport(document.scene().viewport, range, {QStringLiteral("Depth range")}));
+}
+
+// ---- pictures ----------------------------------------------------------------------------------------------------
+
+int differentPixels(const QImage &a, const QImage &b)
+{
+    if (a.size() != b.size())
+        return a.width() * a.height();
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+            count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 24;
+        }
+    }
+    return count;
+}
+
 // ---- windows -----------------------------------------------------------------------------------------------------
 
 std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock)
@@ -109,6 +143,25 @@ std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, boo
     const bool shown = QTest::qWaitForWindowExposed(window.get());
     if (!shown || !QTest::qWaitFor([&] { return window->view().isReady(); }) || !resized(*window, size))
         qFatal("the window does not come up");
+    return window;
+}
+
+std::unique_ptr<MainWindow> cubeWindow(bool isOrtho)
+{
+    auto window = shownWindow(false, {500, 400});
+    window->document().setObjects(cubeScene());
+    window->document().setCamera(
+        {WorldPoint(kCubeCenter + glm::dvec3(4.0, 3.0, 5.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    if (isOrtho)
+        window->document().switchProjection();
+    return window;
+}
+
+std::unique_ptr<MainWindow> twoCubesWindow(const DepthRange &range)
+{
+    auto window = shownWindow(false, {420, 360});
+    window->document().setObjects(twoCubes(), kBeforeTwoCubes);
+    setDepthRange(window->document(), range);
     return window;
 }
 

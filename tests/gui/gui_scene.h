@@ -37,6 +37,11 @@ const std::array<Face, 6> &cubeFaces();
 inline const glm::dvec3 kCubeCenter{3.25, 1.5, -2.75};
 /// A cube of edge 2 about that centre, a colour a face.
 std::vector<SceneObject> cubeScene();
+/// Two such cubes, the second partly behind the first: their boxes overlap in the picture, seen from kBeforeTwoCubes.
+std::vector<SceneObject> twoCubes();
+inline const std::array<glm::dvec3, 2> kTwoCubeCenters{{kCubeCenter, kCubeCenter + glm::dvec3(-1.2, 0.4, -3.1)}};
+inline const LookAt kBeforeTwoCubes{
+    WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}};
 /// The face whose colour a picture's pixel has under whatever light, or -1: two channels of a face are equal, or one is
 /// all there is, and light scales them alike.
 int faceOfColor(const QColor &color);
@@ -45,10 +50,22 @@ int faceOfColor(const QColor &color);
 std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &halfEdge,
                                     const glm::dvec3 &otherHalfEdge);
 
+void setClipPlanes(SceneDocument &document, const std::vector<glm::dvec4> &planes);
+void setDepthRange(SceneDocument &document, const DepthRange &range);
+
+// ---- pictures ----------------------------------------------------------------------------------------------------
+
+/// Pixels that differ by more than a few steps of colour: where surfaces meet, the rounding of depths shows.
+int differentPixels(const QImage &a, const QImage &b);
+
 // ---- windows -----------------------------------------------------------------------------------------------------
 
 /// On the screen, its view ready, without the dock unless asked for. Remembers nothing.
 std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock = false);
+/// The cube, seen from the right, above and in front, in a window of 500 x 400.
+std::unique_ptr<MainWindow> cubeWindow(bool isOrtho);
+/// The two cubes in a window of 420 x 360, from kBeforeTwoCubes.
+std::unique_ptr<MainWindow> twoCubesWindow(const DepthRange &range = {});
 /// Resizes and waits until the view has its new size.
 bool resized(MainWindow &window, const QSize &size);
 

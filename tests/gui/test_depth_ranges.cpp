@@ -16,53 +16,15 @@ using namespace guitest;
 
 namespace {
 
-/// Two cubes, the second partly behind the first.
-std::vector<SceneObject> twoCubes()
-{
-    std::vector<SceneObject> cubes = cubeScene();
-    cubes.push_back(cubes.front());
-    cubes.back().transform = {Translate{kCubeCenter + glm::dvec3(-1.2, 0.4, -3.1)}};
-    return cubes;
-}
-
-const LookAt kCamera{WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}};
-
 /// Two planes that cut the first cube; each keeps the side that its first three numbers point to.
 const std::vector<glm::dvec4> kPlanes{{-1.0, 0.1, 0.0, 3.4}, {0.2, -0.3, -1.0, -2.0}};
 
-void setDepthRange(SceneDocument &document, const DepthRange &range)
-{
-    QVERIFY(document.editViewport(document.scene().viewport, range, {QStringLiteral("Depth range")}));
-}
-
-void setPlanes(SceneDocument &document, const std::vector<glm::dvec4> &planes)
-{
-    QVERIFY(document.editClipPlanes(planes, {}, {QStringLiteral("Planes")}));
-}
-
 std::unique_ptr<MainWindow> cubesWindow(const DepthRange &range, bool isOrtho = false)
 {
-    auto window = shownWindow(false, {420, 360});
-    window->document().setObjects(twoCubes(), kCamera);
-    setDepthRange(window->document(), range);
+    auto window = twoCubesWindow(range);
     if (isOrtho)
         window->document().switchProjection();
     return window;
-}
-
-/// Pixels that differ by more than a few steps of colour: where surfaces meet, another depth's rounding shows.
-int differentPixels(const QImage &a, const QImage &b)
-{
-    if (a.size() != b.size())
-        return a.width() * a.height();
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
-            count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 24;
-        }
-    }
-    return count;
 }
 
 /// What a click on the view reads, over all of it: the surface's points, nothing on the background.
@@ -107,7 +69,7 @@ void TestDepthRanges::thePictureIsTheSame()
     const DepthRange range = depthranges::ofThisRow();
     for (const bool isOrtho : {false, true}) {
         const auto window = cubesWindow({}, isOrtho);
-        setPlanes(window->document(), kPlanes);
+        setClipPlanes(window->document(), kPlanes);
         SceneView &view = window->view();
         const QPointF marked = localOf(*window, kCubeCenter + glm::dvec3(-0.6, -0.5, 0.9));
         const auto picture = [&] {
@@ -127,7 +89,7 @@ void TestDepthRanges::aCutModelIsReadTheSame()
     const DepthRange range = depthranges::ofThisRow();
     for (const bool isOrtho : {false, true}) {
         const auto window = cubesWindow({}, isOrtho);
-        setPlanes(window->document(), kPlanes);
+        setClipPlanes(window->document(), kPlanes);
         const auto whole = pointsOf(*window);
         setDepthRange(window->document(), range);
         const auto read = pointsOf(*window);
@@ -212,8 +174,8 @@ void TestDepthRanges::theViewFromOutsideIsTheSame()
     const DepthRange range = depthranges::ofThisRow();
     SceneDocument document;
     document.setSurface({420, 360, 1.0});
-    document.setObjects(twoCubes(), kCamera);
-    setPlanes(document, kPlanes);
+    document.setObjects(twoCubes(), kBeforeTwoCubes);
+    setClipPlanes(document, kPlanes);
     ObserverPanel panel(document);
     panel.resize(500, 600);
     panel.show();

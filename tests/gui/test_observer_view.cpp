@@ -6,6 +6,7 @@
 #include "core/scene/bundled_scene.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/view/observer_view.h"
+#include "tests/gui/gui_scene.h"
 
 #include <QApplication>
 #include <QImage>
@@ -25,24 +26,9 @@
 using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::gui;
+using guitest::differentPixels;
 
 namespace {
-
-/// Pixels whose colour differs by more than a few steps.
-int differentPixels(const QImage &a, const QImage &b)
-{
-    if (a.size() != b.size())
-        return a.width() * a.height();
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
-            if (std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 24)
-                ++count;
-        }
-    }
-    return count;
-}
 
 void send(QWidget &widget, QEvent::Type type, const QPointF &position, Qt::MouseButton button, Qt::MouseButtons buttons)
 {

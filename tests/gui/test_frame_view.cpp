@@ -1,0 +1,255 @@
+// How often the views draw, what of it the screen shows, and when the pointer is told. Run once more with object ids as
+// colours.
+
+#include "gui/view/observer_view.h"
+#include "tests/gui/gui_scene.h"
+
+#include <QAction>
+#include <QScreen>
+#include <QSignalSpy>
+
+using namespace guitest;
+
+namespace {
+
+const LookAt kElsewhere{WorldPoint(kCubeCenter + glm::dvec3(3.0, 1.0, 6.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}};
+
+/// How many of the pictures drew the objects.
+int drawnObjects(const QSignalSpy &steps)
+{
+    int count = 0;
+    for (const QList<QVariant> &step : steps)
+        count += step.at(0).value<LifecycleEvent>().calls.contains(QStringLiteral("glDrawElements")) ? 1 : 0;
+    return count;
+}
+
+int pictures(const QSignalSpy &steps)
+{
+    int count = 0;
+    for (const QList<QVariant> &step : steps)
+        count += step.at(0).value<LifecycleEvent>().kind == LifecycleEvent::Kind::OnDraw ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+class TestFrameView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void smoothEdgesAreSeenInBothViews();
+    void aGrabbedPictureIsSmoothInMotion();
+    void theScreenShowsSmoothEdgesAtRest();
+    void aWindowThatOpensIsDrawnOnce();
+    void aResizedViewIsOnTheScreen();
+    void objectsAreDrawnOnceAChange();
+    void theListOfObjectsMayChange();
+    void theReadoutFollowsThePointer();
+    void anAnswerThatIsOvertakenIsGivenOfTheNextPicture();
+};
+
+void TestFrameView::initTestCase()
+{
+    redirectSettings();
+    qRegisterMetaType<LifecycleEvent>();
+}
+
+void TestFrameView::smoothEdgesAreSeenInBothViews()
+{
+    const auto window = twoCubesWindow();
+    QAction *smooth = nullptr, *observer = nullptr;
+    for (QAction *action : window->findChildren<QAction *>()) {
+        if (action->text() == QStringLiteral("&Smooth Edges"))
+            smooth = action;
+        if (action->text() == QStringLiteral("&View from Outside"))
+            observer = action;
+    }
+    QVERIFY(smooth && observer && !smooth->isChecked());
+    window->resize(900, 420);
+    observer->trigger();
+    auto *outside = window->findChild<ObserverView *>();
+    QVERIFY(outside);
+    QVERIFY(QTest::qWaitFor([&] { return outside->width() > 200; }));
+    QTest::qWait(50);
+    const QImage before = window->view().grabFramebuffer(), outsideBefore = outside->grabFramebuffer();
+    smooth->trigger();
+    QVERIFY(window->view().grabFramebuffer() != before);
+    QVERIFY(outside->grabFramebuffer() != outsideBefore);
+    smooth->trigger();
+    QVERIFY(window->view().grabFramebuffer() == before);
+    QVERIFY(outside->grabFramebuffer() == outsideBefore);
+}
+
+/// What the screen shows of a widget, as its framebuffer would be.
+QImage onScreen(const QWidget &widget)
+{
+    const QPoint corner = widget.mapToGlobal(QPoint(0, 0));
+    return widget.screen()
+        ->grabWindow(0, corner.x(), corner.y(), widget.width(), widget.height())
+        .toImage()
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+QImage grabbed(SceneView &view)
+{
+    return view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+}
+
+void TestFrameView::aGrabbedPictureIsSmoothInMotion()
+{
+    const auto window = twoCubesWindow();
+    SceneView &view = window->view();
+    view.setSmoothEdges(true);
+    QTest::qWait(300);
+    const QImage atRest = grabbed(view);
+    window->document().setCamera(kElsewhere);
+    QVERIFY(grabbed(view) != atRest);
+    window->document().setCamera(kBeforeTwoCubes);
+    QVERIFY(grabbed(view) == atRest);
+}
+
+void TestFrameView::theScreenShowsSmoothEdgesAtRest()
+{
+    const auto window = twoCubesWindow();
+    SceneView &view = window->view();
+    const QImage plain = grabbed(view);
+    QTRY_VERIFY(onScreen(view) == plain);
+    view.setSmoothEdges(true);
+    const QImage smooth = grabbed(view);
+    QVERIFY(smooth != plain);
+    QTRY_VERIFY(onScreen(view) == smooth);
+    // A picture that has just been drawn may be shown as it is; it does not stay so.
+    window->document().setCamera(kElsewhere);
+    window->document().setCamera(kBeforeTwoCubes);
+    QTest::qWait(40);
+    QTRY_VERIFY(onScreen(view) == smooth);
+}
+
+void TestFrameView::aWindowThatOpensIsDrawnOnce()
+{
+    MainWindow::Options options;
+    options.remembers = false;
+    MainWindow window(options);
+    QSignalSpy steps(&window.view(), &SceneView::happened);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QTRY_VERIFY(drawnObjects(steps) > 0);
+    QTest::qWait(50);
+    // The window's system may lay it out once more.
+    QVERIFY2(drawnObjects(steps) <= 2, qPrintable(QString::number(drawnObjects(steps))));
+}
+
+void TestFrameView::aResizedViewIsOnTheScreen()
+{
+    const auto window = twoCubesWindow();
+    for (const QSize &size : {QSize(500, 300), QSize(300, 420), QSize(640, 480)}) {
+        window->resize(size);
+        QTRY_COMPARE(window->size(), size);
+        QTest::qWait(30);
+        QTRY_VERIFY(onScreen(window->view()) == grabbed(window->view()));
+    }
+}
+
+void TestFrameView::objectsAreDrawnOnceAChange()
+{
+    SceneDocument document;
+    document.setObjects(twoCubes(), kBeforeTwoCubes);
+    SceneView view(document);
+    QSignalSpy steps(&view, &SceneView::happened);
+    view.resize(400, 300);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QTRY_VERIFY(pictures(steps) > 0);
+    QTest::qWait(50);
+    QCOMPARE(drawnObjects(steps), 1);
+
+    // A pick is drawn over the picture that is there; the pointer draws nothing at all.
+    steps.clear();
+    click(view, {200.0, 150.0});
+    (void)view.grabFramebuffer();
+    QVERIFY(document.pick() && document.pick()->hit());
+    QVERIFY(pictures(steps) > 0);
+    QCOMPARE(drawnObjects(steps), 0);
+    QTest::qWait(50);
+    steps.clear();
+    QSignalSpy hovered(&view, &SceneView::hovered);
+    for (int x = 190; x < 210; ++x)
+        sendMouse(view, QEvent::MouseMove, QPointF(x, 150.0), Qt::NoButton, Qt::NoButton);
+    QTRY_VERIFY(!hovered.isEmpty() && hovered.last().at(0).value<WidgetPoint>().x == 209.0);
+    QCOMPARE(pictures(steps), 0);
+
+    // A click on a picture that is not drawn yet draws it; the paint that follows does not.
+    document.setCamera({WorldPoint(kCubeCenter + glm::dvec3(0.5, 0.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    click(view, {200.0, 150.0});
+    QCOMPARE(drawnObjects(steps), 1);
+    QTRY_VERIFY(pictures(steps) > 1);
+    QTest::qWait(50);
+    QCOMPARE(drawnObjects(steps), 1);
+}
+
+void TestFrameView::theListOfObjectsMayChange()
+{
+    const auto window = twoCubesWindow();
+    SceneDocument &document = window->document();
+    const QImage two = window->view().grabFramebuffer();
+    SceneObject third = cubeScene().front(); // a model that no object has shown yet
+    third.transform = {Translate{kCubeCenter + glm::dvec3(0.0, 2.2, 0.0)}};
+    QVERIFY(document.addObjects({third}));
+    const QImage three = window->view().grabFramebuffer();
+    QVERIFY(three != two);
+    QVERIFY(document.removeObject(0));
+    (void)window->view().grabFramebuffer();
+    document.undoStack().undo();
+    QVERIFY(window->view().grabFramebuffer() == three);
+    document.undoStack().undo();
+    QVERIFY(window->view().grabFramebuffer() == two);
+}
+
+void TestFrameView::theReadoutFollowsThePointer()
+{
+    const auto window = twoCubesWindow();
+    SceneView &view = window->view();
+    QSignalSpy hovered(&view, &SceneView::hovered);
+    const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.1, 1.0));
+    sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
+    // The picture changes while the pointer waits for its answer: it is given the new one's.
+    window->document().setCamera(
+        {WorldPoint(kCubeCenter + glm::dvec3(0.0, 0.0, 9.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    QTRY_VERIFY(!hovered.isEmpty());
+    click(view, place);
+    QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
+    // Nothing is told of a pointer that has left.
+    hovered.clear();
+    sendMouse(view, QEvent::MouseMove, place + QPointF(3.0, 0.0), Qt::NoButton, Qt::NoButton);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&view, &leave);
+    QTest::qWait(50);
+    QVERIFY(hovered.isEmpty());
+    // It comes back.
+    sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
+    QTRY_COMPARE(hovered.size(), 1);
+    QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
+}
+
+void TestFrameView::anAnswerThatIsOvertakenIsGivenOfTheNextPicture()
+{
+    const auto window = twoCubesWindow();
+    SceneView &view = window->view();
+    (void)view.grabFramebuffer(); // or the answer would be asked for later, once there is a picture
+    QSignalSpy hovered(&view, &SceneView::hovered);
+    const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.1, 1.0));
+    sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
+    // The answer comes while the next picture is not drawn yet.
+    view.setUpdatesEnabled(false);
+    window->document().setCamera(kElsewhere);
+    QTest::qWait(100);
+    QVERIFY(hovered.isEmpty());
+    view.setUpdatesEnabled(true);
+    QTRY_COMPARE(hovered.size(), 1);
+    click(view, place);
+    QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
+}
+
+QTEST_MAIN(TestFrameView)
+#include "test_frame_view.moc"
