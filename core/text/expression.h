@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/geometry/result.h"
+
+#include <cstddef>
+#include <string_view>
+
+namespace unprojector::text {
+using namespace geometry;
+
+/// What is wrong with an expression; ExpressionError says where.
+enum class ExpressionErrorCode {
+    Empty,         ///< nothing but blanks
+    MissingNumber, ///< an operator, a parenthesis or a name with nothing to work on: the part that stands there instead
+    MissingOperator,     ///< a number right after another one: the second
+    SecondPoint,         ///< "1,234.5": the second decimal point or comma
+    UnknownName,         ///< the name
+    UnknownCharacter,    ///< the character
+    NotCalled,           ///< a function without its parenthesis: the name
+    UnclosedParenthesis, ///< the parenthesis
+    UnopenedParenthesis, ///< the parenthesis
+    DivisionByZero,      ///< the division sign
+    RootOfNegative,      ///< the name of the root
+    OutOfRange,          ///< a number, or the result, that no double holds: that number, or the whole text
+    TooDeep              ///< more parentheses and signs inside each other than anybody types: where it is given up
+};
+
+struct ExpressionError {
+    ExpressionErrorCode code;
+    std::size_t place = 0;  ///< bytes from the start of the text
+    std::size_t length = 0; ///< bytes; 0 at the end of the text
+};
+
+/// The value of what a person types for a number, UTF-8: "1/3", "2*pi", "-0.5e3", "sqrt(2)".
+///
+/// + - * / as in C, signs, parentheses; the typographic − × · ÷ as well; pi (π); sqrt(x), deg(x) and rad(x), which turn
+/// radians into degrees and back. A decimal comma is read like a point. A lone number is the nearest double.
+/// @return the value, always finite
+Result<double, ExpressionError> evaluate(std::string_view text);
+
+} // namespace unprojector::text
