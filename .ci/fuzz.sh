@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# bash .ci/fuzz.sh [SECONDS [NAME …]]: runs the fuzzers of build/fuzz, two at a time, each for so many seconds (60). An input
-# that breaks something is left in build/fuzz/findings, and its fuzzer's last words are shown.
+# bash .ci/fuzz.sh [SECONDS [NAME …]]: runs the fuzzers of build/asan, two at a time, each for so many seconds (60). An input
+# that breaks something is left in build/asan/findings, and its fuzzer's last words are shown.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 export seconds=${1:-60}
 shift $(($# > 0 ? 1 : 0))
-export build=$root/build/fuzz findings=$root/build/fuzz/findings
+export build=$root/build/asan findings=$root/build/asan/findings
+export LSAN_OPTIONS="suppressions=$root/tests/fuzz/lsan_suppressions.txt:print_suppressions=0"
 mkdir -p "$findings"
 
 fuzzOne() {

@@ -15,7 +15,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 export LC_ALL=C.UTF-8
 cd -- "$root" # Presets are looked for in the current folder.
-bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev llvm ccache ||
+bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev lld llvm ccache ||
     echo "The guards' tools could not be installed: those that need them are passed over."
 if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
@@ -40,11 +40,14 @@ isDebian12s() {
     return 1
 }
 
-# Builds with a preset of Clang's; the warnings of another version are no errors.
+# Builds the preset asan, or the targets named of it; the warnings of another Clang are no errors.
 buildWithClang() {
     local errors=ON
+    local linker=()
     isVersion14 clang++ || { echo "clang++ is not version 14, Debian 12's: its warnings are no errors"; errors=OFF; }
-    cmake --preset "$1" -DUNPROJECTOR_WARNINGS_AS_ERRORS=$errors >/dev/null && cmake --build --preset "$1"
+    ! command -v ld.lld >/dev/null || linker=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld)
+    cmake --preset asan -DUNPROJECTOR_WARNINGS_AS_ERRORS=$errors "${linker[@]}" >/dev/null &&
+        cmake --build --preset asan "$@"
 }
 
 format() {
@@ -54,7 +57,7 @@ format() {
 
 asan() {
     isThere clang++ || return 0
-    buildWithClang asan && onVirtualDisplay ctest --preset asan
+    buildWithClang && onVirtualDisplay ctest --preset asan
 }
 
 # Sources that changed against main or, on main itself, in its last commits, and those whose header did: the latest
@@ -79,8 +82,8 @@ tidy() {
     changed=$(changedSources)
     [ -n "$changed" ] || { echo "No source changed."; return 0; }
     echo "$(wc -l <<<"$changed") changed sources"
-    # Four minutes' worth of them.
-    timeout 240 xargs -P 2 -n 1 clang-tidy -p build/asan --quiet --warnings-as-errors='*' <<<"$changed" \
+    # Three minutes' worth of them.
+    timeout 180 xargs -P 2 -n 1 clang-tidy -p build/asan --quiet --warnings-as-errors='*' <<<"$changed" \
         >build/asan/tidy.log 2>/dev/null || rc=$?
     cat build/asan/tidy.log
     [ "$rc" -ne 124 ] || echo "The time was over before all were read."
@@ -94,7 +97,7 @@ tsan() {
 
 fuzz() {
     isThere clang++ || return 0
-    buildWithClang fuzz && bash .ci/fuzz.sh 60
+    buildWithClang --target unprojector_fuzzers && bash .ci/fuzz.sh 60
 }
 
 guards=("$@")
