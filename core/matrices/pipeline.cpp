@@ -152,9 +152,26 @@ PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &point
     return {object, world, eye, clip, ndc, window, device, widget};
 }
 
+std::vector<Outside> clipTest(const ClipPoint &p)
+{
+    if (p.w <= 0.0)
+        return {p.w < 0.0 ? Outside::BehindEye : Outside::InEyePlane};
+    std::vector<Outside> failed;
+    const auto test = [&failed, w = p.w](double value, Outside below, Outside above) {
+        if (value < -w)
+            failed.push_back(below);
+        else if (value > w)
+            failed.push_back(above);
+    };
+    test(p.x, Outside::Left, Outside::Right);
+    test(p.y, Outside::Bottom, Outside::Top);
+    test(p.z, Outside::Near, Outside::Far);
+    return failed;
+}
+
 bool isInsideViewVolume(const ClipPoint &p)
 {
-    return std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && std::abs(p.z) <= p.w;
+    return clipTest(p).empty();
 }
 
 } // namespace unprojector::matrices

@@ -3,6 +3,7 @@
 #include "core/geometry/picture.h"
 
 #include <array>
+#include <vector>
 
 namespace unprojector::matrices {
 using namespace geometry;
@@ -69,7 +70,24 @@ PipelinePoints pointsForward(const Pipeline &pipeline, const WorldPoint &point);
 /// @return PointAtInfinity from clip on where w' = 0; NotFinite as above
 PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &window);
 
-/// Whether a clip point lies inside the view volume or on its edge: |x|, |y|, |z| <= w.
+/// Where a point lies that is not in the view volume, each with the inequality that says so.
+enum class Outside {
+    Left,       ///< x < -w
+    Right,      ///< x > w
+    Bottom,     ///< y < -w
+    Top,        ///< y > w
+    Near,       ///< z < -w
+    Far,        ///< z > w
+    InEyePlane, ///< w = 0
+    BehindEye   ///< w < 0
+};
+
+/// The clip test, |x|, |y|, |z| <= w, as OpenGL does it: what a clip point fails of it, x before y before z. Of a point
+/// behind the eye or in its plane only that is said, since there the others mean nothing.
+/// @return nothing for a point inside the view volume or on its edge
+std::vector<Outside> clipTest(const ClipPoint &point);
+
+/// Whether a clip point lies inside the view volume or on its edge.
 bool isInsideViewVolume(const ClipPoint &point);
 
 } // namespace unprojector::matrices

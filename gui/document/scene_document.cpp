@@ -383,7 +383,21 @@ void SceneDocument::setPick(const Result<Pick> &pick)
         return;
     }
     m_pick = *pick;
+    m_pickedPlacement = placementOf(*m_pick);
     tell(Change::Pick);
+}
+
+glm::dmat4 SceneDocument::placementOf(const Pick &pick) const
+{
+    return pick.object && *pick.object < objects().size() ? worldFromObject(objects()[*pick.object].transform)
+                                                          : glm::dmat4(1.0);
+}
+
+SinceClick SceneDocument::sinceClick() const
+{
+    if (!m_pick)
+        return {};
+    return {m_pick->geometry != geometry(), placementOf(*m_pick) != m_pickedPlacement};
 }
 
 void SceneDocument::clearPick()

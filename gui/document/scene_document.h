@@ -32,6 +32,12 @@ struct ProjectionRule {
     bool fitsObjects = true;     ///< its near and far planes
 };
 
+/// What is other than it was at the click of the pick.
+struct SinceClick {
+    bool isOtherPicture = false; ///< camera, projection, viewport, depth range or the window's size
+    bool isObjectMoved = false;  ///< the object that was hit: the point is where its surface was
+};
+
 /// The one owner of the scene, the undo stack and the picked point. Widgets show it and ask it to change; it unprojects.
 class SceneDocument : public QObject {
     Q_OBJECT
@@ -48,6 +54,7 @@ public:
     const Unprojector &unprojector() const { return *m_unprojector; }
     /// The picked surface or background; nothing before the first click, in another scene, and once objects went.
     const std::optional<Pick> &pick() const { return m_pick; }
+    SinceClick sinceClick() const;
     QUndoStack &undoStack() { return m_undoStack; }
 
     /// Whether anything, the camera included, is other than when the scene was opened or marked as saved. What was undone
@@ -134,6 +141,8 @@ private:
     static Ground groundUnder(const Box &bounds);
 
     void tell(Changes changes);
+    /// worldFromObject of the object of a pick, the identity where it has none.
+    glm::dmat4 placementOf(const Pick &pick) const;
     /// The state as it is now, with other settings.
     SceneState with(SceneSettings settings) const;
     /// Puts a state in place, if its picture is valid.
@@ -152,6 +161,7 @@ private:
     Surface m_surface{1, 1, 1.0};
     std::optional<Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
     std::optional<Pick> m_pick;
+    glm::dmat4 m_pickedPlacement{1.0}; ///< worldFromObject of the object that was hit, at the click
     Box m_bounds;
     Ground m_ground;
     std::uint64_t m_lastEdit = 0;

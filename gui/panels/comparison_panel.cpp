@@ -1,9 +1,13 @@
 #include "gui/panels/comparison_panel.h"
 
+#include "gui/document/scene_document.h"
 #include "gui/panels/certain_digits_delegate.h"
 #include "gui/panels/comparison_model.h"
+#include "gui/panels/parameters/elided_label.h"
+#include "gui/panels/steady_label.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
+#include "gui/text/since_click_text.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -23,22 +27,12 @@
 namespace unprojector::gui {
 namespace {
 
-QLabel *valueLabel(const QString &accessibleName, const QString &toolTip)
+/// @param longest  what the label has room for
+SteadyLabel *steadyLabel(const QString &accessibleName, const QString &toolTip, const QStringList &longest)
 {
-    auto *label = new QLabel;
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto *label = new SteadyLabel(longest);
     label->setAccessibleName(accessibleName);
     label->setToolTip(toolTip);
-    return label;
-}
-
-QLabel *noteLabel(const QString &accessibleName)
-{
-    QLabel *label = valueLabel(accessibleName, {});
-    label->setWordWrap(true);
-    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    // Room for its longest text from the start, so that the panel does not jump from click to click.
-    label->setMinimumHeight(2 * label->fontMetrics().lineSpacing() + 2);
     return label;
 }
 
@@ -71,30 +65,75 @@ QString positionText(double x, double y)
         .arg(significantText(std::round(x * 100.0) / 100.0, 9), significantText(std::round(y * 100.0) / 100.0, 9));
 }
 
+// What the chain of a click says.
+
+QString widgetText(const WidgetPoint &position)
+{
+    return ComparisonPanel::tr("%1 logical pixels").arg(positionText(position.x, position.y));
+}
+
+QString devicePixelText(const DevicePixel &pixel, const Surface &surface)
+{
+    return ComparisonPanel::tr("(%1, %2) of %3 × %4, ratio %5")
+        .arg(pixel.i)
+        .arg(pixel.j)
+        .arg(surface.widthPixels)
+        .arg(surface.heightPixels)
+        .arg(significantText(surface.devicePixelRatio, 4));
+}
+
+QString windowText(const WindowPoint &window)
+{
+    return ComparisonPanel::tr("%1, the pixel's centre").arg(positionText(window.x, window.y));
+}
+
+QString depthText(double depth, bool isRead)
+{
+    const QString text = significantText(depth, 9);
+    return isRead ? ComparisonPanel::tr("%1, as read").arg(text)
+                  : ComparisonPanel::tr("%1, the far plane's: nothing to read").arg(text);
+}
+
 } // namespace
 
-ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new ComparisonModel(this))
+ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
+    : QWidget(parent), m_document(document), m_model(new ComparisonModel(this))
 {
-    m_heading = new QLabel;
+    m_heading = new ElidedLabel;
     QFont headingFont = m_heading->font();
     headingFont.setBold(true);
     m_heading->setFont(headingFont);
-    m_heading->setWordWrap(true);
     m_heading->setAccessibleName(tr("What was clicked"));
+    m_sinceClick = new SteadyLabel(longestSinceClickTexts());
+    m_sinceClick->setAccessibleName(tr("Since the click"));
+    m_again = new QPushButton(tr("Compute a&gain"));
+    m_again->setToolTip(tr("Pick the same position of the view anew, as the view is now"));
+    auto *headingLine = new QHBoxLayout;
+    headingLine->addWidget(m_heading, 1);
+    headingLine->addWidget(m_again);
 
-    m_widget = valueLabel(tr("Widget position"), tr("Logical pixels from the view's top-left corner, y down"));
-    m_devicePixel = valueLabel(tr("Device pixel"),
-                               tr("Column and row from the top-left corner of the framebuffer, in device pixels"));
+    constexpr double kWidest = 8888.88;
+    m_widget = steadyLabel(tr("Widget position"), tr("Logical pixels from the view's top-left corner, y down"),
+                           {widgetText(WidgetPoint(kWidest, kWidest))});
+    m_devicePixel = steadyLabel(tr("Device pixel"),
+                                tr("Column and row from the top-left corner of the framebuffer, in device pixels"),
+                                {devicePixelText({8888, 8888}, {8888, 8888, 1.25})});
     m_window =
-        valueLabel(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"));
-    m_depth = valueLabel(tr("Depth"), tr("As read from the depth buffer; 0 is the near plane, 1 the far plane"));
+        steadyLabel(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"),
+                    {windowText(WindowPoint(kWidest, kWidest, 0.0))});
+    m_depth = steadyLabel(
+        tr("Depth"), tr("From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane"),
+        {depthText(0.888888888, true), depthText(0.8, false)});
     auto *chain = new QFormLayout;
     chain->setContentsMargins(0, 0, 0, 0);
     chain->setVerticalSpacing(2);
+    chain->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    chain->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    chain->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
     chain->addRow(tr("Widget position:"), m_widget);
     chain->addRow(tr("Device pixel:"), m_devicePixel);
     chain->addRow(tr("Window position:"), m_window);
-    chain->addRow(tr("Depth as read:"), m_depth);
+    chain->addRow(tr("Depth:"), m_depth);
 
     m_table = new QTableView;
     m_table->setModel(m_model);
@@ -124,9 +163,8 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
     tools->addStretch();
     tools->addWidget(m_copy);
 
-    m_certainty = noteLabel(tr("Certainty"));
-    m_cause = noteLabel(tr("Cause of the difference"));
-    m_cause->setMinimumHeight(3 * m_cause->fontMetrics().lineSpacing() + 2);
+    m_certainty = steadyLabel(tr("Certainty"), {}, longestCertaintyTexts());
+    m_cause = steadyLabel(tr("Cause of the difference"), {}, longestDifferenceCauseTexts());
 
     m_formula = new QPlainTextEdit;
     m_formula->setReadOnly(true);
@@ -142,7 +180,8 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
-    layout->addWidget(m_heading);
+    layout->addLayout(headingLine);
+    layout->addWidget(m_sinceClick);
     layout->addLayout(chain);
     layout->addWidget(m_table);
     layout->addLayout(tools);
@@ -158,9 +197,19 @@ ComparisonPanel::ComparisonPanel(QWidget *parent) : QWidget(parent), m_model(new
         emit showsFloatChanged(shows);
     });
     connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
+    connect(m_again, &QPushButton::clicked, this, [this] {
+        if (m_document.pick())
+            emit pickRequested(m_document.pick()->widget);
+    });
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Pick)
+            showPick();
+        else if (changes & (Change::Picture | Change::Placement))
+            showSinceClick();
+    });
     m_table->setColumnHidden(ComparisonModel::MatrixInFloat, true);
     m_table->setColumnHidden(ComparisonModel::FloatDifference, true);
-    setPick(std::nullopt);
+    showPick();
 }
 
 void ComparisonPanel::fitTable()
@@ -207,13 +256,29 @@ void ComparisonPanel::fitTable()
                             + scrollBar);
 }
 
-void ComparisonPanel::setPick(const std::optional<Pick> &pick)
+/// Marked while the numbers are not those of the view as it is.
+void ComparisonPanel::showSinceClick()
 {
+    const SinceClick since = m_document.sinceClick();
+    const bool isStale = since.isOtherPicture || since.isObjectMoved;
+    m_sinceClick->setText(sinceClickText(m_document));
+    m_sinceClick->setToolTip(m_sinceClick->text());
+    m_sinceClick->setBackgroundRole(isStale ? QPalette::ToolTipBase : QPalette::Window);
+    m_sinceClick->setForegroundRole(isStale ? QPalette::ToolTipText : QPalette::WindowText);
+    m_sinceClick->setAutoFillBackground(isStale);
+    const std::optional<Pick> &pick = m_document.pick();
+    m_again->setEnabled(isStale && devicePixelFromWidget(m_document.geometry().surface, pick->widget).hasValue());
+}
+
+void ComparisonPanel::showPick()
+{
+    const std::optional<Pick> &pick = m_document.pick();
     m_model->setPick(pick);
     fitTable();
+    showSinceClick();
     if (!pick) {
-        m_heading->setText(tr("Press the left button on the model"));
-        for (QLabel *label : {m_widget, m_devicePixel, m_window, m_depth})
+        m_heading->setFullText(tr("Press the left button on the model"));
+        for (SteadyLabel *label : {m_widget, m_devicePixel, m_window, m_depth})
             label->setText(QStringLiteral("–"));
         m_certainty->clear();
         m_cause->clear();
@@ -224,24 +289,21 @@ void ComparisonPanel::setPick(const std::optional<Pick> &pick)
         return;
     }
     m_copy->setEnabled(true);
-    const Surface &surface = pick->geometry.surface;
-    m_heading->setText(pick->hit() ? tr("A point on the surface") : tr("Background: no surface here"));
-    m_widget->setText(tr("%1 logical pixels").arg(positionText(pick->widget.x, pick->widget.y)));
-    m_devicePixel->setText(tr("(%1, %2) of %3 × %4, ratio %5")
-                               .arg(pick->devicePixel.i)
-                               .arg(pick->devicePixel.j)
-                               .arg(surface.widthPixels)
-                               .arg(surface.heightPixels)
-                               .arg(significantText(surface.devicePixelRatio, 4)));
-    m_window->setText(tr("%1, the pixel's centre").arg(positionText(pick->window.x, pick->window.y)));
-    m_depth->setText(pick->hit() ? significantText(pick->window.z, 9)
-                                 : tr("%1, the background's").arg(significantText(pick->window.z, 9)));
+    const std::vector<SceneObject> &objects = m_document.objects();
+    m_heading->setFullText(!pick->hit() ? tr("Background: no surface here")
+                           : *pick->object < objects.size() && !objects[*pick->object].name.empty()
+                               ? tr("A point on %1").arg(QString::fromStdString(objects[*pick->object].name))
+                               : tr("A point on the surface"));
+    m_widget->setText(widgetText(pick->widget));
+    m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->geometry.surface));
+    m_window->setText(windowText(pick->window));
+    m_depth->setText(depthText(pick->window.z, pick->hit()));
     m_cause->setText(differenceCauseText(*pick));
     if (pick->hit()) {
         m_certainty->setText(certaintyText(*pick));
         m_formulaText = formulaText(*pick);
     } else {
-        m_certainty->setText(tr("Where the ray enters and leaves the view volume:"));
+        m_certainty->clear();
         m_formulaText = rayText(*pick);
     }
     showFormula();
@@ -274,11 +336,10 @@ void ComparisonPanel::setShowsFloat(bool shows)
 
 QString ComparisonPanel::text() const
 {
-    return QStringLiteral("%1\n%2\t%3\n%4\t%5\n%6\t%7\n%8\t%9\n")
-               .arg(m_heading->text(), m_widget->accessibleName(), m_widget->text(), m_devicePixel->accessibleName(),
-                    m_devicePixel->text(), m_window->accessibleName(), m_window->text(), m_depth->accessibleName(),
-                    m_depth->text())
-           + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formulaText + u'\n';
+    QString text = m_heading->fullText() + u'\n' + m_sinceClick->text() + u'\n';
+    for (const SteadyLabel *link : {m_widget, m_devicePixel, m_window, m_depth})
+        text += link->accessibleName() + u'\t' + link->text() + u'\n';
+    return text + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formulaText + u'\n';
 }
 
 bool ComparisonPanel::eventFilter(QObject *watched, QEvent *event)

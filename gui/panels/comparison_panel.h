@@ -7,7 +7,6 @@
 #include <optional>
 
 class QCheckBox;
-class QLabel;
 class QPlainTextEdit;
 class QPushButton;
 class QTableView;
@@ -16,15 +15,18 @@ namespace unprojector::gui {
 using namespace unproject;
 
 class ComparisonModel;
+class ElidedLabel;
+class SceneDocument;
+class SteadyLabel;
 
 /// The picked point, computed twice: the chain of the click, the table of both methods, how certain the coordinate is,
-/// and the formula with its numbers put in.
+/// and the formula with its numbers put in. All of it is of the moment of the click; when the document is another one since,
+/// the panel says so and offers to pick the same position anew.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit ComparisonPanel(QWidget *parent = nullptr);
+    explicit ComparisonPanel(SceneDocument &document, QWidget *parent = nullptr);
 
-    void setPick(const std::optional<Pick> &pick);
     bool showsFloat() const;
     void setShowsFloat(bool shows);
 
@@ -34,6 +36,8 @@ public:
 
 signals:
     void showsFloatChanged(bool shows);
+    /// The position of the pick shall be picked anew, in the view as it is now.
+    void pickRequested(const unprojector::geometry::WidgetPoint &position);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -41,18 +45,23 @@ protected:
 
 private:
     void copySelection() const;
+    void showPick();
+    void showSinceClick();
     void fitTable();
     void showFormula();
 
-    QLabel *m_heading;
-    QLabel *m_widget;
-    QLabel *m_devicePixel;
-    QLabel *m_window;
-    QLabel *m_depth;
+    SceneDocument &m_document;
+    ElidedLabel *m_heading;
+    SteadyLabel *m_sinceClick;
+    QPushButton *m_again;
+    SteadyLabel *m_widget;
+    SteadyLabel *m_devicePixel;
+    SteadyLabel *m_window;
+    SteadyLabel *m_depth;
     QTableView *m_table;
     ComparisonModel *m_model;
-    QLabel *m_certainty;
-    QLabel *m_cause;
+    SteadyLabel *m_certainty;
+    SteadyLabel *m_cause;
     QPlainTextEdit *m_formula;
     QString m_formulaText; ///< as it is copied: a formula a line
     QCheckBox *m_showsFloat;

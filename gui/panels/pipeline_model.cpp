@@ -2,13 +2,24 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
+#include "gui/text/since_click_text.h"
 
 namespace unprojector::gui {
 namespace {
 
 using Space = PointModel::Space;
 
+QString movedBackText()
+{
+    return PipelineModel::tr("The view has changed since the click: back from where the point is now.");
+}
+
 } // namespace
+
+QStringList PipelineModel::longestStatusTexts()
+{
+    return longestSinceClickTexts() << movedBackText();
+}
 
 PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
 {
@@ -87,19 +98,19 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
         m_status = errorText(world.error());
         return;
     }
-    const bool isFresh = pick.geometry == pipeline.geometry;
+    const bool isFresh = isDepthRead();
     PipelinePoints points = pointsForward(pipeline, *world);
-    const bool isVisible = points.clip && isInsideViewVolume(*points.clip);
     if (m_direction == PipelineDirection::Backward) {
         const Result<WindowPoint> start = isFresh ? Result<WindowPoint>(pick.window) : points.window;
         if (start)
             points = pointsBackward(pipeline, *start);
-        m_status = isFresh ? tr("Back from the clicked pixel's centre and the depth read there.")
-                           : tr("The view changed since the click: back from where the point is now.");
+        m_status = isFresh ? tr("Back from the clicked pixel's centre and the depth read there.") : movedBackText();
     } else {
-        m_status = isFresh || isVisible ? tr("The picked point on its way to the window.")
-                                        : tr("The picked point, which is outside the view volume now.");
+        m_status = tr("The picked point on its way to the window.");
     }
+    const SinceClick since = m_document.sinceClick();
+    if (since.isObjectMoved || (since.isOtherPicture && points.clip && !isInsideViewVolume(*points.clip)))
+        m_status = sinceClickText(m_document);
     point(Space::Object)->setPoint(points.object);
     point(Space::World)->setPoint(points.world);
     point(Space::Eye)->setPoint(points.eye);
@@ -111,6 +122,12 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
         m_status = errorText(points.widget.error());
     else if (!points.object)
         m_status = errorText(points.object.error());
+}
+
+bool PipelineModel::isDepthRead() const
+{
+    const std::optional<Pick> &pick = m_document.pick();
+    return pick && pick->hit() && pick->geometry == m_document.geometry();
 }
 
 void PipelineModel::clearPoints()

@@ -41,8 +41,12 @@ public:
 
     /// The object whose space is shown; nothing for the identity.
     std::optional<std::size_t> shownObject() const;
+    /// Whether the window point's depth on the way back is the one that was read at the click; else it is computed.
+    bool isDepthRead() const;
     /// Where the points come from, or why there are none.
     const QString &status() const { return m_status; }
+    /// The longest that it can be, errors left out.
+    static QStringList longestStatusTexts();
     /// Points and matrices with all digits.
     QString text() const;
 

@@ -4,6 +4,7 @@
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
 #include "gui/panels/segmented_switch.h"
+#include "gui/panels/steady_label.h"
 #include "gui/text/number_text.h"
 
 #include <QApplication>
@@ -72,13 +73,8 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     layout->setContentsMargins(8, 6, 8, 6);
     layout->addWidget(createSwitches());
 
-    m_status = new QLabel;
-    m_status->setWordWrap(true);
-    m_status->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_status = new SteadyLabel(PipelineModel::longestStatusTexts());
     m_status->setAccessibleName(tr("What the points are"));
-    m_status->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    // Room for its longest text, so that nothing below it moves.
-    m_status->setFixedHeight(2 * m_status->fontMetrics().lineSpacing() + 2);
     auto *copy = new QPushButton(tr("&Copy all"));
     copy->setToolTip(tr("Copy all points and matrices with all digits"));
     connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model->text()); });
@@ -270,12 +266,15 @@ void PipelinePanel::refresh()
 
 void PipelinePanel::showStatus()
 {
-    if (m_status->text() != m_model->status())
+    if (m_status->text() != m_model->status()) {
         m_status->setText(m_model->status());
+        m_status->setToolTip(m_model->status());
+    }
     const Surface &surface = m_document.geometry().surface;
-    if (surface == m_surface)
+    if (surface == m_surface && m_model->isDepthRead() == m_isDepthRead)
         return;
     m_surface = surface;
+    m_isDepthRead = m_model->isDepthRead();
     showFlip();
 }
 
@@ -287,9 +286,12 @@ void PipelinePanel::showFlip()
     if (m_model->direction() == PipelineDirection::Forward)
         m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y)").arg(height)
                                      : tr("↓  (x, %1 − y) / %2").arg(height).arg(ratioText));
-    else
+    else if (m_isDepthRead)
         m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y), depth as read").arg(height)
                                      : tr("↓  (x · %2, %1 − y · %2), depth as read").arg(height).arg(ratioText));
+    else
+        m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y), depth computed").arg(height)
+                                     : tr("↓  (x · %2, %1 − y · %2), depth computed").arg(height).arg(ratioText));
 }
 
 void PipelinePanel::showObjects()

@@ -61,6 +61,7 @@ private:
     QLabel *m_division;
     QLabel *m_flip;
     Surface m_surface;                      ///< as m_flip tells of it
+    bool m_isDepthRead = false;             ///< the same
     std::vector<std::string> m_objectNames; ///< as the combo box lists them
 };
 

@@ -74,6 +74,35 @@ QString vectorText(const Components<3> &v)
     return QStringLiteral("(%1, %2, %3)").arg(number(v.x), number(v.y), number(v.z));
 }
 
+QString agreementText()
+{
+    return Formulas::tr(
+        "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
+}
+
+QString boxCauseText(const QString &byCancelling)
+{
+    return Formulas::tr(
+               "Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
+               "formula inverts nothing.")
+        .arg(byCancelling);
+}
+
+QString perspectiveCauseText(const QString &byPerspective, const QString &byCancelling)
+{
+    return Formulas::
+        tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
+           "times where the eye's coordinates cancel. The formula inverts nothing.")
+            .arg(byPerspective, byCancelling);
+}
+
+QString leftOpenText(const QString &along, const QString &across, const QString &up)
+{
+    return Formulas::tr("The buffers leave ± %1 along the view (half a depth step) and ± %2 × %3 across it "
+                        "(half a pixel).")
+        .arg(along, across, up);
+}
+
 } // namespace
 
 QString formulaText(const Pick &pick)
@@ -141,8 +170,7 @@ QString differenceCauseText(const Pick &pick)
     const WorldVector d = world.difference();
     const double ulps = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(*world[Method::Formula]);
     if (ulps <= 4.0)
-        return Formulas::tr(
-            "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
+        return agreementText();
     const Result<EyePoint> &eye = pick.hit() ? pick.point.eye[Method::Formula] : pick.rayFar.eye[Method::Formula];
     if (!eye)
         return {};
@@ -152,26 +180,30 @@ QString differenceCauseText(const Pick &pick)
     const double cancelled = std::max(largest(origin), largest(*eye)) / largest(point);
     const QString byCancelling = significantText(std::max(1.0, cancelled), 2);
     if (!isPerspective(pick.geometry.projection()))
-        return Formulas::tr(
-                   "Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
-                   "formula inverts nothing.")
-            .arg(byCancelling);
+        return boxCauseText(byCancelling);
     // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
     const ProjectionWindow w = projectionWindow(pick.geometry.projection());
     const double n = w.nearDistance, f = w.farDistance, z = -eye->z;
-    return Formulas::
-        tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
-           "times where the eye's coordinates cancel. The formula inverts nothing.")
-            .arg(significantText(std::max(1.0, z * (f - n) / (f * n)), 2), byCancelling);
+    return perspectiveCauseText(significantText(std::max(1.0, z * (f - n) / (f * n)), 2), byCancelling);
+}
+
+QStringList longestDifferenceCauseTexts()
+{
+    const QString widest = significantText(8.8e88, 2);
+    return {agreementText(), boxCauseText(widest), perspectiveCauseText(widest, widest)};
 }
 
 QString certaintyText(const Pick &pick)
 {
     const Certainty &c = pick.certainty;
-    return Formulas::tr("The buffers leave ± %1 along the view (half a depth step) and ± %2 × %3 across it "
-                        "(half a pixel).")
-        .arg(significantText(c.halfDepthStep, 2), significantText(c.footprintWidth / 2.0, 2),
-             significantText(c.footprintHeight / 2.0, 2));
+    return leftOpenText(readableText(c.halfDepthStep), readableText(c.footprintWidth / 2.0),
+                        readableText(c.footprintHeight / 2.0));
+}
+
+QStringList longestCertaintyTexts()
+{
+    const QString widest = readableText(-8e-88);
+    return {leftOpenText(widest, widest, widest)};
 }
 
 } // namespace unprojector::gui

@@ -3,6 +3,7 @@
 #include "core/unproject/pick.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace unprojector::gui {
 using namespace unproject;
@@ -17,8 +18,12 @@ QString rayText(const Pick &pick);
 
 /// Why the two methods differ by what they differ, with the numbers that decide it.
 QString differenceCauseText(const Pick &pick);
+/// The longest that it can be.
+QStringList longestDifferenceCauseTexts();
 
 /// How far off the picked coordinate can be, and from what.
 QString certaintyText(const Pick &pick);
+/// The longest that it can be.
+QStringList longestCertaintyTexts();
 
 } // namespace unprojector::gui

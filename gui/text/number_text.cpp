@@ -27,6 +27,24 @@ QString fixedText(double value, int decimals)
     return text;
 }
 
+QString readableText(double value)
+{
+    if (value == 0.0 || !std::isfinite(value))
+        return significantText(value, 1);
+    QString text = QString::number(value, 'e', 1);
+    const bool beginsWithOne = text.at(text.startsWith(u'-') ? 1 : 0) == u'1';
+    if (!beginsWithOne)
+        text = QString::number(value, 'e', 0);
+    const int exponent = text.section(u'e', 1).toInt();
+    if (exponent >= -7 && exponent <= 6)
+        return fixedText(text.toDouble(), std::max(0, (beginsWithOne ? 1 : 0) - exponent));
+    static const QString superscripts = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString power = exponent < 0 ? QStringLiteral("⁻") : QString();
+    for (const QChar digit : QString::number(std::abs(exponent)))
+        power += superscripts.at(digit.digitValue());
+    return QStringLiteral("%1%2×%2%3").arg(text.section(u'e', 0, 0), QString(QChar::Nbsp), QStringLiteral("10") + power);
+}
+
 int decimalsFor(const Components<3> &point, int digits)
 {
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});

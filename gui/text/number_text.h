@@ -18,6 +18,10 @@ QString significantText(double value, int digits);
 /// So many decimals, at most 20; never "-0.000".
 QString fixedText(double value, int decimals);
 
+/// As a person writes how far something may be off: one significant digit, two if the first is 1; without an exponent from
+/// a millionth to a million: "0.05", "0.0012", "300", "8 × 10⁻⁹".
+QString readableText(double value);
+
 /// Decimals with which the largest component of a point shows `digits` significant digits; from 0.1 to 1 one less.
 int decimalsFor(const Components<3> &point, int digits);
 

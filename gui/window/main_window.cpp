@@ -45,9 +45,8 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     createActions();
     createView();
 
+    connect(m_comparison, &ComparisonPanel::pickRequested, m_view, &SceneView::onLButtonDown);
     connect(m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Pick)
-            m_comparison->setPick(m_document->pick());
         if (changes & Change::Picture)
             showCamera();
     });

@@ -49,7 +49,7 @@ std::vector<MainWindow::Panel> MainWindow::panelTable()
     constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea, kBottom = Qt::BottomDockWidgetArea;
     // Tabs stand in this order; the first of an area is in front.
     return {
-        {"comparison", tr("Comparison"), [this] { return scrolled(m_comparison = new ComparisonPanel); }, kRight,
+        {"comparison", tr("Comparison"), [this] { return scrolled(m_comparison = new ComparisonPanel(*m_document)); }, kRight,
          kRight, Qt::ALT | Qt::Key_1, Shown::Always},
         {"pipeline", tr("Pipeline"), [this] { return new PipelinePanel(*m_document); }, kRight, kRight,
          Qt::ALT | Qt::Key_2, Shown::Always},

@@ -417,16 +417,16 @@ far = %2</source>
         <translation>两者直到最末几位都一致：矩阵每一步都舍入，公式只在最后舍入一次。</translation>
     </message>
     <message>
-        <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
-        <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（半个像素）。</translation>
-    </message>
-    <message>
         <source>Cause: rounding in the inverted matrix, magnified %1 times where the eye&apos;s coordinates cancel. The formula inverts nothing.</source>
         <translation>原因：求逆矩阵时的舍入，在视点坐标相消之处被放大 %1 倍。公式不求任何逆。</translation>
     </message>
     <message>
         <source>Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 times where the eye&apos;s coordinates cancel. The formula inverts nothing.</source>
         <translation>原因：求逆矩阵时的舍入，被透视放大 %1 倍 (z (f − n) / (f n))，又在视点坐标相消之处被放大 %2 倍。公式不求任何逆。</translation>
+    </message>
+    <message>
+        <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
+        <translation>缓冲所允许的误差：沿视线方向 ± %1（半个深度级），垂直于视线方向 ± %2 × %3（半个像素）。</translation>
     </message>
 </context>
 <context>
@@ -442,6 +442,57 @@ far = %2</source>
     <message>
         <source>A circle would be drawn %1 : 1, higher than wide.</source>
         <translation>圆会画成 %1 : 1，高大于宽。</translation>
+    </message>
+</context>
+<context>
+    <name>SinceClickTexts</name>
+    <message>
+        <source>x &lt; −w: left of the view volume</source>
+        <translation>x &lt; −w：在视景体左侧</translation>
+    </message>
+    <message>
+        <source>x &gt; w: right of the view volume</source>
+        <translation>x &gt; w：在视景体右侧</translation>
+    </message>
+    <message>
+        <source>y &lt; −w: below the view volume</source>
+        <translation>y &lt; −w：在视景体下方</translation>
+    </message>
+    <message>
+        <source>y &gt; w: above the view volume</source>
+        <translation>y &gt; w：在视景体上方</translation>
+    </message>
+    <message>
+        <source>z &lt; −w: before the near plane</source>
+        <translation>z &lt; −w：在近裁剪面之前</translation>
+    </message>
+    <message>
+        <source>z &gt; w: behind the far plane</source>
+        <translation>z &gt; w：在远裁剪面之后</translation>
+    </message>
+    <message>
+        <source>w = 0: in the plane of the eye</source>
+        <translation>w = 0：在视点所在平面内</translation>
+    </message>
+    <message>
+        <source>w &lt; 0: behind the eye</source>
+        <translation>w &lt; 0：在视点后方</translation>
+    </message>
+    <message>
+        <source>The view has changed since this click. The point is outside it now: %1.</source>
+        <translation>点击之后视图已改变。该点现在位于视图之外：%1。</translation>
+    </message>
+    <message>
+        <source>The view has changed since this click; all numbers are those of the click.</source>
+        <translation>点击之后视图已改变；所有数字都是点击时的。</translation>
+    </message>
+    <message>
+        <source>The object was moved since this click; the point is where its surface was.</source>
+        <translation>点击之后物体已被移动；该点是其表面原来的位置。</translation>
+    </message>
+    <message>
+        <source>The view is as it was at the click.</source>
+        <translation>视图与点击时相同。</translation>
     </message>
 </context>
 <context>
@@ -631,10 +682,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>深度</translation>
     </message>
     <message>
-        <source>As read from the depth buffer; 0 is the near plane, 1 the far plane</source>
-        <translation>从深度缓冲读出；0 为近裁剪面，1 为远裁剪面</translation>
-    </message>
-    <message>
         <source>Widget position:</source>
         <translation>控件位置：</translation>
     </message>
@@ -645,10 +692,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>Window position:</source>
         <translation>窗口位置：</translation>
-    </message>
-    <message>
-        <source>Depth as read:</source>
-        <translation>读出的深度：</translation>
     </message>
     <message>
         <source>Coordinates by both methods</source>
@@ -715,12 +758,36 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>%1，像素中心</translation>
     </message>
     <message>
-        <source>%1, the background&apos;s</source>
-        <translation>%1，背景的深度</translation>
+        <source>%1, as read</source>
+        <translation>%1，读出的值</translation>
     </message>
     <message>
-        <source>Where the ray enters and leaves the view volume:</source>
-        <translation>射线进入和离开视景体的位置：</translation>
+        <source>%1, the far plane&apos;s: nothing to read</source>
+        <translation>%1，远裁剪面的值：没有可读的深度</translation>
+    </message>
+    <message>
+        <source>Since the click</source>
+        <translation>点击之后</translation>
+    </message>
+    <message>
+        <source>Compute a&amp;gain</source>
+        <translation>重新计算(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Pick the same position of the view anew, as the view is now</source>
+        <translation>按视图现在的状态，重新拾取同一位置</translation>
+    </message>
+    <message>
+        <source>From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane</source>
+        <translation>来自深度缓冲，在深度范围内：默认 0 为近裁剪面，1 为远裁剪面</translation>
+    </message>
+    <message>
+        <source>Depth:</source>
+        <translation>深度：</translation>
+    </message>
+    <message>
+        <source>A point on %1</source>
+        <translation>%1 上的一点</translation>
     </message>
 </context>
 <context>
@@ -1755,16 +1822,12 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>由所点击像素的中心及其读出的深度反推。</translation>
     </message>
     <message>
-        <source>The view changed since the click: back from where the point is now.</source>
-        <translation>点击之后视图已改变：由该点现在的位置反推。</translation>
-    </message>
-    <message>
         <source>The picked point on its way to the window.</source>
         <translation>所拾取的点，从物体到窗口。</translation>
     </message>
     <message>
-        <source>The picked point, which is outside the view volume now.</source>
-        <translation>所拾取的点，现在位于视景体之外。</translation>
+        <source>The view has changed since the click: back from where the point is now.</source>
+        <translation>点击之后视图已改变：从该点现在的位置反算。</translation>
     </message>
 </context>
 <context>
@@ -1920,6 +1983,14 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Automatic</source>
         <translation>自动</translation>
+    </message>
+    <message>
+        <source>↓  (x, %1 − y), depth computed</source>
+        <translation>↓  (x, %1 − y)，深度为计算值</translation>
+    </message>
+    <message>
+        <source>↓  (x · %2, %1 − y · %2), depth computed</source>
+        <translation>↓  (x · %2, %1 − y · %2)，深度为计算值</translation>
     </message>
 </context>
 <context>

@@ -25,7 +25,7 @@ constexpr double kLimitSeconds = 1e-3;
 /// The panels of the window at the sizes they have in a window of 1280 x 800.
 struct Panels {
     SceneDocument document;
-    ComparisonPanel comparison;
+    ComparisonPanel comparison{document};
     ParametersPanel parameters{document};
     PipelinePanel pipeline{document};
     ViewportInspector inspector{document};
@@ -35,7 +35,6 @@ struct Panels {
         document.setSurface(surfaceFromWidget(600, 516, 1.0));
         document.setObjects(bundledScene());
         document.pickAt(WidgetPoint(300.0, 250.0), {0.5, 0, 24});
-        comparison.setPick(document.pick());
         comparison.resize(440, 700);
         parameters.resize(240, 700);
         pipeline.resize(440, 700);

@@ -77,6 +77,8 @@ private slots:
     void backwardUndoesForward();
     void theProductsAreThoseOfTheStages();
     void aPointInThePlaneOfTheEyeStopsAtTheDivision();
+    void theClipTestSaysWhereAPointLies_data();
+    void theClipTestSaysWhereAPointLies();
     void badValuesAreNamed();
     void entryNamesMeanTheirNumbers_data();
     void entryNamesMeanTheirNumbers();
@@ -244,6 +246,36 @@ void TestPipeline::aPointInThePlaneOfTheEyeStopsAtTheDivision()
     QVERIFY(isInsideViewVolume(ClipPoint(1, -1, 1, 1)));
     QVERIFY(!isInsideViewVolume(ClipPoint(1, -1, 1.0001, 1)));
     QVERIFY(!isInsideViewVolume(ClipPoint(0, 0, 0, -1)));
+}
+
+void TestPipeline::theClipTestSaysWhereAPointLies_data()
+{
+    QTest::addColumn<ClipPoint>("point");
+    QTest::addColumn<std::vector<Outside>>("expected");
+    using enum Outside;
+    const auto row = [](const char *name, const ClipPoint &point, std::vector<Outside> expected) {
+        QTest::newRow(name) << point << std::move(expected);
+    };
+    row("inside", {0.5, -0.5, 1.9, 2}, {});
+    row("on the edges", {2, -2, 2, 2}, {});
+    row("left", {-2.1, 0, 0, 2}, {Left});
+    row("right", {2.1, 0, 0, 2}, {Right});
+    row("below", {0, -2.1, 0, 2}, {Bottom});
+    row("above", {0, 2.1, 0, 2}, {Top});
+    row("before the near plane", {0, 0, -2.1, 2}, {Near});
+    row("behind the far plane", {0, 0, 2.1, 2}, {Far});
+    row("two at once", {-3, 0, 2.1, 2}, {Left, Far});
+    row("three at once", {3, 3, -3, 2}, {Right, Top, Near});
+    row("behind the eye", {-3, 0, 3, -1}, {BehindEye});
+    row("in the plane of the eye", {-3, 0, 3, 0}, {InEyePlane});
+}
+
+void TestPipeline::theClipTestSaysWhereAPointLies()
+{
+    QFETCH(ClipPoint, point);
+    QFETCH(std::vector<Outside>, expected);
+    QVERIFY(clipTest(point) == expected);
+    QCOMPARE(isInsideViewVolume(point), expected.empty());
 }
 
 void TestPipeline::badValuesAreNamed()

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/unproject/pick.h"
+#include "gui/document/scene_document.h"
+#include "gui/panels/comparison_panel.h"
 #include "tests/support/unprojecting.h"
 
 #include <QRegularExpression>
@@ -53,6 +55,24 @@ inline Pick pickWith(const glm::dvec3 &formula, const glm::dvec3 &matrix, const 
     pick.certainty = {radius, radius, radius / 2.0};
     return pick;
 }
+
+/// A document, for the panel that is made after it.
+struct WithDocument {
+    gui::SceneDocument document;
+};
+
+/// A panel of a document of its own, which is told its pick.
+struct PanelOfPicks : WithDocument, gui::ComparisonPanel {
+    PanelOfPicks() : ComparisonPanel(document) {}
+
+    void setPick(const std::optional<Pick> &pick)
+    {
+        if (pick)
+            document.setPick(*pick);
+        else
+            document.clearPick();
+    }
+};
 
 inline bool hasPlaceholder(const QString &text)
 {

@@ -40,6 +40,15 @@ QLabel *labelNamed(const QWidget &panel, const char *name)
     return nullptr;
 }
 
+QPushButton *buttonNamed(const QWidget &panel, const char *text)
+{
+    for (QPushButton *button : panel.findChildren<QPushButton *>()) {
+        if (button->text() == QLatin1String(text))
+            return button;
+    }
+    return nullptr;
+}
+
 } // namespace
 
 class TestComparisonPanel : public QObject {
@@ -229,7 +238,7 @@ void TestComparisonPanel::theCopiedTableReadsBackToTheSameDoubles()
 
 void TestComparisonPanel::theFloatColumnsAreShownOnRequest()
 {
-    ComparisonPanel panel;
+    PanelOfPicks panel;
     auto *table = panel.findChild<QTableView *>();
     QSignalSpy changes(&panel, &ComparisonPanel::showsFloatChanged);
     const auto areHidden = [&] {
@@ -252,8 +261,8 @@ void TestComparisonPanel::theFloatColumnsAreShownOnRequest()
 
 void TestComparisonPanel::theWholePanelIsCopied()
 {
-    ComparisonPanel panel;
-    auto *copy = panel.findChild<QPushButton *>();
+    PanelOfPicks panel;
+    auto *copy = buttonNamed(panel, "&Copy all");
     QVERIFY(!copy->isEnabled());
     const Pick pick = picked(frustumGeometry(), 412.0, 299.0, 0.75);
     panel.setPick(pick);
@@ -271,7 +280,7 @@ void TestComparisonPanel::theWholePanelIsCopied()
 
 void TestComparisonPanel::selectedCellsAreCopiedWithAllDigits()
 {
-    ComparisonPanel panel;
+    PanelOfPicks panel;
     const Pick pick = picked(frustumGeometry(), 612.0, 99.0, 0.9);
     panel.setPick(pick);
     auto *table = panel.findChild<QTableView *>();
@@ -289,16 +298,16 @@ void TestComparisonPanel::theChainIsWrittenOut()
 {
     Picture geometry = frustumGeometry();
     geometry.surface = {800, 600, 1.5};
-    ComparisonPanel panel;
+    PanelOfPicks panel;
     panel.setPick(picked(geometry, 275.2, 200.0, 0.75)); // device 412.8, 300
     QCOMPARE(labelNamed(panel, "What was clicked")->text(), QStringLiteral("A point on the surface"));
     QCOMPARE(labelNamed(panel, "Widget position")->text(), QStringLiteral("(275.2, 200) logical pixels"));
     QCOMPARE(labelNamed(panel, "Device pixel")->text(), QStringLiteral("(412, 300) of 800 × 600, ratio 1.5"));
     QCOMPARE(labelNamed(panel, "Window position")->text(), QStringLiteral("(412.5, 299.5), the pixel's centre"));
-    QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("0.75"));
+    QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("0.75, as read"));
     panel.setPick(picked(geometry, 275.2, 200.0, 1.0, false));
     QCOMPARE(labelNamed(panel, "What was clicked")->text(), QStringLiteral("Background: no surface here"));
-    QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("1, the background's"));
+    QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("1, the far plane's: nothing to read"));
     panel.setPick(std::nullopt);
     QCOMPARE(labelNamed(panel, "Window position")->text(), QStringLiteral("–"));
     QVERIFY(panel.findChild<QPlainTextEdit *>()->toPlainText().isEmpty());
@@ -313,9 +322,10 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
     const double distance = 10.0 / 3.0;
     const glm::dvec3 eye((412.5 / 400.0 - 1.0) * 0.8284271247461901 / 2.0 * distance,
                          (300.5 / 300.0 - 1.0) * 0.6213203435596426 / 2.0 * distance, -distance);
-    ComparisonPanel panel;
+    PanelOfPicks panel;
     panel.setPick(picked(geometry, 412.0, 299.0, (range.atNear + range.atFar) / 2.0));
-    QCOMPARE(labelNamed(panel, "Depth")->text(), shortestText((range.atNear + range.atFar) / 2.0));
+    QCOMPARE(labelNamed(panel, "Depth")->text(),
+             shortestText((range.atNear + range.atFar) / 2.0) + QStringLiteral(", as read"));
     for (int axis = 0; axis < 3; ++axis) {
         for (const int column : {int(ComparisonModel::Formula), int(ComparisonModel::Matrix)}) {
             const double value = cell(panel.model(), 3 + axis, column, ComparisonModel::kValueRole).toDouble();
@@ -328,7 +338,8 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
              qPrintable(formulas));
     // The ray of the background goes from the near plane's depth to the far plane's.
     panel.setPick(picked(geometry, 412.0, 299.0, range.atFar, false));
-    QCOMPARE(labelNamed(panel, "Depth")->text(), shortestText(range.atFar) + QStringLiteral(", the background's"));
+    QCOMPARE(labelNamed(panel, "Depth")->text(),
+             shortestText(range.atFar) + QStringLiteral(", the far plane's: nothing to read"));
     const auto worldZ = [&](int row) {
         return cell(panel.model(), row, ComparisonModel::Formula, ComparisonModel::kValueRole).toDouble();
     };
@@ -346,7 +357,7 @@ void TestComparisonPanel::thePanelStandsStillFromClickToClick_data()
 void TestComparisonPanel::thePanelStandsStillFromClickToClick()
 {
     QFETCH(bool, showsFloat);
-    ComparisonPanel panel;
+    PanelOfPicks panel;
     panel.setShowsFloat(showsFloat);
     panel.resize(460, 760);
     panel.show();

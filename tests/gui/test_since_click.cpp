@@ -1,0 +1,243 @@
+// What is said of a pick when the document is another one since, and that it can be picked anew.
+
+#include "gui/panels/comparison_model.h"
+#include "gui/panels/comparison_panel.h"
+#include "gui/panels/pipeline_panel.h"
+#include "gui/text/since_click_text.h"
+#include "tests/gui/gui_scene.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include <functional>
+
+using namespace guitest;
+
+namespace {
+
+using Happening = std::function<void(SceneDocument &)>;
+
+QPushButton *againButton(const QWidget &panel)
+{
+    for (QPushButton *button : panel.findChildren<QPushButton *>()) {
+        if (button->text() == QStringLiteral("Compute a&gain"))
+            return button;
+    }
+    return nullptr;
+}
+
+QString labelText(const QWidget &panel, const char *accessibleName)
+{
+    for (const QLabel *label : panel.findChildren<QLabel *>()) {
+        if (label->accessibleName() == QLatin1String(accessibleName))
+            return label->text();
+    }
+    return {};
+}
+
+/// Seen from (0, 0, 5) by glFrustum with near 2 and far 10 in 400 x 300; the pixel in the middle lies on z = 0.
+void openAndPick(SceneDocument &document)
+{
+    Scene scene;
+    scene.camera = scene.home = {WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
+    scene.projection = Frustum{-1, 1, -1, 1, 2, 10};
+    scene.projectionFollowsViewport = false;
+    scene.clipDistancesFitObjects = false;
+    scene.objects = cubeScene();
+    scene.objects.front().name = "cube";
+    document.setSurface({400, 300, 1.0});
+    QVERIFY(document.open(scene));
+    // z = 20 / (10 (1 - d) + 2 d) = 5 for d = 0.75.
+    document.pickAt(WidgetPoint(200.0, 150.0), {0.75, 0, 24});
+    QVERIFY(document.pick());
+}
+
+LookAt cameraAt(double x, double y, double z)
+{
+    return {WorldPoint(x, y, z), WorldPoint(x, y, z - 5.0), {0, 1, 0}};
+}
+
+} // namespace
+
+class TestSinceClick : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatHappenedSinceTheClickIsSaid_data();
+    void whatHappenedSinceTheClickIsSaid();
+    void aBackgroundSaysOnlyThatTheViewChanged();
+    void chainDepthAndFormulasStayThoseOfTheClick();
+    void thePipelineCallsNoDepthReadThatWasNot();
+    void computingAgainPicksTheSamePixelOfTheViewAsItIs();
+    void aPositionThatIsGoneCannotBePickedAgain();
+};
+
+void TestSinceClick::whatHappenedSinceTheClickIsSaid_data()
+{
+    QTest::addColumn<Happening>("happening");
+    QTest::addColumn<QStringList>("said");
+    QTest::addColumn<QStringList>("notSaid");
+    QTest::addColumn<bool>("canCompute");
+    const QStringList changed{QStringLiteral("The view has changed since this click")};
+    const QStringList outside{QStringLiteral("outside")};
+    const auto row = [](const char *name, const Happening &happening, const QStringList &said,
+                        const QStringList &notSaid,
+                        bool canCompute = true) { QTest::newRow(name) << happening << said << notSaid << canCompute; };
+    const auto camera = [](double x, double y, double z) {
+        return [=](SceneDocument &document) { document.setCamera(cameraAt(x, y, z)); };
+    };
+    row(
+        "nothing", [](SceneDocument &) {}, {QStringLiteral("as it was")}, changed + outside, false);
+    row("a step to the side", camera(0.5, 0, 5), changed, outside);
+    row(
+        "undone",
+        [](SceneDocument &document) {
+            document.setCamera(cameraAt(0.5, 0, 5));
+            document.undoStack().undo();
+        },
+        {QStringLiteral("as it was")}, changed + outside, false);
+    row("far away", camera(0, 0, 12), changed + QStringList{QStringLiteral("z > w: behind the far plane")}, {});
+    row("too near", camera(0, 0, 1.5), changed + QStringList{QStringLiteral("z < −w: before the near plane")}, {});
+    row("past it", camera(0, 0, -3), changed + QStringList{QStringLiteral("w < 0: behind the eye")}, {});
+    row("to the right", camera(4, 0, 5), changed + QStringList{QStringLiteral("x < −w: left of the view volume")}, {});
+    row("down", camera(0, -4, 5), changed + QStringList{QStringLiteral("y > w: above the view volume")}, {});
+    row("down, to the left", camera(-4, -4, 5), changed + QStringList{QStringLiteral("x > w"), QStringLiteral("y > w")},
+        {});
+    row(
+        "the window's size",
+        [](SceneDocument &document) {
+            document.setSurface({500, 300, 1.0});
+        },
+        changed, outside);
+    row(
+        "the object moved",
+        [](SceneDocument &document) {
+            QVERIFY(document.editTransform(0, {Translate{{1000, 0, 0}}}, {QStringLiteral("Move")}));
+        },
+        {QStringLiteral("The object was moved since this click")}, changed + outside);
+    row(
+        "the object moved, near and far with it",
+        [](SceneDocument &document) {
+            QVERIFY(document.editProjection({document.scene().projection, false, true}, {QStringLiteral("Fit")}));
+            QVERIFY(document.editTransform(0, {Translate{{0, 0, -1000}}}, {QStringLiteral("Move")}));
+        },
+        {QStringLiteral("The object was moved since this click")}, changed + outside);
+}
+
+void TestSinceClick::whatHappenedSinceTheClickIsSaid()
+{
+    QFETCH(Happening, happening);
+    QFETCH(QStringList, said);
+    QFETCH(QStringList, notSaid);
+    QFETCH(bool, canCompute);
+    SceneDocument document;
+    openAndPick(document);
+    ComparisonPanel panel(document);
+    PipelinePanel pipeline(document);
+    pipeline.show();
+    happening(document);
+    const QString text = labelText(panel, "Since the click");
+    for (const QString &part : said)
+        QVERIFY2(text.contains(part), qPrintable(text));
+    for (const QString &part : notSaid) {
+        QVERIFY2(!text.contains(part), qPrintable(text));
+        QVERIFY2(!pipeline.model().status().contains(part), qPrintable(pipeline.model().status()));
+    }
+    QCOMPARE(againButton(panel)->isEnabled(), canCompute);
+    // Another click is of the view as it is.
+    document.pickAt(WidgetPoint(200.0, 150.0), {0.75, 0, 24});
+    QVERIFY(labelText(panel, "Since the click").contains(QStringLiteral("as it was")));
+    QVERIFY(!againButton(panel)->isEnabled());
+}
+
+void TestSinceClick::aBackgroundSaysOnlyThatTheViewChanged()
+{
+    SceneDocument document;
+    openAndPick(document);
+    document.pickAt(WidgetPoint(200.0, 150.0), {1.0, {}, 24});
+    ComparisonPanel panel(document);
+    QCOMPARE(labelText(panel, "What was clicked"), QStringLiteral("Background: no surface here"));
+    document.setCamera(cameraAt(0, 0, -30));
+    const QString text = labelText(panel, "Since the click");
+    QVERIFY2(text.contains(QStringLiteral("has changed")) && !text.contains(QStringLiteral("outside")),
+             qPrintable(text));
+}
+
+void TestSinceClick::chainDepthAndFormulasStayThoseOfTheClick()
+{
+    SceneDocument document;
+    openAndPick(document);
+    ComparisonPanel panel(document);
+    QCOMPARE(labelText(panel, "Depth"), QStringLiteral("0.75, as read"));
+    const QString since = labelText(panel, "Since the click"), whole = panel.text();
+    QVERIFY(whole.contains(since));
+    document.setCamera(cameraAt(1, 2, 12));
+    document.setProjection(Ortho{-3, 3, -3, 3, 1, 9});
+    document.setSurface({500, 400, 2.0});
+    QString now = panel.text();
+    QVERIFY(!now.contains(since));
+    QCOMPARE(now.replace(labelText(panel, "Since the click"), since), whole);
+}
+
+void TestSinceClick::thePipelineCallsNoDepthReadThatWasNot()
+{
+    SceneDocument document;
+    openAndPick(document);
+    PipelinePanel panel(document);
+    panel.setDirection(PipelineDirection::Backward);
+    panel.show();
+    const auto says = [&panel](const char *part) {
+        for (const QLabel *label : panel.findChildren<QLabel *>()) {
+            if (label->text().contains(QLatin1String(part)))
+                return true;
+        }
+        return false;
+    };
+    QVERIFY(says("depth as read"));
+    document.setCamera(cameraAt(0, 0, 12));
+    QVERIFY(!says("depth as read") && !says("depth read"));
+    QVERIFY(says("depth computed"));
+    QVERIFY(says("z > w: behind the far plane"));
+    document.undoStack().undo();
+    QVERIFY(says("depth as read"));
+}
+
+void TestSinceClick::computingAgainPicksTheSamePixelOfTheViewAsItIs()
+{
+    const auto window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    const QPointF position = localOf(*window, kCubeCenter);
+    window->view().onLButtonDown(WidgetPoint(position.x(), position.y()));
+    const Pick before = *document.pick();
+    QVERIFY(before.hit());
+    QPushButton *again = againButton(window->comparison());
+    QVERIFY(!again->isEnabled());
+    LookAt camera = document.geometry().camera();
+    camera.eye.z += 0.5;
+    document.setCamera(camera);
+    QVERIFY(again->isEnabled());
+    QVERIFY(*document.pick()->point.world[Method::Formula] == *before.point.world[Method::Formula]);
+    again->click();
+    const Pick &after = *document.pick();
+    QCOMPARE(after.devicePixel, before.devicePixel);
+    QVERIFY(after.geometry == document.geometry());
+    QVERIFY(after.hit() && *after.point.world[Method::Formula] != *before.point.world[Method::Formula]);
+    QVERIFY(!again->isEnabled());
+}
+
+void TestSinceClick::aPositionThatIsGoneCannotBePickedAgain()
+{
+    SceneDocument document;
+    openAndPick(document);
+    ComparisonPanel panel(document);
+    QSignalSpy requests(&panel, &ComparisonPanel::pickRequested);
+    document.setSurface({500, 300, 1.0});
+    againButton(panel)->click();
+    QCOMPARE(requests.count(), 1);
+    document.setSurface({100, 100, 1.0});
+    QVERIFY(!againButton(panel)->isEnabled());
+}
+
+QTEST_MAIN(TestSinceClick)
+#include "test_since_click.moc"
