@@ -400,11 +400,12 @@ SinceClick SceneDocument::sinceClick() const
     return {m_pick->geometry != geometry(), placementOf(*m_pick) != m_pickedPlacement};
 }
 
-void SceneDocument::clearPick()
+void SceneDocument::putBack(const KeptPick &kept)
 {
-    if (!m_pick)
+    if (!m_pick && !kept.pick)
         return;
-    m_pick.reset();
+    m_pick = kept.pick;
+    m_pickedPlacement = kept.placement;
     tell(Change::Pick);
 }
 

@@ -38,6 +38,12 @@ struct SinceClick {
     bool isObjectMoved = false;  ///< the object that was hit: the point is where its surface was
 };
 
+/// What is picked at a moment, to come back to.
+struct KeptPick {
+    std::optional<Pick> pick = {};
+    glm::dmat4 placement{1.0}; ///< worldFromObject of its object at the click
+};
+
 /// The one owner of the scene, the undo stack and the picked point. Widgets show it and ask it to change; it unprojects.
 class SceneDocument : public QObject {
     Q_OBJECT
@@ -117,7 +123,11 @@ public:
     void setPick(const Result<Pick> &pick);
     /// unprojected() and setPick().
     void pickAt(const WidgetPoint &position, const DepthSample &sample) { setPick(unprojected(position, sample)); }
-    void clearPick();
+    KeptPick keptPick() const { return {m_pick, m_pickedPlacement}; }
+    /// Shows an earlier pick again, or none: as if nothing had been picked since.
+    /// @param kept  of this scene, with the objects that it has now
+    void putBack(const KeptPick &kept);
+    void clearPick() { putBack({}); }
     /// The world point that navigation turns about with the pointer there: the surface; on the background the point of
     /// the pointer's ray at the centre's distance; where nothing could be unprojected the camera's centre.
     WorldPoint pivotOf(const Result<Pick> &pick) const;

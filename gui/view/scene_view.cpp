@@ -32,6 +32,8 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     m_hoverTimer.setSingleShot(true);
 
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Objects) // the former pick may be on one that went
+            m_formerPick.reset();
         if (changes & kSeen)
             redraw();
         else if (changes & Change::Pick) // its mark is drawn over the frame

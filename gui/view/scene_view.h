@@ -22,8 +22,8 @@ public:
     explicit SceneView(SceneDocument &document, QWidget *parent = nullptr);
     ~SceneView() override;
 
-    /// The left button pressed at a widget position in logical pixels: the depth there is read and picked.
-    /// A position outside the view is ignored.
+    /// The left button pressed at a widget position in logical pixels: the depth there is read and picked. Where a drag
+    /// follows, what was picked before comes back. A position outside the view is ignored.
     void onLButtonDown(const WidgetPoint &position);
 
     /// The widget position of a mouse event, corrected for fractional pixel ratios: Qt composes the view onto whole
@@ -82,7 +82,8 @@ private:
     QTimer m_hoverTimer;
 
     Drag m_drag = Drag::None;
-    bool m_hasMoved = false; ///< far enough from the press to be a drag
+    bool m_hasMoved = false;              ///< far enough from the press to be a drag
+    std::optional<KeptPick> m_formerPick; ///< the press has picked; a drag puts this back
     QPointF m_lastPosition;
     WorldPoint m_pivot;
     QPointF m_wheelPosition;

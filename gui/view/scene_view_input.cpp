@@ -4,6 +4,7 @@
 
 #include "core/geometry/angle.h"
 
+#include <QApplication>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -13,6 +14,15 @@
 #include <utility>
 
 namespace unprojector::gui {
+namespace {
+
+/// A hand that only clicks trembles: it drags from the desktop's distance on.
+bool isDrag(const QPointF &way)
+{
+    return std::abs(way.x()) + std::abs(way.y()) >= QApplication::startDragDistance();
+}
+
+} // namespace
 
 WidgetPoint SceneView::widgetPosition(const QPointF &local) const
 {
@@ -31,20 +41,25 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     m_gesture = QStringLiteral("drag %1").arg(++m_gestureCount);
     const WidgetPoint position = widgetPosition(event->position());
     m_pivot = m_document.geometry().camera().center; // where nothing can be read
-    if (!pans)
+    if (!pans) {
+        m_formerPick = m_document.keptPick();
         onLButtonDown(position);
-    else if (const std::optional<DepthSample> sample = sampleAt(position))
+    } else if (const std::optional<DepthSample> sample = sampleAt(position)) {
         m_pivot = m_document.pivotOf(m_document.unprojected(position, *sample));
+    }
     m_drag = pans ? Drag::Pan : Drag::Orbit;
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent *event)
 {
     const QPointF delta = event->position() - m_lastPosition;
-    // A hand that only clicks trembles by a pixel or two: that is not yet a drag.
-    constexpr double kTremblePixels = 3.0;
-    if (m_drag != Drag::None && !m_hasMoved && std::hypot(delta.x(), delta.y()) < kTremblePixels)
-        return;
+    if (m_drag != Drag::None && !m_hasMoved) {
+        if (!isDrag(delta))
+            return;
+        // A drag it is and not a click: what the press has picked goes, and what was picked before comes back.
+        if (const std::optional<KeptPick> former = std::exchange(m_formerPick, std::nullopt))
+            m_document.putBack(*former);
+    }
     m_hasMoved = true;
     m_lastPosition = event->position();
     const Picture &g = m_document.geometry();
@@ -77,6 +92,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
     if (event->buttons() != Qt::NoButton)
         return;
     m_drag = Drag::None;
+    m_formerPick.reset();
     if (rect().contains(event->position().toPoint()))
         reportHover(event->position());
 }

@@ -5,6 +5,7 @@
 #include "gui/panels/comparison_panel.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QLabel>
 #include <QSignalSpy>
 
@@ -66,6 +67,9 @@ private slots:
     void initTestCase() { redirectSettings(); }
     void theLeftButtonPicksBeforeItIsReleased();
     void aTrembleIsNoDrag();
+    void aDragLeavesThePickAlone_data();
+    void aDragLeavesThePickAlone();
+    void aFormerPickOfAnObjectThatWentStaysAway();
     void aDragTurnsAboutThePickedPoint_data() { addProjections(); }
     void aDragTurnsAboutThePickedPoint();
     void aSecondButtonStartsNoOtherDrag_data();
@@ -119,14 +123,77 @@ void TestNavigation::aTrembleIsNoDrag()
          {std::pair(Qt::LeftButton, Qt::NoModifier), std::pair(Qt::LeftButton, Qt::ShiftModifier),
           std::pair(Qt::MiddleButton, Qt::NoModifier)}) {
         sendMouse(view, QEvent::MouseButtonPress, position, button, button, modifiers);
-        for (const QPointF &step : {QPointF(1.0, 0.0), QPointF(1.0, -1.0), QPointF(-1.0, 0.0), QPointF(0.0, 0.0)})
+        const double most = QApplication::startDragDistance() - 1.0;
+        for (const QPointF &step : {QPointF(1.0, 0.0), QPointF(1.0, -1.0), QPointF(-most, 0.0), QPointF(0.0, 0.0)})
             sendMouse(view, QEvent::MouseMove, position + step, Qt::NoButton, button, modifiers);
         sendMouse(view, QEvent::MouseButtonRelease, position, button, Qt::NoButton, modifiers);
         QVERIFY(window->document().geometry().camera() == before);
     }
-    // A drag it is from a few pixels on.
-    drag(view, position, position + QPointF(12.0, 0.0), Qt::LeftButton);
+    QVERIFY(window->document().pick()); // of the first, which was a click
+    // A drag it is from the desktop's distance on.
+    drag(view, position, position + QPointF(QApplication::startDragDistance(), 0.0), Qt::LeftButton);
     QVERIFY(window->document().geometry().camera() != before);
+}
+
+void TestNavigation::aDragLeavesThePickAlone_data()
+{
+    QTest::addColumn<bool>("fromSurface");
+    QTest::addColumn<bool>("hasFormer");
+    QTest::newRow("on the surface, nothing picked") << true << false;
+    QTest::newRow("on the surface, another point picked") << true << true;
+    QTest::newRow("on the background, nothing picked") << false << false;
+    QTest::newRow("on the background, a point picked") << false << true;
+}
+
+void TestNavigation::aDragLeavesThePickAlone()
+{
+    QFETCH(bool, fromSurface);
+    QFETCH(bool, hasFormer);
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    if (hasFormer)
+        click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.4, 0.5)));
+    const auto point = [&] { return document.pick() ? std::optional(picked(*window)) : std::nullopt; };
+    const std::optional<glm::dvec3> former = point();
+    QCOMPARE(former.has_value(), hasFormer);
+    const QString said = heading(*window);
+    const LookAt before = document.geometry().camera();
+    const int steps = document.undoStack().index();
+
+    const QPointF from = fromSurface ? localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5)) : QPointF(6.0, 7.0);
+    sendMouse(view, QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+    QVERIFY(document.pick()); // at once
+    QCOMPARE(document.pick()->hit(), fromSurface);
+    QVERIFY(point() != former || !fromSurface);
+    QCOMPARE(document.undoStack().index(), steps);
+    sendMouse(view, QEvent::MouseMove, from + QPointF(30.0, 8.0), Qt::NoButton, Qt::LeftButton);
+    QVERIFY(point() == former);
+    QVERIFY(document.geometry().camera() != before);
+    sendMouse(view, QEvent::MouseMove, from + QPointF(45.0, 8.0), Qt::NoButton, Qt::LeftButton);
+    sendMouse(view, QEvent::MouseButtonRelease, from, Qt::LeftButton, Qt::NoButton); // back where it began
+    QVERIFY(point() == former);
+    QCOMPARE(heading(*window), said);
+    // The whole drag is one step.
+    QCOMPARE(document.undoStack().index(), steps + 1);
+    document.undoStack().undo();
+    QVERIFY(document.geometry().camera() == before);
+    QVERIFY(point() == former);
+}
+
+void TestNavigation::aFormerPickOfAnObjectThatWentStaysAway()
+{
+    const auto window = twoCubesWindow();
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.2, 1.0));
+    click(view, place);
+    QCOMPARE(document.pick()->object, std::optional<std::size_t>(0));
+    sendMouse(view, QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
+    QVERIFY(document.removeObject(0));
+    sendMouse(view, QEvent::MouseMove, place + QPointF(40.0, 0.0), Qt::NoButton, Qt::LeftButton);
+    QVERIFY(!document.pick());
+    sendMouse(view, QEvent::MouseButtonRelease, place + QPointF(40.0, 0.0), Qt::LeftButton, Qt::NoButton);
 }
 
 void TestNavigation::aDragTurnsAboutThePickedPoint()
@@ -136,8 +203,10 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     SceneView &view = window->view();
     const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
     const LookAt before = window->document().geometry().camera();
+    click(view, from);
+    const glm::dvec3 point = picked(*window);
     drag(view, from, from + QPointF(70.0, -25.0), Qt::LeftButton);
-    QVERIFY(isAt(*window, picked(*window), centerUnder(view, from), kStillPixels));
+    QVERIFY(isAt(*window, point, centerUnder(view, from), kStillPixels));
     const LookAt &after = window->document().geometry().camera();
     // 70 of the height's logical pixels of half a turn about world up: the scene turns right, the camera left.
     const glm::dvec3 f = forwardOf(before), g = forwardOf(after);
@@ -189,7 +258,8 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     QVERIFY(document.geometry().camera() != camera);
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(60.0, 0.0), one, Qt::NoButton);
-    QCOMPARE(picks, turns ? 1 : 0);
+    QCOMPARE(picks, turns ? 2 : 0); // at the press, and what was before when it turned
+    QVERIFY(!document.pick());
     QCOMPARE(document.undoStack().index(), steps + 1);
 }
 
@@ -338,7 +408,7 @@ void TestNavigation::draggingOnTheBackgroundMovesTheCameraAllTheSame()
     const glm::dvec3 center = window->document().geometry().camera().center.coordinates();
     const QPointF from(view.width() - 30.0, 30.0);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::LeftButton);
-    QVERIFY(!window->document().pick()->hit());
+    QVERIFY(!window->document().pick());
     const LookAt turned = window->document().geometry().camera();
     QVERIFY(turned.center.coordinates() != center);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::MiddleButton);
