@@ -4,6 +4,7 @@
 #include "gui/painters/scene_lines.h"
 #include "gui/view/frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace unprojector::gui {
@@ -36,7 +37,7 @@ void SceneOverlay::release()
     m_pick.release();
 }
 
-void SceneOverlay::draw(const SceneDocument &document)
+void SceneOverlay::draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair)
 {
     const Picture &g = document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
@@ -54,7 +55,9 @@ void SceneOverlay::draw(const SceneDocument &document)
     drawClipPlanes(document, *matrix);
     drawPick(document, *matrix);
     glDisable(GL_DEPTH_TEST);
-    drawAxes(*frame, g.surface);
+    drawAxes(*frame, *drawn);
+    if (crosshair)
+        drawCrosshair(*crosshair, g.surface);
     glDepthMask(GL_TRUE);
 }
 
@@ -82,16 +85,43 @@ void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &cli
     m_pick.draw(point, clipFromWorld, viewportPixels(g), pixelRatio(g));
 }
 
-void SceneOverlay::drawAxes(const EyeFrame &frame, const Surface &surface)
+void SceneOverlay::drawAxes(const EyeFrame &frame, const Drawable &drawn)
 {
-    const double ratio = surface.devicePixelRatio;
-    const int side = static_cast<int>(std::lround(84 * ratio));
-    if (surface.widthPixels < 3 * side || surface.heightPixels < 3 * side)
-        return;
-    glViewport(0, 0, side, side);
+    constexpr double kMostLogical = 84.0, kLeastLogical = 40.0;
+    constexpr double kMostShare = 0.25; // of the viewport: the scene is what is looked at
+    const double ratio = drawn.picture.surface.devicePixelRatio;
+    const double side = std::min(kMostLogical * ratio, kMostShare * std::min(drawn.width, drawn.height));
+    if (side < kLeastLogical * ratio)
+        return; // its letters could not be read
+    const int pixels = static_cast<int>(std::lround(side));
+    glViewport(drawn.x, drawn.y, pixels, pixels);
     const Result<glm::dmat4> box = clipFromEye(Ortho{-1.45, 1.45, -1.45, 1.45, -2.0, 2.0});
     if (box)
-        m_lines.draw(triadLines(frame), *box, glm::vec2(side, side), 2.0f * static_cast<float>(ratio));
+        m_lines.draw(triadLines(frame), *box, glm::vec2(pixels, pixels), 2.0f * static_cast<float>(ratio));
+}
+
+void SceneOverlay::drawCrosshair(const DevicePixel &pixel, const Surface &surface)
+{
+    constexpr double kGapLogical = 4.0, kArmLogical = 14.0;
+    const double ratio = surface.devicePixelRatio;
+    const WindowPoint center = windowFromDevice(surface, pixelCenter(pixel), 0.0);
+    const Result<glm::dmat4> pixels =
+        clipFromEye(Ortho{0.0, double(surface.widthPixels), 0.0, double(surface.heightPixels), -1.0, 1.0});
+    if (!pixels)
+        return;
+    const glm::vec2 size(surface.widthPixels, surface.heightPixels);
+    glViewport(0, 0, surface.widthPixels, surface.heightPixels);
+    // Dark around light: to be seen on any surface. The pixel itself stays free.
+    const auto draw = [&](double rim, const glm::vec4 &color, double width) {
+        std::vector<LineSegment> arms;
+        for (const glm::dvec3 &way :
+             {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0)})
+            arms.push_back({center.coordinates() + way * ((kGapLogical - rim) * ratio),
+                            center.coordinates() + way * ((kArmLogical + rim) * ratio), color});
+        m_lines.draw(arms, *pixels, size, static_cast<float>(width * ratio));
+    };
+    draw(1.0, {0.0f, 0.0f, 0.0f, 0.75f}, 3.5);
+    draw(0.0, {1.0f, 1.0f, 1.0f, 1.0f}, 1.5);
 }
 
 } // namespace unprojector::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/drawable.h"
 #include "gui/document/scene_document.h"
 #include "gui/painters/face_painter.h"
 #include "gui/painters/line_painter.h"
@@ -7,22 +8,27 @@
 
 #include <QOpenGLExtraFunctions>
 
+#include <optional>
+
 namespace unprojector::gui {
 
-/// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, the picked point and the directions
-/// of the axes in the corner. All calls need the OpenGL context current.
+/// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, the picked point, the directions
+/// of the axes in the corner and the crosshair of the keys. All calls need the OpenGL context current.
 class SceneOverlay : protected QOpenGLExtraFunctions {
 public:
     void initialize();
     void release();
 
     /// Onto a framebuffer that has the objects' colours and depths; it leaves the depths as they are.
-    void draw(const SceneDocument &document);
+    /// @param crosshair  the pixel that keys pick at, where it is to be shown
+    void draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair);
 
 private:
     void drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     void drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
-    void drawAxes(const EyeFrame &frame, const Surface &surface);
+    /// In the corner of the viewport, where that is large enough.
+    void drawAxes(const EyeFrame &frame, const Drawable &drawn);
+    void drawCrosshair(const DevicePixel &pixel, const Surface &surface);
 
     LinePainter m_lines;
     FacePainter m_faces;

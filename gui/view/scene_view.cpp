@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-// The hand is in scene_view_input.cpp.
+// The hand is in scene_view_input.cpp, the keys are in scene_view_keys.cpp.
 
 namespace unprojector::gui {
 namespace {
@@ -27,8 +27,12 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
 {
     setAcceptDrops(true);
     setCursor(Qt::CrossCursor);
+    setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("3-D view"));
-    setAccessibleDescription(tr("Press the left button on the model to read the world coordinate of that pixel"));
+    setAccessibleDescription(
+        tr("Click the model, or press Enter, to read the world coordinate of the pixel under the "
+           "pointer or the crosshair. Arrow keys turn, with Shift they move, with Ctrl they move the "
+           "crosshair; plus and minus zoom"));
     m_hoverTimer.setSingleShot(true);
 
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
@@ -50,7 +54,7 @@ SceneView::~SceneView()
 void SceneView::redraw()
 {
     m_isStale = true;
-    m_wheelPivot.reset();
+    m_stillPivot.reset();
     update();
 }
 
@@ -99,7 +103,7 @@ void SceneView::onDraw()
     timer.start();
     const bool hasDrawnObjects = updateFrame();
     if (showFrame())
-        m_overlay->draw(m_document);
+        m_overlay->draw(m_document, m_isCrosshairShown ? std::optional(crosshair()) : std::nullopt);
     emit happened({LifecycleEvent::Kind::OnDraw, QString(),
                    hasDrawnObjects ? kObjectCalls + QStringLiteral(", glDrawArrays")
                                    : QStringLiteral("glDrawArrays: the objects are as they were drawn before"),

@@ -43,6 +43,10 @@ protected:
     void paintGL() override { onDraw(); }
     void releaseGL() override { onDestroy(); }
 
+    bool event(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
@@ -67,6 +71,22 @@ private:
     std::optional<DepthSample> sampleAt(const WidgetPoint &position);
     void redraw();
 
+    /// The point to turn about, to move with and to zoom to at a position.
+    WorldPoint pivotAt(const WidgetPoint &position);
+    /// The camera was moved so that a point stays where it is: at the same position the next step goes about it as well.
+    void keepPivot(const WidgetPoint &position, const WorldPoint &pivot);
+    void zoomAt(const WidgetPoint &position, double notches, const QString &mergeKey);
+    /// Moves the camera so that the scene goes a way in logical pixels at the depth of the pivot.
+    void pan(const QPointF &way, const WorldPoint &pivot, const QString &mergeKey);
+
+    // Keys do at the crosshair what the mouse does at the pointer.
+
+    /// The pixel last clicked or moved to, at first that in the middle of the viewport.
+    DevicePixel crosshair() const;
+    /// Onto the pixel under a position; outside the view it stays.
+    void putCrosshair(const WidgetPoint &position);
+    void setCrosshairShown(bool isShown);
+
     // The pointer's readout waits for nothing: it is asked for, and reported when the GPU has it.
     void reportHover(const QPointF &local);
     void requestHover();
@@ -86,10 +106,13 @@ private:
     std::optional<KeptPick> m_formerPick; ///< the press has picked; a drag puts this back
     QPointF m_lastPosition;
     WorldPoint m_pivot;
-    QPointF m_wheelPosition;
-    std::optional<WorldPoint> m_wheelPivot; ///< under m_wheelPosition; gone with the next change of the document
+    WidgetPoint m_stillPosition;
+    std::optional<WorldPoint> m_stillPivot; ///< under m_stillPosition; gone with the next change of the document
     QString m_gesture;                      ///< the drag that is under way, undone as one
     int m_gestureCount = 0;
+
+    std::optional<DevicePixel> m_crosshair; ///< where a hand has put it; none: in the middle
+    bool m_isCrosshairShown = false;        ///< keys are being used
 };
 
 } // namespace unprojector::gui

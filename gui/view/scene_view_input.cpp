@@ -40,12 +40,14 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     m_hasMoved = false;
     m_gesture = QStringLiteral("drag %1").arg(++m_gestureCount);
     const WidgetPoint position = widgetPosition(event->position());
-    m_pivot = m_document.geometry().camera().center; // where nothing can be read
-    if (!pans) {
+    setCrosshairShown(false);
+    if (pans) {
+        m_pivot = pivotAt(position);
+    } else {
+        m_pivot = m_document.geometry().camera().center; // where nothing can be read
         m_formerPick = m_document.keptPick();
+        putCrosshair(position);
         onLButtonDown(position);
-    } else if (const std::optional<DepthSample> sample = sampleAt(position)) {
-        m_pivot = m_document.pivotOf(m_document.unprojected(position, *sample));
     }
     m_drag = pans ? Drag::Pan : Drag::Orbit;
 }
@@ -62,7 +64,6 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     }
     m_hasMoved = true;
     m_lastPosition = event->position();
-    const Picture &g = m_document.geometry();
     switch (m_drag) {
     case Drag::None:
         if (event->buttons() == Qt::NoButton)
@@ -71,19 +72,12 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     case Drag::Orbit: {
         // Half a turn for the height of the view.
         const double radiansPerPixel = kPi / std::max(1, height());
-        m_document.setCamera(orbited(g.camera(), m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel),
-                             m_gesture);
+        m_document.setCamera(
+            orbited(m_document.geometry().camera(), m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel),
+            m_gesture);
         return;
     }
-    case Drag::Pan: {
-        const Result<EyeFrame> frame = eyeFrame(g.camera());
-        if (!frame)
-            return;
-        const double scale = worldPerLogicalPixel(g, m_pivot);
-        m_document.setCamera(moved(g.camera(), (frame->upward * delta.y() - frame->side * delta.x()) * scale),
-                             m_gesture);
-        return;
-    }
+    case Drag::Pan: pan(delta, m_pivot, m_gesture); return;
     }
 }
 
@@ -159,23 +153,45 @@ void SceneView::wheelEvent(QWheelEvent *event)
 {
     if (event->angleDelta().y() == 0)
         return; // sideways
-    // Notches can come faster than pictures. What was under the pointer stays there, so nothing is drawn to read it again.
-    std::optional<WorldPoint> pivot = m_wheelPivot;
-    if (!pivot || m_wheelPosition != event->position()) {
-        const WidgetPoint position = widgetPosition(event->position());
-        const std::optional<DepthSample> sample = sampleAt(position);
-        if (!sample)
-            return;
-        pivot = m_document.pivotOf(m_document.unprojected(position, *sample));
-    }
-    const double notches = event->angleDelta().y() / 120.0;
-    const double factor = std::pow(1.2, notches);
-    const Picture next = zoomed(m_document.geometry(), *pivot, factor);
-    m_document.setView(next.camera(), next.projection(), QStringLiteral("wheel"));
-    m_wheelPosition = event->position();
-    m_wheelPivot = pivot;
+    setCrosshairShown(false);
+    zoomAt(widgetPosition(event->position()), event->angleDelta().y() / 120.0, QStringLiteral("wheel"));
     reportHover(event->position());
     event->accept();
+}
+
+WorldPoint SceneView::pivotAt(const WidgetPoint &position)
+{
+    // Steps can come faster than pictures. What is turned about or zoomed to stays in its place, so nothing is drawn to
+    // read it again.
+    if (m_stillPivot && m_stillPosition == position)
+        return *m_stillPivot;
+    const std::optional<DepthSample> sample = sampleAt(position);
+    return sample ? m_document.pivotOf(m_document.unprojected(position, *sample))
+                  : m_document.geometry().camera().center;
+}
+
+void SceneView::keepPivot(const WidgetPoint &position, const WorldPoint &pivot)
+{
+    m_stillPosition = position;
+    m_stillPivot = pivot;
+}
+
+void SceneView::zoomAt(const WidgetPoint &position, double notches, const QString &mergeKey)
+{
+    const WorldPoint pivot = pivotAt(position);
+    const Picture next = zoomed(m_document.geometry(), pivot, std::pow(1.2, notches));
+    m_document.setView(next.camera(), next.projection(), mergeKey);
+    keepPivot(position, pivot);
+}
+
+void SceneView::pan(const QPointF &way, const WorldPoint &pivot, const QString &mergeKey)
+{
+    const Picture &g = m_document.geometry();
+    const Result<EyeFrame> frame = eyeFrame(g.camera());
+    if (!frame)
+        return;
+    const double scale = worldPerLogicalPixel(g, pivot);
+    m_document.setCamera(moved(g.camera(), (frame->upward * way.y() - frame->side * way.x()) * scale), mergeKey);
 }
 
 void SceneView::leaveEvent(QEvent *event)

@@ -2306,8 +2306,8 @@ in logical pixels from the top-left corner, y down</source>
         <translation>三维视图</translation>
     </message>
     <message>
-        <source>Press the left button on the model to read the world coordinate of that pixel</source>
-        <translation>在模型上按下左键，读取该像素的世界坐标</translation>
+        <source>Click the model, or press Enter, to read the world coordinate of the pixel under the pointer or the crosshair. Arrow keys turn, with Shift they move, with Ctrl they move the crosshair; plus and minus zoom</source>
+        <translation>单击模型，或按回车键，读取指针或十字线处像素的世界坐标。方向键转动，加 Shift 平移，加 Ctrl 移动十字线；加号和减号缩放</translation>
     </message>
     <message>
         <source>The depth of this pixel could not be read: OpenGL reported an error.</source>

@@ -87,6 +87,8 @@ private slots:
     void draggingOnTheBackgroundMovesTheCameraAllTheSame();
     void whatIsOnlyDrawnIsNeverPicked_data();
     void whatIsOnlyDrawnIsNeverPicked();
+    void theAxesInTheCornerLeaveTheViewportToTheScene_data();
+    void theAxesInTheCornerLeaveTheViewportToTheScene();
     void clickingTheMarkerGivesTheSamePoint();
     void smoothEdgesCanBeSwitchedWhileAPickIsShown();
     void thePointerIsReadOutWithoutPicking();
@@ -152,8 +154,12 @@ void TestNavigation::aDragLeavesThePickAlone()
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
     SceneDocument &document = window->document();
-    if (hasFormer)
+    if (hasFormer) {
         click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.4, 0.5)));
+        // The object moves after the click: that is not forgotten either.
+        QVERIFY(
+            document.editTransform(0, {Translate{kCubeCenter + glm::dvec3(0.0, 0.1, 0.0)}}, {QStringLiteral("Move")}));
+    }
     const auto point = [&] { return document.pick() ? std::optional(picked(*window)) : std::nullopt; };
     const std::optional<glm::dvec3> former = point();
     QCOMPARE(former.has_value(), hasFormer);
@@ -173,6 +179,7 @@ void TestNavigation::aDragLeavesThePickAlone()
     sendMouse(view, QEvent::MouseMove, from + QPointF(45.0, 8.0), Qt::NoButton, Qt::LeftButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::LeftButton, Qt::NoButton); // back where it began
     QVERIFY(point() == former);
+    QCOMPARE(document.sinceClick().isObjectMoved, hasFormer);
     QCOMPARE(heading(*window), said);
     // The whole drag is one step.
     QCOMPARE(document.undoStack().index(), steps + 1);
@@ -472,6 +479,50 @@ void TestNavigation::whatIsOnlyDrawnIsNeverPicked()
     QVERIFY(isBackground(onLine));
     // On the corner's triad.
     QVERIFY(isBackground(QPointF(42.0, view.height() - 42.0)));
+}
+
+void TestNavigation::theAxesInTheCornerLeaveTheViewportToTheScene_data()
+{
+    QTest::addColumn<QRect>("viewport"); // y from the bottom; empty: the whole window
+    QTest::addColumn<int>("side");       // logical pixels; 0: hidden
+    QTest::newRow("the whole window") << QRect() << 84;
+    QTest::newRow("a large viewport") << QRect(30, 20, 400, 360) << 84;
+    QTest::newRow("a smaller one: smaller axes") << QRect(120, 100, 220, 200) << 50;
+    QTest::newRow("50 x 50: none") << QRect(60, 70, 50, 50) << 0;
+    QTest::newRow("long and low: none") << QRect(10, 10, 450, 120) << 0;
+}
+
+void TestNavigation::theAxesInTheCornerLeaveTheViewportToTheScene()
+{
+    QFETCH(QRect, viewport);
+    QFETCH(int, side);
+    const auto window = shownWindow(false, {500, 400});
+    SceneDocument &document = window->document();
+    document.setObjects({}); // nothing coloured but the axes
+    const double ratio = window->view().devicePixelRatio();
+    ViewportRule rule;
+    if (!viewport.isEmpty()) {
+        rule.kind = ViewportRule::Kind::Fixed;
+        rule.fixed = {std::round(viewport.x() * ratio), std::round(viewport.y() * ratio),
+                      std::round(viewport.width() * ratio), std::round(viewport.height() * ratio)};
+    }
+    QVERIFY(document.editViewport(rule, {}, {QStringLiteral("Viewport")}));
+    const QImage picture = window->view().grabFramebuffer();
+    QRect colored;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            if (picture.pixelColor(x, y).saturation() > 120)
+                colored |= QRect(x, y, 1, 1);
+        }
+    }
+    QCOMPARE(colored.isEmpty(), side == 0);
+    const int pixels = static_cast<int>(std::lround(side * ratio));
+    const QRect corner(static_cast<int>(rule.kind == ViewportRule::Kind::Fixed ? rule.fixed.x : 0.0),
+                       picture.height() - pixels
+                           - static_cast<int>(rule.kind == ViewportRule::Kind::Fixed ? rule.fixed.y : 0.0),
+                       pixels, pixels);
+    QVERIFY(side == 0 || corner.contains(colored));
+    QVERIFY(side == 0 || colored.width() > pixels / 3);
 }
 
 void TestNavigation::clickingTheMarkerGivesTheSamePoint()

@@ -1,10 +1,50 @@
-// Keys on the view: the standard views, fit, home, the projection.
+// Keys on the view: the standard views, fit, home, the projection; turning, moving, zooming and picking at the crosshair.
 
 #include "tests/gui/gui_scene.h"
 
+#include <QLineEdit>
+#include <QShortcut>
+
 #include <glm/geometric.hpp>
 
+#include <cmath>
+
 using namespace guitest;
+
+namespace {
+
+/// Turned about in doubles, read from a buffer of 24 bits once: only rounding moves it.
+constexpr double kStillPixels = 1e-3;
+
+/// The view has the focus.
+std::unique_ptr<MainWindow> activeCubeWindow()
+{
+    auto window = cubeWindow(false);
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get()))
+        qFatal("the window does not become active");
+    window->view().setFocus();
+    return window;
+}
+
+/// The pixel that Enter picks.
+QPoint pickedByEnter(MainWindow &window)
+{
+    window.document().clearPick();
+    QTest::keyClick(&window.view(), Qt::Key_Return);
+    if (!window.document().pick())
+        return {-1, -1};
+    const DevicePixel &pixel = window.document().pick()->devicePixel;
+    return {pixel.i, pixel.j};
+}
+
+QPoint middleOf(const MainWindow &window)
+{
+    const Surface &surface = const_cast<MainWindow &>(window).document().geometry().surface;
+    return {surface.widthPixels / 2, surface.heightPixels / 2};
+}
+
+} // namespace
 
 class TestViewKeys : public QObject {
     Q_OBJECT
@@ -14,6 +54,22 @@ private slots:
     void keysLookFromTheSides_data();
     void keysLookFromTheSides();
     void keysFitGoHomeAndSwitchTheProjection();
+    void arrowsTurnAboutThePointAtTheCrosshair_data();
+    void arrowsTurnAboutThePointAtTheCrosshair();
+    void shiftAndArrowsMove_data() { addArrows(); }
+    void shiftAndArrowsMove();
+    void plusAndMinusZoomToTheCrosshair_data();
+    void plusAndMinusZoomToTheCrosshair();
+    void enterPicksAtTheCrosshair();
+    void theCrosshairStaysInTheView();
+    void theCrosshairIsShownWhileKeysAreUsed();
+    void tabGoesToTheViewAndOn();
+    void keysInARowAreUndoneAsOne();
+    void theViewsKeysComeBeforeTheWindowsShortcuts();
+    void withoutAPictureKeysGoByTheCentre();
+
+private:
+    static void addArrows();
 };
 
 void TestViewKeys::keysLookFromTheSides_data()
@@ -83,6 +139,237 @@ void TestViewKeys::keysFitGoHomeAndSwitchTheProjection()
     QTest::keyClick(&view, Qt::Key_Home);
     QVERIFY(document.geometry().camera() == home.camera());
     QVERIFY(document.geometry().projection() == home.projection());
+}
+
+void TestViewKeys::addArrows()
+{
+    QTest::addColumn<int>("key");
+    QTest::addColumn<QPoint>("way");
+    QTest::newRow("left") << int(Qt::Key_Left) << QPoint(-1, 0);
+    QTest::newRow("right") << int(Qt::Key_Right) << QPoint(1, 0);
+    QTest::newRow("up") << int(Qt::Key_Up) << QPoint(0, -1);
+    QTest::newRow("down") << int(Qt::Key_Down) << QPoint(0, 1);
+}
+
+void TestViewKeys::arrowsTurnAboutThePointAtTheCrosshair_data()
+{
+    addArrows();
+}
+
+void TestViewKeys::arrowsTurnAboutThePointAtTheCrosshair()
+{
+    QFETCH(int, key);
+    QFETCH(QPoint, way);
+    const auto window = activeCubeWindow();
+    SceneDocument &document = window->document();
+    QTest::keyClick(&window->view(), Qt::Key_Enter);
+    QVERIFY(document.pick() && document.pick()->hit());
+    const glm::dvec3 point = document.pick()->point.world[Method::Formula]->coordinates();
+    const glm::dvec2 place = placeOf(*window, point);
+    const glm::dvec3 before = forwardOf(document.geometry().camera());
+    QTest::keyClick(&window->view(), static_cast<Qt::Key>(key));
+    QTest::keyClick(&window->view(), static_cast<Qt::Key>(key));
+    const glm::dvec3 after = forwardOf(document.geometry().camera());
+    QVERIFY(glm::length(placeOf(*window, point) - place) < kStillPixels);
+    // The scene turns the way of the arrow, the camera the other way: twice five degrees.
+    constexpr double kTenDegrees = 3.14159265358979 / 18.0;
+    const double yaw = std::atan2(before.z * after.x - before.x * after.z, before.x * after.x + before.z * after.z);
+    QVERIFY(std::abs(yaw + way.x() * kTenDegrees) < 1e-9);
+    QVERIFY(std::abs(std::asin(after.y) - std::asin(before.y) + way.y() * kTenDegrees) < 1e-9);
+}
+
+void TestViewKeys::shiftAndArrowsMove()
+{
+    QFETCH(int, key);
+    QFETCH(QPoint, way);
+    const auto window = activeCubeWindow();
+    SceneDocument &document = window->document();
+    QTest::keyClick(&window->view(), Qt::Key_Enter);
+    const glm::dvec3 point = document.pick()->point.world[Method::Formula]->coordinates();
+    const glm::dvec2 place = placeOf(*window, point);
+    QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), Qt::ShiftModifier);
+    const double step = 0.05 * window->view().height() * window->view().devicePixelRatio();
+    const glm::dvec2 moved = placeOf(*window, point) - place;
+    QVERIFY(glm::length(moved - glm::dvec2(way.x(), -way.y()) * step) < kStillPixels); // window y points up
+}
+
+void TestViewKeys::plusAndMinusZoomToTheCrosshair_data()
+{
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("modifiers");
+    QTest::addColumn<double>("factor");
+    QTest::newRow("plus") << int(Qt::Key_Plus) << int(Qt::NoModifier) << 1.2;
+    QTest::newRow("plus, on Shift") << int(Qt::Key_Plus) << int(Qt::ShiftModifier) << 1.2;
+    QTest::newRow("plus, of the number pad") << int(Qt::Key_Plus) << int(Qt::KeypadModifier) << 1.2;
+    QTest::newRow("equal, where plus is") << int(Qt::Key_Equal) << int(Qt::NoModifier) << 1.2;
+    QTest::newRow("page up") << int(Qt::Key_PageUp) << int(Qt::NoModifier) << 1.2;
+    QTest::newRow("minus") << int(Qt::Key_Minus) << int(Qt::NoModifier) << 1.0 / 1.2;
+    QTest::newRow("page down") << int(Qt::Key_PageDown) << int(Qt::NoModifier) << 1.0 / 1.2;
+}
+
+void TestViewKeys::plusAndMinusZoomToTheCrosshair()
+{
+    QFETCH(int, key);
+    QFETCH(int, modifiers);
+    QFETCH(double, factor);
+    const auto window = activeCubeWindow();
+    SceneDocument &document = window->document();
+    click(window->view(), localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5))); // the crosshair goes there
+    const glm::dvec3 point = document.pick()->point.world[Method::Formula]->coordinates();
+    const glm::dvec2 place = placeOf(*window, point);
+    const double before = distanceOf(document.geometry().camera(), point);
+    QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
+    QVERIFY(glm::length(placeOf(*window, point) - place) < kStillPixels);
+    QVERIFY(std::abs(before / distanceOf(document.geometry().camera(), point) - factor) < 1e-6);
+}
+
+void TestViewKeys::enterPicksAtTheCrosshair()
+{
+    const auto window = activeCubeWindow();
+    SceneView &view = window->view();
+    QCOMPARE(pickedByEnter(*window), middleOf(*window)); // at first
+    // A click puts it where it clicked; from there it goes pixel by pixel.
+    const QPointF clicked = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
+    const DevicePixel pixel = pixelUnder(view, clicked);
+    click(view, clicked);
+    const QPoint start(pixel.i, pixel.j);
+    QCOMPARE(pickedByEnter(*window), start);
+    QTest::keyClick(&view, Qt::Key_Right, Qt::ControlModifier);
+    QTest::keyClick(&view, Qt::Key_Up, Qt::ControlModifier);
+    QCOMPARE(pickedByEnter(*window), start + QPoint(1, -1));
+    QTest::keyClick(&view, Qt::Key_Down, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(pickedByEnter(*window), start + QPoint(-9, 9));
+    // It moves no camera and no pointer's readout, and what it picks is what a click there picks.
+    const Pick byKey = *window->document().pick();
+    click(view, QPointF(byKey.widget.x, byKey.widget.y));
+    QCOMPARE(window->document().pick()->window.z, byKey.window.z);
+    QCOMPARE(window->document().pick()->hit(), byKey.hit());
+}
+
+void TestViewKeys::theCrosshairStaysInTheView()
+{
+    const auto window = activeCubeWindow();
+    SceneView &view = window->view();
+    const Surface &surface = window->document().geometry().surface;
+    click(view, QPointF(3.0, 4.0));
+    for (int k = 0; k < 2; ++k) {
+        QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClick(&view, Qt::Key_Up, Qt::ControlModifier | Qt::ShiftModifier);
+    }
+    QCOMPARE(pickedByEnter(*window), QPoint(0, 0));
+    click(view, QPointF(view.width() - 3.0, view.height() - 4.0));
+    for (int k = 0; k < 2; ++k) {
+        QTest::keyClick(&view, Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClick(&view, Qt::Key_Down, Qt::ControlModifier | Qt::ShiftModifier);
+    }
+    QCOMPARE(pickedByEnter(*window), QPoint(surface.widthPixels - 1, surface.heightPixels - 1));
+    // In a smaller view that pixel is no more.
+    QVERIFY(resized(*window, {420, 360}));
+    QCOMPARE(pickedByEnter(*window), middleOf(*window));
+    // The middle is that of the viewport.
+    ViewportRule rule;
+    rule.kind = ViewportRule::Kind::Fixed;
+    rule.fixed = {20.0, 30.0, 100.0, 80.0};
+    QVERIFY(window->document().editViewport(rule, {}, {QStringLiteral("Viewport")}));
+    QCOMPARE(pickedByEnter(*window), QPoint(70, surface.heightPixels - 70));
+}
+
+void TestViewKeys::theCrosshairIsShownWhileKeysAreUsed()
+{
+    const auto window = activeCubeWindow();
+    SceneView &view = window->view();
+    const QImage plain = view.grabFramebuffer();
+    QTest::keyClick(&view, Qt::Key_Right, Qt::ControlModifier);
+    const QImage shown = view.grabFramebuffer();
+    // Light arms about a pixel that stays free.
+    const QPoint at = middleOf(*window) + QPoint(1, 0);
+    const int arm = static_cast<int>(9.0 * view.devicePixelRatio());
+    for (const QPoint &way : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)})
+        QVERIFY(shown.pixelColor(at + way * arm).lightness() > 230);
+    QCOMPARE(shown.pixel(at), plain.pixel(at));
+    // The mouse takes over.
+    click(view, QPointF(4.0, 4.0));
+    QCOMPARE(view.grabFramebuffer(), plain);
+    QTest::keyClick(&view, Qt::Key_Right, Qt::ControlModifier);
+    QVERIFY(view.grabFramebuffer() != plain);
+    view.clearFocus();
+    QCOMPARE(view.grabFramebuffer(), plain);
+}
+
+void TestViewKeys::tabGoesToTheViewAndOn()
+{
+    const auto window = activeCubeWindow();
+    SceneView &view = window->view();
+    auto *field = new QLineEdit(window.get());
+    field->show();
+    const QImage plain = view.grabFramebuffer();
+    QWidget::setTabOrder(field, &view);
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Tab);
+    QVERIFY(view.hasFocus());
+    QVERIFY(view.grabFramebuffer() != plain); // the crosshair tells where the focus is
+    QTest::keyClick(&view, Qt::Key_Tab);
+    QVERIFY(!view.hasFocus());
+    QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(5, 5));
+    QVERIFY(view.hasFocus());
+}
+
+void TestViewKeys::keysInARowAreUndoneAsOne()
+{
+    const auto window = activeCubeWindow();
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    const int steps = document.undoStack().index();
+    const LookAt before = document.geometry().camera();
+    for (int k = 0; k < 3; ++k)
+        QTest::keyClick(&view, Qt::Key_Left);
+    QCOMPARE(document.undoStack().index(), steps + 1);
+    const LookAt turned = document.geometry().camera();
+    for (int k = 0; k < 3; ++k)
+        QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
+    QTest::keyClick(&view, Qt::Key_Plus);
+    QCOMPARE(document.undoStack().index(), steps + 3);
+    QTest::keyClick(&view, Qt::Key_Right, Qt::ControlModifier); // aiming is no step
+    QTest::keyClick(&view, Qt::Key_Enter);
+    QCOMPARE(document.undoStack().index(), steps + 3);
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QVERIFY(document.geometry().camera() == turned);
+    document.undoStack().undo();
+    QVERIFY(document.geometry().camera() == before);
+}
+
+void TestViewKeys::theViewsKeysComeBeforeTheWindowsShortcuts()
+{
+    const auto window = activeCubeWindow();
+    int taken = 0;
+    for (const QKeySequence &key :
+         {QKeySequence(Qt::Key_Left), QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Return)}) {
+        auto *shortcut = new QShortcut(key, window.get());
+        connect(shortcut, &QShortcut::activated, this, [&taken] { ++taken; });
+    }
+    const LookAt before = window->document().geometry().camera();
+    for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Plus, Qt::Key_Return})
+        QTest::keyClick(&window->view(), key);
+    QCOMPARE(taken, 0);
+    QVERIFY(window->document().geometry().camera() != before);
+    QVERIFY(window->document().pick());
+}
+
+void TestViewKeys::withoutAPictureKeysGoByTheCentre()
+{
+    SceneDocument document;
+    document.setObjects(cubeScene());
+    SceneView view(document); // never shown: without OpenGL there is nothing to read
+    view.resize(500, 400);
+    document.setSurface(surfaceFromWidget(500, 400, view.devicePixelRatio()));
+    const LookAt before = document.geometry().camera();
+    QTest::keyClick(&view, Qt::Key_Right);
+    QVERIFY(distance(document.geometry().camera().eye, before.eye) > 0.01);
+    QVERIFY(distance(document.geometry().camera().center, before.center) < 1e-9);
+    QTest::keyClick(&view, Qt::Key_Return);
+    QVERIFY(!document.pick());
 }
 
 QTEST_MAIN(TestViewKeys)
