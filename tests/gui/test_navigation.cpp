@@ -105,7 +105,7 @@ void TestNavigation::theLeftButtonPicksBeforeItIsReleased()
     QTest::mousePress(&view, Qt::LeftButton, {}, position);
     QCOMPARE(picks, 1);
     QVERIFY(window->document().pick() && window->document().pick()->hit());
-    QCOMPARE(heading(*window), QStringLiteral("A point on the surface"));
+    QCOMPARE(heading(*window), QStringLiteral("A point on cube"));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, position);
     QCOMPARE(picks, 1);
     // Other buttons pick nothing.
