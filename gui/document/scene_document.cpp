@@ -23,12 +23,6 @@ double roundedUp(double value)
     return 10.0 * power;
 }
 
-/// The aspect follows the window.
-Projection initialProjection()
-{
-    return Perspective{radiansFromDegrees(45.0), 1.0, 0.1, 100.0};
-}
-
 /// Whether a list only got longer: every object kept its place.
 bool isStartOf(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
 {
@@ -36,6 +30,11 @@ bool isStartOf(const std::vector<SceneObject> &a, const std::vector<SceneObject>
 }
 
 } // namespace
+
+Projection SceneDocument::initialProjection()
+{
+    return Perspective{radiansFromDegrees(45.0), 1.0, 0.1, 100.0};
+}
 
 class SceneDocument::Telling {
 public:

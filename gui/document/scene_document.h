@@ -73,6 +73,9 @@ public:
     /// The scene as it is now is nowhere else: it was recovered.
     void markUnsaved();
 
+    /// The projection that a model is shown with at first; it follows the viewport and fits the objects.
+    static Projection initialProjection();
+
     /// Around all objects, world space.
     const Box &bounds() const { return m_bounds; }
     /// The drawn ground: a square at the lowest height of the objects, world space.

@@ -1,48 +1,136 @@
 #include "gui/panels/parameters_panel.h"
 
-#include "gui/panels/parameters/clip_tab.h"
-#include "gui/panels/parameters/model_tab.h"
-#include "gui/panels/parameters/projection_tab.h"
-#include "gui/panels/parameters/view_tab.h"
-#include "gui/panels/parameters/viewport_tab.h"
+#include "gui/panels/parameters/clip_group.h"
+#include "gui/panels/parameters/group_heading.h"
+#include "gui/panels/parameters/model_group.h"
+#include "gui/panels/parameters/projection_group.h"
+#include "gui/panels/parameters/view_group.h"
+#include "gui/panels/parameters/viewport_group.h"
 
-#include <QProxyStyle>
-#include <QTabBar>
+#include <QEvent>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace unprojector::gui {
 namespace {
 
-/// Tabs as narrow as their words, so that all five fit beside each other in a narrow dock.
-class NarrowTabStyle : public QProxyStyle {
-public:
-    int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override
-    {
-        constexpr int kPadding = 5;
-        return metric == PM_TabBarTabHSpace ? kPadding : QProxyStyle::pixelMetric(metric, option, widget);
-    }
-};
+constexpr char kStateName[] = "folded";
+constexpr int kFewestLines = 8; // of text, in the least height
 
 } // namespace
 
-ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QTabWidget(parent)
+ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QScrollArea(parent)
 {
-    auto *narrow = new NarrowTabStyle;
-    narrow->setParent(tabBar());
-    tabBar()->setStyle(narrow);
-    tabBar()->setElideMode(Qt::ElideNone);
-    tabBar()->setAccessibleName(tr("Parameters"));
-    setDocumentMode(true);
-    const auto add = [this](QWidget *tab, const QString &name, const QString &objectName, const QString &tip) {
-        tab->setObjectName(objectName);
-        setTabToolTip(addTab(tab, name), tip);
-    };
-    add(new ViewTab(document), tr("View"), QStringLiteral("viewTab"), tr("Where the camera stands (gluLookAt)"));
-    add(new ProjectionTab(document), tr("Projection"), QStringLiteral("projectionTab"),
-        tr("glFrustum, gluPerspective, glOrtho, oblique"));
-    add(new ViewportTab(document), tr("Viewport"), QStringLiteral("viewportTab"), tr("glViewport and glDepthRange"));
-    add(new ModelTab(document), tr("Model"), QStringLiteral("modelTab"),
-        tr("Where each object stands (glTranslate, glRotate, glScale)"));
-    add(new ClipTab(document), tr("Clip"), QStringLiteral("clipTab"), tr("Planes that cut the objects (glClipPlane)"));
+    auto *column = new QWidget;
+    auto *layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+    setAccessibleName(tr("Parameters"));
+    setWidget(column);
+    // The panel's own colour, not that of a list.
+    viewport()->setAutoFillBackground(false);
+    column->setAutoFillBackground(false);
+
+    addGroup(new ViewGroup(document), QStringLiteral("viewGroup"), true);
+    addGroup(new ProjectionGroup(document), QStringLiteral("projectionGroup"), true);
+    addGroup(new ViewportGroup(document), QStringLiteral("viewportGroup"), false);
+    addGroup(new ModelGroup(document), QStringLiteral("modelGroup"), false);
+    addGroup(new ClipGroup(document), QStringLiteral("clipGroup"), false);
+    layout->addStretch();
+    alignRows();
+}
+
+void ParametersPanel::addGroup(ParameterGroup *group, const QString &objectName, bool isOpen)
+{
+    group->setObjectName(objectName);
+    group->setOpen(isOpen);
+    widget()->layout()->addWidget(group);
+    const std::size_t place = m_groups.size();
+    m_groups.push_back(group);
+    connect(group, &ParameterGroup::rowsChanged, this, &ParametersPanel::alignRows);
+    connect(group, &ParameterGroup::bringUpRequested, this, &ParametersPanel::bringUp);
+    connect(&group->heading(), &GroupHeading::neighbourRequested, this, [this, place](int direction) {
+        const auto next = static_cast<std::ptrdiff_t>(place) + direction;
+        if (next < 0 || next >= static_cast<std::ptrdiff_t>(m_groups.size()))
+            return;
+        QWidget *heading = m_groups[static_cast<std::size_t>(next)]->heading().button();
+        heading->setFocus(Qt::TabFocusReason);
+        bringUp(heading);
+    });
+}
+
+void ParametersPanel::alignRows()
+{
+    const QList<ParameterRow *> rows = findChildren<ParameterRow *>();
+    ParameterRow::Columns columns;
+    for (const ParameterRow *row : rows) {
+        const ParameterRow::Columns own = row->ownColumns();
+        columns.title = std::max(columns.title, own.title);
+        columns.unit = std::max(columns.unit, own.unit);
+    }
+    for (ParameterRow *row : rows)
+        row->setColumns(columns);
+    int least = 0;
+    for (const ParameterGroup *group : m_groups)
+        least = std::max(least, group->leastWidth());
+    widget()->setMinimumWidth(least);
+    updateGeometry();
+}
+
+void ParametersPanel::bringUp(QWidget *widget)
+{
+    ensureWidgetVisible(widget, 0, fontMetrics().height() / 2);
+}
+
+void ParametersPanel::applyTyped()
+{
+    for (NumberField *field : findChildren<NumberField *>())
+        field->commit();
+}
+
+QByteArray ParametersPanel::saveState() const
+{
+    QByteArray state = kStateName;
+    for (const ParameterGroup *group : m_groups) {
+        if (!group->isOpen())
+            state += ' ' + group->objectName().toLatin1();
+    }
+    return state;
+}
+
+bool ParametersPanel::restoreState(const QByteArray &state)
+{
+    const QList<QByteArray> words = state.split(' ');
+    if (words.constFirst() != kStateName)
+        return false;
+    for (ParameterGroup *group : m_groups)
+        group->setOpen(!words.contains(group->objectName().toLatin1()));
+    return true;
+}
+
+QSize ParametersPanel::minimumSizeHint() const
+{
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    return {widget()->minimumWidth() + bar + 2 * frameWidth(), kFewestLines * fontMetrics().lineSpacing()};
+}
+
+QSize ParametersPanel::sizeHint() const
+{
+    return {minimumSizeHint().width(), widget()->sizeHint().height()};
+}
+
+void ParametersPanel::changeEvent(QEvent *event)
+{
+    QScrollArea::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        alignRows();
 }
 
 } // namespace unprojector::gui

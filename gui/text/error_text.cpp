@@ -125,6 +125,51 @@ QString errorText(const Error &error)
     Q_UNREACHABLE();
 }
 
+QString errorText(const text::ExpressionError &error, const QString &typed)
+{
+    constexpr int kMostShownCharacters = 24;
+    const std::string bytes = typed.toStdString();
+    const QString part = QString::fromStdString(bytes.substr(error.place, error.length));
+    const auto place = QString::fromStdString(bytes.substr(0, error.place)).size() + 1;
+    const auto shortened = [](const QString &text) {
+        return text.size() > kMostShownCharacters ? text.left(kMostShownCharacters) + u'…' : text;
+    };
+    const QString all = shortened(typed.trimmed());
+    using Code = text::ExpressionErrorCode;
+    switch (error.code) {
+    case Code::Empty: return Errors::tr("There is no number; type one.");
+    case Code::MissingNumber:
+        return part.isEmpty() ? Errors::tr("“%1” ends where a number is wanted.").arg(all)
+                              : Errors::tr("“%1”: a number is wanted before “%2” (character %3).")
+                                    .arg(all, shortened(part))
+                                    .arg(place);
+    case Code::MissingOperator:
+        return Errors::tr("“%1”: a sign such as * or + is missing before “%2” (character %3).")
+            .arg(all, shortened(part))
+            .arg(place);
+    case Code::SecondPoint:
+        return Errors::tr("“%1” has a second decimal point (character %2); write thousands without a comma.")
+            .arg(all)
+            .arg(place);
+    case Code::UnknownName:
+        return Errors::tr("“%1” is not a number; type one such as 0.5, 1e-3, 1/3 or 2*pi.").arg(shortened(part));
+    case Code::UnknownCharacter:
+        return Errors::tr("“%1”: “%2” (character %3) means nothing here; + - * / and parentheses do.")
+            .arg(all, part)
+            .arg(place);
+    case Code::NotCalled: return Errors::tr("%1 wants its number in parentheses: %1(2).").arg(part);
+    case Code::UnclosedParenthesis:
+        return Errors::tr("“%1”: the parenthesis at character %2 is not closed.").arg(all).arg(place);
+    case Code::UnopenedParenthesis:
+        return Errors::tr("“%1”: the parenthesis at character %2 was never opened.").arg(all).arg(place);
+    case Code::DivisionByZero: return Errors::tr("“%1” divides by 0 (character %2).").arg(all).arg(place);
+    case Code::RootOfNegative: return Errors::tr("“%1” takes the root of a negative number.").arg(all);
+    case Code::OutOfRange: return Errors::tr("%1 is too large or too small for a number here.").arg(shortened(part));
+    case Code::TooDeep: return Errors::tr("“%1” has too many parentheses inside each other.").arg(all);
+    }
+    Q_UNREACHABLE();
+}
+
 QString errorText(const ImportError &error)
 {
     const QString file = pathText(error.file);

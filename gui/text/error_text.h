@@ -2,6 +2,7 @@
 
 #include "core/geometry/result.h"
 #include "core/mesh_import/mesh_import.h"
+#include "core/text/expression.h"
 
 #include <QString>
 
@@ -12,6 +13,8 @@ using namespace mesh_import;
 /// The window's wording of what core reports: names the value and says what to do.
 QString errorText(const Error &error);
 QString errorText(const ImportError &error);
+/// Why a text typed for a number is none, with the place in it.
+QString errorText(const text::ExpressionError &error, const QString &typed);
 
 /// A path as people read it.
 QString pathText(const std::filesystem::path &path);

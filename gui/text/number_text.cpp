@@ -6,6 +6,15 @@
 #include <cmath>
 
 namespace unprojector::gui {
+namespace {
+
+QString theMoreReadable(const QString &withPower, const QString &writtenOut)
+{
+    constexpr int kLongerByMost = 3;
+    return withPower.contains(u'e') && writtenOut.size() <= withPower.size() + kLongerByMost ? writtenOut : withPower;
+}
+
+} // namespace
 
 QString shortestText(double value)
 {
@@ -15,6 +24,28 @@ QString shortestText(double value)
 QString significantText(double value, int digits)
 {
     return QString::number(value == 0.0 ? 0.0 : value, 'g', digits);
+}
+
+QString writtenText(double value)
+{
+    const double number = value == 0.0 ? 0.0 : value;
+    return theMoreReadable(shortestText(number), QString::number(number, 'f', QLocale::FloatingPointShortest));
+}
+
+QString writtenText(double value, int digits)
+{
+    const QString withPower = significantText(value, digits);
+    if (!std::isfinite(value) || value == 0.0)
+        return withPower;
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    QString writtenOut = QString::number(value, 'f', std::clamp(digits - 1 - exponent, 0, 20));
+    if (writtenOut.contains(u'.')) {
+        while (writtenOut.endsWith(u'0'))
+            writtenOut.chop(1);
+        if (writtenOut.endsWith(u'.'))
+            writtenOut.chop(1);
+    }
+    return theMoreReadable(withPower, writtenOut);
 }
 
 QString fixedText(double value, int decimals)

@@ -15,6 +15,13 @@ QString shortestText(double value);
 /// So many significant digits, trailing zeros dropped: "0.8284", "5.23", "3.1e-15".
 QString significantText(double value, int digits);
 
+/// All digits that make the double come back, written out where that is hardly longer than with a power of ten: "80000",
+/// "0.00001", "1e+12"; never "-0".
+QString writtenText(double value);
+/// The same with so many significant digits, trailing zeros dropped; those before the decimal point all count: 12345.6
+/// with four of them is "12346".
+QString writtenText(double value, int digits);
+
 /// So many decimals, at most 20; never "-0.000".
 QString fixedText(double value, int decimals);
 

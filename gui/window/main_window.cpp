@@ -3,6 +3,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/observer_panel.h"
+#include "gui/panels/parameters_panel.h"
 #include "gui/panels/viewport_inspector.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
@@ -225,9 +226,11 @@ void MainWindow::showCamera()
     const Projection &projection = m_document->geometry().projection();
     const ProjectionWindow w = projectionWindow(projection);
     m_projectionAction->setChecked(isPerspective(projection));
-    m_camera->setText(tr("%1, near %2, far %3")
-                          .arg(isPerspective(projection) ? tr("Perspective") : tr("Orthographic"),
-                               significantText(w.nearDistance, 4), significantText(w.farDistance, 4)));
+    const QString kind = isPerspective(projection)                       ? tr("Perspective")
+                         : kindOf(projection) == ProjectionKind::Oblique ? tr("Oblique")
+                                                                         : tr("Orthographic");
+    m_camera->setText(
+        tr("%1, near %2, far %3").arg(kind, writtenText(w.nearDistance, 4), writtenText(w.farDistance, 4)));
 }
 
 void MainWindow::showEvent(QShowEvent *event)
@@ -240,6 +243,7 @@ void MainWindow::showEvent(QShowEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    m_parameters->applyTyped();
     if (!m_session->mayLeave()) {
         event->ignore();
         return;

@@ -27,6 +27,7 @@ class LifecycleLog;
 class LoadingBar;
 class MessageBar;
 class ObserverPanel;
+class ParametersPanel;
 class RecoveryBar;
 class SceneDocument;
 class SceneView;
@@ -134,6 +135,7 @@ private:
     LoadingBar *m_loading = nullptr;
     std::vector<Panel> m_panels;
     ComparisonPanel *m_comparison = nullptr;
+    ParametersPanel *m_parameters = nullptr;
     ViewportInspector *m_inspector = nullptr;
     ExampleNote *m_exampleNote = nullptr;
     QDockWidget *m_exampleDock = nullptr;

@@ -5,6 +5,7 @@
 #include "core/scene/examples.h"
 #include "gui/document/recent_files.h"
 #include "gui/document/scene_document.h"
+#include "gui/panels/parameters_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/example_texts.h"
 #include "gui/view/scene_view.h"
@@ -73,10 +74,14 @@ void MainWindow::createFileMenu(QToolBar &bar)
                       m_session->addFiles(std::move(files));
               });
     m_recentMenu = menu->addMenu(tr("Open &Recent"));
-    addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"),
-              [this] { m_session->save(); });
-    addAction(menu, tr("Save Scene &As…"), QKeySequence::SaveAs, tr("Write the scene to another file"),
-              [this] { m_session->saveAs(); });
+    addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"), [this] {
+        m_parameters->applyTyped();
+        m_session->save();
+    });
+    addAction(menu, tr("Save Scene &As…"), QKeySequence::SaveAs, tr("Write the scene to another file"), [this] {
+        m_parameters->applyTyped();
+        m_session->saveAs();
+    });
     menu->addSeparator();
     addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
               [this] { m_session->openBundledScene(); });

@@ -49,12 +49,12 @@ std::vector<MainWindow::Panel> MainWindow::panelTable()
     constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea, kBottom = Qt::BottomDockWidgetArea;
     // Tabs stand in this order; the first of an area is in front.
     return {
-        {"comparison", tr("Comparison"), [this] { return scrolled(m_comparison = new ComparisonPanel(*m_document)); }, kRight,
-         kRight, Qt::ALT | Qt::Key_1, Shown::Always},
+        {"comparison", tr("Comparison"), [this] { return scrolled(m_comparison = new ComparisonPanel(*m_document)); },
+         kRight, kRight, Qt::ALT | Qt::Key_1, Shown::Always},
         {"pipeline", tr("Pipeline"), [this] { return new PipelinePanel(*m_document); }, kRight, kRight,
          Qt::ALT | Qt::Key_2, Shown::Always},
-        {"parameters", tr("Parameters"), [this] { return new ParametersPanel(*m_document); }, kLeft, kRight,
-         Qt::ALT | Qt::Key_3, Shown::Always},
+        {"parameters", tr("Parameters"), [this] { return m_parameters = new ParametersPanel(*m_document); }, kLeft,
+         kRight, Qt::ALT | Qt::Key_3, Shown::Always},
         {"inspector", tr("Viewport"), [this] { return m_inspector = new ViewportInspector(*m_document); }, kBottom,
          kBottom, Qt::ALT | Qt::Key_4, Shown::InHighWindows},
         {"lifecycle", tr("Life of the View"), [this] { return new LifecyclePanel(*m_lifecycle); }, kBottom, kBottom,
@@ -153,6 +153,7 @@ void MainWindow::restoreLayout()
         return;
     const QSettings settings;
     m_comparison->setShowsFloat(settings.value(QStringLiteral("comparison/showsFloat"), false).toBool());
+    m_parameters->restoreState(settings.value(QStringLiteral("parameters/state")).toByteArray());
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     const QByteArray state = settings.value(QStringLiteral("window/state")).toByteArray();
     if (state.isEmpty())
@@ -168,6 +169,7 @@ void MainWindow::keepLayout() const
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
+    settings.setValue(QStringLiteral("parameters/state"), m_parameters->saveState());
     settings.setValue(QStringLiteral("comparison/showsFloat"), m_comparison->showsFloat());
 }
 

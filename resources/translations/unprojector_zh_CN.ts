@@ -230,6 +230,62 @@
         <source>The view matrix does more than turn and move: rows %1 and %2 are not perpendicular.</source>
         <translation>观察矩阵不只是旋转和平移：第 %1 行与第 %2 行不垂直。</translation>
     </message>
+    <message>
+        <source>There is no number; type one.</source>
+        <translation>没有输入数；请输入一个数。</translation>
+    </message>
+    <message>
+        <source>“%1” ends where a number is wanted.</source>
+        <translation>“%1”的末尾缺少一个数。</translation>
+    </message>
+    <message>
+        <source>“%1”: a number is wanted before “%2” (character %3).</source>
+        <translation>“%1”：“%2”（第 %3 个字符）之前缺少一个数。</translation>
+    </message>
+    <message>
+        <source>“%1”: a sign such as * or + is missing before “%2” (character %3).</source>
+        <translation>“%1”：“%2”（第 %3 个字符）之前缺少 * 或 + 之类的运算符。</translation>
+    </message>
+    <message>
+        <source>“%1” has a second decimal point (character %2); write thousands without a comma.</source>
+        <translation>“%1”有第二个小数点（第 %2 个字符）；千位之间不要加逗号。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; type one such as 0.5, 1e-3, 1/3 or 2*pi.</source>
+        <translation>“%1”不是数；请输入如 0.5、1e-3、1/3 或 2*pi 的数。</translation>
+    </message>
+    <message>
+        <source>“%1”: “%2” (character %3) means nothing here; + - * / and parentheses do.</source>
+        <translation>“%1”：“%2”（第 %3 个字符）在此没有意义；可用 + - * / 和括号。</translation>
+    </message>
+    <message>
+        <source>%1 wants its number in parentheses: %1(2).</source>
+        <translation>%1 的数要写在括号里：%1(2)。</translation>
+    </message>
+    <message>
+        <source>“%1”: the parenthesis at character %2 is not closed.</source>
+        <translation>“%1”：第 %2 个字符处的括号没有闭合。</translation>
+    </message>
+    <message>
+        <source>“%1”: the parenthesis at character %2 was never opened.</source>
+        <translation>“%1”：第 %2 个字符处的括号没有对应的左括号。</translation>
+    </message>
+    <message>
+        <source>“%1” divides by 0 (character %2).</source>
+        <translation>“%1”除以了 0（第 %2 个字符）。</translation>
+    </message>
+    <message>
+        <source>“%1” takes the root of a negative number.</source>
+        <translation>“%1”对负数开平方。</translation>
+    </message>
+    <message>
+        <source>%1 is too large or too small for a number here.</source>
+        <translation>%1 太大或太小，无法作为数使用。</translation>
+    </message>
+    <message>
+        <source>“%1” has too many parentheses inside each other.</source>
+        <translation>“%1”的括号嵌套过多。</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -426,7 +482,7 @@ far = %2</source>
     </message>
     <message>
         <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
-        <translation>缓冲所允许的误差：沿视线方向 ± %1（半个深度级），垂直于视线方向 ± %2 × %3（半个像素）。</translation>
+        <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（半个像素）。</translation>
     </message>
 </context>
 <context>
@@ -496,7 +552,7 @@ far = %2</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ClipTab</name>
+    <name>unprojector::gui::ClipGroup</name>
     <message>
         <source>Kept is where A x + B y + C z + D ≥ 0, in world coordinates.</source>
         <translation>在世界坐标中，保留 A x + B y + C z + D ≥ 0 的一侧。</translation>
@@ -564,6 +620,26 @@ far = %2</source>
     <message>
         <source>Plane %1: %2</source>
         <translation>平面 %1：%2</translation>
+    </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>裁剪面</translation>
+    </message>
+    <message>
+        <source>Planes that cut the objects (glClipPlane)</source>
+        <translation>裁剪物体的平面 (glClipPlane)</translation>
+    </message>
+    <message>
+        <source>No clip planes</source>
+        <translation>没有裁剪面</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法向</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
     </message>
 </context>
 <context>
@@ -948,6 +1024,25 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
         <translation>OpenGL 无法绘制 %1 × %2 像素的画面。请缩小窗口，或更新显卡驱动。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::GroupHeading</name>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>重置%1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>展开</translation>
+    </message>
+    <message>
+        <source>Folded</source>
+        <translation>已折叠</translation>
     </message>
 </context>
 <context>
@@ -1377,6 +1472,10 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <source>Add Models</source>
         <translation>添加模型</translation>
     </message>
+    <message>
+        <source>Oblique</source>
+        <translation>斜投影</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MatrixModel</name>
@@ -1489,7 +1588,7 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ModelTab</name>
+    <name>unprojector::gui::ModelGroup</name>
     <message>
         <source>Remove object</source>
         <translation>移除物体</translation>
@@ -1630,6 +1729,34 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <source>Step %1: %2</source>
         <translation>步骤 %1：%2</translation>
     </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Where each object stands (glTranslate, glRotate, glScale)</source>
+        <translation>各物体的位置 (glTranslate, glRotate, glScale)</translation>
+    </message>
+    <message>
+        <source>No steps: the object that is shown stands where its file puts it</source>
+        <translation>没有步骤：所示物体位于其文件给出的位置</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>倍数</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>位移</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ObserverPanel</name>
@@ -1742,22 +1869,57 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ParameterTab</name>
-    <message>
-        <source>Why the number is not taken</source>
-        <translation>该数不被接受的原因</translation>
-    </message>
+    <name>unprojector::gui::ParameterGroup</name>
     <message>
         <source>%1 is empty; type a number.</source>
         <translation>%1为空；请输入一个数。</translation>
     </message>
     <message>
-        <source>“%1” is not a number; type one such as 0.5 or 1e-3.</source>
-        <translation>“%1”不是数；请输入例如 0.5 或 1e-3 的数。</translation>
-    </message>
-    <message>
         <source>%1 can be taken now; press Enter.</source>
         <translation>%1现在可以接受；请按回车键。</translation>
+    </message>
+    <message>
+        <source>Why the change is not made</source>
+        <translation>未作更改的原因</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>重置%1</translation>
+    </message>
+    <message>
+        <source>world units</source>
+        <translation>世界单位</translation>
+    </message>
+    <message>
+        <source>eye units</source>
+        <translation>视点单位</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>device px</source>
+        <translation>设备像素</translation>
+    </message>
+    <message>
+        <source>w : h</source>
+        <translation>宽 : 高</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>倍</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ParameterRow</name>
+    <message>
+        <source>Why the number is not taken</source>
+        <translation>该数不被接受的原因</translation>
     </message>
 </context>
 <context>
@@ -1765,46 +1927,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Parameters</source>
         <translation>参数</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>视图</translation>
-    </message>
-    <message>
-        <source>Where the camera stands (gluLookAt)</source>
-        <translation>相机的位置 (gluLookAt)</translation>
-    </message>
-    <message>
-        <source>Projection</source>
-        <translation>投影</translation>
-    </message>
-    <message>
-        <source>glFrustum, gluPerspective, glOrtho, oblique</source>
-        <translation>glFrustum、gluPerspective、glOrtho、斜投影</translation>
-    </message>
-    <message>
-        <source>Viewport</source>
-        <translation>视口</translation>
-    </message>
-    <message>
-        <source>glViewport and glDepthRange</source>
-        <translation>glViewport 和 glDepthRange</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>模型</translation>
-    </message>
-    <message>
-        <source>Where each object stands (glTranslate, glRotate, glScale)</source>
-        <translation>各物体的位置 (glTranslate, glRotate, glScale)</translation>
-    </message>
-    <message>
-        <source>Clip</source>
-        <translation>裁剪</translation>
-    </message>
-    <message>
-        <source>Planes that cut the objects (glClipPlane)</source>
-        <translation>裁剪物体的平面 (glClipPlane)</translation>
     </message>
 </context>
 <context>
@@ -2085,7 +2207,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ProjectionTab</name>
+    <name>unprojector::gui::ProjectionGroup</name>
     <message>
         <source>Kind of projection</source>
         <translation>投影的种类</translation>
@@ -2203,20 +2325,24 @@ in logical pixels from the top-left corner, y down</source>
         <translation>近、远裁剪面紧贴物体，使深度尽可能精确。输入其中之一会关闭此项</translation>
     </message>
     <message>
-        <source>%1 (°):</source>
-        <translation>%1 (°)：</translation>
-    </message>
-    <message>
-        <source>%1:</source>
-        <translation>%1：</translation>
-    </message>
-    <message>
         <source>Aspect follows the viewport</source>
         <translation>宽高比跟随视口</translation>
     </message>
     <message>
         <source>Keep proportions</source>
         <translation>保持比例</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>glFrustum, gluPerspective, glOrtho, oblique</source>
+        <translation>glFrustum、gluPerspective、glOrtho、斜投影</translation>
+    </message>
+    <message>
+        <source>A perspective of 45°, its aspect the viewport&apos;s, near and far around the objects</source>
+        <translation>45° 的透视投影，宽高比随视口，近、远裁剪面包围物体</translation>
     </message>
 </context>
 <context>
@@ -2389,7 +2515,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ViewTab</name>
+    <name>unprojector::gui::ViewGroup</name>
     <message>
         <source>Eye</source>
         <translation>视点</translation>
@@ -2426,6 +2552,18 @@ in logical pixels from the top-left corner, y down</source>
         <source>The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)</source>
         <translation>画面中向上的方向；长度无关紧要 (gluLookAt: up%1)</translation>
     </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Where the camera stands (gluLookAt)</source>
+        <translation>相机的位置 (gluLookAt)</translation>
+    </message>
+    <message>
+        <source>Back to the view that the scene opened with</source>
+        <translation>回到打开场景时的视图</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ViewportDrawing</name>
@@ -2459,82 +2597,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ViewportInspector</name>
-    <message>
-        <source>What is shown</source>
-        <translation>显示内容</translation>
-    </message>
-    <message>
-        <source>Proportions</source>
-        <translation>比例</translation>
-    </message>
-    <message>
-        <source>The proportions (3) and (4) with their numbers</source>
-        <translation>代入数值的比例式 (3) 和 (4)</translation>
-    </message>
-    <message>
-        <source>Corners</source>
-        <translation>角点</translation>
-    </message>
-    <message>
-        <source>The window&apos;s corners and centre in all coordinates</source>
-        <translation>窗口的四角和中心在各种坐标中的值</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>窗口</translation>
-    </message>
-    <message>
-        <source>The view&apos;s framebuffer in device pixels, and how many of them make a logical pixel</source>
-        <translation>视图的帧缓冲，以设备像素计，以及一个逻辑像素含多少设备像素</translation>
-    </message>
-    <message>
-        <source>Viewport</source>
-        <translation>视口</translation>
-    </message>
-    <message>
-        <source>x, y, width, height in device pixels from the window&apos;s bottom-left corner</source>
-        <translation>x、y、宽、高，设备像素，原点在窗口左下角</translation>
-    </message>
-    <message>
-        <source>Proportions (3) and (4)</source>
-        <translation>比例式 (3) 和 (4)</translation>
-    </message>
-    <message>
-        <source>x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane
-x_v, y_v: the centre of the pointer&apos;s pixel, device pixels from the window&apos;s bottom-left corner
-vx, vy, width, height: the viewport; left, right, bottom, top: the projection window</source>
-        <translation>x_w, y_w：投影窗口中的指针，视点单位，透视投影时在近裁剪面上
-x_v, y_v：指针所在像素的中心，设备像素，原点在窗口左下角
-vx, vy, width, height：视口；left, right, bottom, top：投影窗口</translation>
-    </message>
-    <message>
-        <source>Shape of a circle</source>
-        <translation>圆的形状</translation>
-    </message>
-    <message>
-        <source>Corners and centre of the window</source>
-        <translation>窗口的四角和中心</translation>
-    </message>
-    <message>
-        <source>Copy all</source>
-        <translation>全部复制</translation>
-    </message>
-    <message>
-        <source>Window %1 × %2 device pixels, device pixel ratio %3</source>
-        <translation>窗口 %1 × %2 设备像素，设备像素比 %3</translation>
-    </message>
-    <message>
-        <source>Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1</source>
-        <translation>对平行于投影平面的圆：视口为 %1 : 1，投影窗口为 %2 : 1</translation>
-    </message>
-</context>
-<context>
-    <name>unprojector::gui::ViewportTab</name>
-    <message>
-        <source>Viewport</source>
-        <translation>视口</translation>
-    </message>
+    <name>unprojector::gui::ViewportGroup</name>
     <message>
         <source>Part of the window</source>
         <translation>窗口的部分</translation>
@@ -2616,10 +2679,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>矩形的宽除以高，大于 0</translation>
     </message>
     <message>
-        <source>Aspect:</source>
-        <translation>宽高比：</translation>
-    </message>
-    <message>
         <source>Depth range in use</source>
         <translation>当前深度范围</translation>
     </message>
@@ -2648,20 +2707,12 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>深度范围</translation>
     </message>
     <message>
-        <source>Near plane:</source>
-        <translation>近裁剪面：</translation>
-    </message>
-    <message>
         <source>Depth of the near plane</source>
         <translation>近裁剪面的深度</translation>
     </message>
     <message>
         <source>Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)</source>
         <translation>近裁剪面所得的深度，从 0 到 1；通常为 0 (glDepthRange)</translation>
-    </message>
-    <message>
-        <source>Far plane:</source>
-        <translation>远裁剪面：</translation>
     </message>
     <message>
         <source>Depth of the far plane</source>
@@ -2676,12 +2727,103 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>视口 %1</translation>
     </message>
     <message>
-        <source>%1:</source>
-        <translation>%1：</translation>
-    </message>
-    <message>
         <source>Window: %1 × %2 pixels</source>
         <translation>窗口：%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>Viewport and depth</source>
+        <translation>视口与深度</translation>
+    </message>
+    <message>
+        <source>glViewport and glDepthRange</source>
+        <translation>glViewport 和 glDepthRange</translation>
+    </message>
+    <message>
+        <source>The whole window, depths from 0 to 1</source>
+        <translation>整个窗口，深度从 0 到 1</translation>
+    </message>
+    <message>
+        <source>Aspect</source>
+        <translation>宽高比</translation>
+    </message>
+    <message>
+        <source>Near plane</source>
+        <translation>近裁剪面</translation>
+    </message>
+    <message>
+        <source>Far plane</source>
+        <translation>远裁剪面</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ViewportInspector</name>
+    <message>
+        <source>What is shown</source>
+        <translation>显示内容</translation>
+    </message>
+    <message>
+        <source>Proportions</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>The proportions (3) and (4) with their numbers</source>
+        <translation>代入数值的比例式 (3) 和 (4)</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>角点</translation>
+    </message>
+    <message>
+        <source>The window&apos;s corners and centre in all coordinates</source>
+        <translation>窗口的四角和中心在各种坐标中的值</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>The view&apos;s framebuffer in device pixels, and how many of them make a logical pixel</source>
+        <translation>视图的帧缓冲，以设备像素计，以及一个逻辑像素含多少设备像素</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>x, y, width, height in device pixels from the window&apos;s bottom-left corner</source>
+        <translation>x、y、宽、高，设备像素，原点在窗口左下角</translation>
+    </message>
+    <message>
+        <source>Proportions (3) and (4)</source>
+        <translation>比例式 (3) 和 (4)</translation>
+    </message>
+    <message>
+        <source>x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane
+x_v, y_v: the centre of the pointer&apos;s pixel, device pixels from the window&apos;s bottom-left corner
+vx, vy, width, height: the viewport; left, right, bottom, top: the projection window</source>
+        <translation>x_w, y_w：投影窗口中的指针，视点单位，透视投影时在近裁剪面上
+x_v, y_v：指针所在像素的中心，设备像素，原点在窗口左下角
+vx, vy, width, height：视口；left, right, bottom, top：投影窗口</translation>
+    </message>
+    <message>
+        <source>Shape of a circle</source>
+        <translation>圆的形状</translation>
+    </message>
+    <message>
+        <source>Corners and centre of the window</source>
+        <translation>窗口的四角和中心</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>全部复制</translation>
+    </message>
+    <message>
+        <source>Window %1 × %2 device pixels, device pixel ratio %3</source>
+        <translation>窗口 %1 × %2 设备像素，设备像素比 %3</translation>
+    </message>
+    <message>
+        <source>Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1</source>
+        <translation>对平行于投影平面的圆：视口为 %1 : 1，投影窗口为 %2 : 1</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QLabel>
 #include <QTest>
 
 namespace unprojector::gui {
@@ -37,33 +38,35 @@ void PanelUser::start()
     m_document->setSurface({801, 601, 1.0});
     open(startScene());
     m_panel = std::make_unique<ParametersPanel>(*m_document);
-    m_panel->resize(250, 430);
+    m_panel->resize(m_panel->minimumSizeHint().width(), 430);
     m_panel->show();
     m_panel->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
 }
 
-void PanelUser::showTab(const QString &name)
+ParameterGroup *PanelUser::showGroup(const QString &name)
 {
-    auto *tab = m_panel->findChild<QWidget *>(name);
-    QVERIFY2(tab, qPrintable(name));
-    m_panel->setCurrentWidget(tab);
+    auto *group = m_panel->findChild<ParameterGroup *>(name);
+    if (!group)
+        qFatal("no group %s", qPrintable(name));
+    group->setOpen(true);
+    return group;
 }
 
 NumberField *PanelUser::field(const QString &name, const QString &within)
 {
-    for (int tab = 0; tab < m_panel->count(); ++tab) {
-        const QWidget *place =
-            within.isEmpty() ? m_panel->widget(tab) : m_panel->widget(tab)->findChild<QWidget *>(within);
-        if (auto *found = place ? place->findChild<NumberField *>(name) : nullptr) {
-            m_panel->setCurrentIndex(tab);
+    for (ParameterGroup *group : m_panel->findChildren<ParameterGroup *>()) {
+        const bool wasOpen = group->isOpen();
+        group->setOpen(true); // its rows are made when they are seen
+        const QWidget *place = within.isEmpty() ? group : group->findChild<QWidget *>(within);
+        if (auto *found = place ? place->findChild<NumberField *>(name) : nullptr)
             return found;
-        }
+        group->setOpen(wasOpen);
     }
     qFatal("no field %s", qPrintable(name));
 }
 
-void PanelUser::type(NumberField *target, const QString &text)
+void PanelUser::begin(NumberField *target, const QString &text)
 {
     target->setFocus();
     target->selectAll();
@@ -71,6 +74,24 @@ void PanelUser::type(NumberField *target, const QString &text)
         QTest::keyClick(target, Qt::Key_Delete);
     else
         QTest::keyClicks(target, text);
+}
+
+void PanelUser::type(NumberField *target, const QString &text)
+{
+    begin(target, text);
+    QTest::keyClick(target, Qt::Key_Return);
+}
+
+QString PanelUser::reasonBeneath(const NumberField *field) const
+{
+    QCoreApplication::processEvents(); // the layout
+    const int bottom = field->geometry().bottom();
+    for (const QLabel *label : field->parentWidget()->findChildren<QLabel *>()) {
+        const int between = label->geometry().top() - bottom;
+        if (label->isVisible() && label->wordWrap() && between > 0 && between < field->height())
+            return label->text();
+    }
+    return {};
 }
 
 void PanelUser::choose(const QString &comboBox, const QString &text)

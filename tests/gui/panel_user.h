@@ -2,7 +2,7 @@
 
 #include "core/scene/scene.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/parameters/number_field.h"
+#include "gui/panels/parameters/parameter_group.h"
 #include "gui/panels/parameters_panel.h"
 
 #include <memory>
@@ -73,11 +73,17 @@ public:
     /// Everything anew, with startScene in a window of 801 x 601 pixels.
     void start();
     void open(const Scene &scene);
-    void showTab(const QString &name);
-    /// The field of that name, inside a row of its tab where the name is not its alone; its tab is brought up.
+    /// Unfolds a group.
+    ParameterGroup *showGroup(const QString &name);
+    /// The field of that name, inside a part of its group where the name is not its alone; its group is unfolded.
     NumberField *field(const QString &name, const QString &within = {});
+    /// Types instead of what is there, without Enter.
+    void begin(NumberField *field, const QString &text);
+    /// Types instead of what is there, and Enter.
     void type(NumberField *field, const QString &text);
     void type(const QString &name, const QString &text) { type(field(name), text); }
+    /// What stands beneath a field, if it is on the screen.
+    QString reasonBeneath(const NumberField *field) const;
     /// Chooses the entry that starts with a text.
     void choose(const QString &comboBox, const QString &text);
     void click(const QString &button, const QString &within = {});

@@ -1,6 +1,7 @@
 // A field for one number, by itself: what it reads, what it shows, how it steps, and when it leaves the user's text alone.
 
 #include "core/geometry/angle.h"
+#include "gui/panels/parameters/digit_step.h"
 #include "gui/panels/parameters/number_field.h"
 
 #include <QTest>
@@ -19,25 +20,29 @@ class TestNumberField : public QObject {
 
 private slots:
     void init();
-    void aTextIsReadAsANumber_data();
-    void aTextIsReadAsANumber();
     void degreesComeBackWithoutNoise_data();
     void degreesComeBackWithoutNoise();
-    void withoutTheFocusItShowsSevenDigits_data();
-    void withoutTheFocusItShowsSevenDigits();
+    void theValueIsWrittenToBeRead_data();
+    void theValueIsWrittenToBeRead();
     void withTheFocusItShowsAllDigits();
     void aNarrowFieldShowsFewerDigits();
     void arrowKeysStep_data();
     void arrowKeysStep();
     void theWheelStepsOnlyWithTheFocus();
-    void theSameNumberLeavesTextAndCursor();
+    void theSameNumberLeavesWhatIsTyped();
     void anotherNumberReplacesWhatIsTyped();
+    void typingIsFinishedBy_data();
+    void typingIsFinishedBy();
+    void theDigitAtTheCaretIsStepped_data();
+    void theDigitAtTheCaretIsStepped();
+    void onlyPlainNumbersHaveDigits();
+    void stepsGoOnAtTheSameDigit();
+    void theHeadOfALongNumberIsInSight();
     void aRefusedTextStaysUntilTheValueChanges();
     void escapeRestoresARefusedText_data();
     void escapeRestoresARefusedText();
-    void undoIsLeftToTheWindow();
+    void undoIsTheWindowsUnlessSomethingIsTyped();
     void theReasonIsTold();
-    void everyFocusIsASessionOfItsOwn();
 
 private:
     std::unique_ptr<QWidget> m_window;
@@ -60,39 +65,6 @@ void TestNumberField::init()
     m_other->setFocus();
 }
 
-void TestNumberField::aTextIsReadAsANumber_data()
-{
-    QTest::addColumn<QString>("text");
-    QTest::addColumn<bool>("isNumber");
-    QTest::addColumn<double>("value");
-    QTest::newRow("whole") << "12" << true << 12.0;
-    QTest::newRow("decimal-point") << "0.25" << true << 0.25;
-    QTest::newRow("decimal-comma") << "0,25" << true << 0.25;
-    QTest::newRow("no-leading-zero") << ".5" << true << 0.5;
-    QTest::newRow("exponent") << "1e-3" << true << 0.001;
-    QTest::newRow("blanks-around") << "  7 " << true << 7.0;
-    QTest::newRow("typographic-minus") << QStringLiteral("−3.5") << true << -3.5;
-    QTest::newRow("infinity") << "inf" << true << std::numeric_limits<double>::infinity();
-    QTest::newRow("empty") << "" << false << 0.0;
-    QTest::newRow("only-a-minus") << "-" << false << 0.0;
-    QTest::newRow("unfinished-exponent") << "1e" << false << 0.0;
-    QTest::newRow("word") << "abc" << false << 0.0;
-    QTest::newRow("comma-and-point") << "1,234.5" << false << 0.0;
-    QTest::newRow("two-commas") << "1,2,3" << false << 0.0;
-    QTest::newRow("two-numbers") << "1 2" << false << 0.0;
-}
-
-void TestNumberField::aTextIsReadAsANumber()
-{
-    QFETCH(QString, text);
-    QFETCH(bool, isNumber);
-    QFETCH(double, value);
-    const std::optional<double> number = numberFromText(text);
-    QCOMPARE(number.has_value(), isNumber);
-    if (isNumber)
-        QVERIFY2(*number == value, qPrintable(QString::number(*number, 'g', 17)));
-}
-
 void TestNumberField::degreesComeBackWithoutNoise_data()
 {
     QTest::addColumn<double>("degrees");
@@ -106,20 +78,24 @@ void TestNumberField::degreesComeBackWithoutNoise()
     QVERIFY(degreesFromRadians(radiansFromDegrees(degrees)) == degrees);
 }
 
-void TestNumberField::withoutTheFocusItShowsSevenDigits_data()
+void TestNumberField::theValueIsWrittenToBeRead_data()
 {
     QTest::addColumn<double>("value");
     QTest::addColumn<QString>("text");
     QTest::newRow("whole") << 5.0 << "5";
     QTest::newRow("short") << 0.1 << "0.1";
-    QTest::newRow("third") << 1.0 / 3.0 << "0.3333333";
-    QTest::newRow("large") << 123456789.0 << "1.234568e+08";
-    QTest::newRow("small") << 1.5e-12 << "1.5e-12";
-    QTest::newRow("rounding-noise") << 0.1 + 0.2 << "0.3";
+    QTest::newRow("third") << 1.0 / 3.0 << "0.3333333333333333";
+    QTest::newRow("round-and-large") << 80000.0 << "80000";
+    QTest::newRow("million") << 1e6 << "1000000";
+    QTest::newRow("large") << 123456789.0 << "123456789";
+    QTest::newRow("too-large-to-read") << 1e12 << "1e+12";
+    QTest::newRow("small") << 1e-5 << "0.00001";
+    QTest::newRow("too-small-to-read") << 1.5e-12 << "1.5e-12";
+    QTest::newRow("rounding-noise") << 0.1 + 0.2 << "0.30000000000000004";
     QTest::newRow("negative-zero") << -0.0 << "0";
 }
 
-void TestNumberField::withoutTheFocusItShowsSevenDigits()
+void TestNumberField::theValueIsWrittenToBeRead()
 {
     QFETCH(double, value);
     m_field->setValue(value);
@@ -132,14 +108,19 @@ void TestNumberField::withTheFocusItShowsAllDigits()
     m_field->setFocus();
     QCOMPARE(m_field->text(), QStringLiteral("0.3333333333333333"));
     m_other->setFocus();
-    QCOMPARE(m_field->text(), QStringLiteral("0.3333333"));
+    QCOMPARE(m_field->text(), QStringLiteral("0.3333333333333333"));
+    m_field->setFixedWidth(m_field->minimumSizeHint().width());
+    QTRY_VERIFY(m_field->text().size() < 14);
+    m_field->setFocus();
+    QCOMPARE(m_field->text(), QStringLiteral("0.3333333333333333"));
+    QVERIFY(!m_field->isTyping());
 }
 
 void TestNumberField::aNarrowFieldShowsFewerDigits()
 {
     m_field->setValue(-1.0 / 3.0);
     m_field->setFixedWidth(m_field->fontMetrics().horizontalAdvance(QStringLiteral("-0.3333")) + 20);
-    QTRY_VERIFY(m_field->text().size() < QStringLiteral("-0.3333333").size());
+    QTRY_VERIFY(m_field->text().size() <= QStringLiteral("-0.3333333").size());
     QVERIFY2(m_field->text().startsWith(QStringLiteral("-0.33")), qPrintable(m_field->text()));
     QVERIFY(m_field->value() == -1.0 / 3.0);
 }
@@ -178,7 +159,7 @@ void TestNumberField::arrowKeysStep()
     m_field->setValue(value);
     m_field->setFocus();
     int edits = 0;
-    connect(m_field, &NumberField::edited, this, [&] { ++edits; });
+    connect(m_field, &NumberField::committed, this, [&] { ++edits; });
     QTest::keyClick(m_field, key, withShift ? Qt::ShiftModifier : Qt::NoModifier);
     QTEST(m_field->text(), "text");
     QCOMPARE(edits, 1);
@@ -206,29 +187,164 @@ void TestNumberField::theWheelStepsOnlyWithTheFocus()
     QCOMPARE(m_field->text(), QStringLiteral("5.2"));
 }
 
-void TestNumberField::theSameNumberLeavesTextAndCursor()
+void TestNumberField::theSameNumberLeavesWhatIsTyped()
 {
+    m_field->setValue(1.5);
     m_field->setFocus();
-    m_field->selectAll();
     QTest::keyClicks(m_field, QStringLiteral("1.500"));
     m_field->setCursorPosition(2);
     m_field->setValue(1.5);
     QCOMPARE(m_field->text(), QStringLiteral("1.500"));
     QCOMPARE(m_field->cursorPosition(), 2);
-    m_field->setValue(1.5);
-    QCOMPARE(m_field->text(), QStringLiteral("1.500"));
-    m_other->setFocus();
-    QCOMPARE(m_field->text(), QStringLiteral("1.5"));
 }
 
 void TestNumberField::anotherNumberReplacesWhatIsTyped()
 {
     m_field->setFocus();
-    m_field->selectAll();
     QTest::keyClicks(m_field, QStringLiteral("3"));
-    m_field->setValue(3.0);
     m_field->setValue(4.0);
     QCOMPARE(m_field->text(), QStringLiteral("4"));
+    QVERIFY(!m_field->isTyping());
+}
+
+void TestNumberField::typingIsFinishedBy_data()
+{
+    QTest::addColumn<int>("way");
+    QTest::addColumn<int>("commits");
+    QTest::newRow("enter") << 0 << 1;
+    QTest::newRow("tab") << 1 << 1;
+    QTest::newRow("focus-elsewhere") << 2 << 1;
+    QTest::newRow("the-window-s-shortcut") << 3 << 1;
+    QTest::newRow("another-character") << 4 << 0;
+    QTest::newRow("escape") << 5 << 0;
+    QTest::newRow("copying") << 6 << 0;
+    QTest::newRow("enter-and-tab") << 7 << 1;
+}
+
+void TestNumberField::typingIsFinishedBy()
+{
+    QFETCH(int, way);
+    int commits = 0;
+    connect(m_field, &NumberField::committed, this, [&] { ++commits; });
+    m_field->setValue(3.0);
+    m_field->setFocus();
+    QTest::keyClick(m_field, Qt::Key_Return);
+    QTest::keyClick(m_field, Qt::Key_Tab);
+    m_field->setFocus();
+    QCOMPARE(commits, 0); // nothing was typed
+    QTest::keyClicks(m_field, QStringLiteral("1/3"));
+    QCOMPARE(commits, 0);
+    const auto shortcut = [this](Qt::Key key) {
+        QKeyEvent event(QEvent::ShortcutOverride, key, Qt::ControlModifier);
+        event.ignore();
+        QCoreApplication::sendEvent(m_field, &event);
+    };
+    switch (way) {
+    case 0: QTest::keyClick(m_field, Qt::Key_Return); break;
+    case 1: QTest::keyClick(m_field, Qt::Key_Tab); break;
+    case 2: m_other->setFocus(); break;
+    case 3: shortcut(Qt::Key_S); break;
+    case 4: QTest::keyClick(m_field, Qt::Key_3); break;
+    case 5:
+        QTest::keyClick(m_field, Qt::Key_Escape);
+        QCOMPARE(m_field->text(), QStringLiteral("3"));
+        QTest::keyClick(m_field, Qt::Key_Tab);
+        break;
+    case 6: shortcut(Qt::Key_C); break;
+    case 7:
+        QTest::keyClick(m_field, Qt::Key_Return);
+        m_field->setReason(QStringLiteral("Refused."));
+        QTest::keyClick(m_field, Qt::Key_Tab); // it was asked for once
+        break;
+    }
+    QTEST(commits, "commits");
+    if (commits > 0)
+        QVERIFY(*m_field->typed() == 1.0 / 3.0);
+}
+
+void TestNumberField::theDigitAtTheCaretIsStepped_data()
+{
+    QTest::addColumn<QString>("before"); // the caret is the bar
+    QTest::addColumn<int>("steps");
+    QTest::addColumn<QString>("after");
+    QTest::newRow("hundredths") << "12.3|4" << 1 << "12.3|5";
+    QTest::newRow("hundredths-at-the-end") << "12.34|" << 1 << "12.35|";
+    QTest::newRow("tenths-behind-the-point") << "12.|34" << -1 << "12.|24";
+    QTest::newRow("ones-before-the-point") << "12|.34" << 1 << "13|.34";
+    QTest::newRow("tens") << "|12.34" << -1 << "|2.34";
+    QTest::newRow("carries") << "9.|9" << 1 << "10.|0";
+    QTest::newRow("a-digit-more") << "|9" << 1 << "1|0";
+    QTest::newRow("zeros-stay") << "0.1|9" << 1 << "0.2|0";
+    QTest::newRow("through-0") << "0.0|5" << -10 << "-0.0|5";
+    QTest::newRow("to-0") << "-0|.5" << 1 << "0|.5";
+    QTest::newRow("before-the-sign") << "|-5" << 1 << "-|4";
+    QTest::newRow("never-minus-0") << "-|1" << 1 << "|0";
+    QTest::newRow("power-of-ten") << "1.|5e-12" << 1 << "1.|6e-12";
+    QTest::newRow("in-the-power") << "1.5e-|12" << 1 << "1.6|e-12";
+    QTest::newRow("no-noise") << "0.|1" << 2 << "0.|3";
+    QTest::newRow("all-digits-stay") << "0.3|333333333333333" << 1 << "0.3|433333333333333";
+    QTest::newRow("decimal-comma") << "1,|5" << 1 << "1.|6";
+    QTest::newRow("no-leading-zero") << ".|5" << 1 << "0.|6";
+}
+
+void TestNumberField::theDigitAtTheCaretIsStepped()
+{
+    QFETCH(QString, before);
+    QFETCH(int, steps);
+    QFETCH(QString, after);
+    const CaretText start{QString(before).remove(u'|'), static_cast<int>(before.indexOf(u'|'))};
+    const std::optional<int> place = digitAt(start);
+    QVERIFY(place);
+    CaretText end = withDigitStepped(start, *place, steps);
+    QCOMPARE(end.text.insert(end.caret, u'|'), after);
+}
+
+void TestNumberField::onlyPlainNumbersHaveDigits()
+{
+    for (const char *text : {"", "1/3", "abc", "-", ".", "2*7"})
+        QVERIFY2(!digitAt({QString::fromLatin1(text), 0}), text);
+}
+
+void TestNumberField::stepsGoOnAtTheSameDigit()
+{
+    connect(m_field, &NumberField::committed, this, [this] { m_field->accept(*m_field->typed()); });
+    m_field->setValue(120.0);
+    m_field->setFocus();
+    m_field->setCursorPosition(0); // the hundreds
+    const quint64 session = m_field->session();
+    QTest::keyClick(m_field, Qt::Key_Down);
+    QCOMPARE(m_field->text(), QStringLiteral("20"));
+    QTest::keyClick(m_field, Qt::Key_Up);
+    QTest::keyClick(m_field, Qt::Key_Up);
+    QCOMPARE(m_field->text(), QStringLiteral("220"));
+    QTest::keyClick(m_field, Qt::Key_PageUp);
+    QCOMPARE(m_field->text(), QStringLiteral("1220"));
+    const quint64 stepped = m_field->session();
+    QVERIFY(stepped != session);
+    m_field->setCursorPosition(3);
+    QTest::keyClick(m_field, Qt::Key_PageDown);
+    QCOMPARE(m_field->text(), QStringLiteral("1210"));
+    QCOMPARE(m_field->session(), stepped);
+    m_field->selectAll();
+    QTest::keyClicks(m_field, QStringLiteral("7"));
+    QTest::keyClick(m_field, Qt::Key_Return);
+    QVERIFY(m_field->session() != stepped); // a typed number is undone by itself
+}
+
+void TestNumberField::theHeadOfALongNumberIsInSight()
+{
+    m_field->setFixedWidth(m_field->minimumSizeHint().width());
+    m_field->setValue(-1.0 / 3.0);
+    QTest::keyClick(m_other, Qt::Key_Tab);
+    QVERIFY(m_field->hasFocus());
+    QCOMPARE(m_field->selectedText(), QStringLiteral("-0.3333333333333333"));
+    QCOMPARE(m_field->cursorPosition(), 0);
+    QTest::keyClick(m_field, Qt::Key_End);
+    QTest::keyClicks(m_field, QStringLiteral("4"));
+    m_field->setReason(QStringLiteral("Refused."));
+    QTest::keyClick(m_field, Qt::Key_Backtab);
+    QCOMPARE(m_field->text(), QStringLiteral("-0.33333333333333334"));
+    QCOMPARE(m_field->cursorPosition(), 0);
 }
 
 void TestNumberField::aRefusedTextStaysUntilTheValueChanges()
@@ -271,19 +387,24 @@ void TestNumberField::escapeRestoresARefusedText()
     QCOMPARE(m_field->text(), QStringLiteral("0.1"));
 }
 
-void TestNumberField::undoIsLeftToTheWindow()
+void TestNumberField::undoIsTheWindowsUnlessSomethingIsTyped()
 {
+    const auto isTaken = [this] {
+        QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+        undo.ignore();
+        QCoreApplication::sendEvent(m_field, &undo);
+        return undo.isAccepted();
+    };
     m_field->setValue(1.0);
     m_field->setFocus();
-    m_field->selectAll();
-    QTest::keyClicks(m_field, QStringLiteral("2"));
-    m_field->setValue(2.0);
-    QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
-    undo.ignore();
-    QCoreApplication::sendEvent(m_field, &undo);
-    QVERIFY(!undo.isAccepted()); // so that the window's own Undo gets the key
+    QVERIFY(!isTaken());
     QTest::keyClick(m_field, Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(m_field->text(), QStringLiteral("2"));
+    QCOMPARE(m_field->text(), QStringLiteral("1"));
+    QTest::keyClicks(m_field, QStringLiteral("2"));
+    QVERIFY(isTaken());
+    QTest::keyClick(m_field, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(m_field->text(), QStringLiteral("1"));
+    QVERIFY(!isTaken());
 }
 
 void TestNumberField::theReasonIsTold()
@@ -309,17 +430,6 @@ void TestNumberField::theReasonIsTold()
     QCOMPARE(m_field->palette().color(QPalette::Base), good);
     QCOMPARE(m_field->accessibleDescription(), QStringLiteral("Distance of the near plane, eye units"));
     QToolTip::hideText();
-}
-
-void TestNumberField::everyFocusIsASessionOfItsOwn()
-{
-    m_field->setFocus();
-    const quint64 first = m_field->session();
-    QTest::keyClicks(m_field, QStringLiteral("12"));
-    QCOMPARE(m_field->session(), first);
-    m_other->setFocus();
-    m_field->setFocus();
-    QVERIFY(m_field->session() != first);
 }
 
 QTEST_MAIN(TestNumberField)

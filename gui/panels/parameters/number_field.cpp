@@ -1,22 +1,29 @@
 #include "gui/panels/parameters/number_field.h"
 
+#include "gui/panels/parameters/digit_step.h"
 #include "gui/text/number_text.h"
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QScopedValueRollback>
 #include <QStyle>
 #include <QStyleOptionFrame>
+#include <QTimer>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace unprojector::gui {
 namespace {
 
-constexpr int kMostDigits = 7;
 constexpr int kFewestDigits = 3;
+constexpr int kMostDigits = 17;
+constexpr double kFirstStep = 0.1;     // from 0, where nothing is relative
 constexpr int kWheelAngleOfStep = 120; // eighths of a degree
+constexpr double kStepsOfPage = 10.0;
+constexpr int kMarginOfText = 4; // QLineEdit's own, left and right
 
 quint64 nextSession()
 {
@@ -36,19 +43,6 @@ QPalette refusedPalette()
 
 } // namespace
 
-std::optional<double> numberFromText(const QString &text)
-{
-    QString number = text.trimmed();
-    number.replace(QChar(0x2212), u'-');
-    if (number.count(u',') == 1 && !number.contains(u'.'))
-        number.replace(u',', u'.');
-    bool isNumber = false;
-    const double value = number.toDouble(&isNumber);
-    if (!isNumber)
-        return std::nullopt;
-    return value;
-}
-
 NumberField::NumberField(const QString &name, const QString &help, QWidget *parent)
     : QLineEdit(parent), m_help(help), m_session(nextSession())
 {
@@ -56,28 +50,54 @@ NumberField::NumberField(const QString &name, const QString &help, QWidget *pare
     setAccessibleDescription(help);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     showText(shownText());
-    connect(this, &QLineEdit::textEdited, this, &NumberField::edited);
-    connect(this, &QLineEdit::returnPressed, this, &NumberField::entered);
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        m_tried.clear();
+        if (!isTyping())
+            setReason({});
+        else if (isBad())
+            emit retyped();
+    });
 }
 
 void NumberField::setFixedStep(double step)
 {
-    m_step = Step::Fixed;
     m_fixedStep = step;
+}
+
+Result<double, text::ExpressionError> NumberField::typed() const
+{
+    if (!isTyping())
+        return m_value;
+    return text::evaluate(text().toStdString());
 }
 
 void NumberField::setValue(double value)
 {
     const bool isSame = value == m_value || (std::isnan(value) && std::isnan(m_value));
-    if (isBad() && isSame)
-        return;
+    if (!isSame)
+        accept(value);
+}
+
+void NumberField::accept(double value)
+{
+    const Result<double, text::ExpressionError> said = text::evaluate(text().toStdString());
     m_value = value;
     setReason({});
-    if (hasFocus() && typed() == value)
+    // The zeros at the end of "12.40" stay while the hundredths are stepped.
+    if (m_isStepping && hasFocus() && said && *said == value)
+        m_shown = text();
+    else
+        showText(shownText());
+}
+
+void NumberField::commit()
+{
+    if (!isTyping())
         return;
-    const QString shown = shownText();
-    if (shown != text())
-        showText(shown);
+    m_isStepping = false;
+    m_session = nextSession();
+    m_tried = text();
+    emit committed();
 }
 
 void NumberField::setReason(const QString &reason)
@@ -94,52 +114,95 @@ void NumberField::setReason(const QString &reason)
 
 void NumberField::restore()
 {
+    m_isStepping = false;
+    m_tried.clear();
     setReason({});
     showText(shownText());
     if (hasFocus())
-        selectAll();
+        selectNumber();
+}
+
+void NumberField::selectNumber()
+{
+    const int length = static_cast<int>(text().size());
+    setSelection(length, -length);
 }
 
 void NumberField::showText(const QString &text)
 {
-    setText(text);
+    if (text != this->text())
+        setText(text);
+    m_shown = text;
     // A number that is too long is cut at its end, not at its sign.
     setCursorPosition(0);
 }
 
-QString NumberField::shownText() const
+int NumberField::roomForText() const
 {
-    if (hasFocus())
-        return shortestText(m_value == 0.0 ? 0.0 : m_value);
     QStyleOptionFrame option;
     initStyleOption(&option);
-    const int room =
-        style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - 4; // QLineEdit's own margins
-    QString shown;
-    for (int digits = kMostDigits; digits >= kFewestDigits; --digits) {
-        shown = significantText(m_value, digits);
-        if (!isVisible() || fontMetrics().horizontalAdvance(shown) <= room)
-            break;
-    }
+    return style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - kMarginOfText;
+}
+
+QString NumberField::shownText() const
+{
+    QString shown = writtenText(m_value);
+    if (hasFocus())
+        return shown;
+    const int room = roomForText();
+    const auto fits = [&] { return fontMetrics().horizontalAdvance(shown) <= room; };
+    const int mostThatFit = room / std::max(1, fontMetrics().horizontalAdvance(u'0')) + 1;
+    for (int digits = std::clamp(mostThatFit, kFewestDigits, kMostDigits); !fits() && digits >= kFewestDigits; --digits)
+        shown = writtenText(m_value, digits);
     return shown;
 }
 
 void NumberField::stepBy(double steps)
 {
-    const double magnitude = std::abs(m_value);
-    double step = m_fixedStep;
-    if (m_step == Step::Relative && magnitude > 0.0 && std::isfinite(magnitude)) {
+    const Result<double, text::ExpressionError> from = typed();
+    if (!from) {
+        commit(); // tells what is wrong with it
+        return;
+    }
+    if (!std::exchange(m_isStepping, true))
+        m_session = nextSession();
+    if (!hasFocus() || selectedText() == text() || !stepDigit(steps))
+        stepNumber(*from, steps);
+    m_tried = text();
+    if (isTyping())
+        emit committed();
+}
+
+bool NumberField::stepDigit(double steps)
+{
+    const CaretText before{text(), cursorPosition()};
+    const bool goesOn = m_stepped.text == before.text && m_stepped.caret == before.caret;
+    const std::optional<int> place = goesOn ? m_stepped.place : digitAt(before);
+    if (!place)
+        return false;
+    const CaretText after = withDigitStepped(before, *place, steps);
+    setText(after.text);
+    setCursorPosition(after.caret);
+    m_stepped = {after.text, after.caret, *place};
+    return true;
+}
+
+void NumberField::stepNumber(double from, double steps)
+{
+    const double magnitude = std::abs(from);
+    double step = m_fixedStep > 0.0 ? m_fixedStep : kFirstStep;
+    if (m_fixedStep == 0.0 && magnitude > 0.0) {
         const double place = std::pow(10.0, std::floor(std::log10(magnitude)));
         // Towards 0 the steps from 1 are those of 0.9: 0 is never reached, nor passed.
-        const bool isTowardsZero = steps * m_value < 0.0;
+        const bool isTowardsZero = steps * from < 0.0;
         const bool leavesPlace = isTowardsZero && magnitude - std::abs(steps) * place / 10.0 < place * (1.0 - 1e-9);
         step = leavesPlace ? place / 100.0 : place / 10.0;
     }
     // Fifteen digits: 0.1 + 0.2 is 0.3.
-    const double stepped = QString::number(m_value + steps * step, 'g', 15).toDouble();
-    setText(shortestText(std::abs(stepped) < step * 1e-9 ? 0.0 : stepped));
-    selectAll();
-    emit edited();
+    const double stepped = QString::number(from + steps * step, 'g', 15).toDouble();
+    setText(writtenText(std::abs(stepped) < step * 1e-9 ? 0.0 : stepped));
+    if (hasFocus())
+        selectNumber();
 }
 
 bool NumberField::event(QEvent *event)
@@ -147,49 +210,112 @@ bool NumberField::event(QEvent *event)
     switch (event->type()) {
     case QEvent::ToolTip:
         // Made when it is asked for: keeping it up to date would cost more than the text.
-        setToolTip((isBad() ? m_reason : shortestText(m_value)) + u'\n' + m_help);
+        setToolTip((isBad() ? m_reason : writtenText(m_value)) + u'\n' + m_help);
         break;
-    case QEvent::ShortcutOverride:
-        // Undo is the document's, not that of the characters typed; a refused text is not in the document.
-        if (const auto *key = static_cast<QKeyEvent *>(event);
-            key->matches(QKeySequence::Redo) || (key->matches(QKeySequence::Undo) && !isBad())) {
-            event->ignore();
-            return false;
+    case QEvent::ShortcutOverride: {
+        const auto &key = *static_cast<QKeyEvent *>(event);
+        // Undo takes back what is being typed, else it is the document's.
+        const bool isHistory = key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+        if ((isHistory && !isTyping()) || (key.key() == Qt::Key_Escape && (isTyping() || isBad()))) {
+            event->setAccepted(!isHistory);
+            return event->isAccepted();
         }
+        const bool isTaken = QLineEdit::event(event);
+        if (!event->isAccepted())
+            commitBeforeShortcut(key);
+        return isTaken;
+    }
+    case QEvent::ApplicationPaletteChange:
+        if (isBad())
+            setPalette(refusedPalette());
         break;
     default: break;
     }
     return QLineEdit::event(event);
 }
 
+void NumberField::commitBeforeShortcut(const QKeyEvent &key)
+{
+    // Save is to save what was typed. AltGr, which is Ctrl and Alt, types characters.
+    const Qt::KeyboardModifiers held = key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+    const bool isModifierItself = key.key() >= Qt::Key_Escape;
+    if (held != Qt::NoModifier && held != (Qt::ControlModifier | Qt::AltModifier) && !isModifierItself)
+        commit();
+}
+
 void NumberField::focusInEvent(QFocusEvent *event)
 {
-    m_session = nextSession();
-    if (!isBad()) {
-        const QString all = shownText();
-        if (all != text())
-            setText(all);
-    }
     QLineEdit::focusInEvent(event);
+    if (event->reason() == Qt::PopupFocusReason || event->reason() == Qt::ActiveWindowFocusReason)
+        return;
+    m_isStepping = false;
+    if (!isTyping())
+        showText(shownText());
+    // Under the mouse the caret goes to where it is pressed.
+    if (event->reason() != Qt::MouseFocusReason)
+        selectNumber();
 }
 
 void NumberField::focusOutEvent(QFocusEvent *event)
 {
     QLineEdit::focusOutEvent(event);
-    if (!isBad() && !hasFocus())
+    const Qt::FocusReason reason = event->reason();
+    if (reason == Qt::PopupFocusReason && m_opensMenu)
+        return; // Copy, Paste: the typing goes on
+    if (reason == Qt::ActiveWindowFocusReason) {
+        // To another program the typing waits; to another window of this one it is finished.
+        QTimer::singleShot(0, this, [this, reason] {
+            if (!hasFocus() && QApplication::activeWindow())
+                commitLeft(reason);
+        });
+        return;
+    }
+    commitLeft(reason);
+}
+
+void NumberField::commitLeft(Qt::FocusReason reason)
+{
+    if (isTyping() && text() != m_tried)
+        commit();
+    // A menu over the window does not end the look at the digits.
+    if (reason == Qt::PopupFocusReason)
+        return;
+    m_isStepping = false;
+    if (isTyping())
+        setCursorPosition(0);
+    else
         showText(shownText());
+}
+
+void NumberField::contextMenuEvent(QContextMenuEvent *event)
+{
+    const QScopedValueRollback<bool> opens(m_opensMenu, true);
+    QLineEdit::contextMenuEvent(event);
 }
 
 void NumberField::keyPressEvent(QKeyEvent *event)
 {
-    const double steps = event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0;
-    if (event->key() == Qt::Key_Up)
-        stepBy(steps);
-    else if (event->key() == Qt::Key_Down)
-        stepBy(-steps);
-    else if (isBad() && (event->key() == Qt::Key_Escape || event->matches(QKeySequence::Undo)))
-        restore();
-    else if (event->matches(QKeySequence::Undo) || event->matches(QKeySequence::Redo))
+    const double steps = event->modifiers() & Qt::ShiftModifier ? kStepsOfPage : 1.0;
+    switch (event->key()) {
+    case Qt::Key_Up: stepBy(steps); return;
+    case Qt::Key_Down: stepBy(-steps); return;
+    case Qt::Key_PageUp: stepBy(kStepsOfPage); return;
+    case Qt::Key_PageDown: stepBy(-kStepsOfPage); return;
+    case Qt::Key_Enter:
+    case Qt::Key_Return:
+        commit();
+        if (!isBad())
+            selectNumber();
+        return;
+    case Qt::Key_Escape:
+        if (isTyping() || isBad())
+            restore();
+        else
+            event->ignore();
+        return;
+    default: break;
+    }
+    if (!isTyping() && (event->matches(QKeySequence::Undo) || event->matches(QKeySequence::Redo)))
         event->ignore();
     else
         QLineEdit::keyPressEvent(event);
@@ -197,8 +323,8 @@ void NumberField::keyPressEvent(QKeyEvent *event)
 
 void NumberField::wheelEvent(QWheelEvent *event)
 {
-    if (!hasFocus()) {
-        event->ignore(); // the tab scrolls
+    if (!hasFocus() && !(event->modifiers() & Qt::ControlModifier)) {
+        event->ignore(); // the panel scrolls
         return;
     }
     const QPoint angle = event->angleDelta();
@@ -206,14 +332,14 @@ void NumberField::wheelEvent(QWheelEvent *event)
     const int steps = m_wheelAngle / kWheelAngleOfStep;
     m_wheelAngle -= steps * kWheelAngleOfStep;
     if (steps != 0)
-        stepBy(steps * (event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0));
+        stepBy(steps * (event->modifiers() & Qt::ShiftModifier ? kStepsOfPage : 1.0));
     event->accept();
 }
 
 void NumberField::resizeEvent(QResizeEvent *event)
 {
     QLineEdit::resizeEvent(event);
-    if (!hasFocus() && !isBad())
+    if (!hasFocus() && !isTyping())
         showText(shownText());
 }
 
@@ -221,18 +347,18 @@ int NumberField::widthFor(int characters) const
 {
     QStyleOptionFrame option;
     initStyleOption(&option);
-    const QSize content(characters * fontMetrics().horizontalAdvance(u'0') + 4, fontMetrics().height());
+    const QSize content(characters * fontMetrics().horizontalAdvance(u'0') + kMarginOfText, fontMetrics().height());
     return style()->sizeFromContents(QStyle::CT_LineEdit, &option, content, this).width();
 }
 
 QSize NumberField::sizeHint() const
 {
-    return {widthFor(10), QLineEdit::sizeHint().height()};
+    return {widthFor(12), QLineEdit::sizeHint().height()};
 }
 
 QSize NumberField::minimumSizeHint() const
 {
-    return {widthFor(4), QLineEdit::minimumSizeHint().height()};
+    return {widthFor(9), QLineEdit::minimumSizeHint().height()}; // "-1.23e-05"
 }
 
 } // namespace unprojector::gui

@@ -1,10 +1,6 @@
-#include "gui/panels/parameters/view_tab.h"
+#include "gui/panels/parameters/view_group.h"
 
 #include "gui/document/scene_document.h"
-
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -18,54 +14,53 @@ double *component(WorldPoint &point, int i)
 
 } // namespace
 
-ViewTab::ViewTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, Change::Picture, parent)
+ViewGroup::ViewGroup(SceneDocument &document, QWidget *parent)
+    : ParameterGroup(
+        document, Change::Picture,
+        {tr("View"), tr("Where the camera stands (gluLookAt)"), tr("Back to the view that the scene opened with")},
+        parent)
 {
-    addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"),
+    addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"), worldUnits(),
              tr("Where the camera stands, world units (gluLookAt: eye%1)"),
              [](LookAt &view, int i) { return component(view.eye, i); });
-    const std::size_t ofEye = m_lengths.size();
-    addPoint(tr("Center"), tr("Center %1"), QStringLiteral("center"),
+    addPoint(tr("Center"), tr("Center %1"), QStringLiteral("center"), worldUnits(),
              tr("The point the camera looks at, world units (gluLookAt: center%1)"),
              [](LookAt &view, int i) { return component(view.center, i); });
-    Q_ASSERT(m_lengths.size() == 2 * ofEye);
-    addPoint(tr("Up"), tr("Up %1"), QStringLiteral("up"),
+    m_lengths = findChildren<NumberField *>();
+    addPoint(tr("Up"), tr("Up %1"), QStringLiteral("up"), ofAnyLength(),
              tr("The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)"),
              [](LookAt &view, int i) { return &view.up[i]; });
-    m_lengths.resize(2 * ofEye);
-    content()->addStretch();
 }
 
-void ViewTab::addPoint(const QString &title, const QString &name, const QString &objectName, const QString &help,
-                       std::function<double *(LookAt &, int)> number)
+void ViewGroup::addPoint(const QString &title, const QString &name, const QString &objectName, const QString &unit,
+                         const QString &help, std::function<double *(LookAt &, int)> number)
 {
-    content()->addWidget(heading(title));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(4);
+    ParameterRow *row = addRow(content(), title);
     for (int i = 0; i < 3; ++i) {
         const QString axis = QString(QChar(u'x' + i));
-        NumberField *field = addField({name.arg(axis), help.arg(axis.toUpper()),
+        NumberField *field = addField(row, axis, unit,
+                                      {name.arg(axis), help.arg(axis.toUpper()),
                                        [number, i](const Scene &scene) -> std::optional<double> {
                                            LookAt view = scene.camera;
                                            return *number(view, i);
                                        },
                                        [number, i](Scene &scene, double value) { *number(scene.camera, i) = value; }});
         field->setObjectName(objectName + axis.toUpper());
-        auto *label = new QLabel(axis);
-        label->setBuddy(field);
-        row->addWidget(label);
-        row->addWidget(field, 1);
-        m_lengths.push_back(field);
     }
-    content()->addLayout(row);
-    content()->addSpacing(6);
 }
 
-Check ViewTab::edit(const Scene &next, const Deed &deed)
+Check ViewGroup::edit(const Scene &next, const Deed &deed)
 {
     return document().editCamera(next.camera, deed);
 }
 
-void ViewTab::showScene()
+Scene ViewGroup::withDefaults(Scene scene) const
+{
+    scene.camera = scene.home;
+    return scene;
+}
+
+void ViewGroup::showScene()
 {
     // A step moves the eye by about a hundredth of its distance.
     const LookAt &view = document().scene().camera;

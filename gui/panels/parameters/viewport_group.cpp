@@ -1,4 +1,4 @@
-#include "gui/panels/parameters/viewport_tab.h"
+#include "gui/panels/parameters/viewport_group.h"
 
 #include "core/geometry/drawable.h"
 #include "gui/document/scene_document.h"
@@ -6,7 +6,6 @@
 #include "gui/text/number_text.h"
 
 #include <QComboBox>
-#include <QFormLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -29,19 +28,14 @@ QString depthRefusal(double value)
     return refusalText(checkDepthRangeEnd(value));
 }
 
-QLabel *selectableLabel(const QString &name)
-{
-    auto *label = new QLabel;
-    label->setAccessibleName(name);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    return label;
-}
-
 } // namespace
 
-ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, Change::Picture, parent)
+ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
+    : ParameterGroup(
+        document, Change::Picture,
+        {tr("Viewport and depth"), tr("glViewport and glDepthRange"), tr("The whole window, depths from 0 to 1")},
+        parent)
 {
-    content()->addWidget(heading(tr("Viewport")));
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("viewportKind"));
     m_kind->setAccessibleName(tr("Part of the window"));
@@ -55,15 +49,10 @@ ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTa
     add(tr("Keep aspect (letterbox)"), ViewportRule::Kind::KeepAspect,
         tr("The largest rectangle of this aspect, centred, with bars beside or above it"));
     add(tr("Lower right quarter"), ViewportRule::Kind::Quarter, tr("glViewport(width/2, 0, width/2, height/2)"));
-    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_kind->setMinimumContentsLength(12);
+    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     ignoreWheelWithoutFocus(m_kind);
     content()->addWidget(m_kind);
 
-    m_form = new QFormLayout;
-    m_form->setVerticalSpacing(4);
-    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    content()->addLayout(m_form);
     addRectangleRow(tr("X"), QStringLiteral("viewportX"),
                     tr("Left edge, whole device pixels from the left edge of the window (glViewport: x)"),
                     &Viewport::x);
@@ -74,56 +63,61 @@ ViewportTab::ViewportTab(SceneDocument &document, QWidget *parent) : ParameterTa
                     tr("Width in whole device pixels, above 0 (glViewport: width)"), &Viewport::width);
     addRectangleRow(tr("Height"), QStringLiteral("viewportHeight"),
                     tr("Height in whole device pixels, above 0 (glViewport: height)"), &Viewport::height);
-    m_aspect = addField({tr("Viewport aspect"), tr("Width divided by height of the rectangle, above 0"),
-                         [](const Scene &scene) -> std::optional<double> {
-                             if (scene.viewport.kind != ViewportRule::Kind::KeepAspect)
-                                 return std::nullopt;
-                             return scene.viewport.aspect;
-                         },
-                         [](Scene &scene, double value) { scene.viewport.aspect = value; }});
-    m_aspect->setObjectName(QStringLiteral("viewportAspect"));
-    m_form->addRow(tr("Aspect:"), m_aspect);
+    m_aspect = addRow(content(), tr("Aspect"));
+    NumberField *aspect = addField(m_aspect, {}, ratio(),
+                                   {tr("Viewport aspect"), tr("Width divided by height of the rectangle, above 0"),
+                                    [](const Scene &scene) -> std::optional<double> {
+                                        if (scene.viewport.kind != ViewportRule::Kind::KeepAspect)
+                                            return std::nullopt;
+                                        return scene.viewport.aspect;
+                                    },
+                                    [](Scene &scene, double value) { scene.viewport.aspect = value; }});
+    aspect->setObjectName(QStringLiteral("viewportAspect"));
 
-    m_call = selectableLabel(tr("Viewport in use"));
+    m_call = selectable(tr("Viewport in use"));
     m_call->setToolTip(tr("The viewport in use: x, y, width, height in device pixels from the lower left corner"));
-    m_window = selectableLabel(tr("Size of the window"));
+    m_window = selectable(tr("Size of the window"));
     m_window->setToolTip(tr("Size of the picture's window in device pixels"));
     content()->addWidget(m_call);
     content()->addWidget(m_window);
 
-    content()->addSpacing(8);
-    content()->addWidget(heading(tr("Depth range")));
-    auto *depths = new QFormLayout;
-    depths->setVerticalSpacing(4);
-    depths->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    content()->addLayout(depths);
-    const auto addDepth = [this, depths](const QString &label, const QString &name, const QString &objectName,
-                                         const QString &help, double DepthRange::*number) {
+    addHeading(tr("Depth range"));
+    const auto addDepth = [this](const QString &label, const QString &name, const QString &objectName,
+                                 const QString &help, double DepthRange::*number) {
         NumberField *field = addField(
+            addRow(content(), label), {}, depth(),
             {name, help, [number](const Scene &scene) -> std::optional<double> { return scene.depthRange.*number; },
              [number](Scene &scene, double value) { scene.depthRange.*number = value; }, depthRefusal});
         field->setObjectName(objectName);
         field->setFixedStep(0.01);
-        depths->addRow(label, field);
     };
-    addDepth(tr("Near plane:"), tr("Depth of the near plane"), QStringLiteral("depthAtNear"),
+    addDepth(tr("Near plane"), tr("Depth of the near plane"), QStringLiteral("depthAtNear"),
              tr("Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)"), &DepthRange::atNear);
-    addDepth(tr("Far plane:"), tr("Depth of the far plane"), QStringLiteral("depthAtFar"),
+    addDepth(tr("Far plane"), tr("Depth of the far plane"), QStringLiteral("depthAtFar"),
              tr("Depth that the far plane gets, from 0 to 1; usually 1 (glDepthRange)"), &DepthRange::atFar);
-    m_depthCall = selectableLabel(tr("Depth range in use"));
+    m_depthCall = selectable(tr("Depth range in use"));
     m_depthCall->setToolTip(tr("The depth range in use: OpenGL takes its ends in single precision"));
     content()->addWidget(m_depthCall);
-    content()->addStretch();
 
     connect(m_kind, &QComboBox::activated, this,
             [this](int index) { choose(static_cast<ViewportRule::Kind>(m_kind->itemData(index).toInt())); });
 }
 
-void ViewportTab::addRectangleRow(const QString &name, const QString &objectName, const QString &help,
-                                  double Viewport::*number)
+QLabel *ViewportGroup::selectable(const QString &name)
 {
+    QLabel *label = wrappedLabel();
+    label->setAccessibleName(name);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    return label;
+}
+
+void ViewportGroup::addRectangleRow(const QString &name, const QString &objectName, const QString &help,
+                                    double Viewport::*number)
+{
+    ParameterRow *row = addRow(content(), name);
     NumberField *field =
-        addField({tr("Viewport %1").arg(name.toLower()), help,
+        addField(row, {}, devicePixels(),
+                 {tr("Viewport %1").arg(name.toLower()), help,
                   [number](const Scene &scene) -> std::optional<double> {
                       if (scene.viewport.kind != ViewportRule::Kind::Fixed)
                           return std::nullopt;
@@ -132,11 +126,10 @@ void ViewportTab::addRectangleRow(const QString &name, const QString &objectName
                   [number](Scene &scene, double value) { scene.viewport.fixed.*number = value; }, pixelRefusal});
     field->setObjectName(objectName);
     field->setFixedStep(1.0);
-    m_form->addRow(tr("%1:").arg(name), field);
-    m_rectangle.push_back(field);
+    m_rectangle.push_back(row);
 }
 
-void ViewportTab::choose(ViewportRule::Kind kind)
+void ViewportGroup::choose(ViewportRule::Kind kind)
 {
     Scene next = document().scene();
     if (next.viewport.kind == kind)
@@ -148,12 +141,19 @@ void ViewportTab::choose(ViewportRule::Kind kind)
     change(next, m_kind->currentText());
 }
 
-Check ViewportTab::edit(const Scene &next, const Deed &deed)
+Check ViewportGroup::edit(const Scene &next, const Deed &deed)
 {
     return document().editViewport(next.viewport, next.depthRange, deed);
 }
 
-void ViewportTab::showScene()
+Scene ViewportGroup::withDefaults(Scene scene) const
+{
+    scene.viewport = {};
+    scene.depthRange = {};
+    return scene;
+}
+
+void ViewportGroup::showScene()
 {
     const Picture &geometry = document().geometry();
     if (geometry.surface != m_shownSurface) {
@@ -177,9 +177,9 @@ void ViewportTab::showScene()
     m_shownKind = kind;
     restoreFields();
     m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(kind)));
-    for (NumberField *field : m_rectangle)
-        m_form->setRowVisible(field, kind == ViewportRule::Kind::Fixed);
-    m_form->setRowVisible(m_aspect, kind == ViewportRule::Kind::KeepAspect);
+    for (ParameterRow *row : m_rectangle)
+        row->setVisible(kind == ViewportRule::Kind::Fixed);
+    m_aspect->setVisible(kind == ViewportRule::Kind::KeepAspect);
 }
 
 } // namespace unprojector::gui

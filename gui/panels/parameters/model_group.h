@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/panels/parameters/parameter_tab.h"
+#include "gui/panels/parameters/parameter_group.h"
 
 class QComboBox;
 class QLabel;
@@ -9,25 +9,24 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-class ElidedLabel;
-
 /// The OpenGL call of a step: "glRotated(30, 0, 1, 0)", its numbers with at most five digits.
 QString callText(const TransformStep &step);
 
 /// How one object is placed: an ordered list of glTranslate, glRotate and glScale, in the order of the calls.
-class ModelTab : public ParameterTab {
+class ModelGroup : public ParameterGroup {
     Q_OBJECT
 public:
-    explicit ModelTab(SceneDocument &document, QWidget *parent = nullptr);
+    explicit ModelGroup(SceneDocument &document, QWidget *parent = nullptr);
 
 protected:
     void showScene() override;
     Check edit(const Scene &next, const Deed &deed) override;
+    Scene withDefaults(Scene scene) const override;
 
 private:
     struct Row {
         QWidget *widget;
-        ElidedLabel *call;
+        QLabel *call;
         QToolButton *up;
         QToolButton *down;
         QToolButton *remove;
@@ -35,9 +34,9 @@ private:
     };
 
     const std::vector<TransformStep> &steps() const;
-    void addStep(const TransformStep &step, const QString &text);
-    void moveStep(std::size_t from, std::size_t to);
-    void removeStep(std::size_t step);
+    void addStep(const TransformStep &step, const QString &text, bool byKeyboard);
+    void moveStep(std::size_t from, std::size_t to, bool byKeyboard);
+    void removeStep(std::size_t step, bool byKeyboard);
     void removeObject();
     void showObjects();
     void rebuildRows();

@@ -1,7 +1,6 @@
-#include "gui/panels/parameters/clip_tab.h"
+#include "gui/panels/parameters/clip_group.h"
 
 #include "gui/document/scene_document.h"
-#include "gui/panels/parameters/elided_label.h"
 #include "gui/text/number_text.h"
 
 #include <QCheckBox>
@@ -60,45 +59,32 @@ QString keptSideText(const glm::dvec4 &plane)
             text += isNegative ? QStringLiteral(" − ") : QStringLiteral(" + ");
         const double magnitude = std::abs(plane[i]);
         if (i == 3)
-            text += significantText(magnitude, kEquationDigits);
+            text += writtenText(magnitude, kEquationDigits);
         else if (magnitude == 1.0)
             text += QChar(u'x' + i);
         else
-            text += significantText(magnitude, kEquationDigits) + u' ' + QChar(u'x' + i);
+            text += writtenText(magnitude, kEquationDigits) + u' ' + QChar(u'x' + i);
     }
     return text + QStringLiteral(" ≥ 0");
 }
 
-ClipTab::ClipTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, Change::ClipPlanes, parent)
+ClipGroup::ClipGroup(SceneDocument &document, QWidget *parent)
+    : ParameterGroup(document, Change::ClipPlanes,
+                     {tr("Clip planes"), tr("Planes that cut the objects (glClipPlane)"), tr("No clip planes")}, parent)
 {
-    auto *hint = new QLabel(tr("Kept is where A x + B y + C z + D ≥ 0, in world coordinates."));
-    hint->setWordWrap(true);
-    content()->addWidget(hint);
-
-    m_letters = new QWidget;
-    auto *letters = new QHBoxLayout(m_letters);
-    letters->setContentsMargins(0, 0, 0, 0);
-    letters->setSpacing(4);
-    for (int i = 0; i < 4; ++i) {
-        auto *letter = new QLabel(QString(QChar::fromLatin1(kLetters[i])));
-        letter->setAlignment(Qt::AlignHCenter);
-        letters->addWidget(letter, 1);
-    }
-    content()->addWidget(m_letters);
-
+    content()->addWidget(wrappedLabel(tr("Kept is where A x + B y + C z + D ≥ 0, in world coordinates.")));
     m_list = new QVBoxLayout;
-    m_list->setSpacing(8);
+    m_list->setSpacing(2 * content()->spacing());
     content()->addLayout(m_list);
 
     m_add = new QPushButton(tr("Add plane"));
     m_add->setObjectName(QStringLiteral("addPlane"));
     m_add->setToolTip(tr("Add a clip plane through the middle of the objects; six at most (glClipPlane)"));
     content()->addWidget(m_add);
-    content()->addStretch();
-    connect(m_add, &QPushButton::clicked, this, [this] { addPlane(); });
+    onClick(m_add, [this](bool byKeyboard) { addPlane(byKeyboard); });
 }
 
-void ClipTab::addPlane()
+void ClipGroup::addPlane(bool byKeyboard)
 {
     Scene next = document().scene();
     std::vector<ClipPlaneLine> lines = clipPlaneLines(next);
@@ -110,17 +96,17 @@ void ClipTab::addPlane()
     lines.push_back({{1.0, 0.0, 0.0, middle == 0.0 ? 0.0 : -middle}, true});
     setClipPlaneLines(next, lines);
     if (change(next, tr("Add clip plane")) && !m_rows.empty())
-        bringUp(m_rows.back().first);
+        bringUp(m_rows.back().first, byKeyboard);
 }
 
-void ClipTab::removePlane(std::size_t line)
+void ClipGroup::removePlane(std::size_t line, bool byKeyboard)
 {
     Scene next = document().scene();
     std::vector<ClipPlaneLine> lines = clipPlaneLines(next);
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(line));
     setClipPlaneLines(next, lines);
     restoreFields();
-    if (!change(next, tr("Remove clip plane")))
+    if (!change(next, tr("Remove clip plane")) || !byKeyboard)
         return;
     if (m_rows.empty())
         m_add->setFocus();
@@ -128,14 +114,21 @@ void ClipTab::removePlane(std::size_t line)
         m_rows[std::min(line, m_rows.size() - 1)].remove->setFocus();
 }
 
-Check ClipTab::edit(const Scene &next, const Deed &deed)
+Scene ClipGroup::withDefaults(Scene scene) const
+{
+    setClipPlaneLines(scene, {});
+    return scene;
+}
+
+Check ClipGroup::edit(const Scene &next, const Deed &deed)
 {
     return document().editClipPlanes(next.clipPlanes, next.clipPlanesOff, deed);
 }
 
-void ClipTab::showScene()
+void ClipGroup::showScene()
 {
     const std::vector<ClipPlaneLine> lines = clipPlaneLines(document().scene());
+    const std::size_t rowsBefore = m_rows.size();
     while (m_rows.size() > lines.size()) {
         m_list->removeWidget(m_rows.back().widget);
         removeFieldsIn(m_rows.back().widget);
@@ -149,13 +142,14 @@ void ClipTab::showScene()
     }
     for (std::size_t i = 0; i < lines.size(); ++i) {
         m_rows[i].isOn->setChecked(lines[i].isOn);
-        m_rows[i].equation->setFullText(keptSideText(lines[i].plane));
+        m_rows[i].equation->setText(keptSideText(lines[i].plane));
     }
-    m_letters->setVisible(!lines.empty());
     m_add->setEnabled(lines.size() < kMostClipPlanes);
+    if (m_rows.size() != rowsBefore)
+        emit rowsChanged();
 }
 
-ClipTab::Row ClipTab::makeRow(std::size_t line)
+ClipGroup::Row ClipGroup::makeRow(std::size_t line)
 {
     const int number = static_cast<int>(line) + 1;
     Row row{};
@@ -165,16 +159,15 @@ ClipTab::Row ClipTab::makeRow(std::size_t line)
     row.isOn->setObjectName(QStringLiteral("isOn"));
     row.isOn->setAccessibleName(tr("Plane %1 cuts").arg(number));
     row.isOn->setToolTip(tr("Whether this plane cuts the objects (glEnable, glDisable)"));
-    row.equation = new ElidedLabel;
+    row.equation = wrappedLabel();
     row.equation->setAccessibleName(tr("Side of plane %1 that is kept").arg(number));
     row.remove = new QToolButton;
     row.remove->setObjectName(QStringLiteral("remove"));
     row.remove->setText(QStringLiteral("✕"));
     row.remove->setAutoRaise(true);
-    row.remove->setFocusPolicy(Qt::StrongFocus);
     row.remove->setAccessibleName(tr("Remove plane %1").arg(number));
     row.remove->setToolTip(tr("Remove this plane"));
-    connect(row.remove, &QToolButton::clicked, this, [this, line] { removePlane(line); });
+    onClick(row.remove, [this, line](bool byKeyboard) { removePlane(line, byKeyboard); });
     connect(row.isOn, &QCheckBox::clicked, this, [this, line](bool isOn) {
         Scene next = document().scene();
         std::vector<ClipPlaneLine> lines = clipPlaneLines(next);
@@ -188,11 +181,16 @@ ClipTab::Row ClipTab::makeRow(std::size_t line)
     top->addWidget(row.isOn);
     top->addWidget(row.equation, 1);
     top->addWidget(row.remove);
-    auto *numbers = new QHBoxLayout;
-    numbers->setSpacing(4);
+    auto *layout = new QVBoxLayout(row.widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(content()->spacing());
+    layout->addLayout(top);
+    ParameterRow *normal = addRow(layout, tr("Normal"));
+    ParameterRow *offset = addRow(layout, tr("Offset"));
     for (int i = 0; i < 4; ++i) {
         const QString letter(QChar::fromLatin1(kLetters[i]));
         NumberField *field = addField(
+            i < 3 ? normal : offset, letter, i < 3 ? ofAnyLength() : worldUnits(),
             {tr("Clip plane %1").arg(letter),
              i < 3
                  ? tr("%1 of the plane A x + B y + C z + D = 0; (A, B, C) points to the side that is kept").arg(letter)
@@ -209,15 +207,8 @@ ClipTab::Row ClipTab::makeRow(std::size_t line)
         field->setObjectName(QStringLiteral("number%1").arg(i));
         field->setAccessibleName(tr("Plane %1: %2").arg(number).arg(letter));
         field->setFixedStep(0.1);
-        numbers->addWidget(field, 1);
         (i == 0 ? row.first : row.last) = field;
     }
-
-    auto *layout = new QVBoxLayout(row.widget);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addLayout(top);
-    layout->addLayout(numbers);
     return row;
 }
 

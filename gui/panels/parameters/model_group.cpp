@@ -1,7 +1,7 @@
-#include "gui/panels/parameters/model_tab.h"
+#include "gui/panels/parameters/model_group.h"
 
 #include "gui/document/scene_document.h"
-#include "gui/panels/parameters/elided_label.h"
+#include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 
 #include <QComboBox>
@@ -40,7 +40,6 @@ QToolButton *smallButton(const QString &text, const QString &name, const QString
     auto *button = new QToolButton;
     button->setText(text);
     button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
     button->setAccessibleName(name);
     button->setToolTip(tip);
     return button;
@@ -53,15 +52,18 @@ QString callText(const TransformStep &step)
     TransformStep copy = step;
     QStringList numbers;
     for (int i = 0; i < numbersOf(step); ++i)
-        numbers << significantText(*numberIn(copy, i), kCallDigits);
+        numbers << writtenText(*numberIn(copy, i), kCallDigits);
     const QString name = std::holds_alternative<Translate>(step) ? QStringLiteral("glTranslated")
                          : std::holds_alternative<Rotate>(step)  ? QStringLiteral("glRotated")
                                                                  : QStringLiteral("glScaled");
     return QStringLiteral("%1(%2)").arg(name, numbers.join(QStringLiteral(", ")));
 }
 
-ModelTab::ModelTab(SceneDocument &document, QWidget *parent)
-    : ParameterTab(document, Change::Objects | Change::Placement, parent)
+ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
+    : ParameterGroup(document, Change::Objects | Change::Placement,
+                     {tr("Model"), tr("Where each object stands (glTranslate, glRotate, glScale)"),
+                      tr("No steps: the object that is shown stands where its file puts it")},
+                     parent)
 {
     m_object = new QComboBox;
     m_object->setObjectName(QStringLiteral("object"));
@@ -72,23 +74,22 @@ ModelTab::ModelTab(SceneDocument &document, QWidget *parent)
     ignoreWheelWithoutFocus(m_object);
     m_removeObject = smallButton(QStringLiteral("✕"), tr("Remove object"), tr("Remove this object from the scene"));
     m_removeObject->setObjectName(QStringLiteral("removeObject"));
-    connect(m_removeObject, &QToolButton::clicked, this, &ModelTab::removeObject);
+    onClick(m_removeObject, [this](bool) { removeObject(); });
     auto *top = new QHBoxLayout;
-    top->setSpacing(2);
+    top->setSpacing(0);
     top->addWidget(m_object, 1);
     top->addWidget(m_removeObject);
     content()->addLayout(top);
 
     auto *adds = new QHBoxLayout;
-    adds->setSpacing(4);
+    adds->setSpacing(content()->spacing());
     const auto add = [&](const QString &label, const QString &text, const QString &tip, const QString &objectName,
                          const TransformStep &step) {
         auto *button = new QPushButton(label);
         button->setObjectName(objectName);
         button->setAccessibleName(text);
         button->setToolTip(tip);
-        button->setMinimumWidth(10); // a third of the panel each
-        connect(button, &QPushButton::clicked, this, [this, step, text] { addStep(step, text); });
+        onClick(button, [this, step, text](bool byKeyboard) { addStep(step, text, byKeyboard); });
         adds->addWidget(button, 1);
         m_adds.push_back(button);
     };
@@ -99,14 +100,12 @@ ModelTab::ModelTab(SceneDocument &document, QWidget *parent)
     add(tr("+ Scale"), tr("Add scale"), tr("Add a glScale after the last step"), QStringLiteral("addScale"), Scale{});
     content()->addLayout(adds);
 
-    m_hint = new QLabel;
-    m_hint->setWordWrap(true);
+    m_hint = wrappedLabel();
     content()->addWidget(m_hint);
 
     m_list = new QVBoxLayout;
-    m_list->setSpacing(8);
+    m_list->setSpacing(2 * content()->spacing());
     content()->addLayout(m_list);
-    content()->addStretch();
 
     connect(m_object, &QComboBox::activated, this, [this](int index) {
         restoreFields();
@@ -115,44 +114,44 @@ ModelTab::ModelTab(SceneDocument &document, QWidget *parent)
     });
 }
 
-const std::vector<TransformStep> &ModelTab::steps() const
+const std::vector<TransformStep> &ModelGroup::steps() const
 {
     static const std::vector<TransformStep> none;
     const std::vector<SceneObject> &objects = document().objects();
     return m_shown < objects.size() ? objects[m_shown].transform : none;
 }
 
-void ModelTab::addStep(const TransformStep &step, const QString &text)
+void ModelGroup::addStep(const TransformStep &step, const QString &text, bool byKeyboard)
 {
     Scene next = document().scene();
     if (m_shown >= next.objects.size())
         return;
     next.objects[m_shown].transform.push_back(step);
     if (change(next, text) && !m_rows.empty())
-        bringUp(m_rows.back().first);
+        bringUp(m_rows.back().first, byKeyboard);
 }
 
-void ModelTab::moveStep(std::size_t from, std::size_t to)
+void ModelGroup::moveStep(std::size_t from, std::size_t to, bool byKeyboard)
 {
     Scene next = document().scene();
     std::vector<TransformStep> &list = next.objects[m_shown].transform;
     std::swap(list[from], list[to]);
     restoreFields();
     const bool isUp = to < from;
-    if (change(next, tr("Reorder steps")) && to < m_rows.size()) {
+    if (change(next, tr("Reorder steps")) && byKeyboard && to < m_rows.size()) {
         // The focus goes with the step, on to the other button at the end of the list.
         QToolButton *same = isUp ? m_rows[to].up : m_rows[to].down;
         (same->isEnabled() ? same : isUp ? m_rows[to].down : m_rows[to].up)->setFocus();
     }
 }
 
-void ModelTab::removeStep(std::size_t step)
+void ModelGroup::removeStep(std::size_t step, bool byKeyboard)
 {
     Scene next = document().scene();
     std::vector<TransformStep> &list = next.objects[m_shown].transform;
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(step));
     restoreFields();
-    if (!change(next, tr("Remove step")))
+    if (!change(next, tr("Remove step")) || !byKeyboard)
         return;
     if (m_rows.empty())
         m_adds.front()->setFocus();
@@ -160,7 +159,7 @@ void ModelTab::removeStep(std::size_t step)
         m_rows[std::min(step, m_rows.size() - 1)].remove->setFocus();
 }
 
-void ModelTab::removeObject()
+void ModelGroup::removeObject()
 {
     if (m_shown >= document().objects().size())
         return;
@@ -175,7 +174,7 @@ void ModelTab::removeObject()
     refresh();
 }
 
-void ModelTab::showObjects()
+void ModelGroup::showObjects()
 {
     const std::vector<SceneObject> &objects = document().objects();
     if (!m_isEmpty && std::equal(objects.begin(), objects.end(), m_listed.begin(), m_listed.end(), isSameObject)) {
@@ -193,8 +192,11 @@ void ModelTab::showObjects()
     m_rowsOf.reset();
     m_isEmpty = objects.empty();
     m_object->clear();
-    for (const SceneObject &object : objects)
-        m_object->addItem(QString::fromStdString(object.name));
+    for (const SceneObject &object : objects) {
+        const QString name = QString::fromStdString(object.name);
+        m_object->addItem(name);
+        m_object->setItemData(m_object->count() - 1, plainToolTip(name), Qt::ToolTipRole); // it may be cut
+    }
     m_object->setCurrentIndex(m_isEmpty ? -1 : static_cast<int>(m_shown));
     m_object->setEnabled(!m_isEmpty);
     m_removeObject->setEnabled(!m_isEmpty);
@@ -202,12 +204,21 @@ void ModelTab::showObjects()
         button->setEnabled(!m_isEmpty);
 }
 
-Check ModelTab::edit(const Scene &next, const Deed &deed)
+Scene ModelGroup::withDefaults(Scene scene) const
 {
+    if (m_shown < scene.objects.size())
+        scene.objects[m_shown].transform.clear();
+    return scene;
+}
+
+Check ModelGroup::edit(const Scene &next, const Deed &deed)
+{
+    if (m_shown >= next.objects.size())
+        return std::monostate{}; // there is nothing to place
     return document().editTransform(m_shown, next.objects[m_shown].transform, deed);
 }
 
-void ModelTab::showScene()
+void ModelGroup::showScene()
 {
     showObjects();
     std::vector<std::size_t> kinds;
@@ -219,10 +230,10 @@ void ModelTab::showScene()
         rebuildRows();
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i)
-        m_rows[i].call->setFullText(callText(steps()[i]));
+        m_rows[i].call->setText(callText(steps()[i]));
 }
 
-void ModelTab::rebuildRows()
+void ModelGroup::rebuildRows()
 {
     for (const Row &row : m_rows) {
         m_list->removeWidget(row.widget);
@@ -237,16 +248,17 @@ void ModelTab::rebuildRows()
     m_hint->setText(document().objects().empty() ? tr("There are no objects to place.")
                     : m_rows.empty()             ? tr("No steps: the object stands where its file puts it.")
                                      : tr("In the order of the calls: the last step is applied to the object first."));
+    emit rowsChanged();
 }
 
-ModelTab::Row ModelTab::makeRow(std::size_t step)
+ModelGroup::Row ModelGroup::makeRow(std::size_t step)
 {
     const TransformStep &shown = steps()[step];
     const int number = static_cast<int>(step) + 1;
     Row row{};
     row.widget = new QWidget;
     row.widget->setObjectName(QStringLiteral("step%1").arg(number));
-    row.call = new ElidedLabel;
+    row.call = wrappedLabel();
     row.call->setAccessibleName(tr("Call of step %1").arg(number));
     row.up = smallButton(QStringLiteral("↑"), tr("Move step %1 up").arg(number), tr("Call this step earlier"));
     row.down = smallButton(QStringLiteral("↓"), tr("Move step %1 down").arg(number), tr("Call this step later"));
@@ -256,9 +268,9 @@ ModelTab::Row ModelTab::makeRow(std::size_t step)
     row.remove->setObjectName(QStringLiteral("remove"));
     row.up->setEnabled(step > 0);
     row.down->setEnabled(step + 1 < steps().size());
-    connect(row.up, &QToolButton::clicked, this, [this, step] { moveStep(step, step - 1); });
-    connect(row.down, &QToolButton::clicked, this, [this, step] { moveStep(step, step + 1); });
-    connect(row.remove, &QToolButton::clicked, this, [this, step] { removeStep(step); });
+    onClick(row.up, [this, step](bool byKeyboard) { moveStep(step, step - 1, byKeyboard); });
+    onClick(row.down, [this, step](bool byKeyboard) { moveStep(step, step + 1, byKeyboard); });
+    onClick(row.remove, [this, step](bool byKeyboard) { removeStep(step, byKeyboard); });
 
     auto *top = new QHBoxLayout;
     top->setSpacing(0);
@@ -267,26 +279,33 @@ ModelTab::Row ModelTab::makeRow(std::size_t step)
     top->addWidget(row.down);
     top->addWidget(row.remove);
 
-    auto *numbers = new QHBoxLayout;
-    numbers->setSpacing(4);
+    auto *layout = new QVBoxLayout(row.widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(content()->spacing());
+    layout->addLayout(top);
     const bool isRotation = std::holds_alternative<Rotate>(shown);
     const QString kind = isRotation                             ? tr("Rotation")
                          : std::holds_alternative<Scale>(shown) ? tr("Scale")
                                                                 : tr("Translation");
+    const bool isScale = std::holds_alternative<Scale>(shown);
+    ParameterRow *angle = isRotation ? addRow(layout, tr("Angle")) : nullptr;
+    ParameterRow *vector = addRow(layout, isRotation ? tr("Axis") : isScale ? tr("Factor") : tr("Way"));
     for (int i = 0; i < numbersOf(shown); ++i) {
         const QString axis = QString(QChar(u'x' + (isRotation ? i - 1 : i)));
         const bool isAngle = isRotation && i == 0;
         const QString name = isAngle      ? tr("Rotation angle")
                              : isRotation ? tr("Rotation axis %1").arg(axis)
                                           : QStringLiteral("%1 %2").arg(kind, axis);
-        const QString help =
-            isAngle      ? tr("Angle in degrees, counter-clockwise seen against the axis (glRotate: angle)")
-            : isRotation ? tr("Axis of the rotation, %1; its length does not matter (glRotate: %1)").arg(axis)
-            : std::holds_alternative<Scale>(shown) ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
-                                                   : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
+        const QString help = isAngle ? tr("Angle in degrees, counter-clockwise seen against the axis (glRotate: angle)")
+                             : isRotation
+                                 ? tr("Axis of the rotation, %1; its length does not matter (glRotate: %1)").arg(axis)
+                             : isScale ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
+                                       : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
         const std::size_t object = m_shown;
+        const QString unit = isAngle ? degrees() : isRotation ? ofAnyLength() : isScale ? factor() : worldUnits();
         NumberField *field =
-            addField({name, help,
+            addField(isAngle ? angle : vector, isAngle ? QString() : axis, unit,
+                     {name, help,
                       [object, step, i](const Scene &scene) -> std::optional<double> {
                           if (object >= scene.objects.size() || step >= scene.objects[object].transform.size())
                               return std::nullopt;
@@ -300,18 +319,12 @@ ModelTab::Row ModelTab::makeRow(std::size_t step)
         field->setAccessibleName(tr("Step %1: %2").arg(number).arg(name));
         if (isAngle)
             field->setFixedStep(1.0);
-        else if (!std::holds_alternative<Scale>(shown))
+        else if (!isScale)
             field->setFixedStep(0.1);
-        numbers->addWidget(field, 1);
         if (i == 0)
             row.first = field;
     }
 
-    auto *layout = new QVBoxLayout(row.widget);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addLayout(top);
-    layout->addLayout(numbers);
     return row;
 }
 

@@ -1,31 +1,31 @@
 #pragma once
 
-#include "gui/panels/parameters/parameter_tab.h"
+#include "gui/panels/parameters/parameter_group.h"
 
 class QComboBox;
-class QFormLayout;
 class QLabel;
 
 namespace unprojector::gui {
 
 /// Which part of the window the picture takes (glViewport), and the depths it is given (glDepthRange).
-class ViewportTab : public ParameterTab {
+class ViewportGroup : public ParameterGroup {
     Q_OBJECT
 public:
-    explicit ViewportTab(SceneDocument &document, QWidget *parent = nullptr);
+    explicit ViewportGroup(SceneDocument &document, QWidget *parent = nullptr);
 
 protected:
     void showScene() override;
     Check edit(const Scene &next, const Deed &deed) override;
+    Scene withDefaults(Scene scene) const override;
 
 private:
     void addRectangleRow(const QString &name, const QString &objectName, const QString &help, double Viewport::*number);
+    static QLabel *selectable(const QString &name);
     void choose(ViewportRule::Kind kind);
 
     QComboBox *m_kind;
-    QFormLayout *m_form;
-    std::vector<NumberField *> m_rectangle;
-    NumberField *m_aspect;
+    std::vector<ParameterRow *> m_rectangle;
+    ParameterRow *m_aspect;
     QLabel *m_window;
     QLabel *m_call;
     QLabel *m_depthCall;

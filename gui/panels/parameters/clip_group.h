@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/panels/parameters/parameter_tab.h"
+#include "gui/panels/parameters/parameter_group.h"
 
 class QCheckBox;
 class QPushButton;
@@ -8,9 +8,7 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-class ElidedLabel;
-
-/// One line of the tab: a plane of the scene that cuts or is switched off.
+/// One line of the group: a plane of the scene that cuts or is switched off.
 struct ClipPlaneLine {
     glm::dvec4 plane{0.0};
     bool isOn = true;
@@ -24,31 +22,31 @@ void setClipPlaneLines(Scene &scene, const std::vector<ClipPlaneLine> &lines);
 QString keptSideText(const glm::dvec4 &plane);
 
 /// The user clip planes A x + B y + C z + D = 0 (glClipPlane), world space, six at most.
-class ClipTab : public ParameterTab {
+class ClipGroup : public ParameterGroup {
     Q_OBJECT
 public:
-    explicit ClipTab(SceneDocument &document, QWidget *parent = nullptr);
+    explicit ClipGroup(SceneDocument &document, QWidget *parent = nullptr);
 
 protected:
     void showScene() override;
     Check edit(const Scene &next, const Deed &deed) override;
+    Scene withDefaults(Scene scene) const override;
 
 private:
     struct Row {
         QWidget *widget;
         QCheckBox *isOn;
-        ElidedLabel *equation;
+        QLabel *equation;
         QToolButton *remove;
         NumberField *first;
         NumberField *last;
     };
 
-    void addPlane();
-    void removePlane(std::size_t line);
+    void addPlane(bool byKeyboard);
+    void removePlane(std::size_t line, bool byKeyboard);
     Row makeRow(std::size_t line);
 
     QPushButton *m_add;
-    QWidget *m_letters;
     QVBoxLayout *m_list;
     std::vector<Row> m_rows;
 };

@@ -1,22 +1,22 @@
 #pragma once
 
-#include "gui/panels/parameters/parameter_tab.h"
+#include "gui/panels/parameters/parameter_group.h"
 
 class QCheckBox;
 class QComboBox;
-class QFormLayout;
 
 namespace unprojector::gui {
 
 /// The projection: its kind and the arguments of glFrustum, gluPerspective, glOrtho or the sheared box.
-class ProjectionTab : public ParameterTab {
+class ProjectionGroup : public ParameterGroup {
     Q_OBJECT
 public:
-    explicit ProjectionTab(SceneDocument &document, QWidget *parent = nullptr);
+    explicit ProjectionGroup(SceneDocument &document, QWidget *parent = nullptr);
 
 protected:
     void showScene() override;
     Check edit(const Scene &next, const Deed &deed) override;
+    Scene withDefaults(Scene scene) const override;
 
 private:
     enum class Number { Left, Right, Bottom, Top, Near, Far, Fovy, Aspect, Theta, Phi };
@@ -24,12 +24,21 @@ private:
     static double *numberIn(Projection &projection, Number number);
     static bool isAngle(Number number);
 
-    void addRow(Number number, const QString &name, const QString &objectName, const QString &help);
+    struct Row {
+        Number number;
+        ParameterRow *row;
+        NumberSlider *slider; ///< or none
+    };
+    static QString unitOf(Number number);
+    void addNumber(Number number, const QString &name, const QString &objectName, const QString &help);
+    /// For what one explores: the field of view, near and far; null for the others.
+    NumberSlider *sliderFor(Number number, ParameterRow *row);
+    void rangeSliders();
     void choose(ProjectionKind kind);
 
     QComboBox *m_kind;
-    QFormLayout *m_form;
-    std::vector<std::pair<Number, NumberField *>> m_rows;
+    std::vector<Row> m_rows;
+    double m_sliderUnit = 0.0;
     QCheckBox *m_followsViewport;
     QCheckBox *m_fitsObjects;
     std::optional<ProjectionKind> m_shownKind;

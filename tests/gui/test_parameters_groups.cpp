@@ -1,4 +1,4 @@
-// What each tab is for: kinds of projection, rules of the viewport, steps of a model, clip planes. Expected numbers are
+// What each group is for: kinds of projection, rules of the viewport, steps of a model, clip planes. Expected numbers are
 // literals.
 
 #include "panel_user.h"
@@ -27,7 +27,7 @@ constexpr double kRounding = 1e-12;
 
 } // namespace
 
-class TestParametersTabs : public QObject, PanelUser {
+class TestParametersGroups : public QObject, PanelUser {
     Q_OBJECT
 
 private slots:
@@ -62,12 +62,12 @@ private:
     }
 };
 
-void TestParametersTabs::frustumAndPerspectiveShowTheSamePicture()
+void TestParametersGroups::frustumAndPerspectiveShowTheSamePicture()
 {
     Scene prepared = startScene();
     perspective(prepared);
     open(prepared);
-    showTab(QStringLiteral("projectionTab"));
+    showGroup(QStringLiteral("projectionGroup"));
     const WorldPoint points[] = {WorldPoint(0.3, 0.2, 8.0), WorldPoint(-1.0, 0.5, 0.0), WorldPoint(2.0, -3.0, -70.0)};
     std::vector<WindowPoint> before;
     for (const WorldPoint &point : points)
@@ -85,7 +85,7 @@ void TestParametersTabs::frustumAndPerspectiveShowTheSamePicture()
     QVERIFY(isSameScene(scene(), prepared));
 }
 
-void TestParametersTabs::boxesAndPerspectivesAgreeAtThePivot_data()
+void TestParametersGroups::boxesAndPerspectivesAgreeAtThePivot_data()
 {
     QTest::addColumn<QString>("from");
     QTest::addColumn<QString>("to");
@@ -98,14 +98,14 @@ void TestParametersTabs::boxesAndPerspectivesAgreeAtThePivot_data()
     }
 }
 
-void TestParametersTabs::boxesAndPerspectivesAgreeAtThePivot()
+void TestParametersGroups::boxesAndPerspectivesAgreeAtThePivot()
 {
     QFETCH(QString, from);
     QFETCH(QString, to);
     Scene prepared = startScene();
     perspective(prepared); // symmetric: an off-centre frustum has no perspective of its own
     open(prepared);
-    showTab(QStringLiteral("projectionTab"));
+    showGroup(QStringLiteral("projectionGroup"));
     choose(QStringLiteral("projectionKind"), from);
     // In the plane of the center, at 10 from the eye.
     const WorldPoint points[] = {WorldPoint(0.0, 0.0, 0.0), WorldPoint(-1.5, 2.5, 0.0), WorldPoint(3.0, -1.0, 0.0)};
@@ -119,12 +119,12 @@ void TestParametersTabs::boxesAndPerspectivesAgreeAtThePivot()
     }
 }
 
-void TestParametersTabs::onlyTheNumbersOfTheKindAreShown()
+void TestParametersGroups::onlyTheNumbersOfTheKindAreShown()
 {
-    showTab(QStringLiteral("projectionTab"));
+    showGroup(QStringLiteral("projectionGroup"));
     const auto shown = [this] {
         QStringList names;
-        for (const NumberField *f : m_panel->currentWidget()->findChildren<NumberField *>()) {
+        for (const NumberField *f : showGroup(QStringLiteral("projectionGroup"))->findChildren<NumberField *>()) {
             if (f->isVisible())
                 names << f->objectName();
         }
@@ -138,7 +138,7 @@ void TestParametersTabs::onlyTheNumbersOfTheKindAreShown()
     QCOMPARE(shown(), QStringLiteral("bottom farDistance left nearDistance phi right theta top"));
 }
 
-void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack_data()
+void TestParametersGroups::anEditSwitchesOffWhatWouldTakeItBack_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("text");
@@ -161,7 +161,7 @@ void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack_data()
                          << "3" << false << true << true;
 }
 
-void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack()
+void TestParametersGroups::anEditSwitchesOffWhatWouldTakeItBack()
 {
     QFETCH(QString, name);
     QFETCH(QString, text);
@@ -185,9 +185,9 @@ void TestParametersTabs::anEditSwitchesOffWhatWouldTakeItBack()
     QVERIFY(scene().projectionFollowsViewport && scene().clipDistancesFitObjects);
 }
 
-void TestParametersTabs::theSwitchesAreUndoable()
+void TestParametersGroups::theSwitchesAreUndoable()
 {
-    showTab(QStringLiteral("projectionTab"));
+    showGroup(QStringLiteral("projectionGroup"));
     click(QStringLiteral("fitsObjects"));
     QVERIFY(scene().clipDistancesFitObjects);
     QVERIFY(frustumOf(scene()).nearDistance > 1.0);
@@ -200,7 +200,7 @@ void TestParametersTabs::theSwitchesAreUndoable()
     QVERIFY(!m_panel->findChild<QCheckBox *>(QStringLiteral("fitsObjects"))->isChecked());
 }
 
-void TestParametersTabs::theViewportFollowsItsRule_data()
+void TestParametersGroups::theViewportFollowsItsRule_data()
 {
     QTest::addColumn<QString>("kind");
     QTest::addColumn<QRect>("viewport");
@@ -210,10 +210,10 @@ void TestParametersTabs::theViewportFollowsItsRule_data()
     QTest::newRow("fixed") << "Fixed rectangle" << QRect(0, 0, 801, 601);
 }
 
-void TestParametersTabs::theViewportFollowsItsRule()
+void TestParametersGroups::theViewportFollowsItsRule()
 {
     QFETCH(QString, kind);
-    showTab(QStringLiteral("viewportTab"));
+    showGroup(QStringLiteral("viewportGroup"));
     choose(QStringLiteral("viewportKind"), kind);
     const auto viewport = [this] {
         const Viewport &v = m_document->geometry().viewport;
@@ -240,9 +240,9 @@ void TestParametersTabs::theViewportFollowsItsRule()
     }
 }
 
-void TestParametersTabs::aFixedRectangleStartsFromTheViewportInUse()
+void TestParametersGroups::aFixedRectangleStartsFromTheViewportInUse()
 {
-    showTab(QStringLiteral("viewportTab"));
+    showGroup(QStringLiteral("viewportGroup"));
     choose(QStringLiteral("viewportKind"), QStringLiteral("Lower right quarter"));
     choose(QStringLiteral("viewportKind"), QStringLiteral("Fixed rectangle"));
     QCOMPARE(field(QStringLiteral("viewportX"))->text(), QStringLiteral("400"));
@@ -252,9 +252,9 @@ void TestParametersTabs::aFixedRectangleStartsFromTheViewportInUse()
     QVERIFY(isSameScene(scene(), startScene()));
 }
 
-void TestParametersTabs::theOrderOfStepsMatters()
+void TestParametersGroups::theOrderOfStepsMatters()
 {
-    showTab(QStringLiteral("modelTab"));
+    showGroup(QStringLiteral("modelGroup"));
     click(QStringLiteral("addTranslate"));
     type(field(QStringLiteral("number0"), QStringLiteral("step1")), QStringLiteral("1"));
     click(QStringLiteral("addRotate"));
@@ -273,9 +273,9 @@ void TestParametersTabs::theOrderOfStepsMatters()
     QVERIFY(placed() == glm::dvec4(1.0, 1.0, 0.0, 1.0));
 }
 
-void TestParametersTabs::stepsAreAddedRemovedAndUndone()
+void TestParametersGroups::stepsAreAddedRemovedAndUndone()
 {
-    showTab(QStringLiteral("modelTab"));
+    showGroup(QStringLiteral("modelGroup"));
     click(QStringLiteral("addTranslate"));
     click(QStringLiteral("addScale"));
     click(QStringLiteral("addRotate"));
@@ -303,9 +303,9 @@ void TestParametersTabs::stepsAreAddedRemovedAndUndone()
     QVERIFY(scene().objects[0].transform.empty());
 }
 
-void TestParametersTabs::everyObjectHasStepsOfItsOwn()
+void TestParametersGroups::everyObjectHasStepsOfItsOwn()
 {
-    showTab(QStringLiteral("modelTab"));
+    showGroup(QStringLiteral("modelGroup"));
     click(QStringLiteral("addTranslate"));
     choose(QStringLiteral("object"), QStringLiteral("second"));
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -316,9 +316,9 @@ void TestParametersTabs::everyObjectHasStepsOfItsOwn()
     QVERIFY((scene().objects[1].transform == std::vector<TransformStep>{Translate{{0.0, 0.0, 8.0}}}));
 }
 
-void TestParametersTabs::objectsAreRemovedAndPutBack()
+void TestParametersGroups::objectsAreRemovedAndPutBack()
 {
-    showTab(QStringLiteral("modelTab"));
+    showGroup(QStringLiteral("modelGroup"));
     auto *box = m_panel->findChild<QComboBox *>(QStringLiteral("object"));
     const auto names = [box] {
         QStringList all;
@@ -349,12 +349,12 @@ void TestParametersTabs::objectsAreRemovedAndPutBack()
     QCOMPARE(box->currentText(), QStringLiteral("second"));
 }
 
-void TestParametersTabs::whoHearsOfANumberMayRemoveItsField()
+void TestParametersGroups::whoHearsOfANumberMayRemoveItsField()
 {
     Scene prepared = startScene();
     rotated(prepared);
     open(prepared);
-    showTab(QStringLiteral("modelTab"));
+    showGroup(QStringLiteral("modelGroup"));
     NumberField *angle = field(QStringLiteral("number0"), QStringLiteral("step1"));
     bool isFirst = true;
     connect(m_document.get(), &SceneDocument::changed, this, [&](Changes changes) {
@@ -363,18 +363,17 @@ void TestParametersTabs::whoHearsOfANumberMayRemoveItsField()
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         }
     });
-    angle->setFocus();
-    angle->setText(QStringLiteral("45"));
-    emit angle->textEdited(angle->text());
+    begin(angle, QStringLiteral("45"));
+    angle->commit();
     QVERIFY(scene().objects[0].transform.empty());
     QVERIFY(!m_panel->findChild<QWidget *>(QStringLiteral("step1")));
     m_document->undoStack().undo();
     QVERIFY(scene().objects[0].transform == (std::vector<TransformStep>{Rotate{45.0, {0.0, 1.0, 0.0}}}));
 }
 
-void TestParametersTabs::sixPlanesAtMost()
+void TestParametersGroups::sixPlanesAtMost()
 {
-    showTab(QStringLiteral("clipTab"));
+    showGroup(QStringLiteral("clipGroup"));
     for (int i = 0; i < 6; ++i)
         click(QStringLiteral("addPlane"));
     QCOMPARE(scene().clipPlanes.size(), std::size_t(6));
@@ -388,12 +387,12 @@ void TestParametersTabs::sixPlanesAtMost()
     QVERIFY(add->isEnabled());
 }
 
-void TestParametersTabs::aPlaneSwitchedOffIsKept()
+void TestParametersGroups::aPlaneSwitchedOffIsKept()
 {
     Scene prepared = startScene();
     prepared.clipPlanes = {{1.0, 0.0, 0.0, 1.0}, {0.0, 1.0, 0.0, 2.0}, {0.0, 0.0, 1.0, 3.0}};
     open(prepared);
-    showTab(QStringLiteral("clipTab"));
+    showGroup(QStringLiteral("clipGroup"));
     click(QStringLiteral("isOn"), QStringLiteral("plane2"));
     QVERIFY(scene().clipPlanes == (std::vector<glm::dvec4>{{1.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 1.0, 3.0}}));
     // It stays the second line and can be edited.
@@ -408,12 +407,12 @@ void TestParametersTabs::aPlaneSwitchedOffIsKept()
     QVERIFY(m_panel->findChild<QWidget *>(QStringLiteral("plane2"))->findChild<QCheckBox *>()->isChecked());
 }
 
-void TestParametersTabs::aPlaneInTheMiddleIsRemoved()
+void TestParametersGroups::aPlaneInTheMiddleIsRemoved()
 {
     Scene prepared = startScene();
     prepared.clipPlanes = {{1.0, 0.0, 0.0, 1.0}, {0.0, 1.0, 0.0, 2.0}, {0.0, 0.0, 1.0, 3.0}};
     open(prepared);
-    showTab(QStringLiteral("clipTab"));
+    showGroup(QStringLiteral("clipGroup"));
     click(QStringLiteral("remove"), QStringLiteral("plane2"));
     QVERIFY(scene().clipPlanes == (std::vector<glm::dvec4>{{1.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 1.0, 3.0}}));
     QCOMPARE(field(QStringLiteral("number3"), QStringLiteral("plane2"))->text(), QStringLiteral("3"));
@@ -421,5 +420,5 @@ void TestParametersTabs::aPlaneInTheMiddleIsRemoved()
     QVERIFY(isSameScene(scene(), prepared));
 }
 
-QTEST_MAIN(TestParametersTabs)
-#include "test_parameters_tabs.moc"
+QTEST_MAIN(TestParametersGroups)
+#include "test_parameters_groups.moc"

@@ -1,19 +1,24 @@
-#include "gui/panels/parameters/projection_tab.h"
+#include "gui/panels/parameters/projection_group.h"
 #include "core/geometry/angle.h"
 
 #include "gui/document/scene_document.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFormLayout>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace unprojector::gui {
 using namespace geometry;
 
-ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : ParameterTab(document, Change::Picture, parent)
+ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
+    : ParameterGroup(document, Change::Picture,
+                     {tr("Projection"), tr("glFrustum, gluPerspective, glOrtho, oblique"),
+                      tr("A perspective of 45°, its aspect the viewport's, near and far around the objects")},
+                     parent)
 {
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("projectionKind"));
@@ -25,37 +30,31 @@ ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : Paramet
     m_kind->addItem(tr("Perspective (gluPerspective)"), static_cast<int>(ProjectionKind::Perspective));
     m_kind->addItem(tr("Orthographic (glOrtho)"), static_cast<int>(ProjectionKind::Ortho));
     m_kind->addItem(tr("Oblique (glOrtho, sheared)"), static_cast<int>(ProjectionKind::Oblique));
-    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_kind->setMinimumContentsLength(12);
+    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     ignoreWheelWithoutFocus(m_kind);
     content()->addWidget(m_kind);
 
-    m_form = new QFormLayout;
-    m_form->setVerticalSpacing(4);
-    m_form->setRowWrapPolicy(QFormLayout::DontWrapRows);
-    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    content()->addLayout(m_form);
-    addRow(Number::Fovy, tr("Field of view"), QStringLiteral("fovy"),
-           tr("Vertical angle of view in degrees, between 0 and 180 (gluPerspective: fovy)"));
-    addRow(Number::Aspect, tr("Aspect"), QStringLiteral("aspect"),
-           tr("Width divided by height of the picture (gluPerspective: aspect)"));
-    addRow(Number::Left, tr("Left"), QStringLiteral("left"),
-           tr("Left edge of the view volume, eye units; of a frustum on its near plane"));
-    addRow(Number::Right, tr("Right"), QStringLiteral("right"),
-           tr("Right edge of the view volume, eye units; of a frustum on its near plane"));
-    addRow(Number::Bottom, tr("Bottom"), QStringLiteral("bottom"),
-           tr("Lower edge of the view volume, eye units; of a frustum on its near plane"));
-    addRow(Number::Top, tr("Top"), QStringLiteral("top"),
-           tr("Upper edge of the view volume, eye units; of a frustum on its near plane"));
-    addRow(Number::Near, tr("Near"), QStringLiteral("nearDistance"),
-           tr("Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a "
-              "perspective"));
-    addRow(Number::Far, tr("Far"), QStringLiteral("farDistance"),
-           tr("Distance of the far plane in front of the eye, eye units; greater than near"));
-    addRow(Number::Theta, tr("θ"), QStringLiteral("theta"),
-           tr("Angle of the shear in x, degrees between 0 and 180: x grows by cot θ · z. 90 is no shear"));
-    addRow(Number::Phi, tr("φ"), QStringLiteral("phi"),
-           tr("Angle of the shear in y, degrees between 0 and 180: y grows by cot φ · z. 90 is no shear"));
+    addNumber(Number::Fovy, tr("Field of view"), QStringLiteral("fovy"),
+              tr("Vertical angle of view in degrees, between 0 and 180 (gluPerspective: fovy)"));
+    addNumber(Number::Aspect, tr("Aspect"), QStringLiteral("aspect"),
+              tr("Width divided by height of the picture (gluPerspective: aspect)"));
+    addNumber(Number::Left, tr("Left"), QStringLiteral("left"),
+              tr("Left edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Right, tr("Right"), QStringLiteral("right"),
+              tr("Right edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Bottom, tr("Bottom"), QStringLiteral("bottom"),
+              tr("Lower edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Top, tr("Top"), QStringLiteral("top"),
+              tr("Upper edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Near, tr("Near"), QStringLiteral("nearDistance"),
+              tr("Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a "
+                 "perspective"));
+    addNumber(Number::Far, tr("Far"), QStringLiteral("farDistance"),
+              tr("Distance of the far plane in front of the eye, eye units; greater than near"));
+    addNumber(Number::Theta, tr("θ"), QStringLiteral("theta"),
+              tr("Angle of the shear in x, degrees between 0 and 180: x grows by cot θ · z. 90 is no shear"));
+    addNumber(Number::Phi, tr("φ"), QStringLiteral("phi"),
+              tr("Angle of the shear in y, degrees between 0 and 180: y grows by cot φ · z. 90 is no shear"));
 
     m_followsViewport = new QCheckBox;
     m_followsViewport->setObjectName(QStringLiteral("followsViewport"));
@@ -67,10 +66,8 @@ ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : Paramet
     m_fitsObjects->setToolTip(
         tr("The near and far planes hold the objects tightly, which makes the depth as exact as it can be. "
            "Typing one of them switches this off"));
-    content()->addSpacing(4);
     content()->addWidget(m_followsViewport);
     content()->addWidget(m_fitsObjects);
-    content()->addStretch();
 
     connect(m_kind, &QComboBox::activated, this,
             [this](int index) { choose(static_cast<ProjectionKind>(m_kind->itemData(index).toInt())); });
@@ -86,7 +83,7 @@ ProjectionTab::ProjectionTab(SceneDocument &document, QWidget *parent) : Paramet
     });
 }
 
-double *ProjectionTab::numberIn(Projection &projection, Number number)
+double *ProjectionGroup::numberIn(Projection &projection, Number number)
 {
     const auto inBox = [number](auto &box) -> double * {
         switch (number) {
@@ -129,15 +126,17 @@ double *ProjectionTab::numberIn(Projection &projection, Number number)
     return nullptr;
 }
 
-bool ProjectionTab::isAngle(Number number)
+bool ProjectionGroup::isAngle(Number number)
 {
     return number == Number::Fovy || number == Number::Theta || number == Number::Phi;
 }
 
-void ProjectionTab::addRow(Number number, const QString &name, const QString &objectName, const QString &help)
+void ProjectionGroup::addNumber(Number number, const QString &name, const QString &objectName, const QString &help)
 {
+    ParameterRow *row = addRow(content(), name);
     NumberField *field =
-        addField({name, help,
+        addField(row, {}, unitOf(number),
+                 {name, help,
                   [number](const Scene &scene) -> std::optional<double> {
                       Projection projection = scene.projection;
                       const double *value = numberIn(projection, number);
@@ -159,11 +158,63 @@ void ProjectionTab::addRow(Number number, const QString &name, const QString &ob
     field->setObjectName(objectName);
     if (isAngle(number))
         field->setFixedStep(1.0);
-    m_form->addRow(isAngle(number) ? tr("%1 (°):").arg(name) : tr("%1:").arg(name), field);
-    m_rows.emplace_back(number, field);
+    m_rows.push_back({number, row, sliderFor(number, row)});
 }
 
-void ProjectionTab::choose(ProjectionKind kind)
+QString ProjectionGroup::unitOf(Number number)
+{
+    if (number == Number::Aspect)
+        return ratio();
+    return isAngle(number) ? degrees() : eyeUnits();
+}
+
+NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)
+{
+    using Scale = NumberSlider::Scale;
+    constexpr double kApart = 1.01; // what a slider leaves between near and far
+    switch (number) {
+    case Number::Fovy: {
+        NumberSlider *slider = addSlider(row, Scale::Linear, [](const Scene &, double fovy) { return fovy; });
+        slider->setNumbers(1.0, 179.0);
+        return slider;
+    }
+    case Number::Near:
+        return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
+            const double farDistance = projectionWindow(scene.projection).farDistance;
+            return farDistance > 0.0 ? std::min(distance, farDistance / kApart) : distance;
+        });
+    case Number::Far:
+        return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
+            return std::max(distance, projectionWindow(scene.projection).nearDistance * kApart);
+        });
+    case Number::Left:
+    case Number::Right:
+    case Number::Bottom:
+    case Number::Top:
+    case Number::Aspect:
+    case Number::Theta:
+    case Number::Phi: break;
+    }
+    return nullptr;
+}
+
+void ProjectionGroup::rangeSliders()
+{
+    // By the size of what is looked at: it stays while the camera moves.
+    const Box &bounds = document().bounds();
+    const double size = bounds.diagonal();
+    const double unit = size > 0.0 && std::isfinite(size) ? std::pow(10.0, std::round(std::log10(size))) : 1.0;
+    if (std::exchange(m_sliderUnit, unit) == unit)
+        return;
+    for (const Row &row : m_rows) {
+        if (row.number == Number::Near)
+            row.slider->setNumbers(1e-3 * unit, 10.0 * unit);
+        else if (row.number == Number::Far)
+            row.slider->setNumbers(0.1 * unit, 1000.0 * unit);
+    }
+}
+
+void ProjectionGroup::choose(ProjectionKind kind)
 {
     Scene next = document().scene();
     if (kindOf(next.projection) == kind)
@@ -173,14 +224,22 @@ void ProjectionTab::choose(ProjectionKind kind)
     change(next, m_kind->currentText());
 }
 
-Check ProjectionTab::edit(const Scene &next, const Deed &deed)
+Check ProjectionGroup::edit(const Scene &next, const Deed &deed)
 {
     return document().editProjection({next.projection, next.projectionFollowsViewport, next.clipDistancesFitObjects},
                                      deed);
 }
 
-void ProjectionTab::showScene()
+Scene ProjectionGroup::withDefaults(Scene scene) const
 {
+    scene.projection = SceneDocument::initialProjection();
+    scene.projectionFollowsViewport = scene.clipDistancesFitObjects = true;
+    return scene;
+}
+
+void ProjectionGroup::showScene()
+{
+    rangeSliders();
     const Scene &scene = document().scene();
     m_followsViewport->setChecked(scene.projectionFollowsViewport);
     m_fitsObjects->setChecked(scene.clipDistancesFitObjects);
@@ -193,8 +252,8 @@ void ProjectionTab::showScene()
     m_shownKind = kind;
     restoreFields();
     Projection projection = scene.projection;
-    for (const auto &[number, field] : m_rows)
-        m_form->setRowVisible(field, numberIn(projection, number) != nullptr);
+    for (const Row &row : m_rows)
+        row.row->setVisible(numberIn(projection, row.number) != nullptr);
     m_followsViewport->setText(kind == ProjectionKind::Perspective ? tr("Aspect follows the viewport")
                                                                    : tr("Keep proportions"));
 }

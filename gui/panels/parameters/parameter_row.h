@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+
+namespace unprojector::gui {
+
+class NumberField;
+
+/// A title and the numbers that belong to it, each with its unit and, right beneath it, the reason why it is refused.
+/// They stand beside each other where the row is wide enough, else beneath each other. Its columns are those of all
+/// rows of the panel; all lengths come from the font.
+class ParameterRow : public QWidget {
+    Q_OBJECT
+public:
+    /// Logical pixels.
+    struct Columns {
+        int title = 0;
+        int unit = 0;
+    };
+
+    explicit ParameterRow(const QString &title, QWidget *parent = nullptr);
+
+    /// @param letter  which of several it is: "x"; empty for one alone
+    void addField(NumberField *field, const QString &letter, const QString &unit);
+    /// Puts a slider beneath the field.
+    void setSlider(QWidget *slider);
+    const std::vector<NumberField *> &fields() const { return m_fields; }
+
+    /// What its texts need.
+    Columns ownColumns() const;
+    void setColumns(const Columns &columns);
+
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    struct Cell {
+        QLabel *letter;
+        NumberField *field;
+        QLabel *unit;
+        QLabel *reason;
+    };
+    /// A place for a child, or for none of it.
+    using Place = void (*)(QWidget *child, const QRect &place);
+
+    /// Goes through the children with their places in a row of that width.
+    /// @return its height
+    int arrange(int width, Place place) const;
+    void showReason(const Cell &cell);
+    void colourReasons();
+    int gap() const;
+    int letterWidth() const;
+
+    QLabel *m_title;
+    std::vector<Cell> m_cells;
+    std::vector<NumberField *> m_fields;
+    QWidget *m_slider = nullptr;
+    Columns m_columns;
+};
+
+} // namespace unprojector::gui
