@@ -1,11 +1,14 @@
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/text/translation.h"
+#include "gui/window/appearance.h"
 #include "gui/window/main_window.h"
 #include "gui/window/screenshot_run.h"
+#include "gui/window/work_places.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QSettings>
 
 #include <cstdio>
 #include <optional>
@@ -93,6 +96,19 @@ int main(int argc, char **argv)
     const QCommandLineOption size(QStringLiteral("size"),
                                   CommandLine::tr("Size of the window in logical pixels (default 1280x800)."),
                                   QStringLiteral("WxH"), QStringLiteral("1280x800"));
+    const QCommandLineOption viewSize(
+        QStringLiteral("view-size"),
+        CommandLine::tr("Size of the view itself in logical pixels, whatever font and language make of the panels: the "
+                        "same clicks then mean the same pixels everywhere. Instead of --size."),
+        QStringLiteral("WxH"));
+    const QCommandLineOption noPanels(QStringLiteral("no-panels"), CommandLine::tr("Give the view the whole window."));
+    const QCommandLineOption place(QStringLiteral("place"),
+                                   CommandLine::tr("Work place to start at: click (default) or pipeline."),
+                                   QStringLiteral("PLACE"));
+    const QCommandLineOption appearance(QStringLiteral("appearance"),
+                                        CommandLine::tr("Colours of the window: desktop (as the desktop has them; "
+                                                        "default), light or dark."),
+                                        QStringLiteral("NAME"));
     const QCommandLineOption click(
         QStringLiteral("click"),
         CommandLine::tr("With --screenshot: press the left button at this position of the view, logical pixels from "
@@ -102,7 +118,7 @@ int main(int argc, char **argv)
                                     CommandLine::tr("Whether the edges of surfaces are drawn without steps: on or off. "
                                                     "What clicks read is the same."),
                                     QStringLiteral("ON|OFF"));
-    parser.addOptions({help, screenshot, size, click, smooth});
+    parser.addOptions({help, screenshot, size, viewSize, noPanels, place, appearance, click, smooth});
     parser.addPositionalArgument(
         QStringLiteral("MODEL"),
         CommandLine::tr("A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."),
@@ -122,10 +138,29 @@ int main(int argc, char **argv)
     if (parser.isSet(version))
         return told(QCoreApplication::applicationName() + u' ' + QCoreApplication::applicationVersion() + u'\n');
 #endif
+    const auto sizeError = [](const QString &option, const QString &value) {
+        return usageError(
+            CommandLine::tr("--%1 is %2; give width x height in pixels, such as 1280x800.").arg(option, value));
+    };
     const std::optional<QSize> windowSize = parsedSize(parser.value(size));
     if (!windowSize)
+        return sizeError(QStringLiteral("size"), parser.value(size));
+    std::optional<QSize> sizeOfView;
+    if (parser.isSet(viewSize)) {
+        if (parser.isSet(size))
+            return usageError(CommandLine::tr("Give --size or --view-size, not both."));
+        sizeOfView = parsedSize(parser.value(viewSize));
+        if (!sizeOfView)
+            return sizeError(QStringLiteral("view-size"), parser.value(viewSize));
+    }
+    const QStringList places{QStringLiteral("click"), QStringLiteral("pipeline")};
+    if (parser.isSet(place) && !places.contains(parser.value(place)))
+        return usageError(CommandLine::tr("--place is %1; give one of: %2.")
+                              .arg(parser.value(place), places.join(QStringLiteral(", "))));
+    const std::optional<Appearance> colors = appearanceOf(parser.value(appearance));
+    if (parser.isSet(appearance) && !colors)
         return usageError(
-            CommandLine::tr("--size is %1; give width x height in pixels, such as 1280x800.").arg(parser.value(size)));
+            CommandLine::tr("--appearance is %1; give desktop, light or dark.").arg(parser.value(appearance)));
     std::vector<WidgetPoint> clicks;
     for (const QString &text : parser.values(click)) {
         const std::optional<WidgetPoint> position = parsedPosition(text);
@@ -153,9 +188,15 @@ int main(int argc, char **argv)
     words.reset();
     QApplication application(argc, argv);
     translation.emplace();
+    if (colors)
+        setAppearance(*colors);
+    else if (!parser.isSet(screenshot))
+        setAppearance(appearanceOf(QSettings().value(QStringLiteral("window/appearance")).toString())
+                          .value_or(Appearance::Desktop));
 
     if (parser.isSet(screenshot)) {
-        ScreenshotRun run({parser.value(screenshot), *windowSize, std::move(clicks), std::move(files), smoothEdges});
+        ScreenshotRun run({parser.value(screenshot), *windowSize, sizeOfView, parser.value(place),
+                           !parser.isSet(noPanels), std::move(clicks), std::move(files), smoothEdges});
         QObject::connect(&run, &ScreenshotRun::ended, &application, &QCoreApplication::exit, Qt::QueuedConnection);
         run.start();
         return application.exec();
@@ -171,6 +212,12 @@ int main(int argc, char **argv)
     else
         window.session().openFiles(std::move(files));
     window.session().offerRecovery();
+    if (parser.isSet(place))
+        window.places().enter(parser.value(place).toUtf8().constData());
+    if (parser.isSet(noPanels))
+        window.hidePanels(true);
     window.show();
+    if (sizeOfView)
+        window.setViewSize(*sizeOfView);
     return application.exec();
 }

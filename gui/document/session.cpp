@@ -54,10 +54,20 @@ bool Session::save()
     return m_file.empty() ? saveAs() : saveScene(m_file);
 }
 
+/// Beside the first model that came from a file, by its name.
+std::filesystem::path Session::proposedName() const
+{
+    for (const SceneObject &object : m_document.objects()) {
+        if (!object.file.empty())
+            return std::filesystem::path(object.file).replace_extension(".json");
+    }
+    return "scene.json";
+}
+
 bool Session::saveAs()
 {
     m_loader.cancel(); // it could replace the scene under the question
-    const std::filesystem::path named = m_questions.askFileName(m_file.empty() ? "scene.json" : m_file);
+    const std::filesystem::path named = m_questions.askFileName(m_file.empty() ? proposedName() : m_file);
     if (named.empty())
         return false;
     std::filesystem::path file = named;

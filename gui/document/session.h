@@ -85,6 +85,7 @@ public:
     bool save();
     /// Under a name that is asked for; ".json" is put behind it where it has no suffix.
     bool saveAs();
+    std::filesystem::path proposedName() const;
     bool saveScene(const std::filesystem::path &file);
     /// Asks about unsaved changes.
     /// @return whether the scene may be left

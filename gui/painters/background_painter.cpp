@@ -17,10 +17,12 @@ void BackgroundPainter::release()
     m_vertexArray.destroy();
 }
 
-void BackgroundPainter::draw()
+void BackgroundPainter::draw(const std::array<QColor, 2> &colors)
 {
     glDisable(GL_DEPTH_TEST);
     m_program->bind();
+    m_program->setUniformValue("bottom", colors[0]);
+    m_program->setUniformValue("top", colors[1]);
     m_vertexArray.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     m_vertexArray.release();

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QColor>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 
+#include <array>
 #include <memory>
 
 namespace unprojector::gui {
@@ -13,7 +15,8 @@ class BackgroundPainter : protected QOpenGLExtraFunctions {
 public:
     void initialize();
     void release();
-    void draw();
+    /// @param colors  at the bottom and at the top
+    void draw(const std::array<QColor, 2> &colors);
 
 private:
     std::unique_ptr<QOpenGLShaderProgram> m_program;

@@ -7,7 +7,7 @@
 #include "gui/panels/steady_label.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
-#include "gui/text/since_click_text.h"
+#include "gui/panels/since_click_text.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/painters/observer_shapes.h"
+#include "gui/panels/icons.h"
 #include "gui/text/number_text.h"
 #include "gui/view/observer_view.h"
 
@@ -12,6 +13,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QStyle>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariantAnimation>
 
@@ -103,8 +105,19 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     tools->addWidget(m_percent);
     tools->addWidget(m_animate);
     tools->addWidget(fit);
+    m_toDock = new QToolButton;
+    m_toDock->setIcon(drawnIcon(Drawing::ToDock));
+    m_toDock->setAutoRaise(true);
+    m_close = new QToolButton;
+    m_close->setIcon(drawnIcon(Drawing::Close));
+    m_close->setAutoRaise(true);
+    m_close->setAccessibleName(tr("Close"));
+    m_close->setToolTip(tr("Close the view from outside (0)"));
+    tools->addWidget(m_toDock);
+    tools->addWidget(m_close);
 
-    auto *legend = new QGridLayout;
+    m_legend = new QWidget;
+    auto *legend = new QGridLayout(m_legend);
     legend->setContentsMargins(0, 2, 0, 0);
     legend->setHorizontalSpacing(6);
     legend->setVerticalSpacing(1);
@@ -135,13 +148,12 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     bar->setSpacing(2);
     bar->addLayout(ends);
     bar->addLayout(tools);
-    bar->addLayout(legend);
+    bar->addWidget(m_legend);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_view, 1);
     layout->addLayout(bar);
-    setMinimumWidth(std::max(260, minimumSizeHint().width()));
 
     connect(m_slider, &QSlider::valueChanged, this,
             [this](int value) { m_view->setMorph(static_cast<double>(value) / kSteps); });
@@ -153,12 +165,24 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     connect(m_animation, &QVariantAnimation::stateChanged, this,
             [this](QAbstractAnimation::State state) { showAnimating(state == QAbstractAnimation::Running); });
     connect(fit, &QPushButton::clicked, m_view, &ObserverView::fit);
+    connect(m_toDock, &QToolButton::clicked, this, [this] { emit dockRequested(m_close->isVisible()); });
+    connect(m_close, &QToolButton::clicked, this, &ObserverPanel::closeRequested);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & (Change::Picture | Change::Pick))
             showDistances();
     });
+    setIsInset(false);
     showMorph(0.0);
     showDistances();
+}
+
+void ObserverPanel::setIsInset(bool isInset)
+{
+    m_legend->setVisible(!isInset);
+    m_close->setVisible(isInset); // a dock has one of its own
+    const QString where = isInset ? tr("Into a panel of its own") : tr("Back into the corner of the view");
+    m_toDock->setAccessibleName(where);
+    m_toDock->setToolTip(where);
 }
 
 void ObserverPanel::showMorph(double t)

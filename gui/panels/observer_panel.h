@@ -5,6 +5,7 @@
 class QLabel;
 class QPushButton;
 class QSlider;
+class QToolButton;
 class QVariantAnimation;
 
 namespace unprojector::gui {
@@ -20,6 +21,12 @@ public:
     explicit ObserverPanel(SceneDocument &document, QWidget *parent = nullptr);
 
     ObserverView &view() { return *m_view; }
+    /// Over another view it is small and says less: the legend needs a dock.
+    void setIsInset(bool isInset);
+
+signals:
+    void dockRequested(bool isDocked);
+    void closeRequested();
 
 protected:
     void hideEvent(QHideEvent *event) override;
@@ -39,6 +46,9 @@ private:
     QLabel *m_nearDistance;
     QLabel *m_farDistance;
     QLabel *m_ray;
+    QWidget *m_legend;
+    QToolButton *m_toDock;
+    QToolButton *m_close;
 };
 
 } // namespace unprojector::gui

@@ -2,7 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
-#include "gui/text/since_click_text.h"
+#include "gui/panels/since_click_text.h"
 
 namespace unprojector::gui {
 namespace {

@@ -1,5 +1,6 @@
 #include "gui/view/frame_view.h"
 
+#include <QEvent>
 #include <QOpenGLContext>
 #include <QScopedValueRollback>
 #include <QSurfaceFormat>
@@ -9,6 +10,14 @@ namespace {
 
 /// A frame that has not been drawn anew for so long is at rest.
 constexpr int kRestMilliseconds = 120;
+
+/// Behind the objects, at the bottom and at the top: light or dark as the window is.
+std::array<QColor, 2> backgroundOf(const QPalette &palette)
+{
+    const bool isDark = palette.color(QPalette::Window).lightnessF() < 0.5F;
+    return isDark ? std::array{QColor(0x25, 0x27, 0x2a), QColor(0x36, 0x39, 0x3e)}
+                  : std::array{QColor(0xd4, 0xd9, 0xde), QColor(0xf2, 0xf5, 0xf7)};
+}
 
 } // namespace
 
@@ -49,6 +58,10 @@ bool FrameView::createFrame()
                         .arg(actual.minorVersion()));
         return false;
     }
+    const auto text = [this](GLenum name) {
+        return QString::fromLatin1(reinterpret_cast<const char *>(glGetString(name)));
+    };
+    m_openGLName = QStringLiteral("%1, %2").arg(text(GL_VERSION), text(GL_RENDERER));
     m_frame.initialize();
     m_background.initialize();
     m_meshes.initialize(m_frame.ids());
@@ -82,7 +95,7 @@ bool FrameView::drawFrame(const Drawable &drawn, const std::vector<SceneObject> 
                         .arg(surface.heightPixels));
         return false;
     }
-    m_background.draw();
+    m_background.draw(backgroundOf(palette()));
     m_frame.beginObjects();
     m_meshes.draw(objects, clipFromWorld, eyeFromWorld, clipPlanes);
     m_frame.end();
@@ -119,6 +132,15 @@ void FrameView::paintEvent(QPaintEvent *event)
         return;
     const QScopedValueRollback onScreen(m_isOnScreen, true);
     QOpenGLWidget::paintEvent(event);
+}
+
+void FrameView::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange) {
+        m_isStale = true;
+        update();
+    }
+    QOpenGLWidget::changeEvent(event);
 }
 
 void FrameView::resizeEvent(QResizeEvent *event)

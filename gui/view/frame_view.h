@@ -32,6 +32,9 @@ public:
     /// How this driver tells the object under a pixel; valid once the view is ready.
     ObjectIds objectIds() const { return m_frame.ids(); }
 
+    /// Version and renderer, as OpenGL names them; empty before the view is ready.
+    QString openGLName() const { return m_openGLName; }
+
 signals:
     /// OpenGL cannot draw here, or not all of it, or not read depths; for a message.
     void failed(const QString &reason);
@@ -61,13 +64,16 @@ protected:
 
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
     Frame m_frame;
+    bool m_isStale = true; ///< the frame does not show what there is to be seen
 
 private:
     BackgroundPainter m_background;
     MeshPainter m_meshes;
     FramePainter m_painter;
+    QString m_openGLName;
     bool m_isCreated = false;
     bool m_smoothEdges = true;
     bool m_isResizing = false;

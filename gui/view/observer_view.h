@@ -82,7 +82,6 @@ private:
     FacePainter m_faces;
     PickPainter m_pickPainter;
 
-    bool m_isStale = true;       ///< the frame was drawn of a document as it was before
     glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame, whether or not it could be drawn
     Surface m_drawnOn;           ///< the same of its surface
     double m_t = 0.0;

@@ -95,8 +95,6 @@ private:
     SceneDocument &m_document;
     std::unique_ptr<SceneOverlay> m_overlay;
 
-    bool m_isStale = true; ///< the frame does not show the document as it is
-
     std::optional<WidgetPoint> m_hovered;   ///< to be read
     std::optional<WidgetPoint> m_requested; ///< being read
     QTimer m_hoverTimer;

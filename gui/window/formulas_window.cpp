@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QFile>
+#include <QGuiApplication>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QTextBrowser>
@@ -71,10 +72,15 @@ QFont bookFont()
     return font;
 }
 
-QString pageText()
+/// The page with the colours that are not those of its text.
+QString pageText(const QColor &heading, const QColor &link, const QColor &source)
 {
     QFile file(QStringLiteral(":/help/formulas.html"));
-    return file.open(QIODevice::ReadOnly) ? typeset(QString::fromUtf8(file.readAll())) : QString();
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QString colors = QStringLiteral("h2 { color: %1; } a { color: %2; } p.source { color: %3; }\n</style>")
+                               .arg(heading.name(), link.name(), source.name());
+    return typeset(QString::fromUtf8(file.readAll()).replace(QStringLiteral("</style>"), colors));
 }
 
 } // namespace
@@ -85,19 +91,12 @@ FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Pa
     setWindowFlag(Qt::WindowMaximizeButtonHint);
     resize(900, 700);
 
-    QPalette paper = m_page->palette();
-    paper.setColor(QPalette::Base, Qt::white);
-    paper.setColor(QPalette::Window, Qt::white);
-    paper.setColor(QPalette::Text, QColor(0x1a, 0x1a, 0x1a));
-    paper.setColor(QPalette::WindowText, QColor(0x1a, 0x1a, 0x1a));
-    paper.setColor(QPalette::Link, QColor(0x1f, 0x4e, 0x8c));
-    m_page->setPalette(paper);
     m_page->setFrameShape(QFrame::NoFrame);
     m_page->setAutoFillBackground(true);
     m_page->setAccessibleName(tr("Formulas"));
     m_page->document()->setDefaultFont(bookFont());
     m_page->document()->setDocumentMargin(18.0);
-    m_page->setHtml(pageText());
+    showPage();
 
     auto *bar = new QToolBar;
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
@@ -126,6 +125,33 @@ FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Pa
     layout->addWidget(bar);
     layout->addWidget(m_page);
     m_page->setFocus();
+}
+
+void FormulasWindow::showPage()
+{
+    // As on paper, or as the window is where that is dark.
+    QPalette colors = QGuiApplication::palette();
+    const bool isDark = colors.color(QPalette::Window).lightnessF() < 0.5F;
+    if (!isDark) {
+        colors.setColor(QPalette::Base, Qt::white);
+        colors.setColor(QPalette::Text, QColor(0x1a, 0x1a, 0x1a));
+        colors.setColor(QPalette::Link, QColor(0x1f, 0x4e, 0x8c));
+    }
+    colors.setColor(QPalette::Window, colors.color(QPalette::Base));
+    colors.setColor(QPalette::WindowText, colors.color(QPalette::Text));
+    m_page->setPalette(colors);
+    const int place = m_page->verticalScrollBar()->value();
+    const QColor link = colors.color(QPalette::Link);
+    m_page->setHtml(pageText(isDark ? link : QColor(0x1f, 0x3a, 0x5f), link,
+                             isDark ? QColor(0xa0, 0xa4, 0xaa) : QColor(0x66, 0x66, 0x66)));
+    m_page->verticalScrollBar()->setValue(place);
+}
+
+void FormulasWindow::changeEvent(QEvent *event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showPage();
 }
 
 void FormulasWindow::showFormula(const QString &anchor)

@@ -7,8 +7,7 @@ class QTextBrowser;
 
 namespace unprojector::gui {
 
-/// All formulas, typeset as a handout, each with its source, and the errors found in the tutorials. Not modal; dark on
-/// white in every theme.
+/// All formulas, typeset as a handout, each with its source, and the errors found in the tutorials. Not modal.
 class FormulasWindow : public QDialog {
     Q_OBJECT
 public:
@@ -25,7 +24,12 @@ public:
 
     QTextBrowser &page() { return *m_page; }
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
+    void showPage();
+
     QTextBrowser *m_page;
     QAction *m_usualSize = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
+#include "gui/panels/icons.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/panels/viewport_inspector.h"
@@ -10,16 +11,16 @@
 #include "gui/view/lifecycle_log.h"
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/example_note.h"
 #include "gui/window/overlay_bars.h"
 #include "gui/window/window_questions.h"
+#include "gui/window/work_places.h"
 
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QLabel>
+#include <QScreen>
 #include <QSettings>
-#include <QSplitter>
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -27,6 +28,16 @@
 #include <utility>
 
 namespace unprojector::gui {
+namespace {
+
+/// As large as is comfortable, but within the screen with a frame and a title around it.
+QSize startSize()
+{
+    constexpr QSize kComfortable(1280, 800), kFrame(16, 48);
+    return kComfortable.boundedTo(QGuiApplication::primaryScreen()->availableSize() - kFrame);
+}
+
+} // namespace
 
 MainWindow::MainWindow(const Options &options, QWidget *parent)
     : QMainWindow(parent), m_options(options), m_document(new SceneDocument(this)),
@@ -36,18 +47,21 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
       m_lifecycle(new LifecycleLog(this))
 {
     setWindowTitle(tr("Unprojector") + QStringLiteral("[*]"));
-    resize(1280, 800);
+    setWindowIcon(programIcon());
+    resize(startSize());
     const bool chosen = !options.remembers || QSettings().value(QStringLiteral("view/smoothEdges"), true).toBool();
     m_smoothEdges = options.smoothEdges.value_or(chosen);
 
     createCenter();
-    createDocks();
+    createPanels();
     createStatusBar();
     createActions();
     createView();
 
     connect(m_comparison, &ComparisonPanel::pickRequested, m_view, &SceneView::onLButtonDown);
     connect(m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Pick && m_document->pick())
+            showFirstSteps(false);
         if (changes & Change::Picture)
             showCamera();
     });
@@ -56,6 +70,8 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     connectSession();
     restoreLayout();
     showCamera();
+    if (options.remembers && !QSettings().value(QStringLiteral("firstSteps/areDone"), false).toBool())
+        showFirstSteps(true);
 }
 
 MainWindow::~MainWindow()
@@ -95,8 +111,8 @@ void MainWindow::connectSession()
 
 void MainWindow::createCenter()
 {
-    auto *frame = new QWidget;
-    m_center = new QGridLayout(frame);
+    m_viewFrame = new QWidget;
+    m_center = new QGridLayout(m_viewFrame);
     m_center->setContentsMargins(0, 0, 0, 0);
     m_recovery = new RecoveryBar;
     m_message = new MessageBar;
@@ -107,10 +123,7 @@ void MainWindow::createCenter()
     bars->addWidget(m_recovery);
     bars->addWidget(m_message);
     m_loading = new LoadingBar;
-    m_splitter = new QSplitter(Qt::Horizontal);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->addWidget(frame);
-    setCentralWidget(m_splitter);
+    setCentralWidget(m_viewFrame);
 }
 
 void MainWindow::createView()
@@ -147,6 +160,16 @@ void MainWindow::setSmoothEdges(bool smooth)
         QSettings().setValue(QStringLiteral("view/smoothEdges"), smooth);
 }
 
+void MainWindow::setViewSize(const QSize &wanted)
+{
+    // The panels keep their sizes, so that what the window gains is the view's. At the edge of what they can, they do not.
+    constexpr int kTrials = 4;
+    for (int trial = 0; trial < kTrials && m_view->size() != wanted; ++trial) {
+        resize(size() + wanted - m_view->size());
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    }
+}
+
 void MainWindow::showFailure(const QString &reason)
 {
     m_message->showMessage(reason);
@@ -167,29 +190,7 @@ void MainWindow::showName()
 void MainWindow::showOpened(const QString &example)
 {
     showName();
-    if (example.isEmpty()) {
-        m_exampleNote->clear();
-        m_exampleDock->hide();
-        return;
-    }
-    m_exampleNote->showExample(example.toStdString());
-    m_exampleDock->show();
-    m_exampleDock->raise();
-}
-
-void MainWindow::showObserver(bool isShown)
-{
-    if (!m_observer) {
-        if (!isShown)
-            return;
-        m_observer = new ObserverPanel(*m_document);
-        m_observer->view().setSmoothEdges(m_smoothEdges);
-        connect(&m_observer->view(), &ObserverView::failed, this, &MainWindow::showFailure);
-        m_splitter->addWidget(m_observer);
-        const int half = m_splitter->width() / 2;
-        m_splitter->setSizes({half, half});
-    }
-    m_observer->setVisible(isShown);
+    showExample(example);
 }
 
 void MainWindow::createStatusBar()
@@ -233,12 +234,16 @@ void MainWindow::showCamera()
         tr("%1, near %2, far %3").arg(kind, writtenText(w.nearDistance, 4), writtenText(w.farDistance, 4)));
 }
 
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    m_places->windowResized();
+}
+
 void MainWindow::showEvent(QShowEvent *event)
 {
-    // Only now the window has the size that the arrangement goes by.
-    if (!std::exchange(m_isArranged, true))
-        arrangeDocks();
     QMainWindow::showEvent(event);
+    m_places->windowResized();
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -15,17 +15,19 @@
 
 class QGridLayout;
 class QLabel;
-class QSplitter;
 
 namespace unprojector::gui {
 using namespace unproject;
 
 class ComparisonPanel;
 class ExampleNote;
+class FirstSteps;
 class FormulasWindow;
+class KeySheet;
 class LifecycleLog;
 class LoadingBar;
 class MessageBar;
+class ObserverInset;
 class ObserverPanel;
 class ParametersPanel;
 class RecoveryBar;
@@ -33,8 +35,9 @@ class SceneDocument;
 class SceneView;
 class ViewportInspector;
 class WindowQuestions;
+class WorkPlaces;
 
-/// The window: a session's document in a view, with panels in docks, menus, tool bar and status bar around it.
+/// The window: a session's document in a view, with panels in work places, menus, tool bar and status bar around it.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
@@ -51,11 +54,15 @@ public:
     Session &session() { return *m_session; }
     SceneDocument &document() { return *m_document; }
     SceneView &view() { return *m_view; }
+    WorkPlaces &places() { return *m_places; }
     ComparisonPanel &comparison() { return *m_comparison; }
     LifecycleLog &lifecycle() { return *m_lifecycle; }
 
     /// Gives the view the whole window, or the panels back.
     void hidePanels(bool isHidden);
+    /// Makes the window as large or small as gives the view this size, logical pixels.
+    /// @pre the window is shown
+    void setViewSize(const QSize &size);
     /// The message that is on show, or nothing.
     QString message() const;
 
@@ -64,6 +71,7 @@ signals:
     void openFailed(const QString &reason);
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     void showEvent(QShowEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
 
@@ -71,38 +79,26 @@ private:
     /// How long the status bar tells what needs no answer.
     static constexpr int kNoticeMilliseconds = 12000;
 
-    /// A panel of the window, one row of a table.
-    struct Panel {
-        enum class Shown { Always, InHighWindows, WithExample };
-        const char *id; ///< by which layouts are kept
-        QString title;
-        std::function<QWidget *()> make;
-        Qt::DockWidgetArea area;       ///< in a window that is wide enough; those of one area are tabs of one dock
-        Qt::DockWidgetArea narrowArea; ///< where the window is too small for panels on both sides
-        QKeySequence key;              ///< shows and hides it
-        Shown shown;                   ///< at first
-        QDockWidget *dock = nullptr;
-    };
-
-    std::vector<Panel> panelTable();
     void createCenter();
     void createView();
     void setSmoothEdges(bool smooth);
-    void createDocks();
+    void createPanels();
     void createStatusBar();
     void connectSession();
-    /// The panels where they are at first, as many as fit beside the view.
-    void arrangeDocks();
     void restoreLayout();
     void keepLayout() const;
+    void showExample(const QString &example);
     void showObserver(bool isShown);
+    /// Into a dock, or over the view.
+    void dockObserver(bool isDocked);
 
     void createActions();
     void createFileMenu(QToolBar &bar);
     void createExamplesMenu(QMenu &menu);
-    void createEditMenu();
+    void createEditMenu(QToolBar &bar);
     void createViewMenu(QToolBar &bar);
-    void createPanelActions(QMenu &menu);
+    void createPlaceActions(QMenu &menu);
+    void createAppearanceMenu(QMenu &menu);
     void createHelpMenu();
     QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &key, const QString &tip,
                        std::function<void()> slot);
@@ -115,35 +111,37 @@ private:
     void showHover(const WidgetPoint &position, const DepthSample &sample);
     void showCamera();
     void showFormulas(const QString &anchor);
-    void showControls();
+    void showKeys();
+    void showFirstSteps(bool isShown);
     void showAbout();
 
     Options m_options;
     bool m_smoothEdges = true;
-    bool m_isArranged = false; ///< by the user's last session, or for the size it is first shown with
     SceneDocument *m_document;
     std::unique_ptr<WindowQuestions> m_questions;
     Session *m_session;
     LifecycleLog *m_lifecycle;
     SceneView *m_view = nullptr;
     ObserverPanel *m_observer = nullptr; ///< made when it is first asked for
-    QSplitter *m_splitter = nullptr;
+    QWidget *m_observerHome = nullptr;   ///< where it stands in its dock
+    ObserverInset *m_inset = nullptr;    ///< where it stands over the view, if it does
+    QAction *m_observerAction = nullptr;
+    QWidget *m_viewFrame = nullptr; ///< the view and what stands over it
     QGridLayout *m_center = nullptr;
     QWidget *m_topBars = nullptr;
     RecoveryBar *m_recovery = nullptr;
     MessageBar *m_message = nullptr;
     LoadingBar *m_loading = nullptr;
-    std::vector<Panel> m_panels;
+    WorkPlaces *m_places = nullptr;
     ComparisonPanel *m_comparison = nullptr;
     ParametersPanel *m_parameters = nullptr;
     ViewportInspector *m_inspector = nullptr;
     ExampleNote *m_exampleNote = nullptr;
-    QDockWidget *m_exampleDock = nullptr;
     FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
+    KeySheet *m_keys = nullptr;           ///< so is this
+    FirstSteps *m_firstSteps = nullptr;   ///< and this
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;
-    QAction *m_hidesPanels = nullptr;
-    QByteArray m_layoutWithPanels;
     QLabel *m_hover = nullptr;
     QLabel *m_camera = nullptr;
 };

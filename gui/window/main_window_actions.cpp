@@ -5,15 +5,22 @@
 #include "core/scene/examples.h"
 #include "gui/document/recent_files.h"
 #include "gui/document/scene_document.h"
+#include "gui/panels/icons.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/example_texts.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/about_dialog.h"
+#include "gui/window/appearance.h"
+#include "gui/window/first_steps.h"
 #include "gui/window/formulas_window.h"
+#include "gui/window/key_sheet.h"
+#include "gui/window/work_places.h"
 
+#include <QActionGroup>
 #include <QFileDialog>
+#include <QGridLayout>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QToolBar>
@@ -31,17 +38,35 @@ QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySeque
     action->setToolTip(key.isEmpty() ? tip
                                      : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
     action->setStatusTip(tip);
-    connect(action, &QAction::triggered, this, std::move(slot));
+    if (slot)
+        connect(action, &QAction::triggered, this, std::move(slot));
     return action;
 }
+
+namespace {
+
+/// On the tool bar: a drawing, its name in the tool tip.
+void onBar(QToolBar &bar, QAction *action, Drawing drawing)
+{
+    action->setIcon(drawnIcon(drawing));
+    action->setIconVisibleInMenu(false);
+    bar.addAction(action);
+}
+
+} // namespace
 
 void MainWindow::createActions()
 {
     QToolBar *bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
-    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    const int icon = fontMetrics().height() * 3 / 2;
+    bar->setIconSize({icon, icon});
+    // Where one is stands first: a narrow window cuts the others off.
+    for (const WorkPlaces::Place &place : m_places->places())
+        bar->addAction(place.action);
+    bar->addSeparator();
     createFileMenu(*bar);
-    createEditMenu();
+    createEditMenu(*bar);
     createViewMenu(*bar);
     createHelpMenu();
 }
@@ -58,30 +83,36 @@ void MainWindow::createFileMenu(QToolBar &bar)
 {
     const QString models = modelFileFilter(), all = QStringLiteral(";;") + tr("All files (*)");
     QMenu *menu = menuBar()->addMenu(tr("&File"));
-    bar.addAction(
-        addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"), [this, models, all] {
-            std::vector<std::filesystem::path> files =
-                askForModels(tr("Open Models or a Scene"), openableFileFilter() + QStringLiteral(";;") + models
-                                                               + QStringLiteral(";;") + tr("Scenes (*.json)") + all);
-            if (!files.empty())
-                m_session->openFiles(std::move(files));
-        }));
-    bar.addSeparator();
-    addAction(menu, tr("A&dd Models…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+    onBar(bar,
+          addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"),
+                    [this, models, all] {
+                        std::vector<std::filesystem::path> files = askForModels(
+                            tr("Open Models or a Scene"), openableFileFilter() + QStringLiteral(";;") + models
+                                                              + QStringLiteral(";;") + tr("Scenes (*.json)") + all);
+                        if (!files.empty())
+                            m_session->openFiles(std::move(files));
+                    }),
+          Drawing::Open);
+    addAction(menu, tr("A&dd to Scene…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
               tr("Put more models beside the objects of this scene"), [this, models, all] {
                   std::vector<std::filesystem::path> files = askForModels(tr("Add Models"), models + all);
                   if (!files.empty())
                       m_session->addFiles(std::move(files));
               });
     m_recentMenu = menu->addMenu(tr("Open &Recent"));
-    addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"), [this] {
-        m_parameters->applyTyped();
-        m_session->save();
-    });
-    addAction(menu, tr("Save Scene &As…"), QKeySequence::SaveAs, tr("Write the scene to another file"), [this] {
-        m_parameters->applyTyped();
-        m_session->saveAs();
-    });
+    onBar(bar,
+          addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"),
+                    [this] {
+                        m_parameters->applyTyped();
+                        m_session->save();
+                    }),
+          Drawing::Save);
+    bar.addSeparator();
+    addAction(menu, tr("Save Scene &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Write the scene to another file"),
+              [this] {
+                  m_parameters->applyTyped();
+                  m_session->saveAs();
+              });
     menu->addSeparator();
     addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
               [this] { m_session->openBundledScene(); });
@@ -120,7 +151,7 @@ void MainWindow::updateRecentMenu()
             &Session::clearRecentFiles);
 }
 
-void MainWindow::createEditMenu()
+void MainWindow::createEditMenu(QToolBar &bar)
 {
     QMenu *menu = menuBar()->addMenu(tr("&Edit"));
     QAction *undo = m_document->undoStack().createUndoAction(this, tr("&Undo"));
@@ -128,6 +159,9 @@ void MainWindow::createEditMenu()
     QAction *redo = m_document->undoStack().createRedoAction(this, tr("&Redo"));
     redo->setShortcut(QKeySequence::Redo);
     menu->addActions({undo, redo});
+    onBar(bar, undo, Drawing::Undo);
+    onBar(bar, redo, Drawing::Redo);
+    bar.addSeparator();
 }
 
 void MainWindow::createViewMenu(QToolBar &bar)
@@ -136,17 +170,22 @@ void MainWindow::createViewMenu(QToolBar &bar)
         return [this, side] { m_document->setCamera(seenFrom(m_document->geometry().camera(), side)); };
     };
     QMenu *menu = menuBar()->addMenu(tr("&View"));
-    bar.addAction(addAction(menu, tr("&Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"),
-                            [this] { m_document->fit(); }));
-    bar.addAction(addAction(menu, tr("&Home"), Qt::Key_Home, tr("Back to the camera that the scene opened with"),
-                            [this] { m_document->goHome(); }));
+    onBar(bar,
+          addAction(menu, tr("&Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"),
+                    [this] { m_document->fit(); }),
+          Drawing::Fit);
+    onBar(bar,
+          addAction(menu, tr("&Home"), Qt::Key_Home, tr("Back to the camera that the scene opened with"),
+                    [this] { m_document->goHome(); }),
+          Drawing::Home);
     menu->addSeparator();
     bar.addSeparator();
-    bar.addAction(
-        addAction(menu, tr("Fr&ont"), Qt::Key_1, tr("Look from the front, along −z"), look(StandardView::Front)));
-    bar.addAction(
-        addAction(menu, tr("&Right"), Qt::Key_3, tr("Look from the right, along −x"), look(StandardView::Right)));
-    bar.addAction(addAction(menu, tr("&Top"), Qt::Key_7, tr("Look from the top, along −y"), look(StandardView::Top)));
+    onBar(bar, addAction(menu, tr("Fr&ont"), Qt::Key_1, tr("Look from the front, along −z"), look(StandardView::Front)),
+          Drawing::Front);
+    onBar(bar, addAction(menu, tr("&Right"), Qt::Key_3, tr("Look from the right, along −x"), look(StandardView::Right)),
+          Drawing::Right);
+    onBar(bar, addAction(menu, tr("&Top"), Qt::Key_7, tr("Look from the top, along −y"), look(StandardView::Top)),
+          Drawing::Top);
     addAction(menu, tr("B&ack"), Qt::CTRL | Qt::Key_1, tr("Look from the back, along z"), look(StandardView::Back));
     addAction(menu, tr("&Left"), Qt::CTRL | Qt::Key_3, tr("Look from the left, along x"), look(StandardView::Left));
     addAction(menu, tr("Botto&m"), Qt::CTRL | Qt::Key_7, tr("Look from below, along y"), look(StandardView::Bottom));
@@ -156,21 +195,40 @@ void MainWindow::createViewMenu(QToolBar &bar)
                                    tr("Switch between perspective (glFrustum) and orthographic (glOrtho)"),
                                    [this] { m_document->switchProjection(); });
     m_projectionAction->setCheckable(true);
-    bar.addAction(m_projectionAction);
+    onBar(bar, m_projectionAction, Drawing::Perspective);
 
-    QAction *observer = addAction(menu, tr("&View from Outside"), Qt::Key_0,
-                                  tr("Show the camera and its view volume from outside, beside the view"), [] {});
-    observer->setCheckable(true);
-    connect(observer, &QAction::toggled, this, &MainWindow::showObserver);
-    bar.addAction(observer);
+    m_observerAction = addAction(menu, tr("&View from Outside"), Qt::Key_0,
+                                 tr("Show the camera and its view volume from outside, in a corner of the view"), {});
+    m_observerAction->setCheckable(true);
+    connect(m_observerAction, &QAction::toggled, this, &MainWindow::showObserver);
+    onBar(bar, m_observerAction, Drawing::FromOutside);
     QAction *smooth =
         addAction(menu, tr("&Smooth Edges"), {},
-                  tr("Draw the edges of surfaces without steps. The depths that clicks read stay the same"), [] {});
+                  tr("Draw the edges of surfaces without steps. The depths that clicks read stay the same"), {});
     smooth->setCheckable(true);
     smooth->setChecked(m_smoothEdges);
     connect(smooth, &QAction::toggled, this, &MainWindow::setSmoothEdges);
+    createAppearanceMenu(*menu->addMenu(tr("Co&lours")));
     menu->addSeparator();
-    createPanelActions(*menu);
+    createPlaceActions(*menu);
+}
+
+void MainWindow::createAppearanceMenu(QMenu &menu)
+{
+    auto *group = new QActionGroup(this);
+    const auto add = [&](Appearance appearance, const QString &text, const QString &tip) {
+        QAction *action = addAction(&menu, text, {}, tip, [this, appearance] {
+            setAppearance(appearance);
+            if (m_options.remembers)
+                QSettings().setValue(QStringLiteral("window/appearance"), appearanceName(appearance));
+        });
+        action->setCheckable(true);
+        action->setActionGroup(group);
+        action->setChecked(appearance == currentAppearance());
+    };
+    add(Appearance::Desktop, tr("As the &Desktop Has Them"), tr("Light or dark as the desktop is"));
+    add(Appearance::Light, tr("&Light"), tr("Dark letters on a light ground"));
+    add(Appearance::Dark, tr("D&ark"), tr("Light letters on a dark ground"));
 }
 
 void MainWindow::createHelpMenu()
@@ -178,8 +236,10 @@ void MainWindow::createHelpMenu()
     QMenu *menu = menuBar()->addMenu(tr("&Help"));
     addAction(menu, tr("&Formulas"), QKeySequence::HelpContents,
               tr("All formulas with their sources, and the errors in the originals"), [this] { showFormulas({}); });
-    addAction(menu, tr("&Mouse and Keys"), {}, tr("How to move the camera and pick points"),
-              [this] { showControls(); });
+    addAction(menu, tr("&Mouse and Keys"), Qt::Key_Question, tr("What the mouse and every key do"),
+              [this] { showKeys(); });
+    addAction(menu, tr("First &Steps"), {}, tr("Three things to try"), [this] { showFirstSteps(true); });
+    menu->addSeparator();
     addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
 }
 
@@ -194,37 +254,38 @@ void MainWindow::showFormulas(const QString &anchor)
         m_formulas->showFormula(anchor);
 }
 
-void MainWindow::showControls()
+void MainWindow::showKeys()
 {
-    QMessageBox box(QMessageBox::NoIcon, tr("Mouse and Keys"),
-                    tr("<table cellspacing='6'>"
-                       "<tr><td>Left button</td><td>read the world coordinate of the pixel</td></tr>"
-                       "<tr><td>… and drag</td><td>turn the camera about that point</td></tr>"
-                       "<tr><td>Middle button, or Shift + left</td><td>move the camera sideways</td></tr>"
-                       "<tr><td>Wheel</td><td>zoom towards the pointer</td></tr>"
-                       "<tr><td>Double-click</td><td>bring the point to the middle</td></tr>"
-                       "<tr><td>1, 3, 7 (with Ctrl: the opposite)</td><td>look from the front, right, top</td></tr>"
-                       "<tr><td>5</td><td>switch perspective and orthographic</td></tr>"
-                       "<tr><td>F, Home</td><td>fit all objects; back to the first camera</td></tr>"
-                       "</table>"),
-                    QMessageBox::Close, this);
-    box.exec();
+    if (!m_keys)
+        m_keys = new KeySheet(*menuBar(), this);
+    m_keys->show();
+    m_keys->raise();
 }
 
 void MainWindow::showAbout()
 {
     const QString wayBack = m_view->objectIds() == ObjectIds::Colors
-                                ? tr("<p>This graphics driver draws no integers, so the view tells by colours which "
-                                     "object was clicked.</p>")
+                                ? tr("This graphics driver draws no integers, so the view tells by colours which "
+                                     "object was clicked.")
                                 : QString();
-    QMessageBox::about(this, tr("About Unprojector"),
-                       tr("<p><b>Unprojector %1</b></p><p>Click a pixel of a 3-D view and get its world coordinate, "
-                          "computed twice: by the "
-                          "closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, with "
-                          "the difference, its "
-                          "cause and how certain the coordinate is.</p><p>MIT licence.</p>")
-                               .arg(QStringLiteral(UNPROJECTOR_VERSION))
-                           + wayBack);
+    AboutDialog(m_view->openGLName(), wayBack, this).exec();
+}
+
+void MainWindow::showFirstSteps(bool isShown)
+{
+    if (isShown && !m_firstSteps) {
+        m_firstSteps = new FirstSteps(exampleText(examples().front().id)->name);
+        m_center->addWidget(m_firstSteps, 0, 0, Qt::AlignTop | Qt::AlignLeft);
+        connect(m_firstSteps, &FirstSteps::closeRequested, this, [this] { showFirstSteps(false); });
+        connect(m_firstSteps, &FirstSteps::exampleRequested, this,
+                [this] { m_session->openExample(examples().front().id); });
+    }
+    if (!m_firstSteps)
+        return;
+    m_firstSteps->setVisible(isShown);
+    m_firstSteps->raise();
+    if (!isShown && m_options.remembers)
+        QSettings().setValue(QStringLiteral("firstSteps/areDone"), true);
 }
 
 } // namespace unprojector::gui

@@ -1,150 +1,166 @@
-// The window's panels: which there are, and where they stand.
+// The window's panels and its work places.
 
 #include "gui/window/main_window.h"
 
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/lifecycle_panel.h"
+#include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/panels/pipeline_panel.h"
 #include "gui/panels/viewport_inspector.h"
+#include "gui/view/observer_view.h"
 #include "gui/window/example_note.h"
+#include "gui/window/observer_inset.h"
+#include "gui/window/work_places.h"
 
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
 #include <QScrollArea>
 #include <QSettings>
+#include <QVBoxLayout>
 
-#include <algorithm>
-#include <map>
+#include <cstring>
 
 namespace unprojector::gui {
 namespace {
 
-/// Raised when docks or tool bars change, so that an old layout is not put onto a new window.
-constexpr int kLayoutVersion = 2;
+constexpr char kExample[] = "example";
+constexpr char kObserver[] = "observer";
 
-// In smaller windows the view keeps its half. Logical pixels.
-constexpr int kWideWindow = 1180;
-constexpr int kHighWindow = 700;
-constexpr int kLeftWidth = 238;
-constexpr int kRightWidth = 446;
-constexpr int kBottomHeight = 190;
-
-/// On a small window the panel scrolls, instead of holding the window open.
-QWidget *scrolled(QWidget *panel)
-{
-    auto *scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(panel);
-    return scroll;
-}
+/// On a small window the panel scrolls, instead of holding the window open; a bar beside it takes nothing of its width.
+class PanelScroll : public QScrollArea {
+public:
+    explicit PanelScroll(QWidget *panel)
+    {
+        setFrameShape(QFrame::NoFrame);
+        setWidgetResizable(true);
+        setWidget(panel);
+    }
+    QSize minimumSizeHint() const override
+    {
+        constexpr int kLeastDigits = 20, kLeastLines = 4;
+        return {kLeastDigits * fontMetrics().horizontalAdvance(u'0'), kLeastLines * fontMetrics().lineSpacing()};
+    }
+};
 
 } // namespace
 
-std::vector<MainWindow::Panel> MainWindow::panelTable()
+void MainWindow::createPanels()
 {
-    using Shown = Panel::Shown;
+    m_comparison = new ComparisonPanel(*m_document);
+    m_inspector = new ViewportInspector(*m_document);
+    m_parameters = new ParametersPanel(*m_document);
+    m_exampleNote = new ExampleNote;
+    m_observerHome = new QWidget;
+    m_observerHome->setLayout(new QVBoxLayout);
+    m_observerHome->layout()->setContentsMargins(0, 0, 0, 0);
     constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea, kBottom = Qt::BottomDockWidgetArea;
-    // Tabs stand in this order; the first of an area is in front.
-    return {
-        {"comparison", tr("Comparison"), [this] { return scrolled(m_comparison = new ComparisonPanel(*m_document)); },
-         kRight, kRight, Qt::ALT | Qt::Key_1, Shown::Always},
-        {"pipeline", tr("Pipeline"), [this] { return new PipelinePanel(*m_document); }, kRight, kRight,
-         Qt::ALT | Qt::Key_2, Shown::Always},
-        {"parameters", tr("Parameters"), [this] { return m_parameters = new ParametersPanel(*m_document); }, kLeft,
-         kRight, Qt::ALT | Qt::Key_3, Shown::Always},
-        {"inspector", tr("Viewport"), [this] { return m_inspector = new ViewportInspector(*m_document); }, kBottom,
-         kBottom, Qt::ALT | Qt::Key_4, Shown::InHighWindows},
-        {"lifecycle", tr("Life of the View"), [this] { return new LifecyclePanel(*m_lifecycle); }, kBottom, kBottom,
-         Qt::ALT | Qt::Key_5, Shown::InHighWindows},
-        {"example",
-         tr("Example"),
-         [this] { return m_exampleNote = new ExampleNote; },
-         kLeft,
-         kBottom,
-         {},
-         Shown::WithExample},
+    const auto scrolled = [](QWidget *panel) { return new PanelScroll(panel); };
+    std::vector<WorkPlaces::Panel> panels = {
+        {"comparison", tr("Comparison"), scrolled(m_comparison), kRight, Qt::ALT | Qt::Key_1},
+        {"pipeline", tr("Pipeline"), new PipelinePanel(*m_document), kRight, Qt::ALT | Qt::Key_2},
+        {"parameters", tr("Parameters"), m_parameters, kLeft, Qt::ALT | Qt::Key_3},
+        {"inspector", tr("Viewport"), scrolled(m_inspector), kBottom, Qt::ALT | Qt::Key_4},
+        {"lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle), kBottom, Qt::ALT | Qt::Key_5},
+        {kObserver, tr("View from Outside"), m_observerHome, kRight, {}, true},
+        {kExample, tr("Example"), m_exampleNote, kLeft, {}, true},
     };
-}
-
-void MainWindow::createDocks()
-{
-    m_panels = panelTable();
-    for (Panel &panel : m_panels) {
-        panel.dock = new QDockWidget(panel.title, this);
-        panel.dock->setObjectName(QLatin1String(panel.id));
-        panel.dock->setWidget(panel.make());
-        panel.dock->hide(); // until it has a place
-        panel.dock->toggleViewAction()->setShortcut(panel.key);
-        if (panel.shown == Panel::Shown::WithExample)
-            m_exampleDock = panel.dock;
-    }
-    connect(m_exampleNote, &ExampleNote::closeRequested, m_exampleDock, &QWidget::hide);
+    std::vector<WorkPlaces::Place> places = {
+        {"click", tr("Click"), tr("The view and what a click gives"), Qt::Key_F2, {"comparison"}},
+        {"pipeline",
+         tr("Pipeline"),
+         tr("Every number and every matrix between an object and its pixel"),
+         Qt::Key_F3,
+         {"pipeline", "parameters", "inspector", "lifecycle"}},
+    };
+    m_places = new WorkPlaces(*this, std::move(panels), std::move(places));
+    connect(m_exampleNote, &ExampleNote::closeRequested, m_places->dock(kExample), &QWidget::hide);
     connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
-    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    // The sides keep their full height: numbers stand in columns there.
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    connect(m_places, &WorkPlaces::entered, this, [this] {
+        // An example's text and the view from outside come along.
+        m_places->dock(kExample)->setVisible(!m_exampleNote->isEmpty());
+        m_places->dock(kObserver)->setVisible(m_observerAction->isChecked() && !m_inset);
+    });
+    // Closed by its own button.
+    connect(m_places->dock(kObserver)->toggleViewAction(), &QAction::triggered, this, [this](bool isShown) {
+        if (!isShown)
+            m_observerAction->setChecked(false);
+    });
 }
 
-void MainWindow::createPanelActions(QMenu &menu)
+void MainWindow::createPlaceActions(QMenu &menu)
 {
-    for (const Panel &panel : m_panels) {
-        if (panel.shown != Panel::Shown::WithExample) // there is nothing to show without one
+    for (const WorkPlaces::Place &place : m_places->places())
+        menu.addAction(place.action);
+    menu.addSeparator();
+    for (const WorkPlaces::Panel &panel : m_places->panels()) {
+        if (!panel.standsAlone) // the others have actions of their own
             menu.addAction(panel.dock->toggleViewAction());
     }
-    m_hidesPanels = addAction(&menu, tr("H&ide All Panels"), Qt::Key_F9, tr("Give the view the whole window"),
-                              [this] { hidePanels(m_hidesPanels->isChecked()); });
-    m_hidesPanels->setCheckable(true);
-    addAction(&menu, tr("R&eset Layout"), {}, tr("Put all panels back to where they were at first"),
-              [this] { arrangeDocks(); });
+    QAction *hides = addAction(&menu, tr("H&ide All Panels"), Qt::Key_F9, tr("Give the view the whole window"), {});
+    hides->setCheckable(true);
+    connect(hides, &QAction::toggled, m_places, &WorkPlaces::hidePanels);
+    connect(m_places, &WorkPlaces::panelsHidden, hides, &QAction::setChecked);
+    addAction(&menu, tr("R&eset Layout"), {}, tr("Put all panels of this work place back to where they were at first"),
+              [this] {
+                  m_places->reset();
+                  m_places->enter(m_places->current());
+              });
 }
 
-void MainWindow::arrangeDocks()
+void MainWindow::showExample(const QString &example)
 {
-    const bool isWide = width() >= kWideWindow;
-    const bool isHigh = height() >= kHighWindow;
-    for (const Panel &panel : m_panels) {
-        panel.dock->setFloating(false);
-        removeDockWidget(panel.dock);
+    if (example.isEmpty()) {
+        m_exampleNote->clear();
+        m_places->dock(kExample)->hide();
+        return;
     }
-    std::map<Qt::DockWidgetArea, std::vector<QDockWidget *>> areas;
-    for (const Panel &panel : m_panels) {
-        const Qt::DockWidgetArea area = isWide ? panel.area : panel.narrowArea;
-        addDockWidget(area, panel.dock);
-        std::vector<QDockWidget *> &tabs = areas[area];
-        if (!tabs.empty())
-            tabifyDockWidget(tabs.back(), panel.dock);
-        tabs.push_back(panel.dock);
-        panel.dock->setVisible(panel.shown == Panel::Shown::Always
-                               || (panel.shown == Panel::Shown::InHighWindows && isHigh)
-                               || (panel.shown == Panel::Shown::WithExample && !m_exampleNote->isEmpty()));
+    m_exampleNote->showExample(example.toStdString());
+    m_places->show(kExample);
+}
+
+void MainWindow::showObserver(bool isShown)
+{
+    if (!m_observer) {
+        if (!isShown)
+            return;
+        m_observer = new ObserverPanel(*m_document);
+        m_observer->view().setSmoothEdges(m_smoothEdges);
+        connect(&m_observer->view(), &ObserverView::failed, this, &MainWindow::showFailure);
+        connect(m_observer, &ObserverPanel::dockRequested, this, &MainWindow::dockObserver);
+        connect(m_observer, &ObserverPanel::closeRequested, m_observerAction,
+                [this] { m_observerAction->setChecked(false); });
+        dockObserver(m_options.remembers && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool());
     }
-    m_hidesPanels->setChecked(false);
-    for (const auto &[area, tabs] : areas)
-        tabs.front()->raise();
-    QDockWidget *right = areas[Qt::RightDockWidgetArea].front();
-    if (isWide)
-        resizeDocks({areas[Qt::LeftDockWidgetArea].front(), right}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+    if (m_inset)
+        m_inset->setVisible(isShown);
     else
-        resizeDocks({right}, {std::min(kRightWidth, width() / 2)}, Qt::Horizontal);
-    resizeDocks({areas[Qt::BottomDockWidgetArea].front()}, {kBottomHeight}, Qt::Vertical);
+        m_places->dock(kObserver)->setVisible(isShown);
+    m_observer->setVisible(isShown);
+}
+
+void MainWindow::dockObserver(bool isDocked)
+{
+    m_observer->setIsInset(!isDocked);
+    if (isDocked) {
+        m_observerHome->layout()->addWidget(m_observer);
+        delete m_inset;
+        m_inset = nullptr;
+        m_places->show(kObserver);
+    } else {
+        m_inset = new ObserverInset(*m_observer, *m_viewFrame);
+        m_places->dock(kObserver)->hide();
+        m_inset->show();
+    }
+    m_observer->show();
+    if (m_options.remembers)
+        QSettings().setValue(QStringLiteral("observer/isDocked"), isDocked);
 }
 
 void MainWindow::hidePanels(bool isHidden)
 {
-    if (isHidden) {
-        m_layoutWithPanels = m_isArranged ? saveState(kLayoutVersion) : QByteArray();
-        for (const Panel &panel : m_panels)
-            panel.dock->hide();
-    } else if (m_layoutWithPanels.isEmpty() || !restoreState(m_layoutWithPanels, kLayoutVersion)) {
-        arrangeDocks();
-    }
-    m_isArranged = true;
-    m_hidesPanels->setChecked(isHidden);
+    m_places->hidePanels(isHidden);
 }
 
 void MainWindow::restoreLayout()
@@ -155,11 +171,7 @@ void MainWindow::restoreLayout()
     m_comparison->setShowsFloat(settings.value(QStringLiteral("comparison/showsFloat"), false).toBool());
     m_parameters->restoreState(settings.value(QStringLiteral("parameters/state")).toByteArray());
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    const QByteArray state = settings.value(QStringLiteral("window/state")).toByteArray();
-    if (state.isEmpty())
-        return;
-    arrangeDocks(); // every dock needs a place before a kept one can be given to it
-    m_isArranged = restoreState(state, kLayoutVersion);
+    m_places->restore(settings);
 }
 
 void MainWindow::keepLayout() const
@@ -168,9 +180,9 @@ void MainWindow::keepLayout() const
         return;
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
     settings.setValue(QStringLiteral("parameters/state"), m_parameters->saveState());
     settings.setValue(QStringLiteral("comparison/showsFloat"), m_comparison->showsFloat());
+    m_places->keep(settings);
 }
 
 } // namespace unprojector::gui

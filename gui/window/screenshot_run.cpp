@@ -7,6 +7,7 @@
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/work_places.h"
 
 #include <QBuffer>
 #include <QFileInfo>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace unprojector::gui {
 using namespace scene_file;
@@ -37,6 +39,10 @@ void ScreenshotRun::start()
     m_window = std::make_unique<MainWindow>(options);
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
     m_window->resize(m_request.windowSize);
+    if (!m_request.place.isEmpty())
+        m_window->places().enter(m_request.place.toUtf8().constData());
+    if (!m_request.hasPanels)
+        m_window->hidePanels(true);
     if (m_request.files.empty())
         m_window->session().openBundledScene();
     else
@@ -49,6 +55,8 @@ void ScreenshotRun::start()
     });
     connect(&m_window->session(), &Session::loadingEnded, this, [this] { m_window->view().update(); });
     m_window->show();
+    if (m_request.viewSize)
+        m_window->setViewSize(*m_request.viewSize);
 }
 
 void ScreenshotRun::fail(const QString &reason)
@@ -77,6 +85,20 @@ void ScreenshotRun::pressAndSave()
 {
     if (m_hasEnded)
         return;
+    if (m_request.viewSize && m_window->view().size() != *m_request.viewSize) {
+        if (std::exchange(m_isSized, true)) {
+            fail(tr("The view is %1 × %2 logical pixels, not %3 × %4: the window cannot be made so here. --no-panels "
+                    "leaves it more room.")
+                     .arg(m_window->view().width())
+                     .arg(m_window->view().height())
+                     .arg(m_request.viewSize->width())
+                     .arg(m_request.viewSize->height()));
+            return;
+        }
+        m_window->setViewSize(*m_request.viewSize);
+        m_window->view().update();
+        return;
+    }
     std::vector<Click> clicks;
     for (const WidgetPoint &position : m_request.clicks) {
         SceneView &view = m_window->view();

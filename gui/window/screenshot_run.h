@@ -16,8 +16,11 @@ class ScreenshotRun : public QObject {
     Q_OBJECT
 public:
     struct Request {
-        QString picture;                          ///< the file to write; none of `files`
-        QSize windowSize{1280, 800};              ///< logical pixels
+        QString picture;                    ///< the file to write; none of `files`
+        QSize windowSize{1280, 800};        ///< logical pixels
+        std::optional<QSize> viewSize = {}; ///< logical pixels; instead of the window's
+        QString place = {};                 ///< id of the work place; empty: the first
+        bool hasPanels = true;
         std::vector<WidgetPoint> clicks;          ///< logical pixels of the view
         std::vector<std::filesystem::path> files; ///< none: the bundled scene
         std::optional<bool> smoothEdges = {};     ///< nothing: smooth
@@ -39,6 +42,7 @@ private:
 
     Request m_request;
     std::unique_ptr<MainWindow> m_window;
+    bool m_isSized = false; ///< the view has the size that was asked for
     bool m_hasEnded = false;
 };
 

@@ -32,10 +32,6 @@
         <translation>%1 参见 --help。</translation>
     </message>
     <message>
-        <source>--size is %1; give width x height in pixels, such as 1280x800.</source>
-        <translation>--size 为 %1；请给出以像素计的“宽x高”，例如 1280x800。</translation>
-    </message>
-    <message>
         <source>--click is %1; give x,y in logical pixels of the view, such as 412,300.</source>
         <translation>--click 为 %1；请给出以视图逻辑像素计的 x,y，例如 412,300。</translation>
     </message>
@@ -58,6 +54,38 @@
     <message>
         <source>--smooth-edges is %1; give on or off.</source>
         <translation>--smooth-edges 为 %1；请给出 on 或 off。</translation>
+    </message>
+    <message>
+        <source>Size of the view itself in logical pixels, whatever font and language make of the panels: the same clicks then mean the same pixels everywhere. Instead of --size.</source>
+        <translation>视图本身的大小（逻辑像素），与面板的字体和语言无关：同样的点击在任何机器上都是同样的像素。代替 --size。</translation>
+    </message>
+    <message>
+        <source>Give the view the whole window.</source>
+        <translation>让视图占满整个窗口。</translation>
+    </message>
+    <message>
+        <source>Work place to start at: click (default) or pipeline.</source>
+        <translation>启动时的工作区：click（默认）或 pipeline。</translation>
+    </message>
+    <message>
+        <source>Colours of the window: desktop (as the desktop has them; default), light or dark.</source>
+        <translation>窗口的颜色：desktop（与桌面相同，默认）、light（浅色）或 dark（深色）。</translation>
+    </message>
+    <message>
+        <source>--%1 is %2; give width x height in pixels, such as 1280x800.</source>
+        <translation>--%1 是 %2；请给出以像素为单位的宽 x 高，例如 1280x800。</translation>
+    </message>
+    <message>
+        <source>Give --size or --view-size, not both.</source>
+        <translation>--size 和 --view-size 只能给一个。</translation>
+    </message>
+    <message>
+        <source>--place is %1; give one of: %2.</source>
+        <translation>--place 是 %1；请给出其中之一：%2。</translation>
+    </message>
+    <message>
+        <source>--appearance is %1; give desktop, light or dark.</source>
+        <translation>--appearance 是 %1；请给出 desktop、light 或 dark。</translation>
     </message>
 </context>
 <context>
@@ -552,6 +580,37 @@ far = %2</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::AboutDialog</name>
+    <message>
+        <source>About Unprojector</source>
+        <translation>关于 Unprojector</translation>
+    </message>
+    <message>
+        <source>not started</source>
+        <translation>尚未启动</translation>
+    </message>
+    <message>
+        <source>Click a pixel of a 3-D view and get its world coordinate, computed twice: by the closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, with the difference, its cause and how certain the coordinate is.</source>
+        <translation>点击三维视图中的一个像素，得到它的世界坐标，计算两遍：一遍用翁、黄、蔡（2008）的解析逆变换公式，一遍用逆矩阵，并给出两者之差、其原因以及坐标的可靠程度。</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>MIT licence.</source>
+        <translation>MIT 许可证。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Versions</source>
+        <translation>复制版本信息(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy the versions, for a report</source>
+        <translation>复制版本信息，供报告使用</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ClipGroup</name>
     <message>
         <source>Kept is where A x + B y + C z + D ≥ 0, in world coordinates.</source>
@@ -969,6 +1028,25 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::FirstSteps</name>
+    <message>
+        <source>First steps</source>
+        <translation>入门</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Three things to try&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click&lt;/b&gt; a point of the model: its world coordinate stands beside, computed twice.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Drag&lt;/b&gt;: the view turns about the point under the pointer. The wheel zooms.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Look at an example&lt;/b&gt; of the tutorials: &lt;a href=&apos;example&apos;&gt;%1&lt;/a&gt;, more in File &amp;gt; Examples.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;可以试试这三件事&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击&lt;/b&gt;模型上的一点：旁边会显示它的世界坐标，计算两遍。&lt;/p&gt;&lt;p&gt;&lt;b&gt;拖动&lt;/b&gt;：视图绕指针下的点转动；滚轮缩放。&lt;/p&gt;&lt;p&gt;&lt;b&gt;看一个教程示例&lt;/b&gt;：&lt;a href=&apos;example&apos;&gt;%1&lt;/a&gt;，更多示例在“文件 &amp;gt; 示例”中。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Close; Help &gt; First Steps brings it back</source>
+        <translation>关闭；“帮助 &gt; 入门”可再次显示</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::FormulasWindow</name>
     <message>
         <source>Formulas</source>
@@ -1043,6 +1121,57 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>Folded</source>
         <translation>已折叠</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::KeySheet</name>
+    <message>
+        <source>Mouse and Keys</source>
+        <translation>鼠标与按键</translation>
+    </message>
+    <message>
+        <source>Mouse in the view</source>
+        <translation>视图中的鼠标</translation>
+    </message>
+    <message>
+        <source>left button</source>
+        <translation>左键</translation>
+    </message>
+    <message>
+        <source>read the world coordinate of the pixel</source>
+        <translation>读取该像素的世界坐标</translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation>左键拖动</translation>
+    </message>
+    <message>
+        <source>turn the camera about the point under the pointer</source>
+        <translation>绕指针下的点转动相机</translation>
+    </message>
+    <message>
+        <source>middle drag, or Shift + left drag</source>
+        <translation>中键拖动，或 Shift + 左键拖动</translation>
+    </message>
+    <message>
+        <source>move the camera sideways</source>
+        <translation>平移相机</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>zoom towards the pointer</source>
+        <translation>朝指针缩放</translation>
+    </message>
+    <message>
+        <source>double-click</source>
+        <translation>双击</translation>
+    </message>
+    <message>
+        <source>bring the point to the middle</source>
+        <translation>将该点移到中央</translation>
     </message>
 </context>
 <context>
@@ -1345,10 +1474,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>从外部观察(&amp;V)</translation>
     </message>
     <message>
-        <source>Show the camera and its view volume from outside, beside the view</source>
-        <translation>在视图旁边，从外部显示相机及其视景体</translation>
-    </message>
-    <message>
         <source>&amp;Smooth Edges</source>
         <translation>平滑边缘(&amp;S)</translation>
     </message>
@@ -1363,10 +1488,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>R&amp;eset Layout</source>
         <translation>恢复布局(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Put all panels back to where they were at first</source>
-        <translation>把所有面板放回最初的位置</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1385,32 +1506,12 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>鼠标与键盘(&amp;M)</translation>
     </message>
     <message>
-        <source>How to move the camera and pick points</source>
-        <translation>如何移动相机和拾取点</translation>
-    </message>
-    <message>
         <source>&amp;About Unprojector</source>
         <translation>关于 Unprojector(&amp;A)</translation>
     </message>
     <message>
         <source>What this program is</source>
         <translation>本程序的用途</translation>
-    </message>
-    <message>
-        <source>Mouse and Keys</source>
-        <translation>鼠标与键盘</translation>
-    </message>
-    <message>
-        <source>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;Left button&lt;/td&gt;&lt;td&gt;read the world coordinate of the pixel&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;… and drag&lt;/td&gt;&lt;td&gt;turn the camera about that point&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Middle button, or Shift + left&lt;/td&gt;&lt;td&gt;move the camera sideways&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Wheel&lt;/td&gt;&lt;td&gt;zoom towards the pointer&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Double-click&lt;/td&gt;&lt;td&gt;bring the point to the middle&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;1, 3, 7 (with Ctrl: the opposite)&lt;/td&gt;&lt;td&gt;look from the front, right, top&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;5&lt;/td&gt;&lt;td&gt;switch perspective and orthographic&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F, Home&lt;/td&gt;&lt;td&gt;fit all objects; back to the first camera&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
-        <translation>&lt;table cellspacing=&apos;6&apos;&gt;&lt;tr&gt;&lt;td&gt;左键&lt;/td&gt;&lt;td&gt;读取该像素的世界坐标&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;……并拖动&lt;/td&gt;&lt;td&gt;使相机绕该点转动&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;中键，或 Shift + 左键&lt;/td&gt;&lt;td&gt;平移相机&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;滚轮&lt;/td&gt;&lt;td&gt;朝指针处缩放&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;双击&lt;/td&gt;&lt;td&gt;把该点移到中央&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;1、3、7（加 Ctrl：相反方向）&lt;/td&gt;&lt;td&gt;前视、右视、俯视&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;5&lt;/td&gt;&lt;td&gt;切换透视投影与正投影&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F、Home&lt;/td&gt;&lt;td&gt;显示全部物体；回到最初的相机&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
-    </message>
-    <message>
-        <source>About Unprojector</source>
-        <translation>关于 Unprojector</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;&lt;b&gt;Unprojector %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Click a pixel of a 3-D view and get its world coordinate, computed twice: by the closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, with the difference, its cause and how certain the coordinate is.&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;Unprojector %1&lt;/b&gt;&lt;/p&gt;&lt;p&gt;点击三维视图中的一个像素，用两种方法求出它的世界坐标：Weng、Huang 和 Cai (2008) 的封闭形式逆变换公式，以及逆矩阵；同时给出两者的差、差异的原因和坐标的可靠程度。&lt;/p&gt;&lt;p&gt;MIT 许可证。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -1457,14 +1558,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>把表面的边缘画得没有锯齿。点击读到的深度不变</translation>
     </message>
     <message>
-        <source>&lt;p&gt;This graphics driver draws no integers, so the view tells by colours which object was clicked.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;此显卡驱动不能绘制整数，因此视图用颜色来辨认点击的是哪个物体。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>A&amp;dd Models…</source>
-        <translation>添加模型(&amp;D)…</translation>
-    </message>
-    <message>
         <source>Put more models beside the objects of this scene</source>
         <translation>把更多模型放到此场景的物体旁</translation>
     </message>
@@ -1475,6 +1568,78 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>Oblique</source>
         <translation>斜投影</translation>
+    </message>
+    <message>
+        <source>A&amp;dd to Scene…</source>
+        <translation>添加到场景(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Show the camera and its view volume from outside, in a corner of the view</source>
+        <translation>在视图的一角从外部显示相机及其视景体</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours</source>
+        <translation>颜色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop Has Them</source>
+        <translation>与桌面相同(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>浅色或深色，与桌面一致</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark letters on a light ground</source>
+        <translation>浅底深字</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>深色(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Light letters on a dark ground</source>
+        <translation>深底浅字</translation>
+    </message>
+    <message>
+        <source>What the mouse and every key do</source>
+        <translation>鼠标和每个按键的作用</translation>
+    </message>
+    <message>
+        <source>First &amp;Steps</source>
+        <translation>入门(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Three things to try</source>
+        <translation>可以试试这三件事</translation>
+    </message>
+    <message>
+        <source>This graphics driver draws no integers, so the view tells by colours which object was clicked.</source>
+        <translation>此显卡驱动不能绘制整数，因此视图用颜色判断点击的是哪个物体。</translation>
+    </message>
+    <message>
+        <source>View from Outside</source>
+        <translation>从外部观察</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>点击</translation>
+    </message>
+    <message>
+        <source>The view and what a click gives</source>
+        <translation>视图，以及一次点击得到的结果</translation>
+    </message>
+    <message>
+        <source>Every number and every matrix between an object and its pixel</source>
+        <translation>从物体到像素之间的每个数和每个矩阵</translation>
+    </message>
+    <message>
+        <source>Put all panels of this work place back to where they were at first</source>
+        <translation>将此工作区的所有面板恢复到最初的位置</translation>
     </message>
 </context>
 <context>
@@ -1847,6 +2012,22 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>&amp;Play</source>
         <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close the view from outside (0)</source>
+        <translation>关闭外部视图（0）</translation>
+    </message>
+    <message>
+        <source>Into a panel of its own</source>
+        <translation>放入单独的面板</translation>
+    </message>
+    <message>
+        <source>Back into the corner of the view</source>
+        <translation>放回视图的一角</translation>
     </message>
 </context>
 <context>
@@ -2461,6 +2642,10 @@ in logical pixels from the top-left corner, y down</source>
     <message>
         <source>The clicks could not be written to standard output: %1.</source>
         <translation>无法把点击写到标准输出：%1。</translation>
+    </message>
+    <message>
+        <source>The view is %1 × %2 logical pixels, not %3 × %4: the window cannot be made so here. --no-panels leaves it more room.</source>
+        <translation>视图是 %1 × %2 逻辑像素，而不是 %3 × %4：窗口在此处无法做到。--no-panels 可给它更多空间。</translation>
     </message>
 </context>
 <context>

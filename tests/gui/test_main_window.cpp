@@ -3,14 +3,20 @@
 #include "gui_scene.h"
 
 #include "core/scene/examples.h"
-#include "gui/view/lifecycle_log.h"
+#include "gui/panels/observer_panel.h"
+#include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/appearance.h"
+#include "gui/window/first_steps.h"
+#include "gui/window/key_sheet.h"
+#include "gui/window/work_places.h"
 
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
-#include <QSignalSpy>
+#include <QSettings>
 #include <QTest>
+#include <QTextBrowser>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -27,7 +33,7 @@ QDockWidget *dockOf(const MainWindow &window, const char *name)
 QAction *actionOf(const MainWindow &window, const QString &text)
 {
     for (QAction *action : window.findChildren<QAction *>()) {
-        if (action->text().remove(u'&') == text)
+        if (action->text().remove(u'&') == text && !action->associatedObjects().isEmpty())
             return action;
     }
     return nullptr;
@@ -49,6 +55,13 @@ std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remembers = fal
     return window;
 }
 
+/// On the screen, not behind another tab.
+bool isSeen(const MainWindow &window, const char *name)
+{
+    const QDockWidget *dock = dockOf(window, name);
+    return dock->isVisible() && !dock->visibleRegion().isEmpty();
+}
+
 const char *const kPanels[] = {"parameters", "comparison", "pipeline", "inspector", "lifecycle"};
 
 } // namespace
@@ -58,40 +71,70 @@ class TestMainWindow : public QObject {
 
 private slots:
     void initTestCase() { redirectSettings(); }
-    void allPanelsStandBesideTheViewInALargeWindow();
+    void theViewHasMostOfTheWindowAtFirst();
+    void eachPlaceShowsItsPanels();
     void theViewKeepsItsHalfOfASmallWindow();
     void theViewCanHaveTheWholeWindow();
-    void theLayoutIsKeptAndCanBeReset();
+    void eachPlaceKeepsItsLayoutAndCanBeReset();
+    void narrowingAndWideningBringsTheOldLayoutBack_data();
+    void narrowingAndWideningBringsTheOldLayoutBack();
+    void nothingThatIsSaidChangesTheViewsSize_data();
+    void nothingThatIsSaidChangesTheViewsSize();
+    void theViewGetsTheSizeThatIsAskedFor();
+    void aPanelsNameStandsOnce();
     void everyExampleOpensWithItsNote();
-    void theViewFromOutsideComesAndGoes();
+    void theViewFromOutsideLeavesTheViewAlone();
+    void theViewFromOutsideCanBeAPanel();
+    void aDarkWindowHasADarkView();
+    void theKeySheetNamesEveryKey();
+    void newcomersSeeThreeStepsUntilTheyClick();
     void anotherKindOfEdgesKeepsTheScene();
     void aChangeIsUndoneFromTheMenu();
 };
 
-void TestMainWindow::allPanelsStandBesideTheViewInALargeWindow()
+void TestMainWindow::theViewHasMostOfTheWindowAtFirst()
+{
+    const auto window = windowOfSize({1280, 800});
+    const double share = static_cast<double>(window->view().width()) * window->view().height()
+                         / (static_cast<double>(window->width()) * window->height());
+    QVERIFY2(share >= 0.55, qPrintable(QString::number(share)));
+    QVERIFY(isSeen(*window, "comparison"));
+    for (const char *name : {"parameters", "pipeline", "inspector", "lifecycle"})
+        QVERIFY2(dockOf(*window, name)->isHidden(), name);
+}
+
+void TestMainWindow::eachPlaceShowsItsPanels()
 {
     const auto window = windowOfSize({1280, 800});
     const SceneView &view = window->view();
+    actionOf(*window, QStringLiteral("Pipeline"))->trigger();
+    QCOMPARE(window->places().current(), "pipeline");
+    QTest::qWait(50);
     const auto leftOf = [&](const QWidget &widget) { return widget.mapTo(window.get(), QPoint(0, 0)).x(); };
-    for (const char *name : {"parameters", "comparison", "inspector"})
-        QVERIFY2(dockOf(*window, name)->isVisible() && !dockOf(*window, name)->visibleRegion().isEmpty(), name);
+    for (const char *name : {"parameters", "pipeline", "inspector"})
+        QVERIFY2(isSeen(*window, name), name);
+    QVERIFY(dockOf(*window, "comparison")->isHidden());
     QVERIFY(leftOf(*dockOf(*window, "parameters")) < leftOf(view));
-    QVERIFY(leftOf(*dockOf(*window, "comparison")) > leftOf(view));
+    QVERIFY(leftOf(*dockOf(*window, "pipeline")) > leftOf(view));
     QVERIFY(dockOf(*window, "inspector")->mapTo(window.get(), QPoint(0, 0)).y() > view.height());
-    QCOMPARE(window->tabifiedDockWidgets(dockOf(*window, "comparison")),
-             QList<QDockWidget *>{dockOf(*window, "pipeline")});
-    QCOMPARE(window->tabifiedDockWidgets(dockOf(*window, "inspector")),
-             QList<QDockWidget *>{dockOf(*window, "lifecycle")});
-    QVERIFY(view.width() > 0.45 * window->width() && view.height() > 0.6 * window->height());
+    QVERIFY(window->tabifiedDockWidgets(dockOf(*window, "inspector")).contains(dockOf(*window, "lifecycle")));
+    actionOf(*window, QStringLiteral("Click"))->trigger();
+    QVERIFY(isSeen(*window, "comparison"));
+    QVERIFY(dockOf(*window, "parameters")->isHidden());
 }
 
 void TestMainWindow::theViewKeepsItsHalfOfASmallWindow()
 {
-    const auto window = windowOfSize({1000, 640});
-    QVERIFY(2 * window->view().width() >= window->width());
-    QVERIFY(2 * window->view().height() >= window->height());
-    QVERIFY(!dockOf(*window, "inspector")->isVisible());
-    QVERIFY(window->tabifiedDockWidgets(dockOf(*window, "comparison")).contains(dockOf(*window, "parameters")));
+    const auto window = windowOfSize({800, 600});
+    for (const char *place : {"click", "pipeline"}) {
+        window->places().enter(place);
+        QTest::qWait(50);
+        QCOMPARE(window->size(), QSize(800, 600));
+        QVERIFY2(2 * window->view().width() >= window->width(), place);
+        QVERIFY2(2 * window->view().height() >= window->height(), place);
+        QVERIFY(!dockOf(*window, "inspector")->isVisible());
+    }
+    QVERIFY(window->tabifiedDockWidgets(dockOf(*window, "pipeline")).contains(dockOf(*window, "parameters")));
 }
 
 void TestMainWindow::theViewCanHaveTheWholeWindow()
@@ -104,22 +147,113 @@ void TestMainWindow::theViewCanHaveTheWholeWindow()
     QTRY_COMPARE(window->view().width(), before);
 }
 
-void TestMainWindow::theLayoutIsKeptAndCanBeReset()
+void TestMainWindow::eachPlaceKeepsItsLayoutAndCanBeReset()
 {
     {
         const auto window = windowOfSize({1280, 800}, true);
-        dockOf(*window, "inspector")->hide();
         window->addDockWidget(Qt::LeftDockWidgetArea, dockOf(*window, "comparison"));
+        window->places().enter("pipeline");
+        QTest::qWait(20);
+        dockOf(*window, "inspector")->hide();
+        dockOf(*window, "lifecycle")->hide();
+        window->places().enter("click");
+        QCOMPARE(window->dockWidgetArea(dockOf(*window, "comparison")), Qt::LeftDockWidgetArea);
+        window->places().enter("pipeline");
+        QVERIFY(dockOf(*window, "inspector")->isHidden());
         window->close();
     }
     const auto window = windowOfSize({1280, 800}, true);
+    QCOMPARE(window->places().current(), "pipeline");
     QVERIFY(dockOf(*window, "inspector")->isHidden());
-    QCOMPARE(window->dockWidgetArea(dockOf(*window, "comparison")), Qt::LeftDockWidgetArea);
     actionOf(*window, QStringLiteral("Reset Layout"))->trigger();
     QVERIFY(!dockOf(*window, "inspector")->isHidden());
+    window->places().enter("click");
+    QCOMPARE(window->dockWidgetArea(dockOf(*window, "comparison")), Qt::LeftDockWidgetArea);
+    actionOf(*window, QStringLiteral("Reset Layout"))->trigger();
     QCOMPARE(window->dockWidgetArea(dockOf(*window, "comparison")), Qt::RightDockWidgetArea);
     for (const char *name : kPanels)
         QVERIFY2(!dockOf(*window, name)->isFloating(), name);
+}
+
+void TestMainWindow::narrowingAndWideningBringsTheOldLayoutBack_data()
+{
+    QTest::addColumn<QString>("place");
+    QTest::newRow("click") << QStringLiteral("click");
+    QTest::newRow("pipeline") << QStringLiteral("pipeline");
+}
+
+void TestMainWindow::narrowingAndWideningBringsTheOldLayoutBack()
+{
+    QFETCH(QString, place);
+    const auto window = windowOfSize({1280, 800});
+    window->places().enter(place.toUtf8().constData());
+    QTest::qWait(50);
+    const QSize before = window->view().size();
+    for (const QSize &size : {QSize(1000, 640), QSize(800, 600), QSize(1280, 800)}) {
+        window->resize(size);
+        QTest::qWait(50);
+    }
+    QTRY_COMPARE(window->view().size(), before);
+}
+
+void TestMainWindow::nothingThatIsSaidChangesTheViewsSize_data()
+{
+    narrowingAndWideningBringsTheOldLayoutBack_data();
+}
+
+/// Points near and far, the background, a tiny and a huge world, a camera that is close and one that is far.
+void TestMainWindow::nothingThatIsSaidChangesTheViewsSize()
+{
+    QFETCH(QString, place);
+    const auto window = windowOfSize({1280, 800});
+    window->places().enter(place.toUtf8().constData());
+    QTest::qWait(50);
+    SceneView &view = window->view();
+    const QSize before = view.size();
+    const QPointF middle(before.width() / 2.0, before.height() / 2.0);
+    for (const double scale : {1.0, 1e-5, 1e6}) {
+        std::vector<SceneObject> objects = planeScene({0.0, 0.0, 0.0}, {scale, 0.0, 0.0}, {0.0, scale, 0.0});
+        window->document().setObjects(std::move(objects));
+        window->document().fit();
+        for (const QPointF &place2 : {middle, middle + QPointF(3.0, 1.0), QPointF(2.0, 2.0)}) {
+            click(view, place2);
+            QTest::qWait(10);
+            QCOMPARE(view.size(), before);
+        }
+        for (const int notches : {3, -6}) {
+            turnWheel(view, middle, notches);
+            QTest::mouseMove(&view, middle.toPoint() + QPoint(notches, 1));
+            QTest::qWait(10);
+            QCOMPARE(view.size(), before);
+        }
+    }
+}
+
+void TestMainWindow::theViewGetsTheSizeThatIsAskedFor()
+{
+    const auto window = windowOfSize({1280, 800});
+    for (const QSize &size : {QSize(600, 500), QSize(640, 480), QSize(333, 257)}) {
+        window->setViewSize(size);
+        QTRY_COMPARE(window->view().size(), size);
+    }
+}
+
+void TestMainWindow::aPanelsNameStandsOnce()
+{
+    const auto window = windowOfSize({1280, 800});
+    for (const char *place : {"click", "pipeline"}) {
+        window->places().enter(place);
+        QTest::qWait(50);
+        for (const char *name : kPanels) {
+            QDockWidget *dock = dockOf(*window, name);
+            if (dock->isHidden())
+                continue;
+            bool isTab = false;
+            for (const QDockWidget *other : window->tabifiedDockWidgets(dock))
+                isTab |= !other->isHidden();
+            QCOMPARE(dock->titleBarWidget() != nullptr, isTab);
+        }
+    }
 }
 
 void TestMainWindow::everyExampleOpensWithItsNote()
@@ -137,15 +271,92 @@ void TestMainWindow::everyExampleOpensWithItsNote()
     QVERIFY(dockOf(*window, "example")->isHidden());
 }
 
-void TestMainWindow::theViewFromOutsideComesAndGoes()
+void TestMainWindow::theViewFromOutsideLeavesTheViewAlone()
 {
     const auto window = windowOfSize({1280, 800});
-    const int alone = window->view().width();
+    const QSize alone = window->view().size();
     QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
     action->trigger();
-    QTRY_VERIFY(window->view().width() < 0.7 * alone);
+    auto *outside = window->findChild<ObserverView *>();
+    QVERIFY(outside && QTest::qWaitFor([&] { return outside->isVisible() && outside->isReady(); }));
+    QCOMPARE(window->view().size(), alone);
+    const auto standsInTheView = [&] {
+        const QPoint corner = window->view().mapFromGlobal(outside->mapToGlobal(QPoint(0, 0)));
+        return window->view().rect().contains(QRect(corner, outside->size()));
+    };
+    QVERIFY(standsInTheView());
+    window->resize(900, 640);
+    QTest::qWait(50);
+    QVERIFY(standsInTheView());
     action->trigger();
-    QTRY_COMPARE(window->view().width(), alone);
+    QTRY_VERIFY(!outside->isVisible());
+}
+
+void TestMainWindow::theViewFromOutsideCanBeAPanel()
+{
+    const auto window = windowOfSize({1280, 800});
+    actionOf(*window, QStringLiteral("View from Outside"))->trigger();
+    auto *panel = window->findChild<ObserverPanel *>();
+    emit panel->dockRequested(true);
+    QTRY_VERIFY(isSeen(*window, "observer"));
+    QVERIFY(dockOf(*window, "observer")->isAncestorOf(panel) && panel->isVisible());
+    emit panel->dockRequested(false);
+    QVERIFY(dockOf(*window, "observer")->isHidden());
+    QTRY_VERIFY(panel->isVisible());
+    QVERIFY(!dockOf(*window, "observer")->isAncestorOf(panel));
+}
+
+void TestMainWindow::aDarkWindowHasADarkView()
+{
+    const auto window = windowOfSize({700, 500});
+    const auto corner = [&] { return window->view().grabFramebuffer().pixelColor(3, 3).lightness(); };
+    QVERIFY(corner() > 160);
+    setAppearance(Appearance::Dark);
+    QTest::qWait(50);
+    QVERIFY(corner() < 96);
+    setAppearance(Appearance::Desktop);
+    QTest::qWait(50);
+    QVERIFY(corner() > 160);
+}
+
+void TestMainWindow::theKeySheetNamesEveryKey()
+{
+    const auto window = windowOfSize({700, 500});
+    actionOf(*window, QStringLiteral("Mouse and Keys"))->trigger();
+    auto *sheet = window->findChild<KeySheet *>();
+    QVERIFY(sheet && sheet->isVisible() && !sheet->isModal());
+    const QString text = sheet->findChild<QTextBrowser *>()->toPlainText();
+    int keys = 0;
+    for (const QAction *action : window->findChildren<QAction *>()) {
+        // Those of the menus; a panel's buttons say their own.
+        const QObjectList places = action->associatedObjects();
+        const bool isInMenu = std::any_of(places.begin(), places.end(), [](QObject *place) {
+            const auto *menu = qobject_cast<QMenu *>(place);
+            return menu && !menu->title().isEmpty();
+        });
+        if (action->shortcut().isEmpty() || !isInMenu)
+            continue;
+        ++keys;
+        QVERIFY2(text.contains(action->shortcut().toString(QKeySequence::NativeText)), qPrintable(action->text()));
+    }
+    QVERIFY(keys > 20);
+}
+
+void TestMainWindow::newcomersSeeThreeStepsUntilTheyClick()
+{
+    QSettings().remove(QStringLiteral("firstSteps/areDone"));
+    {
+        const auto window = windowOfSize({1000, 700}, true);
+        auto *steps = window->findChild<FirstSteps *>();
+        QVERIFY(steps && steps->isVisible());
+        const SceneView &view = window->view();
+        click(window->view(), QPointF(view.width() / 2.0, view.height() / 2.0));
+        QVERIFY(!steps->isVisible());
+    }
+    const auto window = windowOfSize({1000, 700}, true);
+    QVERIFY(!window->findChild<FirstSteps *>());
+    actionOf(*window, QStringLiteral("First Steps"))->trigger();
+    QVERIFY(window->findChild<FirstSteps *>()->isVisible());
 }
 
 void TestMainWindow::anotherKindOfEdgesKeepsTheScene()

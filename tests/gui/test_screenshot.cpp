@@ -102,6 +102,8 @@ class TestScreenshot : public QObject {
 private slots:
     void initTestCase();
     void theJsonHasItsContractedShape();
+    void theSameClicksMeanTheSamePixels_data();
+    void theSameClicksMeanTheSamePixels();
     void theNumbersReadBackAndComputedAgainAreTheSame_data();
     void theNumbersReadBackAndComputedAgainAreTheSame();
     void theCommandComputesTheSamePoints_data();
@@ -131,10 +133,36 @@ void TestScreenshot::initTestCase()
     QVERIFY(QFile::exists(QStringLiteral(UNPROJECTOR_EXECUTABLE)));
 }
 
+void TestScreenshot::theSameClicksMeanTheSamePixels_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QStringList>("environment");
+    QTest::newRow("without panels") << QStringList{"--no-panels"} << QStringList();
+    QTest::newRow("pipeline") << QStringList{"--place", "pipeline"} << QStringList();
+    QTest::newRow("dark") << QStringList{"--appearance", "dark"} << QStringList();
+    QTest::newRow("Chinese") << QStringList() << QStringList{"LANGUAGE=zh_CN"};
+}
+
+void TestScreenshot::theSameClicksMeanTheSamePixels()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QStringList, environment);
+    const QStringList asked{"--screenshot", path("pixels.png"), "--view-size", "600x500", "--click", "300,250"};
+    const Run plain = run(asked);
+    QVERIFY2(plain.hasExited && plain.exitCode == 0, plain.errors.constData());
+    const Run other = run(asked + options, environment);
+    QVERIFY2(other.hasExited && other.exitCode == 0, other.errors.constData());
+    QCOMPARE(other.output, plain.output);
+    const Json clicks = Json::parse(plain.output.toStdString(), nullptr, false);
+    QCOMPARE(clicks[0]["scene"]["window"]["width"].get<int>(), 600);
+    QCOMPARE(clicks[0]["scene"]["window"]["height"].get<int>(), 500);
+    QVERIFY(clicks[0]["hit"].get<bool>());
+}
+
 void TestScreenshot::theJsonHasItsContractedShape()
 {
     const Run result =
-        run({"--screenshot", path("shape.png"), "--size", "1000x700", "--click", "200,200", "--click", "3,4.5"});
+        run({"--screenshot", path("shape.png"), "--view-size", "600x500", "--click", "300,250", "--click", "3,4.5"});
     QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
     const Json clicks = Json::parse(result.output.toStdString(), nullptr, false);
     QVERIFY(clicks.is_array());
@@ -401,6 +429,10 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     row("size with words", {"--screenshot", picture, "--size", "wide x high"}, "--size is wide x high");
     row("size of nothing", {"--screenshot", picture, "--size", "0x0"}, "--size is 0x0");
     row("negative size", {"--screenshot", picture, "--size", "-800x600"}, "--size is -800x600");
+    row("view size without a height", {"--screenshot", picture, "--view-size", "640"}, "--view-size is 640");
+    row("two sizes", {"--screenshot", picture, "--size", "640x480", "--view-size", "640x480"}, "not both");
+    row("unknown place", {"--screenshot", picture, "--place", "kitchen"}, "--place is kitchen");
+    row("unknown colours", {"--screenshot", picture, "--appearance", "pink"}, "--appearance is pink");
     row("gigantic size", {"--screenshot", picture, "--size", "99999x99999"}, "--size is 99999x99999");
     row("click with one number", {"--screenshot", picture, "--click", "12"}, "--click is 12");
     row("click with words", {"--screenshot", picture, "--click", "left,top"}, "--click is left,top");

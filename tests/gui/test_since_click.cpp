@@ -3,7 +3,7 @@
 #include "gui/panels/comparison_model.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/pipeline_panel.h"
-#include "gui/text/since_click_text.h"
+#include "gui/panels/since_click_text.h"
 #include "tests/gui/gui_scene.h"
 
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "gui/text/since_click_text.h"
+#include "gui/panels/since_click_text.h"
 
 #include "gui/document/scene_document.h"
 

@@ -1,0 +1,210 @@
+#include "gui/panels/icons.h"
+
+#include <QGuiApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+
+#include <array>
+
+namespace unprojector::gui {
+namespace {
+
+// All drawings stand on a sheet of 24 x 24, y down.
+constexpr double kSheet = 24.0;
+constexpr double kPen = 1.7;
+
+// The corners of a cube that is seen from the right and above.
+constexpr QPointF kFrontTopLeft(4, 9), kFrontTopRight(15, 9), kFrontBottomRight(15, 20), kFrontBottomLeft(4, 20);
+constexpr QPointF kBackTopLeft(9, 4), kBackTopRight(20, 4), kBackBottomRight(20, 15);
+
+QPainterPath polyline(std::initializer_list<QPointF> points, bool isClosed = false)
+{
+    QPainterPath path;
+    path.moveTo(*points.begin());
+    for (auto point = points.begin() + 1; point != points.end(); ++point)
+        path.lineTo(*point);
+    if (isClosed)
+        path.closeSubpath();
+    return path;
+}
+
+QPainterPath cube()
+{
+    QPainterPath path = polyline({kFrontTopLeft, kFrontTopRight, kFrontBottomRight, kFrontBottomLeft}, true);
+    path.addPath(polyline({kFrontTopLeft, kBackTopLeft, kBackTopRight, kBackBottomRight, kFrontBottomRight}));
+    path.addPath(polyline({kFrontTopRight, kBackTopRight}));
+    return path;
+}
+
+/// An arrow that bends back to the left.
+QPainterPath undoArrow()
+{
+    QPainterPath path;
+    path.moveTo(5, 9);
+    path.lineTo(14, 9);
+    path.cubicTo(22, 9, 22, 19, 14, 19);
+    path.lineTo(9, 19);
+    path.addPath(polyline({{9, 5}, {5, 9}, {9, 13}}));
+    return path;
+}
+
+struct Sheet {
+    QPainterPath lines;
+    QPainterPath areas = {}; ///< filled
+};
+
+Sheet sheetOf(Drawing drawing)
+{
+    switch (drawing) {
+    case Drawing::Open: {
+        QPainterPath folder = polyline({{3, 19}, {3, 6}, {9, 6}, {11, 8}, {19, 8}, {19, 11}});
+        folder.addPath(polyline({{3, 19}, {6.5, 11}, {22, 11}, {18.5, 19}}, true));
+        return {folder};
+    }
+    case Drawing::Save: {
+        QPainterPath disk = polyline({{4, 4}, {16, 4}, {20, 8}, {20, 20}, {4, 20}}, true);
+        disk.addPath(polyline({{7.5, 4}, {7.5, 9}, {14.5, 9}, {14.5, 4}}));
+        disk.addRect(7.5, 13, 9, 7);
+        return {disk};
+    }
+    case Drawing::Undo: return {undoArrow()};
+    case Drawing::Redo: return {QTransform(-1, 0, 0, 1, kSheet, 0).map(undoArrow())};
+    case Drawing::Fit: {
+        QPainterPath corners = polyline({{4, 9}, {4, 4}, {9, 4}});
+        corners.addPath(polyline({{15, 4}, {20, 4}, {20, 9}}));
+        corners.addPath(polyline({{20, 15}, {20, 20}, {15, 20}}));
+        corners.addPath(polyline({{9, 20}, {4, 20}, {4, 15}}));
+        QPainterPath middle;
+        middle.addEllipse(QPointF(12, 12), 4, 4);
+        return {corners, middle};
+    }
+    case Drawing::Home: {
+        QPainterPath house = polyline({{3, 12}, {12, 4}, {21, 12}});
+        house.addPath(polyline({{6, 10}, {6, 20}, {18, 20}, {18, 10}}));
+        house.addPath(polyline({{10, 20}, {10, 14}, {14, 14}, {14, 20}}));
+        return {house};
+    }
+    case Drawing::Front:
+        return {cube(), polyline({kFrontTopLeft, kFrontTopRight, kFrontBottomRight, kFrontBottomLeft}, true)};
+    case Drawing::Right:
+        return {cube(), polyline({kFrontTopRight, kBackTopRight, kBackBottomRight, kFrontBottomRight}, true)};
+    case Drawing::Top: return {cube(), polyline({kFrontTopLeft, kBackTopLeft, kBackTopRight, kFrontTopRight}, true)};
+    case Drawing::Perspective: {
+        // The view volume from above: the eye, the near plane, the far plane.
+        QPainterPath volume = polyline({{4, 4}, {20, 4}, {15, 13}, {9, 13}}, true);
+        volume.addPath(polyline({{9, 13}, {12, 19}, {15, 13}}));
+        QPainterPath eye;
+        eye.addEllipse(QPointF(12, 19.5), 2, 2);
+        return {volume, eye};
+    }
+    case Drawing::FromOutside: {
+        // The same volume from the side, in the frame of a smaller view.
+        QPainterPath frame;
+        frame.addRoundedRect(QRectF(3, 4, 18, 16), 1.5, 1.5);
+        frame.addPath(polyline({{7, 12}, {17, 7.5}, {17, 16.5}}, true));
+        frame.addPath(polyline({{11, 10.2}, {11, 13.8}}));
+        QPainterPath eye;
+        eye.addEllipse(QPointF(7, 12), 1.8, 1.8);
+        return {frame, eye};
+    }
+    case Drawing::ToDock: {
+        QPainterPath window;
+        window.addRoundedRect(QRectF(3, 4, 18, 16), 1.5, 1.5);
+        QPainterPath column;
+        column.addRect(13.5, 4, 7.5, 16);
+        return {window, column};
+    }
+    case Drawing::Close: {
+        QPainterPath cross = polyline({{6, 6}, {18, 18}});
+        cross.addPath(polyline({{18, 6}, {6, 18}}));
+        return {cross};
+    }
+    }
+    return {};
+}
+
+/// Draws when it is asked to: in the colours and with the pixels of the moment.
+class DrawnIconEngine : public QIconEngine {
+public:
+    explicit DrawnIconEngine(Drawing drawing) : m_drawing(drawing) {}
+
+    void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State) override
+    {
+        const QPalette palette = QGuiApplication::palette();
+        const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+        const QColor color = palette.color(group, QPalette::ButtonText);
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->translate(rect.topLeft());
+        painter->scale(rect.width() / kSheet, rect.height() / kSheet);
+        const Sheet sheet = sheetOf(m_drawing);
+        painter->setPen(QPen(color, kPen, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawPath(sheet.lines);
+        QColor area = color;
+        area.setAlphaF(area.alphaF() * 0.45F);
+        painter->fillPath(sheet.areas, area);
+        painter->restore();
+    }
+
+    QPixmap pixmap(const QSize &size, QIcon::Mode mode, QIcon::State state) override
+    {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+        return pixmap;
+    }
+
+    QIconEngine *clone() const override { return new DrawnIconEngine(*this); }
+
+private:
+    Drawing m_drawing;
+};
+
+QPixmap programPixmap(int size)
+{
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(size / kSheet, size / kSheet);
+    const QColor edge(0x24, 0x33, 0x44);
+    const auto face = [&](std::initializer_list<QPointF> corners, const QColor &color) {
+        painter.setBrush(color);
+        painter.setPen(QPen(edge, 1.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPath(polyline(corners, true));
+    };
+    face({{12, 1.5}, {21.5, 6.5}, {12, 11.5}, {2.5, 6.5}}, QColor(0xe8, 0xee, 0xf4));
+    face({{2.5, 6.5}, {12, 11.5}, {12, 22.5}, {2.5, 17.5}}, QColor(0x8f, 0xb3, 0xd4));
+    face({{12, 11.5}, {21.5, 6.5}, {21.5, 17.5}, {12, 22.5}}, QColor(0x4f, 0x81, 0xb0));
+    const QColor clicked(0xd4, 0x1e, 0x4b);
+    painter.setPen(QPen(Qt::white, 3.6));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(QPointF(16.5, 14.5), 4.2, 4.2);
+    painter.setPen(QPen(clicked, 2.0));
+    painter.drawEllipse(QPointF(16.5, 14.5), 4.2, 4.2);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(clicked);
+    painter.drawEllipse(QPointF(16.5, 14.5), 1.4, 1.4);
+    return pixmap;
+}
+
+} // namespace
+
+QIcon drawnIcon(Drawing drawing)
+{
+    return QIcon(new DrawnIconEngine(drawing));
+}
+
+QIcon programIcon()
+{
+    QIcon icon;
+    for (const int size : std::array{16, 24, 32, 48, 64, 128, 256})
+        icon.addPixmap(programPixmap(size));
+    return icon;
+}
+
+} // namespace unprojector::gui

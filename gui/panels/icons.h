@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QIcon>
+
+namespace unprojector::gui {
+
+/// The drawings on the tool bar, in the colour of the text beside them: sharp at every size and pixel ratio, light on a dark
+/// desktop.
+enum class Drawing {
+    Open,
+    Save,
+    Undo,
+    Redo,
+    Fit,
+    Home,
+    Front,
+    Right,
+    Top,
+    Perspective,
+    FromOutside,
+    ToDock,
+    Close,
+};
+
+QIcon drawnIcon(Drawing drawing);
+
+/// The program's own sign: a cube and the pixel that is clicked on it.
+QIcon programIcon();
+
+} // namespace unprojector::gui

@@ -1,0 +1,86 @@
+#include "gui/window/appearance.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyle>
+#include <QStyleFactory>
+
+#include <array>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr std::array<std::pair<Appearance, const char *>, 3> kNames{
+    {{Appearance::Desktop, "desktop"}, {Appearance::Light, "light"}, {Appearance::Dark, "dark"}}};
+
+Appearance &current()
+{
+    static Appearance appearance = Appearance::Desktop;
+    return appearance;
+}
+
+QPalette paletteOf(const QColor &window, const QColor &base, const QColor &alternate, const QColor &button,
+                   const QColor &text, const QColor &link, const QColor &highlight, const QColor &faint)
+{
+    QPalette palette(button, window);
+    palette.setColor(QPalette::Base, base);
+    palette.setColor(QPalette::AlternateBase, alternate);
+    palette.setColor(QPalette::ToolTipBase, alternate);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+        palette.setColor(role, text);
+    palette.setColor(QPalette::Link, link);
+    palette.setColor(QPalette::Highlight, highlight);
+    palette.setColor(QPalette::HighlightedText, Qt::white);
+    palette.setColor(QPalette::PlaceholderText, faint);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, faint);
+    return palette;
+}
+
+} // namespace
+
+std::optional<Appearance> appearanceOf(const QString &name)
+{
+    for (const auto &[appearance, itsName] : kNames) {
+        if (name == QLatin1String(itsName))
+            return appearance;
+    }
+    return std::nullopt;
+}
+
+QString appearanceName(Appearance appearance)
+{
+    for (const auto &[candidate, name] : kNames) {
+        if (candidate == appearance)
+            return QLatin1String(name);
+    }
+    return {};
+}
+
+Appearance currentAppearance()
+{
+    return current();
+}
+
+void setAppearance(Appearance appearance)
+{
+    static const QString desktopStyle = QApplication::style()->objectName();
+    current() = appearance;
+    if (appearance == Appearance::Desktop) {
+        QApplication::setStyle(desktopStyle);
+        QApplication::setPalette(QPalette()); // none of ours: the desktop's is asked for
+        return;
+    }
+    // The one style that draws every control in any colours.
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setPalette(
+        appearance == Appearance::Dark
+            ? paletteOf(QColor(0x2b, 0x2d, 0x30), QColor(0x1f, 0x20, 0x23), QColor(0x26, 0x28, 0x2b),
+                        QColor(0x3a, 0x3d, 0x41), QColor(0xe6, 0xe7, 0xe9), QColor(0x7a, 0xb4, 0xf5),
+                        QColor(0x2f, 0x6c, 0xb3), QColor(0x8b, 0x8f, 0x96))
+            : paletteOf(QColor(0xef, 0xef, 0xef), Qt::white, QColor(0xf6, 0xf6, 0xf6), QColor(0xef, 0xef, 0xef),
+                        Qt::black, QColor(0x1f, 0x4e, 0x8c), QColor(0x30, 0x8c, 0xc6), QColor(0x80, 0x80, 0x80)));
+}
+
+} // namespace unprojector::gui

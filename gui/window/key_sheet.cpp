@@ -1,0 +1,71 @@
+#include "gui/window/key_sheet.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace unprojector::gui {
+namespace {
+
+QString row(const QString &keys, const QString &does)
+{
+    return QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;&nbsp;</td><td>%2</td></tr>")
+        .arg(keys.toHtmlEscaped(), does.toHtmlEscaped());
+}
+
+QString heading(const QString &text)
+{
+    return QStringLiteral("<tr><td colspan='2'><p style='margin-top:10px'><i>%1</i></p></td></tr>")
+        .arg(text.toHtmlEscaped());
+}
+
+QString keysOf(const QAction &action)
+{
+    QStringList keys;
+    for (const QKeySequence &key : action.shortcuts())
+        keys << key.toString(QKeySequence::NativeText);
+    return keys.join(QStringLiteral(", "));
+}
+
+QString rowsOf(const QMenu &menu)
+{
+    QString rows;
+    for (const QAction *action : menu.actions()) {
+        if (action->menu())
+            rows += rowsOf(*action->menu());
+        else if (!action->shortcut().isEmpty())
+            rows += row(keysOf(*action), action->statusTip().isEmpty() ? action->iconText() : action->statusTip());
+    }
+    return rows;
+}
+
+} // namespace
+
+KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
+{
+    setWindowTitle(tr("Mouse and Keys"));
+    QString rows = heading(tr("Mouse in the view"));
+    rows += row(tr("left button"), tr("read the world coordinate of the pixel"));
+    rows += row(tr("left drag"), tr("turn the camera about the point under the pointer"));
+    rows += row(tr("middle drag, or Shift + left drag"), tr("move the camera sideways"));
+    rows += row(tr("wheel"), tr("zoom towards the pointer"));
+    rows += row(tr("double-click"), tr("bring the point to the middle"));
+    for (const QAction *action : menus.actions()) {
+        const QString keys = rowsOf(*action->menu());
+        if (!keys.isEmpty())
+            rows += heading(action->menu()->title().remove(u'&')) + keys;
+    }
+    auto *page = new QTextBrowser;
+    page->setFrameShape(QFrame::NoFrame);
+    page->setHtml(QStringLiteral("<table>%1</table>").arg(rows));
+    page->setAccessibleName(windowTitle());
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(page);
+    constexpr int kDigits = 84, kLines = 36;
+    resize(kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing());
+}
+
+} // namespace unprojector::gui

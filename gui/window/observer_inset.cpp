@@ -1,0 +1,83 @@
+#include "gui/window/observer_inset.h"
+
+#include "gui/panels/observer_panel.h"
+
+#include <QMouseEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr QSizeF kFirstShare(0.4, 0.5);
+constexpr double kMostShare = 0.9;
+constexpr int kMargin = 8; ///< from the area's corner
+constexpr int kBorder = 5; ///< that the mouse takes hold of
+
+} // namespace
+
+ObserverInset::ObserverInset(ObserverPanel &observer, QWidget &area)
+    : QFrame(&area), m_observer(observer), m_area(area), m_share(kFirstShare)
+{
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kBorder, kBorder, 0, 0);
+    layout->addWidget(&observer);
+    setMouseTracking(true);
+    m_area.installEventFilter(this);
+    place();
+    raise();
+}
+
+ObserverInset::~ObserverInset()
+{
+    if (m_observer.parentWidget() == this)
+        m_observer.setParent(nullptr);
+}
+
+void ObserverInset::place()
+{
+    const QSize least = layout()->minimumSize();
+    const auto side = [](double share, int fewest, int whole) {
+        return std::min(std::max(static_cast<int>(share * whole), fewest), whole - 2 * kMargin);
+    };
+    const QSize size(side(m_share.width(), least.width(), m_area.width()),
+                     side(m_share.height(), least.height(), m_area.height()));
+    setGeometry(
+        QRect(QPoint(m_area.width() - kMargin - size.width(), m_area.height() - kMargin - size.height()), size));
+}
+
+bool ObserverInset::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == &m_area && event->type() == QEvent::Resize)
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+bool ObserverInset::isAtCorner(const QPoint &position) const
+{
+    return position.x() < kBorder || position.y() < kBorder;
+}
+
+void ObserverInset::mousePressEvent(QMouseEvent *event)
+{
+    m_isResizing = event->button() == Qt::LeftButton && isAtCorner(event->pos());
+    m_grabbed = event->pos();
+}
+
+void ObserverInset::mouseMoveEvent(QMouseEvent *event)
+{
+    setCursor(isAtCorner(event->pos()) ? Qt::SizeFDiagCursor : Qt::ArrowCursor);
+    if (!m_isResizing || !(event->buttons() & Qt::LeftButton))
+        return;
+    const QPoint corner = mapToParent(event->pos() - m_grabbed);
+    const auto share = [](int from, int whole) {
+        return std::clamp(static_cast<double>(whole - kMargin - from) / std::max(whole, 1), 0.0, kMostShare);
+    };
+    m_share = {share(corner.x(), m_area.width()), share(corner.y(), m_area.height())};
+    place();
+}
+
+} // namespace unprojector::gui

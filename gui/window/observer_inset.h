@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QFrame>
+
+class QSizeGrip;
+
+namespace unprojector::gui {
+
+class ObserverPanel;
+
+/// The view from outside in a corner of the view: it stands over it and leaves its size and its aspect alone. Its own corner
+/// is drawn to make it larger.
+class ObserverInset : public QFrame {
+public:
+    /// @param area  the corner of which it stands in
+    ObserverInset(ObserverPanel &observer, QWidget &area);
+    /// Leaves the observer where it was put since, or without a parent.
+    ~ObserverInset() override;
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+
+private:
+    void place();
+    bool isAtCorner(const QPoint &position) const;
+
+    ObserverPanel &m_observer;
+    QWidget &m_area;
+    QSizeF m_share; ///< of the area
+    QPoint m_grabbed;
+    bool m_isResizing = false;
+};
+
+} // namespace unprojector::gui

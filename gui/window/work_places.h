@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QKeySequence>
+#include <QList>
+#include <QMap>
+#include <QObject>
+
+#include <vector>
+
+class QAction;
+class QActionGroup;
+class QDockWidget;
+class QMainWindow;
+class QSettings;
+
+namespace unprojector::gui {
+
+/// The panels around the view, and the work places: which of them are there while one does one kind of work.
+///
+/// Each place remembers how it was left: what is shown, where it stands and how large it is. A window that gets smaller and
+/// then larger again has its old sizes back.
+class WorkPlaces : public QObject {
+    Q_OBJECT
+public:
+    struct Panel {
+        const char *id; ///< by which layouts are kept
+        QString title;
+        QWidget *widget;
+        /// In a window that is wide and high enough; else all stand on the right. Those of one area are tabs of one dock.
+        Qt::DockWidgetArea area;
+        QKeySequence key;            ///< shows and hides it
+        bool standsAlone = false;    ///< never a tab of another: it is read while something is done there
+        QDockWidget *dock = nullptr; ///< made here
+    };
+    struct Place {
+        const char *id;
+        QString title;
+        QString tip;
+        QKeySequence key;
+        QList<const char *> panels; ///< shown at first, those in front first
+        QAction *action = nullptr;  ///< made here: goes there
+    };
+    WorkPlaces(QMainWindow &window, std::vector<Panel> panels, std::vector<Place> places);
+
+    const std::vector<Panel> &panels() const { return m_panels; }
+    const std::vector<Place> &places() const { return m_places; }
+    QDockWidget *dock(const char *panel) const;
+    /// The id of the place one is at.
+    const char *current() const { return m_places[m_current].id; }
+    /// Goes to a place and leaves the one before as it is. A panel that has no place there is not shown.
+    void enter(const char *place);
+    /// Shows a panel here, in front.
+    void show(const char *panel);
+
+    /// The current place as it is at first, in the size that the window has now.
+    void reset();
+    bool arePanelsHidden() const { return m_arePanelsHidden; }
+    /// Gives the view the whole window, or the panels back.
+    void hidePanels(bool isHidden);
+
+    /// To be called when the window has got another size, its layout included.
+    void windowResized();
+    /// @return whether there was something kept that fits this window
+    bool restore(const QSettings &settings);
+    void keep(QSettings &settings);
+
+signals:
+    void entered(const char *place);
+    void panelsHidden(bool isHidden);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void arrange();
+    void leave();
+    void rememberSizes();
+    void setTitleBars();
+    QList<QDockWidget *> dockedFronts() const;
+
+    QMainWindow &m_window;
+    std::vector<Panel> m_panels;
+    std::vector<Place> m_places;
+    std::size_t m_current = 0;
+    QMap<QByteArray, QByteArray> m_layouts; ///< of the places that were left, by their id
+    QMap<QDockWidget *, QSize> m_wanted;    ///< as the user made them
+    bool m_isArranged = false;
+    bool m_arePanelsHidden = false;
+    QByteArray m_layoutWithPanels;
+};
+
+} // namespace unprojector::gui
