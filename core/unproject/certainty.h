@@ -16,7 +16,7 @@ struct Certainty {
     double footprintHeight = 0.0;
 
     /// The largest of the three halves: the size of what the depth and the pixel that were read leave open. No bound of a
-    /// coordinate: the three can add up, and the rasteriser's own error is not in it.
+    /// coordinate: the three can add up (see uncertaintyOf), and the rasteriser's own error is not in it.
     double radius() const;
 };
 
@@ -26,5 +26,18 @@ struct Certainty {
 /// @param depthBits  of the depth buffer, fixed point
 /// @pre the picture is valid and by parameters
 Certainty certaintyAt(const Picture &picture, double distance, int depthBits);
+
+/// How far each coordinate of a point can be off for what depth and pixel leave open.
+struct Uncertainty {
+    EyeVector eye;
+    WorldVector world;
+};
+
+/// The certainty's parts on each axis, added up, since all of them can be off at once: half a depth step along the ray
+/// through the pixel, half a pixel to the side, half a pixel up. No component is below 0.
+/// @param eye        the point
+/// @param certainty  at its distance
+/// @pre the picture is valid and by parameters; a perspective sees the point (z_eye is not 0)
+Uncertainty uncertaintyOf(const Picture &picture, const EyePoint &eye, const Certainty &certainty);
 
 } // namespace unprojector::unproject

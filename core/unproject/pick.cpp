@@ -16,11 +16,13 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
 
     const Unprojected point = unprojector.at(window);
     Certainty certainty;
+    Uncertainty uncertainty;
     if (sample.hit()) {
         const Result<EyePoint> &eye = point.eye[Method::Formula];
         if (!eye)
             return eye.error();
         certainty = certaintyAt(picture, -eye->z, sample.depthBits);
+        uncertainty = uncertaintyOf(picture, *eye, certainty);
     }
     return Pick{position,
                 *pixel,
@@ -29,6 +31,7 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
                 picture,
                 point,
                 certainty,
+                uncertainty,
                 unprojector.at(windowAt(picture.depthRange.atNear)),
                 unprojector.at(windowAt(picture.depthRange.atFar))};
 }

@@ -25,10 +25,11 @@ struct Pick {
     std::optional<std::size_t> object; ///< whose surface, its place in the scene's list at the click; none: background
     Picture geometry;                  ///< as it was at the click
 
-    Unprojected point;   ///< of the surface; meaningful on a hit
-    Certainty certainty; ///< of the surface; meaningful on a hit
-    Unprojected rayNear; ///< where the ray through the pixel's centre enters the view volume
-    Unprojected rayFar;  ///< where it leaves it
+    Unprojected point;       ///< of the surface; meaningful on a hit
+    Certainty certainty;     ///< of the surface; meaningful on a hit
+    Uncertainty uncertainty; ///< the same, of each coordinate; meaningful on a hit
+    Unprojected rayNear;     ///< where the ray through the pixel's centre enters the view volume
+    Unprojected rayFar;      ///< where it leaves it
 
     bool hit() const { return object.has_value(); }
 };

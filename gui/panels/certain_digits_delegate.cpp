@@ -1,9 +1,12 @@
 #include "gui/panels/certain_digits_delegate.h"
 
 #include "gui/panels/comparison_model.h"
+#include "gui/panels/contrast.h"
 
 #include <QApplication>
 #include <QPainter>
+
+#include <utility>
 
 namespace unprojector::gui {
 
@@ -21,21 +24,22 @@ void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem 
     const QStyle *style = item.widget ? item.widget->style() : QApplication::style();
     style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
 
-    const QString certain = text.left(length.toInt());
-    const QString rest = text.mid(length.toInt());
     const bool isSelected = item.state.testFlag(QStyle::State_Selected);
     const QColor ink = item.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
-    QColor grey = ink;
-    grey.setAlphaF(0.45f);
+    const QColor grey = quietInk(ink, item.palette.color(isSelected ? QPalette::Highlight : QPalette::Base));
+    // A power of ten belongs to the certain digits before it.
+    const qsizetype end = length.toInt();
+    const qsizetype power = end > 0 && text.contains(u'e') ? text.indexOf(u'e') : text.size();
     const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
     QRect area = item.rect.adjusted(margin, 0, -margin, 0);
     painter->save();
     painter->setFont(item.font);
-    painter->setPen(grey);
-    painter->drawText(area, Qt::AlignRight | Qt::AlignVCenter, rest);
-    area.setRight(area.right() - item.fontMetrics.horizontalAdvance(rest));
-    painter->setPen(ink);
-    painter->drawText(area, Qt::AlignRight | Qt::AlignVCenter, certain);
+    for (const auto &[part, color] : {std::pair(text.mid(power), ink), std::pair(text.mid(end, power - end), grey),
+                                      std::pair(text.left(end), ink)}) {
+        painter->setPen(color);
+        painter->drawText(area, Qt::AlignRight | Qt::AlignVCenter, part);
+        area.setRight(area.right() - item.fontMetrics.horizontalAdvance(part));
+    }
     painter->restore();
 }
 

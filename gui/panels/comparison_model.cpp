@@ -19,6 +19,12 @@ QString ulpsText(double ulps)
     return significantText(size < 10.0 ? std::round(ulps * 10.0) / 10.0 : std::round(ulps), 6);
 }
 
+bool isCoordinate(int column)
+{
+    return column == ComparisonModel::Formula || column == ComparisonModel::Matrix
+           || column == ComparisonModel::MatrixInFloat;
+}
+
 } // namespace
 
 ComparisonModel::ComparisonModel(QObject *parent) : QAbstractTableModel(parent)
@@ -27,7 +33,7 @@ ComparisonModel::ComparisonModel(QObject *parent) : QAbstractTableModel(parent)
 }
 
 template <typename Space>
-void ComparisonModel::addRows(const QString &space, const Answers<Space> &point, std::optional<double> certaintyRadius)
+void ComparisonModel::addRows(const QString &space, const Answers<Space> &point, const Components<3> &uncertainty)
 {
     const auto component = [](const Result<Point<Space>> &p, int axis) {
         return p ? std::optional((*p)[axis]) : std::nullopt;
@@ -39,9 +45,9 @@ void ComparisonModel::addRows(const QString &space, const Answers<Space> &point,
             row.by[static_cast<std::size_t>(method)] = component(point[method], axis);
         if (const Result<Point<Space>> &formula = point[Method::Formula]) {
             row.ulp = ulpOfLargest(*formula);
-            row.decimals = decimalsFor(*formula, kDoubleDigits);
+            row.point = *formula;
         }
-        row.certain = certaintyRadius ? std::min(row.decimals, certainDecimals(*certaintyRadius)) : row.decimals;
+        row.uncertainty = uncertainty[axis];
         m_rows.push_back(std::move(row));
     }
 }
@@ -51,11 +57,20 @@ void ComparisonModel::setPick(const std::optional<Pick> &pick)
     beginResetModel();
     m_rows.clear();
     if (pick && pick->hit()) {
-        addRows(tr("World"), pick->point.world, pick->certainty.radius());
-        addRows(tr("Eye"), pick->point.eye, pick->certainty.radius());
+        addRows(tr("World"), pick->point.world, pick->uncertainty.world);
+        addRows(tr("Eye"), pick->point.eye, pick->uncertainty.eye);
     } else if (pick) {
-        addRows(tr("Near"), pick->rayNear.world, std::nullopt);
-        addRows(tr("Far"), pick->rayFar.world, std::nullopt);
+        // The planes' depths are exact; where on them the pixel lies is not.
+        const auto ofPixel = [&pick](const Unprojected &end) -> Components<3> {
+            const Result<EyePoint> &eye = end.eye[Method::Formula];
+            if (!eye)
+                return {};
+            Certainty certainty = certaintyAt(pick->geometry, -eye->z, 24);
+            certainty.halfDepthStep = 0.0;
+            return uncertaintyOf(pick->geometry, *eye, certainty).world;
+        };
+        addRows(tr("Near"), pick->rayNear.world, ofPixel(pick->rayNear));
+        addRows(tr("Far"), pick->rayFar.world, ofPixel(pick->rayFar));
     } else {
         // The rows stand before the first click too, so that the panel keeps its shape.
         for (const QString &space : {tr("World"), tr("Eye")}) {
@@ -67,6 +82,14 @@ void ComparisonModel::setPick(const std::optional<Pick> &pick)
         }
     }
     endResetModel();
+}
+
+void ComparisonModel::setCapacity(int characters)
+{
+    if (characters == m_capacity)
+        return;
+    m_capacity = characters;
+    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 
 int ComparisonModel::rowCount(const QModelIndex &parent) const
@@ -91,6 +114,10 @@ std::optional<double> ComparisonModel::value(const Row &row, int column) const
         return formula && other ? std::optional(*formula - *other) : std::nullopt;
     };
     switch (column) {
+    case Certain: {
+        const std::optional<double> formula = by(Method::Formula, row);
+        return formula ? std::optional(certainText(*formula, row.uncertainty).toDouble()) : std::nullopt;
+    }
     case Formula: return by(Method::Formula, row);
     case Matrix: return by(Method::Matrix, row);
     case Difference: return difference(Method::Matrix);
@@ -104,10 +131,20 @@ std::optional<double> ComparisonModel::value(const Row &row, int column) const
     }
 }
 
-QString ComparisonModel::coordinateText(const Row &row, int column) const
+Notation ComparisonModel::notation(const Row &row, int column) const
 {
-    const int dropped = column == MatrixInFloat ? kDoubleDigits - kFloatDigits : 0;
-    return fixedText(*value(row, column), std::max(0, row.decimals - dropped));
+    return notationOf(row.point, column == MatrixInFloat ? kFloatDigits : kDoubleDigits, m_capacity);
+}
+
+QString ComparisonModel::toolTip(const Row &row, int column) const
+{
+    const QString number = shortestText(*value(row, column));
+    if (column == Certain)
+        return tr("%1 ± %2\nRounded to what the depth and the pixel leave certain of this coordinate")
+            .arg(certainText(*by(Method::Formula, row), row.uncertainty), readableText(row.uncertainty));
+    if (isCoordinate(column))
+        return tr("%1\nDigits in grey are below what the depth buffer and the pixel can tell.").arg(number);
+    return number;
 }
 
 QVariant ComparisonModel::data(const QModelIndex &index, int role) const
@@ -117,33 +154,37 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
     const Row &row = m_rows[static_cast<std::size_t>(index.row())];
     const int column = index.column();
     const std::optional<double> v = value(row, column);
-    const bool isCoordinate = column == Formula || column == Matrix || column == MatrixInFloat;
     switch (role) {
     case Qt::DisplayRole:
         if (!v)
             return by(Method::Formula, row) || by(Method::Matrix, row) ? tr("none") : QStringLiteral("–");
-        if (isCoordinate)
-            return coordinateText(row, column);
+        if (column == Certain)
+            return certainText(*by(Method::Formula, row), row.uncertainty);
+        if (isCoordinate(column))
+            return notation(row, column).text(*v);
         if (column == Ulps)
             return ulpsText(*v);
         return significantText(*v, 2);
     case kCertainLengthRole:
-        if (v && isCoordinate) {
-            const QString text = coordinateText(row, column);
-            const qsizetype point = text.indexOf(u'.');
-            const qsizetype length = point < 0 ? text.size() : point + (row.certain > 0 ? row.certain + 1 : 0);
-            return static_cast<int>(std::min(length, text.size()));
-        }
-        return {};
+        return v && isCoordinate(column)
+                   ? QVariant(static_cast<int>(notation(row, column).certainLength(*v, row.uncertainty)))
+                   : QVariant();
     case kValueRole: return v ? QVariant(*v) : QVariant();
-    case Qt::ToolTipRole:
-        if (v && isCoordinate)
-            return tr("%1\nDigits in grey are below what the depth buffer and the pixel can tell.")
-                .arg(shortestText(*v));
-        return v ? QVariant(shortestText(*v)) : QVariant();
+    case Qt::ToolTipRole: return v ? QVariant(toolTip(row, column)) : QVariant();
     case Qt::TextAlignmentRole: return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     default: return {};
     }
+}
+
+std::vector<double> ComparisonModel::pointAt(const QModelIndex &index) const
+{
+    std::vector<double> point;
+    const int first = index.row() - index.row() % 3;
+    for (int row = first; row < first + 3; ++row) {
+        if (const std::optional<double> v = value(m_rows[static_cast<std::size_t>(row)], index.column()))
+            point.push_back(*v);
+    }
+    return point;
 }
 
 QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -155,8 +196,9 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
     }
     if (role == Qt::DisplayRole) {
         switch (section) {
+        case Certain: return tr("Certain");
         case Formula: return tr("Formula");
-        case Matrix: return tr("Matrix inverse");
+        case Matrix: return tr("Matrix");
         case Difference: return tr("Difference");
         case Ulps: return tr("ulp");
         case MatrixInFloat: return tr("Matrix in float");
@@ -166,6 +208,8 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
     }
     if (role == Qt::ToolTipRole) {
         switch (section) {
+        case Certain:
+            return tr("Rounded to what the depth and the pixel leave certain, each coordinate by itself; world units");
         case Formula: return tr("By the closed-form formulas (9) to (12), in double; world units");
         case Matrix: return tr("By the inverse of projection × view, in double, as gluUnProject does; world units");
         case Difference: return tr("Formula minus matrix inverse; world units");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/unproject/pick.h"
+#include "gui/text/number_text.h"
 
 #include <QAbstractTableModel>
 
@@ -13,19 +14,22 @@ namespace unprojector::gui {
 using namespace unproject;
 
 /// A pick as a table: a row for each of x, y, z of a point, first in world, then in eye space (on the background: of
-/// the ray's near and far points in world space); the two methods, their difference, and what float would give.
+/// the ray's near and far points in world space); what is certain of it, the two methods, their difference, and what
+/// float would give.
 class ComparisonModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { Formula, Matrix, Difference, Ulps, MatrixInFloat, FloatDifference, ColumnCount };
+    enum Column { Certain, Formula, Matrix, Difference, Ulps, MatrixInFloat, FloatDifference, ColumnCount };
     /// Number of leading characters of a coordinate that are certain; the rest is below what depth and pixel tell.
     static constexpr int kCertainLengthRole = Qt::UserRole;
-    /// The double itself.
+    /// The double itself; of what is certain the rounded one.
     static constexpr int kValueRole = Qt::UserRole + 1;
 
     explicit ComparisonModel(QObject *parent = nullptr);
 
     void setPick(const std::optional<Pick> &pick);
+    /// Characters that the columns of the methods have room for; longer numbers are rounded.
+    void setCapacity(int characters);
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
@@ -35,7 +39,10 @@ public:
     /// The points that rows are named by, also those that are not there now, for whoever reserves room for their names.
     static QStringList pointNames();
 
-    /// The whole table with all digits, tab-separated, for the clipboard.
+    /// The point that a cell belongs to, by the method of its column: x, y, z as far as there is an answer.
+    std::vector<double> pointAt(const QModelIndex &index) const;
+
+    /// The whole table with all digits, tab-separated.
     QString text() const;
 
 private:
@@ -43,17 +50,19 @@ private:
         QString name;
         std::array<std::optional<double>, kMethods.size()> by; ///< each method's coordinate
         double ulp = 0.0;                                      ///< spacing of doubles at the point's largest component
-        int decimals = 15;                                     ///< all digits of the doubles
-        int certain = 15;                                      ///< decimals that are certain
+        double uncertainty = 0.0;                              ///< of the coordinate
+        Components<3> point;                                   ///< all of it, by the formula
     };
     template <typename Space>
-    void addRows(const QString &space, const Answers<Space> &point, std::optional<double> certaintyRadius);
+    void addRows(const QString &space, const Answers<Space> &point, const Components<3> &uncertainty);
 
     static std::optional<double> by(Method method, const Row &row);
     std::optional<double> value(const Row &row, int column) const;
-    QString coordinateText(const Row &row, int column) const;
+    Notation notation(const Row &row, int column) const;
+    QString toolTip(const Row &row, int column) const;
 
     std::vector<Row> m_rows;
+    int m_capacity = 18;
 };
 
 } // namespace unprojector::gui

@@ -1,8 +1,8 @@
 #include "gui/panels/comparison_panel.h"
 
 #include "gui/document/scene_document.h"
-#include "gui/panels/certain_digits_delegate.h"
 #include "gui/panels/comparison_model.h"
+#include "gui/panels/comparison_table.h"
 #include "gui/panels/parameters/elided_label.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/formula_text.h"
@@ -14,12 +14,9 @@
 #include <QClipboard>
 #include <QFontDatabase>
 #include <QFormLayout>
-#include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QTableView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -135,24 +132,8 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     chain->addRow(tr("Window position:"), m_window);
     chain->addRow(tr("Depth:"), m_depth);
 
-    m_table = new QTableView;
-    m_table->setModel(m_model);
-    m_table->setItemDelegate(new CertainDigitsDelegate(m_table));
+    m_table = new ComparisonTable(m_model);
     m_table->setAccessibleName(tr("Coordinates by both methods"));
-    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    digits.setPointSizeF(font().pointSizeF() * 0.88);
-    m_table->setFont(digits);
-    m_table->horizontalHeader()->setFont(font());
-    m_table->verticalHeader()->setFont(font());
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
-    m_table->horizontalHeader()->setMinimumSectionSize(36);
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 6);
-    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    m_table->setTabKeyNavigation(false);
-    m_table->installEventFilter(this);
 
     m_showsFloat = new QCheckBox(tr("Show what &float would give"));
     m_showsFloat->setToolTip(tr("The matrix inverse done in single precision, as most programs do it"));
@@ -169,6 +150,8 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     m_formula = new QPlainTextEdit;
     m_formula->setReadOnly(true);
     m_formula->setAccessibleName(tr("Formula with its numbers"));
+    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    digits.setPointSizeF(font().pointSizeF() * 0.88);
     m_formula->setFont(digits);
     m_formula->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_formula->setMinimumHeight(6 * m_formula->fontMetrics().lineSpacing());
@@ -191,9 +174,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_formula, 1);
 
     connect(m_showsFloat, &QCheckBox::toggled, this, [this](bool shows) {
-        m_table->setColumnHidden(ComparisonModel::MatrixInFloat, !shows);
-        m_table->setColumnHidden(ComparisonModel::FloatDifference, !shows);
-        fitTable();
+        m_table->setShowsFloat(shows);
         emit showsFloatChanged(shows);
     });
     connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
@@ -207,53 +188,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
         else if (changes & (Change::Picture | Change::Placement))
             showSinceClick();
     });
-    m_table->setColumnHidden(ComparisonModel::MatrixInFloat, true);
-    m_table->setColumnHidden(ComparisonModel::FloatDifference, true);
     showPick();
-}
-
-void ComparisonPanel::fitTable()
-{
-    const QFontMetrics metrics(m_table->font());
-    const QFontMetrics header(m_table->horizontalHeader()->font());
-    // The widths are those of the longest texts to expect, so that the columns and the panel stand still from click to
-    // click. Rarely a text is longer; then its column grows and the table scrolls.
-    const auto widest = [](int column) {
-        switch (column) {
-        case ComparisonModel::Formula:
-        case ComparisonModel::Matrix: return QStringLiteral("-0.000000000000000");
-        case ComparisonModel::Ulps: return QStringLiteral("-88888");
-        case ComparisonModel::MatrixInFloat: return QStringLiteral("-0.0000000");
-        default: return QStringLiteral("-8.8e-888");
-        }
-    };
-    constexpr int kPadding = 6;
-    // The names of a background's rows are longer than those of a surface's; room is for all of them.
-    QHeaderView *names = m_table->verticalHeader();
-    const QFontMetrics nameMetrics(names->font());
-    int longestName = 0;
-    for (const QString &name : ComparisonModel::pointNames())
-        longestName = std::max(longestName, nameMetrics.horizontalAdvance(name + QStringLiteral(" x")));
-    names->setFixedWidth(longestName + 2 * kPadding);
-    const int frame = names->minimumWidth() + 2 * m_table->frameWidth();
-    int shown = frame;
-    for (int column = 0; column < ComparisonModel::ColumnCount; ++column) {
-        int columnWidth = std::max(metrics.horizontalAdvance(widest(column)),
-                                   header.horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
-        for (int row = 0; row < m_model->rowCount(); ++row)
-            columnWidth =
-                std::max(columnWidth, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
-        m_table->setColumnWidth(column, columnWidth + kPadding);
-        if (!m_table->isColumnHidden(column)) {
-            shown += columnWidth + kPadding;
-        }
-    }
-    const int rows = m_model->rowCount() * m_table->verticalHeader()->defaultSectionSize();
-    const QMargins margins = layout()->contentsMargins();
-    const int scrollBar =
-        shown > width() - margins.left() - margins.right() ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0;
-    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + rows + 2 * m_table->frameWidth()
-                            + scrollBar);
 }
 
 /// Marked while the numbers are not those of the view as it is.
@@ -274,7 +209,6 @@ void ComparisonPanel::showPick()
 {
     const std::optional<Pick> &pick = m_document.pick();
     m_model->setPick(pick);
-    fitTable();
     showSinceClick();
     if (!pick) {
         m_heading->setFullText(tr("Press the left button on the model"));
@@ -319,7 +253,6 @@ void ComparisonPanel::showFormula()
 void ComparisonPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    fitTable();
     layout()->activate();
     showFormula();
 }
@@ -340,34 +273,6 @@ QString ComparisonPanel::text() const
     for (const SteadyLabel *link : {m_widget, m_devicePixel, m_window, m_depth})
         text += link->accessibleName() + u'\t' + link->text() + u'\n';
     return text + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formulaText + u'\n';
-}
-
-bool ComparisonPanel::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched == m_table && event->type() == QEvent::KeyPress
-        && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
-        copySelection();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
-/// The selected cells with all their digits, a row a line, tab-separated.
-void ComparisonPanel::copySelection() const
-{
-    QModelIndexList selected = m_table->selectionModel()->selectedIndexes();
-    std::sort(selected.begin(), selected.end());
-    QString text;
-    int row = -1;
-    for (const QModelIndex &index : selected) {
-        if (!text.isEmpty())
-            text += index.row() == row ? u'\t' : u'\n';
-        row = index.row();
-        const QVariant value = index.data(ComparisonModel::kValueRole);
-        text += value.isValid() ? shortestText(value.toDouble()) : index.data().toString();
-    }
-    if (!text.isEmpty())
-        QApplication::clipboard()->setText(text);
 }
 
 } // namespace unprojector::gui

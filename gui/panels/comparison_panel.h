@@ -9,12 +9,12 @@
 class QCheckBox;
 class QPlainTextEdit;
 class QPushButton;
-class QTableView;
 
 namespace unprojector::gui {
 using namespace unproject;
 
 class ComparisonModel;
+class ComparisonTable;
 class ElidedLabel;
 class SceneDocument;
 class SteadyLabel;
@@ -41,13 +41,10 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    void copySelection() const;
     void showPick();
     void showSinceClick();
-    void fitTable();
     void showFormula();
 
     SceneDocument &m_document;
@@ -58,7 +55,7 @@ private:
     SteadyLabel *m_devicePixel;
     SteadyLabel *m_window;
     SteadyLabel *m_depth;
-    QTableView *m_table;
+    ComparisonTable *m_table;
     ComparisonModel *m_model;
     SteadyLabel *m_certainty;
     SteadyLabel *m_cause;

@@ -14,6 +14,28 @@ QString theMoreReadable(const QString &withPower, const QString &writtenOut)
     return withPower.contains(u'e') && writtenOut.size() <= withPower.size() + kLongerByMost ? writtenOut : withPower;
 }
 
+constexpr int kNothingUncertain = -20;
+/// Decimals that are written out.
+constexpr int kMostZeros = 9;
+
+/// Of the first digit.
+int exponentOf(double value)
+{
+    return QString::number(value, 'e', 16).section(u'e', 1).toInt();
+}
+
+/// To so many places before the decimal point.
+double roundedTo(double value, int place)
+{
+    const double unit = std::pow(10.0, place);
+    return std::round(value / unit) * unit;
+}
+
+QString scientificText(double value, int decimals)
+{
+    return QString::number(value, 'e', decimals);
+}
+
 } // namespace
 
 QString shortestText(double value)
@@ -73,7 +95,8 @@ QString readableText(double value)
     QString power = exponent < 0 ? QStringLiteral("⁻") : QString();
     for (const QChar digit : QString::number(std::abs(exponent)))
         power += superscripts.at(digit.digitValue());
-    return QStringLiteral("%1%2×%2%3").arg(text.section(u'e', 0, 0), QString(QChar::Nbsp), QStringLiteral("10") + power);
+    return QStringLiteral("%1%2×%2%3")
+        .arg(text.section(u'e', 0, 0), QString(QChar::Nbsp), QStringLiteral("10") + power);
 }
 
 int decimalsFor(const Components<3> &point, int digits)
@@ -86,17 +109,76 @@ int decimalsFor(const Components<3> &point, int digits)
     return std::clamp(digits - 1 - exponent, 0, 20);
 }
 
-int certainDecimals(double radius)
+int certainPlace(double uncertainty)
 {
-    if (!(radius > 0.0) || !std::isfinite(radius))
-        return 15;
-    return std::clamp(static_cast<int>(std::floor(-std::log10(radius))), 0, 15);
+    if (!(uncertainty > 0.0) || !std::isfinite(uncertainty))
+        return kNothingUncertain;
+    return std::max(static_cast<int>(std::ceil(std::log10(uncertainty))), kNothingUncertain);
 }
 
-QString pointText(const Components<3> &point, int decimals)
+QString certainText(double value, double uncertainty)
+{
+    const int place = certainPlace(uncertainty);
+    if (place == kNothingUncertain || !std::isfinite(value))
+        return shortestText(value);
+    if (place > 0)
+        return fixedText(roundedTo(value, place), 0);
+    if (place >= -kMostZeros || std::abs(value) < std::pow(10.0, place))
+        return fixedText(value, std::min(-place, kMostZeros));
+    return scientificText(value, std::max(0, exponentOf(value) - place));
+}
+
+QString Notation::text(double value) const
+{
+    return isScientific ? scientificText(value, decimals) : fixedText(value, decimals);
+}
+
+qsizetype Notation::certainLength(double value, double uncertainty) const
+{
+    const QString whole = text(value);
+    const int place = certainPlace(uncertainty);
+    if (place == kNothingUncertain || !std::isfinite(value))
+        return whole.size();
+    const qsizetype power = isScientific ? whole.indexOf(u'e') : whole.size();
+    const qsizetype point = whole.indexOf(u'.') < 0 ? power : whole.indexOf(u'.');
+    const int unit = isScientific ? whole.mid(power + 1).toInt() : 0; // the place of the digit before the point
+    const bool isNegative = whole.startsWith(u'-');
+    for (int last = std::max(place, unit - decimals);; ++last) {
+        const qsizetype length = last >= unit ? point - (last - unit) : point + 1 + (unit - last);
+        if (length <= (isNegative ? 1 : 0))
+            return 0;
+        // What these digits say, against the value rounded to the last of them.
+        QString said = whole.left(std::min(length, power));
+        if (last > unit)
+            said += QString(last - unit, u'0');
+        const QString right = isScientific ? scientificText(value, std::max(0, unit - last)).section(u'e', 0, 0)
+                              : last > 0   ? fixedText(roundedTo(value, last), 0)
+                                           : fixedText(value, -last);
+        if (said == right)
+            return std::min(length, power);
+    }
+}
+
+Notation notationOf(const Components<3> &point, int digits, int characters)
+{
+    const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    if (!(largest > 0.0) || !std::isfinite(largest))
+        return {std::max(0, std::min(digits - 1, characters - 3)), false};
+    const int exponent = exponentOf(largest);
+    constexpr int kSignAndPoint = 2, kPower = 4;
+    const int before = std::max(exponent, 0) + 1; // digits before the point
+    const int room = characters - kSignAndPoint - before;
+    constexpr int kLeastExponent = -4;
+    if (exponent < kLeastExponent || room < 0)
+        return {std::clamp(characters - kSignAndPoint - 1 - kPower, 0, digits - 1), true};
+    return {std::clamp(room, 0, digits - 1 - exponent), false};
+}
+
+QString pointText(const Components<3> &point, const Components<3> &uncertainty)
 {
     return QStringLiteral("(%1, %2, %3)")
-        .arg(fixedText(point.x, decimals), fixedText(point.y, decimals), fixedText(point.z, decimals));
+        .arg(certainText(point.x, uncertainty.x), certainText(point.y, uncertainty.y),
+             certainText(point.z, uncertainty.z));
 }
 
 } // namespace unprojector::gui

@@ -29,13 +29,33 @@ QString fixedText(double value, int decimals);
 /// a millionth to a million: "0.05", "0.0012", "300", "8 × 10⁻⁹".
 QString readableText(double value);
 
+/// Where the digits of a number that may be off by `uncertainty` end: the exponent of the smallest power of ten that is no
+/// smaller than it, -2 for 0.007 and for 0.01, 3 for 300. -20 where nothing is uncertain.
+int certainPlace(double uncertainty);
+
+/// Rounded to the certain place: "-3.0" for -2.9999994 that may be off by 0.05, "1000" for 1234 that may be off by 300. With
+/// a power of ten where there would be many zeros: "1.23e-09".
+QString certainText(double value, double uncertainty);
+
+/// How the coordinates of a point are written one under the other.
+struct Notation {
+    int decimals = 15;         ///< of the mantissa where it has a power of ten
+    bool isScientific = false; ///< "-1.234e-09"
+    QString text(double value) const;
+    /// Characters of text(value) up to the last digit that is right by itself: rounded there, the value is what they say.
+    /// -2.9999994 that may be off by 0.05 has none: it is -3.0, and not -2.9.
+    /// @param uncertainty  of the value
+    qsizetype certainLength(double value, double uncertainty) const;
+};
+
+/// The most digits of a point's coordinates that a column has room for, up to `digits` significant ones of the largest.
+/// @param characters  the column's room, with a sign and the decimal point
+Notation notationOf(const Components<3> &point, int digits, int characters);
+
 /// Decimals with which the largest component of a point shows `digits` significant digits; from 0.1 to 1 one less.
 int decimalsFor(const Components<3> &point, int digits);
 
-/// Decimals that stay certain when a value may be off by `radius`; at least 0, at most 15.
-int certainDecimals(double radius);
-
-/// "(x, y, z)" with so many decimals.
-QString pointText(const Components<3> &point, int decimals);
+/// "(x, y, z)", each coordinate rounded to the place that its uncertainty leaves certain.
+QString pointText(const Components<3> &point, const Components<3> &uncertainty);
 
 } // namespace unprojector::gui

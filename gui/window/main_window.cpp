@@ -218,8 +218,8 @@ void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sampl
         m_hover->setText(tr("background, %1").arg(pixel));
         return;
     }
-    const int decimals = certainDecimals(pick->certainty.radius());
-    m_hover->setText(tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], decimals), pixel));
+    m_hover->setText(
+        tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], pick->uncertainty.world), pixel));
 }
 
 void MainWindow::showCamera()

@@ -738,10 +738,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
         <translation>公式</translation>
     </message>
     <message>
-        <source>Matrix inverse</source>
-        <translation>逆矩阵</translation>
-    </message>
-    <message>
         <source>Difference</source>
         <translation>差</translation>
     </message>
@@ -780,6 +776,24 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>Formula minus the single-precision result; world units</source>
         <translation>公式减单精度结果；世界单位</translation>
+    </message>
+    <message>
+        <source>%1 ± %2
+Rounded to what the depth and the pixel leave certain of this coordinate</source>
+        <translation>%1 ± %2
+舍入到深度和像素对该坐标所能确定的位数</translation>
+    </message>
+    <message>
+        <source>Certain</source>
+        <translation>确定值</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>矩阵</translation>
+    </message>
+    <message>
+        <source>Rounded to what the depth and the pixel leave certain, each coordinate by itself; world units</source>
+        <translation>舍入到深度和像素所能确定的位数，各坐标分别计；世界单位</translation>
     </message>
 </context>
 <context>

@@ -79,6 +79,9 @@ private slots:
     void certaintyIsTheDepthStepAndThePixel_data();
     void certaintyIsTheDepthStepAndThePixel();
     void thePickKeepsTheCertaintyOfItsDistance();
+    void eachAxisHasItsOwnUncertainty_data();
+    void eachAxisHasItsOwnUncertainty();
+    void whatIsLeftOpenLiesWithinTheUncertainty();
 };
 
 void TestPick::aClickIsFollowedBackToTheWorld_data()
@@ -319,6 +322,73 @@ void TestPick::thePickKeepsTheCertaintyOfItsDistance()
     QVERIFY(isRelativelyNear(pick->certainty.halfDepthStep, 3.305785123966942 * 0.9 / 2.0 / 16777215.0, 1e-12));
     QVERIFY(isRelativelyNear(pick->certainty.footprintWidth, 1.8181818181818181 / 400.0, 1e-12));
     QVERIFY(isRelativelyNear(pick->certainty.footprintHeight, 1.8181818181818181 / 400.0, 1e-12));
+}
+
+void TestPick::eachAxisHasItsOwnUncertainty_data()
+{
+    QTest::addColumn<Picture>("geometry");
+    QTest::addColumn<EyePoint>("point");
+    QTest::addColumn<glm::dvec3>("inEye");
+    QTest::addColumn<glm::dvec3>("inWorld");
+    // Half a depth step of 0.5, a pixel of 0.2 x 0.1.
+    Picture geometry = plainFrustum();
+    geometry.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
+    // The ray through (1, -2, -4) is (0.25, -0.5, -1) a unit: 0.125 + 0.1, 0.25 + 0.05, 0.5.
+    QTest::newRow("frustum along the axes")
+        << geometry << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5) << glm::dvec3(0.225, 0.3, 0.5);
+    // Looking along +x with z up: s = -y, u = z, f = x.
+    geometry.pose = LookAt{WorldPoint(5, 5, 5), WorldPoint(6, 5, 5), {0, 0, 1}};
+    QTest::newRow("frustum along x") << geometry << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
+                                     << glm::dvec3(0.5, 0.225, 0.3);
+    // At 45 degrees about y: s = (r, 0, -r), f = (-r, 0, -r) with r = sqrt(1/2). The ray's step is 0.125 s - 0.25 u + 0.5 f
+    // = (-0.375 r, -0.25, -0.625 r); the pixel adds 0.1 r, 0.05, 0.1 r.
+    const double r = std::sqrt(0.5);
+    geometry.pose = LookAt{WorldPoint(1, 0, 1), WorldPoint(0, 0, 0), {0, 1, 0}};
+    QTest::newRow("frustum at an angle") << geometry << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
+                                         << glm::dvec3(0.475 * r, 0.3, 0.725 * r);
+    Picture box = offsetBox();
+    box.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
+    QTest::newRow("box") << box << EyePoint(1, -2, -4) << glm::dvec3(0.1, 0.05, 0.5) << glm::dvec3(0.1, 0.05, 0.5);
+    QTest::newRow("box, behind the eye") << box << EyePoint(1, -2, 4) << glm::dvec3(0.1, 0.05, 0.5)
+                                         << glm::dvec3(0.1, 0.05, 0.5);
+    // cot 45 degrees is 1: x goes along with the depth.
+    box.projection() = Oblique{{-3, 3, -2, 2, 1, 9}, std::acos(-1.0) / 4.0, std::acos(-1.0) / 2.0};
+    QTest::newRow("oblique") << box << EyePoint(1, -2, -4) << glm::dvec3(0.6, 0.05, 0.5) << glm::dvec3(0.6, 0.05, 0.5);
+}
+
+void TestPick::eachAxisHasItsOwnUncertainty()
+{
+    QFETCH(Picture, geometry);
+    QFETCH(EyePoint, point);
+    QFETCH(glm::dvec3, inEye);
+    QFETCH(glm::dvec3, inWorld);
+    const Uncertainty uncertainty = uncertaintyOf(geometry, point, {0.5, 0.2, 0.1});
+    for (int axis = 0; axis < 3; ++axis) {
+        QVERIFY(std::abs(uncertainty.eye[axis] - inEye[axis]) < 1e-12);
+        QVERIFY(std::abs(uncertainty.world[axis] - inWorld[axis]) < 1e-12);
+    }
+}
+
+void TestPick::whatIsLeftOpenLiesWithinTheUncertainty()
+{
+    // Every corner of the pixel, half a step of a coarse depth buffer before and behind.
+    Picture geometry = plainFrustum();
+    geometry.pose = LookAt{WorldPoint(4, 3, 7), WorldPoint(0.3, 0.2, 0.1), {0.1, 1, 0.2}};
+    const Unprojector unprojector = Unprojector::of(geometry).value();
+    const Result<Pick> pick = pickAt(unprojector, WidgetPoint(123.0, 456.0), {0.625, 0, 10});
+    QVERIFY(pick.hasValue());
+    const double halfStep = 0.5 / 1023.0;
+    for (const double x : {-0.5, 0.5}) {
+        for (const double y : {-0.5, 0.5}) {
+            for (const double d : {-halfStep, halfStep}) {
+                const WindowPoint corner(pick->window.x + x, pick->window.y + y, pick->window.z + d);
+                const WorldVector off =
+                    *unprojector.worldAt(Method::Formula, corner) - *pick->point.world[Method::Formula];
+                for (int axis = 0; axis < 3; ++axis) // to first order
+                    QVERIFY(std::abs(off[axis]) <= pick->uncertainty.world[axis] * 1.01);
+            }
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(TestPick)

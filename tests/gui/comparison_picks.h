@@ -44,7 +44,8 @@ inline Pick picked(const Picture &geometry, double x, double y, double depth, bo
     return *pick;
 }
 
-/// A pick whose world point is what each method is told to have found.
+/// A pick whose world point is what each method is told to have found, and each coordinate of it off by no more than
+/// `radius`.
 inline Pick pickWith(const glm::dvec3 &formula, const glm::dvec3 &matrix, const glm::dvec3 &matrixInFloat,
                      double radius)
 {
@@ -52,7 +53,7 @@ inline Pick pickWith(const glm::dvec3 &formula, const glm::dvec3 &matrix, const 
     pick.point.world = Answers<WorldSpace>::of([&](Method method) {
         return WorldPoint(method == Method::Formula ? formula : method == Method::Matrix ? matrix : matrixInFloat);
     });
-    pick.certainty = {radius, radius, radius / 2.0};
+    pick.uncertainty.world = {radius, radius, radius};
     return pick;
 }
 

@@ -55,7 +55,7 @@ void TestComparisonTexts::numbersAreWritten_data()
     QTest::newRow("significant, negative zero") << significantText(-0.0, 4) << "0";
     QTest::newRow("fixed") << fixedText(-1.5, 3) << "-1.500";
     QTest::newRow("fixed, rounds to zero") << fixedText(-0.0001, 3) << "0.000";
-    QTest::newRow("point") << pointText({1.0, -2.0, 0.25}, 2) << "(1.00, -2.00, 0.25)";
+    QTest::newRow("point") << pointText({1.0, -2.96, 0.25}, {0.01, 0.05, 2.0}) << "(1.00, -3.0, 0)";
     QTest::newRow("decimals for 123") << QString::number(decimalsFor({1.0, -123.0, 4.0}, 16)) << "13";
     QTest::newRow("decimals for nothing") << QString::number(decimalsFor({0.0, 0.0, 0.0}, 16)) << "15";
     QTest::newRow("readable") << readableText(0.048) << "0.05";
@@ -67,9 +67,11 @@ void TestComparisonTexts::numbersAreWritten_data()
     QTest::newRow("readable, tiny") << readableText(7.9e-9) << "8 × 10⁻⁹";
     QTest::newRow("readable, huge") << readableText(1.26e9) << "1.3 × 10⁹";
     QTest::newRow("readable, nothing") << readableText(0.0) << "0";
-    QTest::newRow("certain decimals") << QString::number(certainDecimals(0.002)) << "2";
-    QTest::newRow("certain decimals of infinity")
-        << QString::number(certainDecimals(std::numeric_limits<double>::infinity())) << "15";
+    QTest::newRow("certain place") << QString::number(certainPlace(0.002)) << "-2";
+    QTest::newRow("certain place, a power of ten") << QString::number(certainPlace(0.001)) << "-3";
+    QTest::newRow("certain place of hundreds") << QString::number(certainPlace(300.0)) << "3";
+    QTest::newRow("certain place of infinity")
+        << QString::number(certainPlace(std::numeric_limits<double>::infinity())) << "-20";
 }
 
 void TestComparisonTexts::numbersAreWritten()
