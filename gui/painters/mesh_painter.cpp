@@ -40,7 +40,7 @@ namespace {
 #define GL_CLIP_DISTANCE0 0x3000
 #endif
 
-enum Attribute : GLuint { kPosition, kNormal, kColor, kTexcoord };
+enum Attribute : GLuint { Position, Normal, Color, Texcoord };
 
 /// OpenGL guarantees as many.
 constexpr std::size_t kClipDistances = 8;
@@ -166,10 +166,10 @@ std::unique_ptr<MeshPainter::GpuMesh> MeshPainter::uploaded(const Mesh &mesh, co
         glEnableVertexAttribArray(index);
         glVertexAttribPointer(index, size, type, normalized, 0, nullptr);
     };
-    attribute(kPosition, relativeTo(center, mesh.positions), 3, GL_FLOAT, GL_FALSE);
-    attribute(kNormal, mesh.normals, 3, GL_FLOAT, GL_FALSE);
-    attribute(kColor, mesh.colors, 4, GL_UNSIGNED_BYTE, GL_TRUE);
-    attribute(kTexcoord, mesh.texcoords, 2, GL_FLOAT, GL_FALSE);
+    attribute(Position, relativeTo(center, mesh.positions), 3, GL_FLOAT, GL_FALSE);
+    attribute(Normal, mesh.normals, 3, GL_FLOAT, GL_FALSE);
+    attribute(Color, mesh.colors, 4, GL_UNSIGNED_BYTE, GL_TRUE);
+    attribute(Texcoord, mesh.texcoords, 2, GL_FLOAT, GL_FALSE);
     buffer(QOpenGLBuffer::IndexBuffer, mesh.indices);
     target->vertexArray.release();
     target->indexCount = static_cast<GLsizei>(mesh.indices.size());
@@ -225,7 +225,7 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
             if (mesh->texture >= 0)
                 model.textures[static_cast<std::size_t>(mesh->texture)]->bind(0);
             // A vertex array without colours takes this constant: white.
-            glVertexAttrib4f(kColor, 1.0f, 1.0f, 1.0f, 1.0f);
+            glVertexAttrib4f(Color, 1.0f, 1.0f, 1.0f, 1.0f);
             mesh->vertexArray.bind();
             glDrawElements(GL_TRIANGLES, mesh->indexCount, GL_UNSIGNED_INT, nullptr);
             mesh->vertexArray.release();

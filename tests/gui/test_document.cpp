@@ -88,7 +88,7 @@ void TestDocument::everyVerbTellsItsKindOnceAndIsUndone_data()
 {
     QTest::addColumn<Verb>("verb");
     QTest::addColumn<Changes>("kinds");
-    const auto row = [](const char *name, Changes kinds, Verb verb) {
+    const auto row = [](const char *name, Changes kinds, const Verb &verb) {
         QTest::newRow(name) << verb << (kinds | Change::History);
     };
     row("camera", Change::Picture, [](SceneDocument &d) { d.setCamera(cameraAt(7.0)); });
@@ -151,8 +151,10 @@ void TestDocument::lookingAtNothingIsNoChange_data()
 {
     QTest::addColumn<Verb>("first");
     QTest::addColumn<Verb>("again");
-    const auto row = [](const char *name, Verb first, Verb again) { QTest::newRow(name) << first << again; };
-    const auto twice = [&row](const char *name, Verb verb) { row(name, verb, verb); };
+    const auto row = [](const char *name, const Verb &first, const Verb &again) {
+        QTest::newRow(name) << first << again;
+    };
+    const auto twice = [&row](const char *name, const Verb &verb) { row(name, verb, verb); };
     const Verb nothing = [](SceneDocument &) {};
     twice("home", [](SceneDocument &d) { d.goHome(); });
     row("home where the scene opened", nothing, [](SceneDocument &d) { d.goHome(); });

@@ -67,7 +67,9 @@ void TestFrameView::smoothEdgesAreSeenInBothViews()
         if (action->text() == QStringLiteral("&View from Outside"))
             observer = action;
     }
-    QVERIFY(smooth && observer && !smooth->isChecked());
+    if (!smooth || !observer)
+        QFAIL("the menu has no such action");
+    QVERIFY(!smooth->isChecked());
     window->resize(900, 420);
     observer->trigger();
     auto *outside = window->findChild<ObserverView *>();

@@ -333,5 +333,4 @@ void TestObserverView::aPictureThatCannotBeDrawnIsToldOnce()
 }
 
 QTEST_MAIN(TestObserverView)
-#include "core/geometry/angle.h"
 #include "test_observer_view.moc"

@@ -142,7 +142,7 @@ void TestOpenFiles::init()
 
 QString TestOpenFiles::write(const QString &name, const QByteArray &content)
 {
-    const QString path = m_folder.filePath(name);
+    QString path = m_folder.filePath(name);
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
         qFatal("%s cannot be written", qPrintable(path));

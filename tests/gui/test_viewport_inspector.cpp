@@ -38,7 +38,7 @@ bool isAt(const CornersModel &model, int row, int column, double x, double y)
 }
 
 /// Runs of blanks as one: the padding is not what is tested.
-QString plain(QString text)
+QString plain(const QString &text)
 {
     return text.simplified().replace(QStringLiteral("( "), QStringLiteral("("));
 }

@@ -33,7 +33,7 @@ ViewGroup::ViewGroup(SceneDocument &document, QWidget *parent)
 }
 
 void ViewGroup::addPoint(const QString &title, const QString &name, const QString &objectName, const QString &unit,
-                         const QString &help, std::function<double *(LookAt &, int)> number)
+                         const QString &help, const std::function<double *(LookAt &, int)> &number)
 {
     ParameterRow *row = addRow(content(), title);
     for (int i = 0; i < 3; ++i) {

@@ -17,7 +17,7 @@ protected:
 
 private:
     void addPoint(const QString &title, const QString &name, const QString &objectName, const QString &unit,
-                  const QString &help, std::function<double *(LookAt &, int)> component);
+                  const QString &help, const std::function<double *(LookAt &, int)> &component);
 
     QList<NumberField *> m_lengths;
     double m_step = 0.0;
