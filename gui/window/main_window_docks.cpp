@@ -67,11 +67,11 @@ void MainWindow::createPanels()
         {kExample, tr("Example"), m_exampleNote, kLeft, {}, true},
     };
     std::vector<WorkPlaces::Place> places = {
-        {"click", tr("Click"), tr("The view and what a click gives"), Qt::Key_F2, {"comparison"}},
+        {"click", tr("Click"), tr("The view and what a click gives"), Qt::Key_F5, {"comparison"}},
         {"pipeline",
          tr("Pipeline"),
          tr("Every number and every matrix between an object and its pixel"),
-         Qt::Key_F3,
+         Qt::Key_F6,
          {"pipeline", "parameters", "inspector", "lifecycle"}},
     };
     m_places = new WorkPlaces(*this, std::move(panels), std::move(places));

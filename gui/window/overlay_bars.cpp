@@ -139,7 +139,8 @@ LoadingBar::LoadingBar(QWidget *parent)
     m_progress->setAccessibleName(tr("Opening"));
     m_progress->setMinimumWidth(180);
     auto *cancel = new QPushButton(tr("Cancel"));
-    cancel->setToolTip(tr("Stop opening and keep the scene as it is"));
+    cancel->setShortcut(Qt::Key_Escape);
+    cancel->setToolTip(tr("Stop opening and keep the scene as it is (Esc)"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 6, 6, 6);
     layout->addWidget(m_text);

@@ -203,7 +203,7 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     view->resize(800, 600);
     view->show();
     QVERIFY(QTest::qWaitForWindowExposed(view.get()));
-    QTRY_VERIFY(column(log, LifecycleLog::Step).filter(QStringLiteral("OnDraw")).size() > 0);
+    QTRY_VERIFY(!column(log, LifecycleLog::Step).filter(QStringLiteral("OnDraw")).isEmpty());
     const int beforeResize = log.rowCount();
     view->resize(400, 300);
     QTRY_VERIFY(log.rowCount() >= beforeResize + 2);

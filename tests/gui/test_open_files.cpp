@@ -113,6 +113,7 @@ private slots:
     void aBrokenFileChangesNothing_data();
     void aBrokenFileChangesNothing();
     void aMessageGoesWithTheNextFile();
+    void cancelEndsAtOnceAndChangesNothing_data();
     void cancelEndsAtOnceAndChangesNothing();
     void aSecondLoadingTakesTheFirstOnesPlace();
     void theWindowClosesWhileLoading();
@@ -289,8 +290,16 @@ void TestOpenFiles::aMessageGoesWithTheNextFile()
     QVERIFY(window->message().isEmpty());
 }
 
+void TestOpenFiles::cancelEndsAtOnceAndChangesNothing_data()
+{
+    QTest::addColumn<bool>("isByKey");
+    QTest::newRow("its button") << false;
+    QTest::newRow("Esc") << true;
+}
+
 void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
 {
+    QFETCH(bool, isByKey);
     const auto window = shownWindow(false, {500, 400});
     window->document().setObjects(cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
@@ -307,8 +316,11 @@ void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
     auto *cancel = bar->findChild<QPushButton *>();
     QElapsedTimer timer;
     timer.start();
-    QTest::mouseClick(cancel, Qt::LeftButton);
-    QCOMPARE(ended.count(), 1);
+    if (isByKey)
+        QTest::keyClick(&window->view(), Qt::Key_Escape);
+    else
+        QTest::mouseClick(cancel, Qt::LeftButton);
+    QTRY_COMPARE(ended.count(), 1);
     QVERIFY(timer.elapsed() < kAtOnceMilliseconds);
     QVERIFY(!window->session().isLoading());
     QVERIFY(bar->isHidden());

@@ -123,7 +123,7 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout_data()
 {
     QTest::addColumn<Act>("deed");
     QTest::addColumn<Kind>("kind");
-    const auto row = [](const char *name, Kind kind, Act deed) { QTest::newRow(name) << deed << kind; };
+    const auto row = [](const char *name, Kind kind, const Act &deed) { QTest::newRow(name) << deed << kind; };
     row("nothing", Kind::Nothing, [](MainWindow &) {});
     row("home at home", Kind::Nothing, [](MainWindow &w) { w.document().goHome(); });
     row("removed object, put back", Kind::Nothing, [](MainWindow &w) {
