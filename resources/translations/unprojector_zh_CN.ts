@@ -1277,16 +1277,16 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <translation>取消</translation>
     </message>
     <message>
-        <source>Stop opening and keep the scene as it is</source>
-        <translation>停止打开，保持场景不变</translation>
-    </message>
-    <message>
         <source>Opening …</source>
         <translation>正在打开…</translation>
     </message>
     <message>
         <source>Opening %1</source>
         <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>Stop opening and keep the scene as it is (Esc)</source>
+        <translation>停止打开，保持场景不变（Esc）</translation>
     </message>
 </context>
 <context>
