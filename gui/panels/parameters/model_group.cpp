@@ -230,7 +230,7 @@ void ModelGroup::showScene()
         rebuildRows();
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i)
-        m_rows[i].call->setText(callText(steps()[i]));
+        m_rows[i].call->setText(callText(steps()[i]).replace(u'(', QStringLiteral("(\u200b"))); // may be broken there
 }
 
 void ModelGroup::rebuildRows()

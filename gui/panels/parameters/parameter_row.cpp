@@ -156,13 +156,14 @@ int ParameterRow::heightForWidth(int width) const
 QSize ParameterRow::minimumSizeHint() const
 {
     const int field = m_cells.empty() ? 0 : m_cells.front().field->minimumSizeHint().width();
-    const int width = m_columns.title + m_columns.unit + 2 * gap() + field;
-    return {width, heightForWidth(width)};
+    // The least height is that of a wide row: a narrow one asks for more by its width.
+    return {m_columns.title + m_columns.unit + 2 * gap() + field, heightForWidth(QWIDGETSIZE_MAX)};
 }
 
 QSize ParameterRow::sizeHint() const
 {
-    return minimumSizeHint();
+    const int width = minimumSizeHint().width();
+    return {width, heightForWidth(width)};
 }
 
 void ParameterRow::resizeEvent(QResizeEvent *event)

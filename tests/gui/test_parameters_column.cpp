@@ -1,0 +1,326 @@
+// The column of groups: folding, by mouse and keyboard, what is kept of it, Reset, the sliders, and where the keyboard
+// goes when something is added or removed.
+
+#include "panel_user.h"
+
+#include "gui/panels/parameters/group_heading.h"
+#include "gui/panels/parameters/number_slider.h"
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+
+class TestParametersColumn : public QObject, PanelUser {
+    Q_OBJECT
+
+private slots:
+    void init() { start(); }
+
+    void aHeadingFolds_data();
+    void aHeadingFolds();
+    void arrowsGoFromHeadingToHeading();
+    void whatIsFoldedIsKept();
+    void anotherStateIsRefused();
+    void aFoldedGroupCatchesUp();
+    void resetIsOneStep_data();
+    void resetIsOneStep();
+    void aDragIsOneStep();
+    void keysOnASliderAreOneStep();
+    void nearAndFarDoNotPassEachOtherBySlider();
+    void aSliderShowsTheNumber();
+    void theWheelOnlyScrollsPastASlider();
+    void theKeyboardStaysWhereItIsAfterAClick_data();
+    void theKeyboardStaysWhereItIsAfterAClick();
+    void byTheKeyboardTheNewFieldIsNext_data();
+    void byTheKeyboardTheNewFieldIsNext();
+    void whatIsTypedCountsBeforeAButton();
+
+private:
+    NumberSlider *slider(const QString &name)
+    {
+        for (auto *found : showGroup(QStringLiteral("projectionGroup"))->findChildren<NumberSlider *>()) {
+            if (found->accessibleName() == name)
+                return found;
+        }
+        return nullptr;
+    }
+    QToolButton *heading(const QString &group)
+    {
+        return m_panel->findChild<ParameterGroup *>(group)->heading().button();
+    }
+};
+
+void TestParametersColumn::aHeadingFolds_data()
+{
+    QTest::addColumn<int>("key"); // 0: a click
+    QTest::addColumn<bool>("fromOpen");
+    QTest::addColumn<bool>("isOpen");
+    QTest::newRow("click") << 0 << true << false;
+    QTest::newRow("click-again") << 0 << false << true;
+    QTest::newRow("space") << int(Qt::Key_Space) << true << false;
+    QTest::newRow("enter") << int(Qt::Key_Enter) << true << false;
+    QTest::newRow("return") << int(Qt::Key_Return) << false << true;
+    QTest::newRow("left") << int(Qt::Key_Left) << true << false;
+    QTest::newRow("left-of-a-folded-one") << int(Qt::Key_Left) << false << false;
+    QTest::newRow("right") << int(Qt::Key_Right) << false << true;
+}
+
+void TestParametersColumn::aHeadingFolds()
+{
+    QFETCH(int, key);
+    QFETCH(bool, fromOpen);
+    QFETCH(bool, isOpen);
+    ParameterGroup *group = showGroup(QStringLiteral("viewGroup"));
+    group->setOpen(fromOpen);
+    QToolButton *button = heading(QStringLiteral("viewGroup"));
+    if (key == 0)
+        QTest::mouseClick(button, Qt::LeftButton);
+    else
+        QTest::keyClick(button, static_cast<Qt::Key>(key));
+    QCOMPARE(group->isOpen(), isOpen);
+    QCOMPARE(group->findChild<NumberField *>()->isVisible(), isOpen);
+    QCOMPARE(button->accessibleName(), QStringLiteral("View"));
+    QCOMPARE(button->accessibleDescription(), isOpen ? QStringLiteral("Open") : QStringLiteral("Folded"));
+}
+
+void TestParametersColumn::arrowsGoFromHeadingToHeading()
+{
+    heading(QStringLiteral("viewGroup"))->setFocus();
+    for (const char *next : {"projectionGroup", "viewportGroup", "modelGroup", "clipGroup", "clipGroup"}) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+        QCOMPARE(QApplication::focusWidget(), heading(QString::fromLatin1(next)));
+    }
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
+    QCOMPARE(QApplication::focusWidget(), heading(QStringLiteral("modelGroup")));
+}
+
+void TestParametersColumn::whatIsFoldedIsKept()
+{
+    showGroup(QStringLiteral("viewGroup"))->setOpen(false);
+    showGroup(QStringLiteral("clipGroup"));
+    const QByteArray state = m_panel->saveState();
+    ParametersPanel other(*m_document);
+    QVERIFY(other.restoreState(state));
+    QCOMPARE(other.saveState(), state);
+    QVERIFY(!other.findChild<ParameterGroup *>(QStringLiteral("viewGroup"))->isOpen());
+    QVERIFY(other.findChild<ParameterGroup *>(QStringLiteral("clipGroup"))->isOpen());
+    QVERIFY(!other.findChild<ParameterGroup *>(QStringLiteral("modelGroup"))->isOpen());
+}
+
+void TestParametersColumn::anotherStateIsRefused()
+{
+    const QByteArray state = m_panel->saveState();
+    QVERIFY(!m_panel->restoreState({}));
+    QVERIFY(!m_panel->restoreState("nonsense viewGroup"));
+    QCOMPARE(m_panel->saveState(), state);
+}
+
+void TestParametersColumn::aFoldedGroupCatchesUp()
+{
+    NumberField *eye = field(QStringLiteral("eyeX"));
+    ParameterGroup *group = showGroup(QStringLiteral("viewGroup"));
+    group->setOpen(false);
+    LookAt camera = scene().camera;
+    camera.eye.x = 3.0;
+    QVERIFY(m_document->editCamera(camera, {QStringLiteral("by another")}));
+    QCOMPARE(eye->value(), 0.0); // what is folded costs nothing
+    group->setOpen(true);
+    QCOMPARE(eye->text(), QStringLiteral("3"));
+}
+
+void TestParametersColumn::resetIsOneStep_data()
+{
+    QTest::addColumn<QString>("group");
+    for (const char *group : {"viewGroup", "projectionGroup", "viewportGroup", "modelGroup", "clipGroup"})
+        QTest::newRow(group) << QString::fromLatin1(group);
+}
+
+void TestParametersColumn::resetIsOneStep()
+{
+    QFETCH(QString, group);
+    Scene changed = startScene();
+    changed.camera.eye.x = 4.0;
+    fixedViewport(changed);
+    changed.depthRange = {0.25, 0.5};
+    rotated(changed);
+    cut(changed);
+    changed.clipPlanesOff = {{1, {0.0, 1.0, 0.0, 2.0}}};
+    open(changed);
+    showGroup(group);
+    click(QStringLiteral("reset"), group);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    const Scene &now = scene();
+    if (group == QStringLiteral("viewGroup")) {
+        QVERIFY(now.camera.eye.coordinates() == changed.home.eye.coordinates());
+        QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Reset View"));
+    } else if (group == QStringLiteral("projectionGroup")) {
+        QVERIFY(now.projectionFollowsViewport && now.clipDistancesFitObjects);
+        QCOMPARE(field(QStringLiteral("fovy"))->text(), QStringLiteral("45"));
+    } else if (group == QStringLiteral("viewportGroup")) {
+        QVERIFY(now.viewport == ViewportRule{} && now.depthRange == DepthRange{});
+    } else if (group == QStringLiteral("modelGroup")) {
+        QVERIFY(now.objects[0].transform.empty());
+    } else {
+        QVERIFY(now.clipPlanes.empty() && now.clipPlanesOff.empty());
+    }
+    click(QStringLiteral("reset"), group); // there is nothing left to do
+    QCOMPARE(m_document->undoStack().count(), 1);
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), changed));
+}
+
+void TestParametersColumn::aDragIsOneStep()
+{
+    Scene prepared = startScene();
+    perspective(prepared);
+    open(prepared);
+    NumberSlider *fovy = slider(QStringLiteral("Field of view"));
+    QVERIFY(fovy);
+    int changes = 0;
+    connect(m_document.get(), &SceneDocument::changed, this,
+            [&](Changes told) { changes += told & Change::Picture ? 1 : 0; });
+    for (const int end : {90, 60}) {
+        fovy->setSliderDown(true);
+        for (const int way : {end - 10, end - 5, end})
+            fovy->setValue(way - 1); // the first place is 1 degree
+        fovy->setSliderDown(false);
+        QCOMPARE(field(QStringLiteral("fovy"))->text(), QString::number(end));
+    }
+    QCOMPARE(changes, 6); // live
+    QCOMPARE(m_document->undoStack().count(), 2);
+    QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Field of view"));
+    m_document->undoStack().undo();
+    QCOMPARE(field(QStringLiteral("fovy"))->text(), QStringLiteral("90"));
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), prepared));
+}
+
+void TestParametersColumn::keysOnASliderAreOneStep()
+{
+    NumberSlider *slide = slider(QStringLiteral("Far"));
+    slide->setFocus();
+    const int before = slide->value();
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(slide, Qt::Key_Right);
+    QCOMPARE(slide->value(), before + 3);
+    QVERIFY(frustumOf(scene()).farDistance > 100.0);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    field(QStringLiteral("top"))->setFocus();
+    slide->setFocus();
+    QTest::keyClick(slide, Qt::Key_Left);
+    QCOMPARE(m_document->undoStack().count(), 2);
+}
+
+void TestParametersColumn::nearAndFarDoNotPassEachOtherBySlider()
+{
+    NumberSlider *nearSlider = slider(QStringLiteral("Near"));
+    NumberSlider *farSlider = slider(QStringLiteral("Far"));
+    nearSlider->setValue(nearSlider->maximum());
+    QVERIFY(frustumOf(scene()).nearDistance > 90.0 && frustumOf(scene()).nearDistance < 100.0);
+    type(QStringLiteral("nearDistance"), QStringLiteral("50"));
+    farSlider->setValue(farSlider->minimum());
+    QVERIFY(frustumOf(scene()).farDistance > 50.0 && frustumOf(scene()).farDistance < 60.0);
+}
+
+void TestParametersColumn::aSliderShowsTheNumber()
+{
+    Scene prepared = startScene();
+    perspective(prepared);
+    open(prepared);
+    type(QStringLiteral("fovy"), QStringLiteral("100"));
+    QCOMPARE(slider(QStringLiteral("Field of view"))->value(), 99);
+    const int steps = m_document->undoStack().count();
+    NumberSlider *nearSlider = slider(QStringLiteral("Near"));
+    const int atOne = nearSlider->value();
+    type(QStringLiteral("nearDistance"), QStringLiteral("0.1"));
+    QCOMPARE(nearSlider->value(), atOne - 100); // a hundred places in a power of ten
+    type(QStringLiteral("nearDistance"), QStringLiteral("1e-9"));
+    QCOMPARE(nearSlider->value(), nearSlider->minimum());
+    QVERIFY(std::get<Perspective>(scene().projection).nearDistance == 1e-9);
+    QCOMPARE(m_document->undoStack().count(), steps + 2);
+}
+
+void TestParametersColumn::theWheelOnlyScrollsPastASlider()
+{
+    NumberSlider *slide = slider(QStringLiteral("Far"));
+    const QPointF position(5.0, 5.0);
+    QWheelEvent turn(position, slide->mapToGlobal(position), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(slide, &turn);
+    QCOMPARE(m_document->undoStack().count(), 0);
+}
+
+void TestParametersColumn::theKeyboardStaysWhereItIsAfterAClick_data()
+{
+    QTest::addColumn<QString>("group");
+    QTest::addColumn<QString>("button");
+    QTest::newRow("plane") << "clipGroup"
+                           << "addPlane";
+    QTest::newRow("step") << "modelGroup"
+                          << "addRotate";
+    QTest::newRow("reset") << "viewGroup"
+                           << "reset";
+}
+
+void TestParametersColumn::theKeyboardStaysWhereItIsAfterAClick()
+{
+    QFETCH(QString, group);
+    QFETCH(QString, button);
+    QWidget *used = showGroup(group)->findChild<QWidget *>(button);
+    NumberField *top = field(QStringLiteral("top"));
+    top->setFocus();
+    QCoreApplication::processEvents();
+    QTest::mouseClick(used, Qt::LeftButton);
+    QCOMPARE(QApplication::focusWidget(), top);
+}
+
+void TestParametersColumn::byTheKeyboardTheNewFieldIsNext_data()
+{
+    QTest::addColumn<QString>("group");
+    QTest::addColumn<QString>("button");
+    QTest::addColumn<QString>("part");
+    QTest::newRow("plane") << "clipGroup"
+                           << "addPlane"
+                           << "plane1";
+    QTest::newRow("step") << "modelGroup"
+                          << "addRotate"
+                          << "step1";
+}
+
+void TestParametersColumn::byTheKeyboardTheNewFieldIsNext()
+{
+    QFETCH(QString, group);
+    QFETCH(QString, button);
+    QFETCH(QString, part);
+    QWidget *used = showGroup(group)->findChild<QWidget *>(button);
+    used->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(used, Qt::Key_Space);
+    NumberField *first = field(QStringLiteral("number0"), part);
+    QCOMPARE(QApplication::focusWidget(), first);
+    QCOMPARE(first->selectedText(), first->text());
+    // And back when it goes.
+    QWidget *remove = m_panel->findChild<QWidget *>(part)->findChild<QWidget *>(QStringLiteral("remove"));
+    remove->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(remove, Qt::Key_Space);
+    QVERIFY(qobject_cast<QPushButton *>(QApplication::focusWidget()));
+}
+
+void TestParametersColumn::whatIsTypedCountsBeforeAButton()
+{
+    Scene prepared = startScene();
+    scaled(prepared);
+    open(prepared);
+    showGroup(QStringLiteral("modelGroup"));
+    begin(field(QStringLiteral("number0"), QStringLiteral("step1")), QStringLiteral("5"));
+    click(QStringLiteral("addTranslate"));
+    QVERIFY((scene().objects[0].transform == std::vector<TransformStep>{Scale{{5.0, 1.0, 1.0}}, Translate{}}));
+}
+
+QTEST_MAIN(TestParametersColumn)
+#include "test_parameters_column.moc"

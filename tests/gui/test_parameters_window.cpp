@@ -1,0 +1,109 @@
+// The parameters in the window: what is kept of them, what is saved while somebody types, and the status bar's words.
+
+#include "gui_scene.h"
+
+#include "gui/panels/parameters/number_field.h"
+#include "gui/panels/parameters/parameter_group.h"
+#include "gui/panels/parameters_panel.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace guitest;
+
+class TestParametersWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+
+    void whatIsFoldedIsKeptWithTheLayout();
+    void savingSavesWhatIsTyped();
+    void theProjectionIsCalledByItsName_data();
+    void theProjectionIsCalledByItsName();
+
+private:
+    static ParameterGroup *group(const MainWindow &window, const char *name)
+    {
+        return window.findChild<ParameterGroup *>(QString::fromLatin1(name));
+    }
+};
+
+void TestParametersWindow::whatIsFoldedIsKeptWithTheLayout()
+{
+    MainWindow::Options options;
+    options.smoothEdges = false;
+    {
+        MainWindow first(options);
+        first.show();
+        group(first, "viewGroup")->setOpen(false);
+        group(first, "clipGroup")->setOpen(true);
+        first.close();
+    }
+    {
+        MainWindow second(options);
+        QVERIFY(!group(second, "viewGroup")->isOpen());
+        QVERIFY(group(second, "clipGroup")->isOpen());
+    }
+    options.remembers = false;
+    const MainWindow third(options);
+    QVERIFY(group(third, "viewGroup")->isOpen());
+}
+
+void TestParametersWindow::savingSavesWhatIsTyped()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("typed.json"));
+    const auto window = shownWindow(false, {1100, 800}, true);
+    window->session().openBundledScene();
+    QVERIFY(window->session().saveScene(file.toStdString()));
+    auto *panel = window->findChild<ParametersPanel *>();
+    auto *nearField = panel->findChild<NumberField *>(QStringLiteral("nearDistance"));
+    window->document().undoStack().setClean();
+    nearField->setText(QStringLiteral("0.12345"));
+    QVERIFY(nearField->isTyping());
+    for (QAction *action : window->findChildren<QAction *>()) {
+        if (action->shortcut() == QKeySequence(QKeySequence::Save))
+            action->trigger();
+    }
+    QVERIFY(!nearField->isTyping());
+    QFile saved(file);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(saved.readAll().contains("0.12345"));
+}
+
+void TestParametersWindow::theProjectionIsCalledByItsName_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("perspective") << int(ProjectionKind::Perspective) << "Perspective, near 0.5, far 80000";
+    QTest::newRow("frustum") << int(ProjectionKind::Frustum) << "Perspective, near 0.5, far 80000";
+    QTest::newRow("box") << int(ProjectionKind::Ortho) << "Orthographic, near 0.5, far 80000";
+    QTest::newRow("oblique") << int(ProjectionKind::Oblique) << "Oblique, near 0.5, far 80000";
+}
+
+void TestParametersWindow::theProjectionIsCalledByItsName()
+{
+    QFETCH(int, kind);
+    QFETCH(QString, text);
+    MainWindow::Options options;
+    options.remembers = false;
+    MainWindow window(options);
+    window.session().openBundledScene();
+    const Projection start = Perspective{0.7, 1.0, 0.5, 80000.0};
+    QVERIFY(window.document().editProjection({converted(start, static_cast<ProjectionKind>(kind), 10.0), false, false},
+                                             {QStringLiteral("test")}));
+    QStringList shown;
+    for (const QLabel *label : window.statusBar()->findChildren<QLabel *>())
+        shown << label->text();
+    QVERIFY2(shown.contains(text), qPrintable(shown.join(u'|')));
+}
+
+QTEST_MAIN(TestParametersWindow)
+#include "test_parameters_window.moc"
