@@ -301,6 +301,8 @@ void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
 {
     QFETCH(bool, isByKey);
     const auto window = shownWindow(false, {500, 400});
+    window->activateWindow(); // keys are for the active one
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
     window->document().setObjects(cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
     const State before(*window);
