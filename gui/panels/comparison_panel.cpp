@@ -3,19 +3,18 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_model.h"
 #include "gui/panels/comparison_table.h"
+#include "gui/panels/formula_view.h"
 #include "gui/panels/parameters/elided_label.h"
+#include "gui/panels/since_click_text.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
-#include "gui/panels/since_click_text.h"
 
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
-#include <QFontDatabase>
 #include <QFormLayout>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -31,28 +30,6 @@ SteadyLabel *steadyLabel(const QString &accessibleName, const QString &toolTip, 
     label->setAccessibleName(accessibleName);
     label->setToolTip(toolTip);
     return label;
-}
-
-/// Broken at blanks into lines of a width, continued with an indent. The editor's own wrapping would break numbers at their
-/// decimal points. Measured, not counted: a sign that the font lacks comes from another one, and wider.
-QString wrapped(const QString &text, const QFontMetricsF &metrics, double width)
-{
-    constexpr qsizetype kIndent = 4;
-    QStringList lines;
-    for (const QString &line : text.split(u'\n')) {
-        QString rest = line;
-        while (metrics.horizontalAdvance(rest) > width) {
-            qsizetype blank = rest.lastIndexOf(u' ');
-            while (blank > kIndent && metrics.horizontalAdvance(rest.left(blank)) > width)
-                blank = rest.lastIndexOf(u' ', blank - 1);
-            if (blank <= kIndent)
-                break;
-            lines << rest.left(blank);
-            rest = QString(kIndent, u' ') + rest.mid(blank + 1);
-        }
-        lines << rest;
-    }
-    return lines.join(u'\n');
 }
 
 /// "(412.5, 299.5)": a position in pixels to a hundredth at the most.
@@ -147,14 +124,9 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     m_certainty = steadyLabel(tr("Certainty"), {}, longestCertaintyTexts());
     m_cause = steadyLabel(tr("Cause of the difference"), {}, longestDifferenceCauseTexts());
 
-    m_formula = new QPlainTextEdit;
-    m_formula->setReadOnly(true);
+    m_formula = new FormulaView;
     m_formula->setAccessibleName(tr("Formula with its numbers"));
-    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    digits.setPointSizeF(font().pointSizeF() * 0.88);
-    m_formula->setFont(digits);
-    m_formula->setLineWrapMode(QPlainTextEdit::NoWrap);
-    m_formula->setMinimumHeight(6 * m_formula->fontMetrics().lineSpacing());
+    m_formula->setPlaceholderText(tr("The formulas appear here with the numbers of the click."));
 
     // As wide as the chain of a click gets; labels that set it by themselves would move it from click to click.
     // Counted in digits: the average character of a font for Chinese is as wide as an ideograph.
@@ -216,9 +188,7 @@ void ComparisonPanel::showPick()
             label->setText(QStringLiteral("–"));
         m_certainty->clear();
         m_cause->clear();
-        m_formulaText.clear();
-        showFormula();
-        m_formula->setPlaceholderText(tr("The formulas appear here with the numbers of the click."));
+        m_formula->setFormulas({});
         m_copy->setEnabled(false);
         return;
     }
@@ -233,28 +203,8 @@ void ComparisonPanel::showPick()
     m_window->setText(windowText(pick->window));
     m_depth->setText(depthText(pick->window.z, pick->hit()));
     m_cause->setText(differenceCauseText(*pick));
-    if (pick->hit()) {
-        m_certainty->setText(certaintyText(*pick));
-        m_formulaText = formulaText(*pick);
-    } else {
-        m_certainty->clear();
-        m_formulaText = rayText(*pick);
-    }
-    showFormula();
-}
-
-void ComparisonPanel::showFormula()
-{
-    const QFontMetricsF metrics(m_formula->font());
-    const double width = m_formula->viewport()->width() - 2.0 * m_formula->document()->documentMargin();
-    m_formula->setPlainText(wrapped(m_formulaText, metrics, width));
-}
-
-void ComparisonPanel::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    layout()->activate();
-    showFormula();
+    m_certainty->setText(certaintyText(*pick));
+    m_formula->setFormulas(formulasOf(*pick));
 }
 
 bool ComparisonPanel::showsFloat() const
@@ -272,7 +222,8 @@ QString ComparisonPanel::text() const
     QString text = m_heading->fullText() + u'\n' + m_sinceClick->text() + u'\n';
     for (const SteadyLabel *link : {m_widget, m_devicePixel, m_window, m_depth})
         text += link->accessibleName() + u'\t' + link->text() + u'\n';
-    return text + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formulaText + u'\n';
+    return text + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formula->formulas().text()
+           + u'\n';
 }
 
 } // namespace unprojector::gui

@@ -7,7 +7,6 @@
 #include <optional>
 
 class QCheckBox;
-class QPlainTextEdit;
 class QPushButton;
 
 namespace unprojector::gui {
@@ -16,6 +15,7 @@ using namespace unproject;
 class ComparisonModel;
 class ComparisonTable;
 class ElidedLabel;
+class FormulaView;
 class SceneDocument;
 class SteadyLabel;
 
@@ -39,13 +39,9 @@ signals:
     /// The position of the pick shall be picked anew, in the view as it is now.
     void pickRequested(const unprojector::geometry::WidgetPoint &position);
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     void showPick();
     void showSinceClick();
-    void showFormula();
 
     SceneDocument &m_document;
     ElidedLabel *m_heading;
@@ -59,8 +55,7 @@ private:
     ComparisonModel *m_model;
     SteadyLabel *m_certainty;
     SteadyLabel *m_cause;
-    QPlainTextEdit *m_formula;
-    QString m_formulaText; ///< as it is copied: a formula a line
+    FormulaView *m_formula;
     QCheckBox *m_showsFloat;
     QPushButton *m_copy;
 };

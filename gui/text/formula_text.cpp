@@ -16,6 +16,9 @@ using namespace unproject;
 namespace {
 
 constexpr int kDigits = 6;
+/// Of what people compare with their own numbers: pixels, the viewport, the depth.
+constexpr int kPixelDigits = 10;
+constexpr int kDepthDigits = 9;
 
 struct Formulas {
     Q_DECLARE_TR_FUNCTIONS(Formulas)
@@ -27,51 +30,118 @@ QString number(double value, int digits = kDigits)
     return significantText(value, digits).replace(u'-', u'−');
 }
 
-/// In parentheses where a sign would run into an operator.
-QString term(double value, int digits = kDigits)
+FormulaTerm scalar(const char *symbol, const QString &name, double value, int digits = kDigits)
 {
-    const QString text = number(value, digits);
-    return value < 0.0 ? u'(' + text + u')' : text;
+    return {QString::fromUtf8(symbol), name, {number(value, digits)}, {value}};
 }
 
-/// The values that the formulas name, of any projection.
-struct Values {
-    ProjectionWindow w;
-    Viewport v;
-    double px, py, rectBottom;
-    double depth, z;
-    EyePoint eye;
-    bool perspective;
-};
-
-QString depthLine(const Values &a)
+FormulaTerm vector(const char *symbol, const QString &name, const Components<3> &v)
 {
-    const QString n = number(a.w.nearDistance), f = number(a.w.farDistance);
-    const QString d = number(a.depth, 9);
-    if (a.perspective) {
-        return QStringLiteral("z = n f / (f (1 − d) + n d)\n  = %1 × %2 / (%2 × (1 − %3) + %1 × %3) = %4")
-            .arg(n, f, d, number(a.z));
+    return {QString::fromUtf8(symbol), name, {number(v.x), number(v.y), number(v.z)}, {v.x, v.y, v.z}};
+}
+
+/// All that the formulas of a surface pick name.
+FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &world, double depth,
+                     const EyeFrame &frame)
+{
+    const DevicePoint device = pixelCenter(pick.devicePixel);
+    const Viewport &v = pick.geometry.viewport;
+    const ProjectionWindow w = projectionWindow(pick.geometry.projection());
+    const double z = -eye.z;
+    const auto *oblique = std::get_if<Oblique>(&pick.geometry.projection());
+    FormulaTerms terms{
+        {"px", scalar("px", Formulas::tr("The pixel's centre from the window's left edge, device pixels"), device.x,
+                      kPixelDigits)},
+        {"py", scalar("py", Formulas::tr("The pixel's centre from the window's upper edge, device pixels"), device.y,
+                      kPixelDigits)},
+        {"H", scalar("rect.bottom", Formulas::tr("Height of the window, device pixels"),
+                     pick.geometry.surface.heightPixels, kPixelDigits)},
+        {"vx", scalar("v<sub>x</sub>", Formulas::tr("Left edge of the viewport, device pixels"), v.x, kPixelDigits)},
+        {"vy", scalar("v<sub>y</sub>", Formulas::tr("Lower edge of the viewport, device pixels"), v.y, kPixelDigits)},
+        {"width", scalar("width", Formulas::tr("Width of the viewport, device pixels"), v.width)},
+        {"height", scalar("height", Formulas::tr("Height of the viewport, device pixels"), v.height)},
+        {"l", scalar("l", Formulas::tr("Left edge of the projection window, eye units"), w.left)},
+        {"r", scalar("r", Formulas::tr("Right edge of the projection window, eye units"), w.right)},
+        {"b", scalar("b", Formulas::tr("Lower edge of the projection window, eye units"), w.bottom)},
+        {"t", scalar("t", Formulas::tr("Upper edge of the projection window, eye units"), w.top)},
+        {"n", scalar("n", Formulas::tr("Distance of the near plane, eye units"), w.nearDistance)},
+        {"f", scalar("f", Formulas::tr("Distance of the far plane, eye units"), w.farDistance)},
+        {"d", scalar("d", Formulas::tr("The depth that was read, 0 at the near and 1 at the far plane"), depth,
+                     kDepthDigits)},
+        {"z", scalar("z", Formulas::tr("Distance of the point in front of the eye, eye units"), z)},
+        {"x", scalar("x", Formulas::tr("The point to the right of the eye, eye units"), eye.x)},
+        {"y", scalar("y", Formulas::tr("The point above the eye, eye units"), eye.y)},
+        {"eye", vector("eye", Formulas::tr("Where the eye is, world units"), frame.eye)},
+        {"s", vector("<b>s</b>", Formulas::tr("The eye's axis to the right, world space"), frame.side)},
+        {"u", vector("<b>u</b>", Formulas::tr("The eye's axis upwards, world space"), frame.upward)},
+        {"forward", vector("<b>f</b>", Formulas::tr("The eye's axis forwards, world space"), frame.forward)},
+        {"world", vector("world", Formulas::tr("The point, world units"), world)},
+    };
+    if (oblique) {
+        const auto shear = [&terms, z](const char *of, const char *symbol, const char *before, const char *cot,
+                                       double angle, double sheared) {
+            const QString degrees = number(degreesFromRadians(angle));
+            terms[QLatin1String(of) + QStringLiteral("0")] =
+                scalar(before, Formulas::tr("The point in the box, before the shear, eye units"),
+                       sheared - cotangent(angle) * z);
+            terms[QLatin1String(cot)] = {QString::fromUtf8(symbol),
+                                         Formulas::tr("How far the shear moves a unit of z"),
+                                         {QStringLiteral("cot %1°").arg(degrees)},
+                                         {cotangent(angle)}};
+        };
+        shear("x", "cot θ", "x<sub>0</sub>", "cotTheta", oblique->thetaRadians, eye.x);
+        shear("y", "cot φ", "y<sub>0</sub>", "cotPhi", oblique->phiRadians, eye.y);
     }
-    return QStringLiteral("z = n (1 − d) + f d\n  = %1 × (1 − %2) + %3 × %2 = %4")
-        .arg(term(a.w.nearDistance), d, term(a.w.farDistance), number(a.z));
+    return terms;
 }
 
-/// (9) and (10), or (11) and (12), for one axis.
-/// @param position  "412.5 − 0" for x, "600 − 300.5 − 0" for y: what stands in the first parentheses
-QString axisLine(const QString &head, const QString &position, double low, double high, double size, const Values &a,
-                 double result)
+PickFormulas surfaceFormulas(const Pick &pick)
 {
-    const QString window = QStringLiteral("(%1) × (%2 − %3)").arg(position, number(high), term(low));
-    if (a.perspective) {
-        return QStringLiteral("%1 = %2 × %3 / (%4 × %5) + %6 × %3 / %5 = %7")
-            .arg(head, window, number(a.z), number(size), number(a.w.nearDistance), term(low), number(result));
+    const Result<EyePoint> &eye = pick.point.eye[Method::Formula];
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
+    const Result<double> depth = unitDepth(pick.geometry.depthRange, pick.window.z);
+    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera());
+    if (!eye || !world || !depth || !frame)
+        return {};
+    PickFormulas result{{}, termsOf(pick, *eye, *world, *depth, *frame)};
+    const auto add = [&result](const char *numberInPaper, const char *left, const char *expression) {
+        result.formulas.emplace_back(QString::fromUtf8(numberInPaper), QString::fromUtf8(left),
+                                     QString::fromUtf8(expression), result.terms);
+    };
+    const bool isOblique = std::holds_alternative<Oblique>(pick.geometry.projection());
+    if (isPerspective(pick.geometry.projection())) {
+        add("", "z", "{[n]*[f] | [f]*(1 − [d]) + [n]*[d]}");
+        add("(9)", "x", "{([px] − [vx])*([r] − [l])*[z] | [width] · [n]} + {[l]*[z] | [n]}");
+        add("(10)", "y", "{([H] − [py] − [vy])*([t] − [b])*[z] | [height] · [n]} + {[b]*[z] | [n]}");
+    } else {
+        add("", "z", "[n]*(1 − [d]) + [f]*[d]");
+        add("(11)", isOblique ? "x0" : "x", "{([px] − [vx])*([r] − [l]) | [width]} + [l]");
+        add("(12)", isOblique ? "y0" : "y", "{([H] − [py] − [vy])*([t] − [b]) | [height]} + [b]");
     }
-    return QStringLiteral("%1 = %2 / %3 + %4 = %5").arg(head, window, number(size), term(low), number(result));
+    if (isOblique) {
+        add("", "x", "[x0] + [cotTheta]*[z]");
+        add("", "y", "[y0] + [cotPhi]*[z]");
+    }
+    add("", "world", "[eye] + [x]*[s] + [y]*[u] + [z]*[forward]");
+    return result;
 }
 
-QString vectorText(const Components<3> &v)
+PickFormulas rayFormulas(const Pick &pick)
 {
-    return QStringLiteral("(%1, %2, %3)").arg(number(v.x), number(v.y), number(v.z));
+    const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula];
+    const Result<WorldPoint> &leave = pick.rayFar.world[Method::Formula];
+    if (!enter || !leave)
+        return {};
+    PickFormulas result;
+    result.terms = {
+        {"p", {QStringLiteral("p(t)"), Formulas::tr("A point of the ray, world units"), {}, {}}},
+        {"t", {QStringLiteral("t"), Formulas::tr("The share of the way from the near to the far plane"), {}, {}}},
+        {"near", vector("near", Formulas::tr("Where the ray enters the view volume, world units"), *enter)},
+        {"way", vector("(far − near)", Formulas::tr("The way to where the ray leaves the view volume, world units"),
+                       *leave - *enter)}};
+    result.formulas.emplace_back(QString(), QStringLiteral("p"), QStringLiteral("[near] + [t]*[way]"), result.terms,
+                                 QStringLiteral(", 0 ≤ t ≤ 1"));
+    return result;
 }
 
 QString agreementText()
@@ -103,63 +173,24 @@ QString leftOpenText(const QString &along, const QString &across, const QString 
         .arg(along, across, up);
 }
 
-} // namespace
-
-QString formulaText(const Pick &pick)
+QString rayEndsText(const QString &enter, const QString &leave)
 {
-    const Result<EyePoint> &eye = pick.point.eye[Method::Formula];
-    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
-    const Result<double> depth = unitDepth(pick.geometry.depthRange, pick.window.z);
-    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera());
-    if (!eye || !world || !depth || !frame)
-        return {};
-    const DevicePoint device = pixelCenter(pick.devicePixel);
-    const Values a{projectionWindow(pick.geometry.projection()),
-                   pick.geometry.viewport,
-                   device.x,
-                   device.y,
-                   double(pick.geometry.surface.heightPixels),
-                   *depth,
-                   -eye->z,
-                   *eye,
-                   isPerspective(pick.geometry.projection())};
-    const auto *oblique = std::get_if<Oblique>(&pick.geometry.projection());
-    const double boxX = oblique ? eye->x - cotangent(oblique->thetaRadians) * a.z : eye->x;
-    const double boxY = oblique ? eye->y - cotangent(oblique->phiRadians) * a.z : eye->y;
-
-    // px, py and the viewport are written in full: they are short, and they are what people compare with their own.
-    const QString xPosition = QStringLiteral("%1 − %2").arg(number(a.px, 10), term(a.v.x, 10));
-    const QString yPosition =
-        QStringLiteral("%1 − %2 − %3").arg(number(a.rectBottom, 10), number(a.py, 10), term(a.v.y, 10));
-    const QString xName = a.perspective ? QStringLiteral("(9) x") : QStringLiteral("(11) x");
-    const QString yName = a.perspective ? QStringLiteral("(10) y") : QStringLiteral("(12) y");
-    QStringList lines{
-        depthLine(a),
-        axisLine(xName, xPosition, a.w.left, a.w.right, a.v.width, a, boxX),
-        axisLine(yName, yPosition, a.w.bottom, a.w.top, a.v.height, a, boxY),
-    };
-    if (oblique) {
-        const auto shear = [&a](const QString &name, double from, double angle, double to) {
-            return QStringLiteral("%1 += cot %2° × %3: %4 → %5")
-                .arg(name, number(degreesFromRadians(angle)), number(a.z), number(from), number(to));
-        };
-        lines << shear(QStringLiteral("x"), boxX, oblique->thetaRadians, eye->x)
-              << shear(QStringLiteral("y"), boxY, oblique->phiRadians, eye->y);
-    }
-    lines << Formulas::tr("world = eye + x s + y u + z f\n  = %1 + %2 × %3 + %4 × %5 + %6 × %7\n  = %8")
-                 .arg(vectorText(frame->eye), term(eye->x), vectorText(frame->side), term(eye->y),
-                      vectorText(frame->upward), term(a.z), vectorText(frame->forward), vectorText(*world));
-    return lines.join(QStringLiteral("\n\n"));
+    return Formulas::tr("The ray enters the view volume at %1 and leaves it at %2.").arg(enter, leave);
 }
 
-QString rayText(const Pick &pick)
+} // namespace
+
+PickFormulas formulasOf(const Pick &pick)
 {
-    const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula];
-    const Result<WorldPoint> &leave = pick.rayFar.world[Method::Formula];
-    if (!enter || !leave)
-        return {};
-    return Formulas::tr("p(t) = near + t (far − near), 0 ≤ t ≤ 1\nnear = %1\nfar = %2")
-        .arg(vectorText(*enter), vectorText(*leave));
+    return pick.hit() ? surfaceFormulas(pick) : rayFormulas(pick);
+}
+
+QString PickFormulas::text() const
+{
+    QStringList lines;
+    for (const FormulaWithNumbers &formula : formulas)
+        lines << formula.text();
+    return lines.join(QStringLiteral("\n\n"));
 }
 
 QString differenceCauseText(const Pick &pick)
@@ -195,15 +226,25 @@ QStringList longestDifferenceCauseTexts()
 
 QString certaintyText(const Pick &pick)
 {
-    const Certainty &c = pick.certainty;
-    return leftOpenText(readableText(c.halfDepthStep), readableText(c.footprintWidth / 2.0),
-                        readableText(c.footprintHeight / 2.0));
+    if (pick.hit()) {
+        const Certainty &c = pick.certainty;
+        return leftOpenText(readableText(c.halfDepthStep), readableText(c.footprintWidth / 2.0),
+                            readableText(c.footprintHeight / 2.0));
+    }
+    const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula];
+    const Result<WorldPoint> &leave = pick.rayFar.world[Method::Formula];
+    if (!enter || !leave)
+        return {};
+    const auto written = [](const WorldPoint &p) {
+        return QStringLiteral("(%1, %2, %3)").arg(number(p.x), number(p.y), number(p.z));
+    };
+    return rayEndsText(written(*enter), written(*leave));
 }
 
 QStringList longestCertaintyTexts()
 {
-    const QString widest = readableText(-8e-88);
-    return {leftOpenText(widest, widest, widest)};
+    const QString widest = readableText(-8e-88), end = QStringLiteral("(−8888.88, −8888.88, −8888.88)");
+    return {leftOpenText(widest, widest, widest), rayEndsText(end, end)};
 }
 
 } // namespace unprojector::gui

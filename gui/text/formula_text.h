@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/unproject/pick.h"
+#include "gui/text/formula_with_numbers.h"
 
 #include <QString>
 #include <QStringList>
@@ -8,20 +9,28 @@
 namespace unprojector::gui {
 using namespace unproject;
 
-/// The formulas of a surface pick with its numbers put in, as the paper prints them, one a line: the distance z from
-/// the depth, x by (9) or (11), y by (10) or (12), and the world point from the camera's axes. Numbers are rounded for
-/// reading; the results are those of the full doubles.
-QString formulaText(const Pick &pick);
+/// The formulas that a pick was computed by, and what they name.
+struct PickFormulas {
+    std::vector<FormulaWithNumbers> formulas;
+    FormulaTerms terms;
 
-/// The ray under a background pick: from its near to its far point, world space.
-QString rayText(const Pick &pick);
+    /// For the clipboard, a blank line between two of them.
+    QString text() const;
+};
+
+/// Of a surface pick, as the paper has them: the distance z from the depth, x by (9) or (11), y by (10) or (12), and the
+/// world point from the camera's axes. Of the background the ray under the pixel. Numbers are rounded for reading; the
+/// results are those of the full doubles.
+/// @return none where a method found no point
+PickFormulas formulasOf(const Pick &pick);
 
 /// Why the two methods differ by what they differ, with the numbers that decide it.
 QString differenceCauseText(const Pick &pick);
 /// The longest that it can be.
 QStringList longestDifferenceCauseTexts();
 
-/// How far off the picked coordinate can be, and from what.
+/// How far off the picked coordinate can be, and from what. Of the background: where the ray enters and leaves the view
+/// volume.
 QString certaintyText(const Pick &pick);
 /// The longest that it can be.
 QStringList longestCertaintyTexts();

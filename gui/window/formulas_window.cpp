@@ -1,5 +1,6 @@
 #include "gui/window/formulas_window.h"
 
+#include "gui/text/formula_layout.h"
 #include "gui/text/formula_markup.h"
 
 #include <QAction>
@@ -60,18 +61,6 @@ protected:
     }
 };
 
-QFont bookFont()
-{
-    QFont font;
-    font.setFamilies({QStringLiteral("STIX Two Text"), QStringLiteral("Cambria"), QStringLiteral("Libertinus Serif"),
-                      QStringLiteral("Linux Libertine O"), QStringLiteral("Noto Serif"),
-                      QStringLiteral("Liberation Serif"), QStringLiteral("Times New Roman"),
-                      QStringLiteral("DejaVu Serif")});
-    font.setStyleHint(QFont::Serif);
-    font.setPointSizeF(kPointSize);
-    return font;
-}
-
 /// The page with the colours that are not those of its text.
 QString pageText(const QColor &heading, const QColor &link, const QColor &source)
 {
@@ -94,7 +83,7 @@ FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Pa
     m_page->setFrameShape(QFrame::NoFrame);
     m_page->setAutoFillBackground(true);
     m_page->setAccessibleName(tr("Formulas"));
-    m_page->document()->setDefaultFont(bookFont());
+    m_page->document()->setDefaultFont(formulaFont(kPointSize));
     m_page->document()->setDocumentMargin(18.0);
     showPage();
 

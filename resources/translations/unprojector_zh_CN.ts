@@ -481,22 +481,6 @@
 <context>
     <name>Formulas</name>
     <message>
-        <source>world = eye + x s + y u + z f
-  = %1 + %2 × %3 + %4 × %5 + %6 × %7
-  = %8</source>
-        <translation>世界坐标 = 视点 + x s + y u + z f
-  = %1 + %2 × %3 + %4 × %5 + %6 × %7
-  = %8</translation>
-    </message>
-    <message>
-        <source>p(t) = near + t (far − near), 0 ≤ t ≤ 1
-near = %1
-far = %2</source>
-        <translation>p(t) = 近 + t (远 − 近), 0 ≤ t ≤ 1
-近 = %1
-远 = %2</translation>
-    </message>
-    <message>
         <source>The two agree to the last places: the matrix rounds at every step, the formula once at the end.</source>
         <translation>两者直到最末几位都一致：矩阵每一步都舍入，公式只在最后舍入一次。</translation>
     </message>
@@ -511,6 +495,122 @@ far = %2</source>
     <message>
         <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
         <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（半个像素）。</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s centre from the window&apos;s left edge, device pixels</source>
+        <translation>像素中心到窗口左边的距离，设备像素</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s centre from the window&apos;s upper edge, device pixels</source>
+        <translation>像素中心到窗口上边的距离，设备像素</translation>
+    </message>
+    <message>
+        <source>Height of the window, device pixels</source>
+        <translation>窗口的高度，设备像素</translation>
+    </message>
+    <message>
+        <source>Left edge of the viewport, device pixels</source>
+        <translation>视口的左边，设备像素</translation>
+    </message>
+    <message>
+        <source>Lower edge of the viewport, device pixels</source>
+        <translation>视口的下边，设备像素</translation>
+    </message>
+    <message>
+        <source>Width of the viewport, device pixels</source>
+        <translation>视口的宽度，设备像素</translation>
+    </message>
+    <message>
+        <source>Height of the viewport, device pixels</source>
+        <translation>视口的高度，设备像素</translation>
+    </message>
+    <message>
+        <source>Left edge of the projection window, eye units</source>
+        <translation>投影窗口的左边，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>Right edge of the projection window, eye units</source>
+        <translation>投影窗口的右边，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>Lower edge of the projection window, eye units</source>
+        <translation>投影窗口的下边，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>Upper edge of the projection window, eye units</source>
+        <translation>投影窗口的上边，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>Distance of the near plane, eye units</source>
+        <translation>近裁剪面的距离，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>Distance of the far plane, eye units</source>
+        <translation>远裁剪面的距离，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>The depth that was read, 0 at the near and 1 at the far plane</source>
+        <translation>读出的深度，近裁剪面为 0，远裁剪面为 1</translation>
+    </message>
+    <message>
+        <source>Distance of the point in front of the eye, eye units</source>
+        <translation>该点在视点前方的距离，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>The point to the right of the eye, eye units</source>
+        <translation>该点在视点右方的距离，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>The point above the eye, eye units</source>
+        <translation>该点在视点上方的距离，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>Where the eye is, world units</source>
+        <translation>视点的位置，世界单位</translation>
+    </message>
+    <message>
+        <source>The eye&apos;s axis to the right, world space</source>
+        <translation>视点指向右方的轴，世界空间</translation>
+    </message>
+    <message>
+        <source>The eye&apos;s axis upwards, world space</source>
+        <translation>视点指向上方的轴，世界空间</translation>
+    </message>
+    <message>
+        <source>The eye&apos;s axis forwards, world space</source>
+        <translation>视点指向前方的轴，世界空间</translation>
+    </message>
+    <message>
+        <source>The point, world units</source>
+        <translation>所求的点，世界单位</translation>
+    </message>
+    <message>
+        <source>The point in the box, before the shear, eye units</source>
+        <translation>切变之前盒中的点，视点坐标单位</translation>
+    </message>
+    <message>
+        <source>How far the shear moves a unit of z</source>
+        <translation>切变使每单位 z 移动的距离</translation>
+    </message>
+    <message>
+        <source>A point of the ray, world units</source>
+        <translation>射线上的一点，世界单位</translation>
+    </message>
+    <message>
+        <source>The share of the way from the near to the far plane</source>
+        <translation>从近裁剪面到远裁剪面的路程比例</translation>
+    </message>
+    <message>
+        <source>Where the ray enters the view volume, world units</source>
+        <translation>射线进入视景体的位置，世界单位</translation>
+    </message>
+    <message>
+        <source>The way to where the ray leaves the view volume, world units</source>
+        <translation>到射线离开视景体处的位移，世界单位</translation>
+    </message>
+    <message>
+        <source>The ray enters the view volume at %1 and leaves it at %2.</source>
+        <translation>射线在 %1 处进入视景体，在 %2 处离开。</translation>
     </message>
 </context>
 <context>
@@ -1058,6 +1158,13 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::FormulaView</name>
+    <message>
+        <source>Copy the formulas</source>
+        <translation>复制公式</translation>
     </message>
 </context>
 <context>

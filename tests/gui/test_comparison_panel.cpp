@@ -4,6 +4,7 @@
 #include "gui/panels/comparison_model.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/contrast.h"
+#include "gui/panels/formula_view.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
 
@@ -14,7 +15,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -381,7 +381,7 @@ void TestComparisonPanel::theWholePanelIsCopied()
     const QString text = QApplication::clipboard()->text();
     QCOMPARE(text, panel.text());
     QVERIFY(text.contains(panel.model().text()));
-    QVERIFY(text.contains(formulaText(pick)));
+    QVERIFY(text.contains(formulasOf(pick).text()));
     QVERIFY(text.contains(QStringLiteral("Window position\t(412.5, 300.5)")));
     QVERIFY(!hasPlaceholder(text));
     panel.setPick(std::nullopt);
@@ -421,7 +421,7 @@ void TestComparisonPanel::theChainIsWrittenOut()
     QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("1, the far plane's: nothing to read"));
     panel.setPick(std::nullopt);
     QCOMPARE(labelNamed(panel, "Window position")->text(), QStringLiteral("–"));
-    QVERIFY(panel.findChild<QPlainTextEdit *>()->toPlainText().isEmpty());
+    QVERIFY(panel.findChild<FormulaView *>()->formulas().text().isEmpty());
 }
 
 void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
@@ -444,7 +444,7 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
         }
     }
     // The formulas begin with the depth in [0, 1].
-    const QString formulas = panel.findChild<QPlainTextEdit *>()->toPlainText();
+    const QString formulas = panel.findChild<FormulaView *>()->formulas().text();
     QVERIFY2(formulas.contains(QStringLiteral("(1 − 0.5)")) && formulas.contains(QStringLiteral("3.33333")),
              qPrintable(formulas));
     // The ray of the background goes from the near plane's depth to the far plane's.

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "gui/text/formula_layout.h"
+#include "gui/text/formula_text.h"
+
+#include <QAbstractScrollArea>
+
+#include <vector>
+
+namespace unprojector::gui {
+
+/// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands, and
+/// a tooltip names it. They are set to the view's width; where there are more than fit below each other, it scrolls.
+class FormulaView : public QAbstractScrollArea {
+    Q_OBJECT
+public:
+    explicit FormulaView(QWidget *parent = nullptr);
+
+    void setFormulas(PickFormulas formulas);
+    const PickFormulas &formulas() const { return m_formulas; }
+    /// While there are none.
+    void setPlaceholderText(const QString &text);
+
+    /// What is marked, by its short name.
+    const QString &markedTerm() const { return m_marked; }
+    /// Where a term stands in the viewport.
+    std::vector<QRectF> placesOf(const QString &term) const;
+    /// What its tooltip says of a term: "n = 2" and its name.
+    QString toolTipOf(const QString &term) const;
+    /// Of all that is set, logical pixels.
+    QSizeF contentSize() const { return m_size; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    bool viewportEvent(QEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    struct Line {
+        FormulaLayout layout;
+        QPointF place; ///< top left in the content
+        QString number;
+    };
+    void set();
+    QString termAt(const QPoint &position) const;
+    void mark(const QString &term);
+    void copyAll() const;
+
+    PickFormulas m_formulas;
+    QString m_placeholder;
+    std::vector<Line> m_lines;
+    QSizeF m_size;
+    QString m_marked;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <map>
+#include <vector>
+
+namespace unprojector::gui {
+
+/// A quantity that formulas name.
+struct FormulaTerm {
+    QString symbol;            ///< markup: "v<sub>x</sub>"
+    QString name;              ///< "Distance of the near plane, eye units"
+    QStringList value;         ///< as it is put in: one number, or the three of a column; empty: the symbol stays
+    std::vector<double> exact; ///< the same with all digits; empty where that is no number
+};
+
+/// By the short name that templates have for them.
+using FormulaTerms = std::map<QString, FormulaTerm>;
+
+/// A formula and the same with its numbers put in, both from one template:
+///
+///   {([px] − [vx])*([r] − [l])*[z] | [width] · [n]} + {[l]*[z] | [n]}
+///
+/// `[n]` is a term, `*` a product (a space between symbols, × between numbers), `{a | b}` a fraction. Negative numbers are
+/// put in parentheses where a sign would run into an operator. In the markup, which is that of formula_markup, a term
+/// stands in `<t n>…</t>`, and a column is written `{x; y; z}`.
+class FormulaWithNumbers {
+public:
+    /// @param number  "(9)", or empty
+    /// @param result  the term on the left
+    /// @param condition  what follows the symbols: ", 0 ≤ t ≤ 1"
+    /// @pre the terms named are among those given
+    FormulaWithNumbers(const QString &number, const QString &result, const QString &expression,
+                       const FormulaTerms &terms, const QString &condition = {});
+
+    const QString &number() const { return m_number; }
+    /// "z = …", markup.
+    const QString &symbols() const { return m_symbols; }
+    /// "= … = 5", markup.
+    const QString &numbers() const { return m_numbers; }
+    /// Both for the clipboard, a line each, fractions as a / b and columns as (x, y, z).
+    const QString &text() const { return m_text; }
+
+private:
+    QString m_number, m_symbols, m_numbers, m_text;
+};
+
+} // namespace unprojector::gui
