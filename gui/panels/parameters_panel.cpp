@@ -20,6 +20,25 @@ namespace {
 constexpr char kStateName[] = "folded";
 constexpr int kFewestLines = 8; // of text, in the least height
 
+/// Those that Tab reaches, in the order of the layouts.
+void appendTabStops(const QLayout &layout, QWidgetList &stops)
+{
+    for (int i = 0; i < layout.count(); ++i) {
+        QLayoutItem *item = layout.itemAt(i);
+        if (item->layout())
+            appendTabStops(*item->layout(), stops);
+        QWidget *widget = item->widget();
+        if (!widget)
+            continue;
+        if (const auto *row = qobject_cast<const ParameterRow *>(widget))
+            stops += row->tabStops();
+        else if (widget->layout())
+            appendTabStops(*widget->layout(), stops);
+        else if (widget->focusPolicy() & Qt::TabFocus)
+            stops << widget;
+    }
+}
+
 } // namespace
 
 ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QScrollArea(parent)
@@ -45,6 +64,7 @@ ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QSc
     addGroup(new ClipGroup(document), QStringLiteral("clipGroup"), false);
     layout->addStretch();
     alignRows();
+    orderTabs();
 }
 
 void ParametersPanel::addGroup(ParameterGroup *group, const QString &objectName, bool isOpen)
@@ -54,7 +74,10 @@ void ParametersPanel::addGroup(ParameterGroup *group, const QString &objectName,
     widget()->layout()->addWidget(group);
     const std::size_t place = m_groups.size();
     m_groups.push_back(group);
-    connect(group, &ParameterGroup::rowsChanged, this, &ParametersPanel::alignRows);
+    connect(group, &ParameterGroup::rowsChanged, this, [this] {
+        alignRows();
+        orderTabs();
+    });
     connect(group, &ParameterGroup::bringUpRequested, this, &ParametersPanel::bringUp);
     connect(&group->heading(), &GroupHeading::neighbourRequested, this, [this, place](int direction) {
         const auto next = static_cast<std::ptrdiff_t>(place) + direction;
@@ -82,6 +105,14 @@ void ParametersPanel::alignRows()
         least = std::max(least, group->leastWidth());
     widget()->setMinimumWidth(least);
     updateGeometry();
+}
+
+void ParametersPanel::orderTabs()
+{
+    QWidgetList stops;
+    appendTabStops(*widget()->layout(), stops);
+    for (int i = 1; i < stops.size(); ++i)
+        setTabOrder(stops[i - 1], stops[i]);
 }
 
 void ParametersPanel::bringUp(QWidget *widget)

@@ -37,6 +37,8 @@ private:
     void addGroup(ParameterGroup *group, const QString &objectName, bool isOpen);
     /// The same columns in all rows, and the width that all of them need, folded or not.
     void alignRows();
+    /// Tab goes through the column from above to below, also through rows that were made later.
+    void orderTabs();
     void bringUp(QWidget *widget);
 
     std::vector<ParameterGroup *> m_groups;

@@ -28,7 +28,7 @@ private slots:
     void aNarrowFieldShowsFewerDigits();
     void arrowKeysStep_data();
     void arrowKeysStep();
-    void theWheelStepsOnlyWithTheFocus();
+    void theWheelStepsOnlyWithTheFocusOrCtrl();
     void theSameNumberLeavesWhatIsTyped();
     void anotherNumberReplacesWhatIsTyped();
     void typingIsFinishedBy_data();
@@ -165,11 +165,11 @@ void TestNumberField::arrowKeysStep()
     QCOMPARE(edits, 1);
 }
 
-void TestNumberField::theWheelStepsOnlyWithTheFocus()
+void TestNumberField::theWheelStepsOnlyWithTheFocusOrCtrl()
 {
-    const auto turn = [this](int angle) {
+    const auto turn = [this](int angle, Qt::KeyboardModifier held = Qt::NoModifier) {
         const QPointF position(5.0, 5.0);
-        QWheelEvent event(position, m_field->mapToGlobal(position), {}, {0, angle}, Qt::NoButton, Qt::NoModifier,
+        QWheelEvent event(position, m_field->mapToGlobal(position), {}, {0, angle}, Qt::NoButton, held,
                           Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(m_field, &event);
         return event.isAccepted();
@@ -177,6 +177,9 @@ void TestNumberField::theWheelStepsOnlyWithTheFocus()
     m_field->setValue(5.0);
     QVERIFY(!turn(120));
     QCOMPARE(m_field->text(), QStringLiteral("5"));
+    QVERIFY(turn(-120, Qt::ControlModifier));
+    QCOMPARE(m_field->text(), QStringLiteral("4.9"));
+    m_field->restore();
     m_field->setFocus();
     QVERIFY(turn(120));
     QCOMPARE(m_field->text(), QStringLiteral("5.1"));
@@ -219,6 +222,7 @@ void TestNumberField::typingIsFinishedBy_data()
     QTest::newRow("escape") << 5 << 0;
     QTest::newRow("copying") << 6 << 0;
     QTest::newRow("enter-and-tab") << 7 << 1;
+    QTest::newRow("another-window-of-the-program") << 8 << 1;
 }
 
 void TestNumberField::typingIsFinishedBy()
@@ -251,6 +255,14 @@ void TestNumberField::typingIsFinishedBy()
         QTest::keyClick(m_field, Qt::Key_Tab);
         break;
     case 6: shortcut(Qt::Key_C); break;
+    case 8: {
+        QWidget window;
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QTRY_COMPARE(commits, 1);
+        break;
+    }
     case 7:
         QTest::keyClick(m_field, Qt::Key_Return);
         m_field->setReason(QStringLiteral("Refused."));

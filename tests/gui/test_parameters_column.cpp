@@ -40,6 +40,7 @@ private slots:
     void byTheKeyboardTheNewFieldIsNext_data();
     void byTheKeyboardTheNewFieldIsNext();
     void whatIsTypedCountsBeforeAButton();
+    void tabGoesDownTheColumn();
 
 private:
     NumberSlider *slider(const QString &name)
@@ -320,6 +321,33 @@ void TestParametersColumn::whatIsTypedCountsBeforeAButton()
     begin(field(QStringLiteral("number0"), QStringLiteral("step1")), QStringLiteral("5"));
     click(QStringLiteral("addTranslate"));
     QVERIFY((scene().objects[0].transform == std::vector<TransformStep>{Scale{{5.0, 1.0, 1.0}}, Translate{}}));
+}
+
+void TestParametersColumn::tabGoesDownTheColumn()
+{
+    for (const char *group : {"viewGroup", "projectionGroup", "viewportGroup", "modelGroup", "clipGroup"})
+        showGroup(QString::fromLatin1(group));
+    for (const char *button : {"addTranslate", "addPlane", "addRotate", "addPlane"})
+        click(QString::fromLatin1(button));
+    QCoreApplication::processEvents();
+    heading(QStringLiteral("viewGroup"))->setFocus();
+    const auto place = [this] {
+        const QWidget *focus = QApplication::focusWidget();
+        // Buttons of a line are as high as it, or centred in it.
+        return focus->mapTo(m_panel->widget(), QPoint(0, focus->height() / 2));
+    };
+    int stops = 1;
+    for (QPoint before = place(), start = before;; ++stops) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        const QPoint now = place();
+        if (now == start)
+            break;
+        const int line = m_panel->fontMetrics().height() / 2;
+        QVERIFY2(now.y() > before.y() + line || (now.y() > before.y() - line && now.x() > before.x()),
+                 qPrintable(QApplication::focusWidget()->accessibleName()));
+        before = now;
+    }
+    QVERIFY(stops > 50);
 }
 
 QTEST_MAIN(TestParametersColumn)

@@ -138,7 +138,6 @@ void ClipGroup::showScene()
         m_rows.push_back(makeRow(m_rows.size()));
         m_list->addWidget(m_rows.back().widget);
         m_rows.back().widget->show();
-        setTabOrder(m_rows.back().last, m_add); // as it is on the screen
     }
     for (std::size_t i = 0; i < lines.size(); ++i) {
         m_rows[i].isOn->setChecked(lines[i].isOn);
@@ -207,7 +206,8 @@ ClipGroup::Row ClipGroup::makeRow(std::size_t line)
         field->setObjectName(QStringLiteral("number%1").arg(i));
         field->setAccessibleName(tr("Plane %1: %2").arg(number).arg(letter));
         field->setFixedStep(0.1);
-        (i == 0 ? row.first : row.last) = field;
+        if (i == 0)
+            row.first = field;
     }
     return row;
 }

@@ -39,7 +39,6 @@ private:
         QLabel *equation;
         QToolButton *remove;
         NumberField *first;
-        NumberField *last;
     };
 
     void addPlane(bool byKeyboard);

@@ -121,9 +121,8 @@ NumberField *ParameterGroup::addField(ParameterRow *row, const QString &letter, 
 NumberSlider *ParameterGroup::addSlider(ParameterRow *row, NumberSlider::Scale scale,
                                         std::function<double(const Scene &, double)> within)
 {
-    const auto found = std::find_if(m_fields.begin(), m_fields.end(), [row](const FieldPointer &field) {
-        return field->widget == row->fields().front();
-    });
+    const auto found = std::find_if(m_fields.begin(), m_fields.end(),
+                                    [row](const FieldPointer &field) { return field->widget == row->firstField(); });
     Q_ASSERT(found != m_fields.end());
     const NumberBinding &binding = (*found)->binding;
     auto *slider = new NumberSlider(binding.name, binding.help, scale);

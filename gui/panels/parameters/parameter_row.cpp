@@ -50,7 +50,6 @@ void ParameterRow::addField(NumberField *field, const QString &letter, const QSt
     field->setParent(this);
     field->show();
     m_cells.push_back(cell);
-    m_fields.push_back(field);
     connect(field, &NumberField::reasonChanged, this, [this, cell] { showReason(cell); });
     colourReasons();
     updateGeometry();
@@ -62,6 +61,16 @@ void ParameterRow::setSlider(QWidget *slider)
     slider->setParent(this);
     slider->show();
     updateGeometry();
+}
+
+QWidgetList ParameterRow::tabStops() const
+{
+    QWidgetList stops;
+    for (const Cell &cell : m_cells)
+        stops << cell.field;
+    if (m_slider)
+        stops << m_slider;
+    return stops;
 }
 
 int ParameterRow::gap() const

@@ -28,7 +28,9 @@ public:
     void addField(NumberField *field, const QString &letter, const QString &unit);
     /// Puts a slider beneath the field.
     void setSlider(QWidget *slider);
-    const std::vector<NumberField *> &fields() const { return m_fields; }
+    NumberField *firstField() const { return m_cells.front().field; }
+    /// Those that Tab reaches, from left to right and above to below.
+    QWidgetList tabStops() const;
 
     /// What its texts need.
     Columns ownColumns() const;
@@ -63,7 +65,6 @@ private:
 
     QLabel *m_title;
     std::vector<Cell> m_cells;
-    std::vector<NumberField *> m_fields;
     QWidget *m_slider = nullptr;
     Columns m_columns;
 };
