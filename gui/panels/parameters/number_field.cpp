@@ -80,11 +80,14 @@ void NumberField::setValue(double value)
 
 void NumberField::accept(double value)
 {
-    const Result<double, text::ExpressionError> said = text::evaluate(text().toStdString());
+    const auto isSaid = [&] {
+        const Result<double, text::ExpressionError> said = text::evaluate(text().toStdString());
+        return said && *said == value;
+    };
     m_value = value;
     setReason({});
     // The zeros at the end of "12.40" stay while the hundredths are stepped.
-    if (m_isStepping && hasFocus() && said && *said == value)
+    if (m_isStepping && hasFocus() && isSaid())
         m_shown = text();
     else
         showText(shownText());
@@ -150,8 +153,15 @@ QString NumberField::shownText() const
     if (hasFocus())
         return shown;
     const int room = roomForText();
-    const auto fits = [&] { return fontMetrics().horizontalAdvance(shown) <= room; };
-    const int mostThatFit = room / std::max(1, fontMetrics().horizontalAdvance(u'0')) + 1;
+    const QFontMetrics metrics = fontMetrics();
+    // Character by character: a number has no ligatures, and this is done while the camera moves.
+    const auto fits = [&] {
+        int width = 0;
+        for (const QChar character : shown)
+            width += metrics.horizontalAdvance(character);
+        return width <= room;
+    };
+    const int mostThatFit = room / std::max(1, metrics.horizontalAdvance(u'0')) + 1;
     for (int digits = std::clamp(mostThatFit, kFewestDigits, kMostDigits); !fits() && digits >= kFewestDigits; --digits)
         shown = writtenText(m_value, digits);
     return shown;

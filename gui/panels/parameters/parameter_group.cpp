@@ -128,13 +128,14 @@ NumberSlider *ParameterGroup::addSlider(ParameterRow *row, NumberSlider::Scale s
     auto *slider = new NumberSlider(binding.name, binding.help, scale);
     (*found)->slider = slider;
     row->setSlider(slider);
-    connect(slider, &NumberSlider::moved, this, [this, slider, within, field = *found](double number) {
-        Scene next = m_document.scene();
-        field->binding.write(next, within(next, number));
-        const QString mergeKey = QStringLiteral("%1 ~%2").arg(field->binding.name).arg(slider->session());
-        if (!edit(next, {field->binding.name, mergeKey}))
-            refresh();
-    });
+    connect(slider, &NumberSlider::moved, this,
+            [this, slider, within = std::move(within), field = *found](double number) {
+                Scene next = m_document.scene();
+                field->binding.write(next, within(next, number));
+                const QString mergeKey = QStringLiteral("%1 ~%2").arg(field->binding.name).arg(slider->session());
+                if (!edit(next, {field->binding.name, mergeKey}))
+                    refresh();
+            });
     return slider;
 }
 
@@ -325,7 +326,7 @@ QString ParameterGroup::refusalOf(const Field &field) const
                    ? tr("%1 is empty; type a number.").arg(field.binding.name)
                    : errorText(typed.error(), field.widget->text());
     if (field.binding.refusal) {
-        if (const QString reason = field.binding.refusal(*typed); !reason.isEmpty())
+        if (QString reason = field.binding.refusal(*typed); !reason.isEmpty())
             return reason;
     }
     Scene next = m_document.scene();
