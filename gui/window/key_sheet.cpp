@@ -48,10 +48,21 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     setWindowTitle(tr("Mouse and Keys"));
     QString rows = heading(tr("Mouse in the view"));
     rows += row(tr("left button"), tr("read the world coordinate of the pixel"));
-    rows += row(tr("left drag"), tr("turn the camera about the point under the pointer"));
+    rows +=
+        row(tr("left drag"), tr("turn the camera about the point under the pointer; the point picked before stays"));
     rows += row(tr("middle drag, or Shift + left drag"), tr("move the camera sideways"));
     rows += row(tr("wheel"), tr("zoom towards the pointer"));
     rows += row(tr("double-click"), tr("bring the point to the middle"));
+    rows += heading(tr("Keys in the view"));
+    rows += row(tr("arrows"), tr("turn the camera"));
+    rows += row(tr("Shift + arrows"), tr("move the camera sideways"));
+    rows += row(tr("+, −, Page Up, Page Down"), tr("zoom at the crosshair"));
+    rows += row(tr("Ctrl + arrows"), tr("move the crosshair by a pixel, with Shift by ten"));
+    rows += row(tr("Enter"), tr("read the world coordinate at the crosshair"));
+    rows += heading(tr("Keys in a field"));
+    rows += row(tr("Enter, Tab"), tr("apply the number or the expression, such as 1/3 or 2*pi"));
+    rows += row(tr("Esc"), tr("restore what was there"));
+    rows += row(tr("Up, Down, Page Up, Page Down"), tr("step the digit at the caret by one, by ten"));
     for (const QAction *action : menus.actions()) {
         const QString keys = rowsOf(*action->menu());
         if (!keys.isEmpty())

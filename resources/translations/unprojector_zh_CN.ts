@@ -1267,10 +1267,6 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <translation>左键拖动</translation>
     </message>
     <message>
-        <source>turn the camera about the point under the pointer</source>
-        <translation>绕指针下的点转动相机</translation>
-    </message>
-    <message>
         <source>middle drag, or Shift + left drag</source>
         <translation>中键拖动，或 Shift + 左键拖动</translation>
     </message>
@@ -1293,6 +1289,78 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>bring the point to the middle</source>
         <translation>将该点移到中央</translation>
+    </message>
+    <message>
+        <source>turn the camera about the point under the pointer; the point picked before stays</source>
+        <translation>绕指针下的点转动相机；之前拾取的点保持不变</translation>
+    </message>
+    <message>
+        <source>Keys in the view</source>
+        <translation>视图中的按键</translation>
+    </message>
+    <message>
+        <source>arrows</source>
+        <translation>方向键</translation>
+    </message>
+    <message>
+        <source>turn the camera</source>
+        <translation>转动相机</translation>
+    </message>
+    <message>
+        <source>Shift + arrows</source>
+        <translation>Shift + 方向键</translation>
+    </message>
+    <message>
+        <source>+, −, Page Up, Page Down</source>
+        <translation>+、−、Page Up、Page Down</translation>
+    </message>
+    <message>
+        <source>zoom at the crosshair</source>
+        <translation>在十字准线处缩放</translation>
+    </message>
+    <message>
+        <source>Ctrl + arrows</source>
+        <translation>Ctrl + 方向键</translation>
+    </message>
+    <message>
+        <source>move the crosshair by a pixel, with Shift by ten</source>
+        <translation>将十字准线移动一个像素，按住 Shift 移动十个</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>回车</translation>
+    </message>
+    <message>
+        <source>read the world coordinate at the crosshair</source>
+        <translation>读取十字准线处的世界坐标</translation>
+    </message>
+    <message>
+        <source>Keys in a field</source>
+        <translation>输入框中的按键</translation>
+    </message>
+    <message>
+        <source>Enter, Tab</source>
+        <translation>回车、Tab</translation>
+    </message>
+    <message>
+        <source>apply the number or the expression, such as 1/3 or 2*pi</source>
+        <translation>应用数值或表达式，例如 1/3 或 2*pi</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>restore what was there</source>
+        <translation>恢复原来的值</translation>
+    </message>
+    <message>
+        <source>Up, Down, Page Up, Page Down</source>
+        <translation>上、下、Page Up、Page Down</translation>
+    </message>
+    <message>
+        <source>step the digit at the caret by one, by ten</source>
+        <translation>将光标处的数位增减一、增减十</translation>
     </message>
 </context>
 <context>
