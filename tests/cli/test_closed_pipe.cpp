@@ -97,7 +97,7 @@ void TestClosedPipe::endsQuietly_data()
     const QString scene = m_folder.write("scene.json", kFrustumScene);
     const QString points = m_folder.write("points.csv", "px,py,depth\n" + QByteArray("1,2,0.5\n").repeated(200000));
     const QString places = m_folder.write("places.csv", "x,y,z\n" + QByteArray("1,2,0.5\n").repeated(200000));
-    const QString depth = m_folder.write("depth", QByteArray(800 * 600 * 4, '\0'));
+    const QString depth = m_folder.write("depth", QByteArray(qsizetype(800) * 600 * 4, '\0'));
     const QString matrices =
         m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 "
                                        "-3 0 0 0 400 300");

@@ -19,7 +19,7 @@ constexpr int kWidth = 4, kHeight = 3;
 /// Background but for the second pixel of the top row, on the near plane, and the last of the bottom row, at 2/3.
 QVector<float> depths()
 {
-    QVector<float> values(kWidth * kHeight, 1.0f);
+    QVector<float> values(qsizetype(kWidth) * kHeight, 1.0f);
     values[1] = 0.0f;
     values[11] = 2.0f / 3.0f;
     return values;

@@ -44,8 +44,8 @@ void TestCommandLine::helpHasExamplesThatWork()
     m_folder.write("many.csv", "px,py,depth\n1,2,0.5\n");
     m_folder.write("points.csv", "x,y,z\n0,0,2\n");
     m_folder.write("clicks.json", "[{\"window\": [400.5, 300.5, 0.5], \"scene\": " + kFrustumScene + "}]");
-    m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(800 * 600 * 4, '\0'));
-    m_folder.write("depth.raw", QByteArray(1920 * 1080 * 4, '\0'));
+    m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(qsizetype(800) * 600 * 4, '\0'));
+    m_folder.write("depth.raw", QByteArray(qsizetype(1920) * 1080 * 4, '\0'));
     m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
     examples.replace("\n      ", " "); // a long one goes on in the next line
     for (const QByteArray &line : examples.trimmed().split('\n')) {
@@ -114,7 +114,7 @@ void TestCommandLine::resultsThatCannotBeWritten_data()
     const QString scene = m_folder.write("scene.json", kFrustumScene);
     const QString rows = m_folder.write("rows.csv", "px,py,depth\n" + QByteArray("1,2,0.5\n").repeated(100000));
     const QString places = m_folder.write("places.csv", "x,y,z\n1,2,0.5\n");
-    const QString depth = m_folder.write("depth.raw", QByteArray(800 * 600 * 4, '\0'));
+    const QString depth = m_folder.write("depth.raw", QByteArray(qsizetype(800) * 600 * 4, '\0'));
     const QString numbers = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300";
     QTest::newRow("help") << QStringList{"--help"};
     QTest::newRow("help of a command") << QStringList{"points", "--help"};

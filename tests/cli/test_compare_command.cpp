@@ -43,7 +43,7 @@ QByteArray sceneWith(const QByteArray &projection)
 QHash<QString, QJsonObject> ways(const QByteArray &json)
 {
     QHash<QString, QJsonObject> result;
-    for (const QJsonValue &way : QJsonDocument::fromJson(json).object()["methods"].toArray())
+    for (const QJsonValue way : QJsonDocument::fromJson(json).object()["methods"].toArray())
         result[way["method"].toString() + ' ' + way["precision"].toString()] = way.toObject();
     return result;
 }

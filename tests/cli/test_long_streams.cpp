@@ -136,7 +136,7 @@ void TestLongStreams::tenMillionRowsKeepTheirOrderInLittleMemory()
     QCOMPARE(process.readAllStandardError(), QByteArray()); // and no progress bar in a pipe
     if (peak == 0)
         QSKIP("the rows are right; how much memory they took is not known here");
-    QVERIFY2(peak < 64 * 1024, QByteArray::number(peak) + " KiB");
+    QVERIFY2(peak < 64LL * 1024, QByteArray::number(peak) + " KiB");
     qInfo("%lld KiB at most", static_cast<long long>(peak));
 }
 

@@ -14,7 +14,7 @@
 namespace {
 
 /// Of 800 x 600 depths of 0: as many points of 12 bytes.
-constexpr qsizetype kCloudBytes = 800 * 600 * 12;
+constexpr qsizetype kCloudBytes = qsizetype(800) * 600 * 12;
 const QString kNumbers = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300";
 
 } // namespace
@@ -65,7 +65,7 @@ void TestOutputFiles::init()
     m_folder = std::make_unique<Folder>();
     QVERIFY(QDir(m_folder->path(".")).mkdir("files"));
     m_scene = m_folder->write("scene.json", kFrustumScene);
-    m_depth = m_folder->write("depth.raw", QByteArray(800 * 600 * 4, '\0'));
+    m_depth = m_folder->write("depth.raw", QByteArray(qsizetype(800) * 600 * 4, '\0'));
 }
 
 void TestOutputFiles::namesAreTaken_data()

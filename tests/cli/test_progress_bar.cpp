@@ -10,6 +10,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -269,9 +270,9 @@ void TestProgressBar::everyThreadMayAdvance()
     Terminal terminal;
     terminal.time += 0s;
     ProgressBar bar(40000, ProgressBar::Unit::Points, terminal.screen());
-    std::vector<std::thread> threads;
-    for (int t = 0; t < 4; ++t) {
-        threads.emplace_back([&bar] {
+    std::array<std::thread, 4> threads;
+    for (std::thread &thread : threads) {
+        thread = std::thread([&bar] {
             for (int i = 0; i < 10000; ++i)
                 bar.advance(1);
         });

@@ -380,7 +380,7 @@ void TestSceneInput::otherEncodingsOfTheSameScene()
 void TestSceneInput::everyCommandSaysTheSame()
 {
     const QString scene = m_folder.write("scene.json", QByteArray(kScene).replace("\"near\": 1", "\"near\": null"));
-    const QString depth = m_folder.write("depth", QByteArray(8 * 6 * 4, '\0'));
+    const QString depth = m_folder.write("depth", QByteArray(qsizetype(8) * 6 * 4, '\0'));
     const QList<QStringList> commands{{"points", scene},
                                       {"project", scene},
                                       {"matrices", scene},

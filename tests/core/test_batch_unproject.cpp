@@ -332,10 +332,10 @@ void TestBatchUnproject::matricesOfOtherPrograms()
     g.pose = eyeFromWorld(eyeFrame({WorldPoint(3, 4, 5), WorldPoint(1, 0, -2), {0, 1, 0}}).value());
     for (const DepthRange &range : {DepthRange{0.0, 1.0}, DepthRange{1.0, 0.0}, DepthRange{0.2, 0.9}}) {
         g.depthRange = range;
-        Triples<double> clicks(7 * 5);
+        Triples<double> clicks(std::size_t(7) * 5);
         for (std::size_t i = 0; i < clicks.count(); ++i) {
             clicks.of[0][i] = 25.5 + 90.0 * static_cast<double>(i % 7);
-            clicks.of[1][i] = 60.5 + 80.0 * static_cast<double>(i / 7);
+            clicks.of[1][i] = 60.5 + 80.0 * std::floor(static_cast<double>(i) / 7.0);
             clicks.of[2][i] = range.atNear + (0.05 + 0.02 * static_cast<double>(i)) * (range.atFar - range.atNear);
         }
         const auto formula = BatchUnprojection::byFormula(g, {}), matrix = BatchUnprojection::byMatrix(g, {});

@@ -50,7 +50,7 @@ private slots:
 private:
     std::filesystem::path write(const QString &name, const QByteArray &content)
     {
-        const std::filesystem::path file = pathOf(m_folder.path()) / pathOf(name);
+        std::filesystem::path file = pathOf(m_folder.path()) / pathOf(name);
         // Truncating a file that was just written waits for the disk on some systems.
         std::filesystem::remove(file);
         std::ofstream(file, std::ios::binary).write(content.constData(), content.size());
@@ -472,6 +472,7 @@ void TestMeshImport::severalImportsRunAtOnce()
                                            write("t.ply", plyLittle())};
     std::atomic<int> good = 0;
     std::vector<std::thread> threads;
+    threads.reserve(6);
     for (int i = 0; i < 6; ++i)
         threads.emplace_back([&, i] {
             for (int n = 0; n < 20; ++n) {

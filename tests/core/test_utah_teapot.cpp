@@ -187,7 +187,7 @@ void TestUtahTeapot::teapotIsOpenOnlyWhereItWasIn1975()
 void TestUtahTeapot::teapotNormalsPointAwayFromTheAxis()
 {
     const Mesh mesh = utahTeapotMesh(kTeapotDivisions);
-    const std::size_t perPatch = (kTeapotDivisions + 1) * (kTeapotDivisions + 1);
+    const std::size_t perPatch = std::size_t(kTeapotDivisions + 1) * (kTeapotDivisions + 1);
     for (std::size_t i = 4 * perPatch; i < 12 * perPatch; ++i) { // the body's eight patches
         const glm::dvec3 p(mesh.positions[i]);
         QVERIFY(glm::dot(glm::dvec3(mesh.normals[i]), glm::dvec3(p.x, 0.0, p.z)) > 0.0);

@@ -322,7 +322,8 @@ void TestViewport::windowAndDeviceAreInverse()
     QCOMPARE(windowFromDevice(surface, DevicePoint(12.25, 375), 0.5).y, 0.0);
     QCOMPARE(windowFromDevice(surface, DevicePoint(12.25, 100.5), 0.5).x, 12.25);
     QCOMPARE(windowFromDevice(surface, DevicePoint(12.25, 100.5), 0.5).y, 274.5);
-    for (double y = -10.0; y < 400.0; y += 0.25) {
+    for (int quarter = -40; quarter < 1600; ++quarter) {
+        const double y = quarter / 4.0;
         const DevicePoint back = deviceFromWindow(surface, windowFromDevice(surface, DevicePoint(12.25, y), 0.5));
         QVERIFY(back.coordinates() == glm::dvec2(12.25, y));
     }
@@ -368,7 +369,8 @@ void TestViewport::ndcAndWindowAreInverse()
 {
     const Viewport viewport{13, -7, 641, 479};
     for (const DepthRange &range : {DepthRange{}, DepthRange{1, 0}, DepthRange{0.2, 0.7}}) {
-        for (double t = -1.5; t <= 1.5; t += 0.01) {
+        for (int step = -150; step <= 150; ++step) {
+            const double t = step / 100.0;
             const NdcPoint ndc(t, -t / 2.0, t / 1.5);
             const NdcPoint back = ndcFromWindow(viewport, range, windowFromNdc(viewport, range, ndc));
             for (int k = 0; k < 3; ++k)
@@ -382,7 +384,8 @@ void TestViewport::theMatrixDoesWhatTheFunctionDoes()
     const Viewport viewport{13, -7, 641, 479};
     for (const DepthRange &range : {DepthRange{}, DepthRange{1, 0}, DepthRange{0.2, 0.7}}) {
         const glm::dmat4 matrix = windowFromNdc(viewport, range);
-        for (double t = -1.5; t <= 1.5; t += 0.01) {
+        for (int step = -150; step <= 150; ++step) {
+            const double t = step / 100.0;
             const NdcPoint ndc(t, -t / 2.0, t / 1.5);
             const WindowPoint window = windowFromNdc(viewport, range, ndc);
             const glm::dvec4 product = matrix * glm::dvec4(ndc.coordinates(), 1.0);
