@@ -19,6 +19,16 @@ QString ulpsText(double ulps)
     return significantText(size < 10.0 ? std::round(ulps * 10.0) / 10.0 : std::round(ulps), 6);
 }
 
+/// With fewer digits where all that are certain would not fit; they are no less certain for it.
+QString fittingText(double value, double uncertainty)
+{
+    QString text = certainText(value, uncertainty);
+    for (int digits = ComparisonModel::kCertainRoom - 1; text.size() > ComparisonModel::kCertainRoom && digits > 0;
+         --digits)
+        text = significantText(value, digits);
+    return text;
+}
+
 bool isCoordinate(int column)
 {
     return column == ComparisonModel::Formula || column == ComparisonModel::Matrix
@@ -116,7 +126,7 @@ std::optional<double> ComparisonModel::value(const Row &row, int column) const
     switch (column) {
     case Certain: {
         const std::optional<double> formula = by(Method::Formula, row);
-        return formula ? std::optional(certainText(*formula, row.uncertainty).toDouble()) : std::nullopt;
+        return formula ? std::optional(fittingText(*formula, row.uncertainty).toDouble()) : std::nullopt;
     }
     case Formula: return by(Method::Formula, row);
     case Matrix: return by(Method::Matrix, row);
@@ -159,7 +169,7 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
         if (!v)
             return by(Method::Formula, row) || by(Method::Matrix, row) ? tr("none") : QStringLiteral("–");
         if (column == Certain)
-            return certainText(*by(Method::Formula, row), row.uncertainty);
+            return fittingText(*by(Method::Formula, row), row.uncertainty);
         if (isCoordinate(column))
             return notation(row, column).text(*v);
         if (column == Ulps)

@@ -20,6 +20,8 @@ class ComparisonModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { Certain, Formula, Matrix, Difference, Ulps, MatrixInFloat, FloatDifference, ColumnCount };
+    /// The most characters of the certain column: "-0.12345678".
+    static constexpr int kCertainRoom = 11;
     /// Number of leading characters of a coordinate that are certain; the rest is below what depth and pixel tell.
     static constexpr int kCertainLengthRole = Qt::UserRole;
     /// The double itself; of what is certain the rounded one.

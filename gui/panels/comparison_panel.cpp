@@ -183,7 +183,8 @@ void ComparisonPanel::showPick()
     m_model->setPick(pick);
     showSinceClick();
     if (!pick) {
-        m_heading->setFullText(tr("Press the left button on the model"));
+        m_heading->setFullText(tr("No point yet"));
+        m_sinceClick->setText(tr("Press the left button on the model"));
         for (SteadyLabel *label : {m_widget, m_devicePixel, m_window, m_depth})
             label->setText(QStringLiteral("–"));
         m_certainty->clear();

@@ -26,7 +26,7 @@ constexpr int kMostCharacters = 19;
 int charactersIn(int column)
 {
     switch (column) {
-    case ComparisonModel::Certain: return 10;       // "-12.345678"
+    case ComparisonModel::Certain: return ComparisonModel::kCertainRoom;
     case ComparisonModel::Ulps: return 6;           // "-88888"
     case ComparisonModel::MatrixInFloat: return 10; // "-0.0000000"
     default: return 8;                              // "-8.8e-16"

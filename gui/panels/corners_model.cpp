@@ -1,5 +1,6 @@
 #include "gui/panels/corners_model.h"
 
+#include "gui/panels/contrast.h"
 #include "gui/text/number_text.h"
 
 #include <QGuiApplication>
@@ -118,7 +119,8 @@ QVariant CornersModel::data(const QModelIndex &index, int role) const
         break;
     case Qt::ForegroundRole:
         if (index.column() == Ndc && !isInside(p->ndc))
-            return QGuiApplication::palette().color(QPalette::PlaceholderText);
+            return quietInk(QGuiApplication::palette().color(QPalette::Text),
+                            QGuiApplication::palette().color(QPalette::Base));
         break;
     case Qt::ToolTipRole:
         if (index.column() == Ndc && !isInside(p->ndc))

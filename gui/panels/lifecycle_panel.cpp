@@ -17,6 +17,12 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+namespace {
+
+constexpr int kPadding = 12; ///< of a cell, both sides
+constexpr int kRowMargin = 4;
+
+} // namespace
 
 LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(parent), m_log(log)
 {
@@ -25,7 +31,7 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_table->setAccessibleName(tr("Steps of the view's life"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
-    m_table->setWordWrap(false);
+    m_table->setWordWrap(true); // a call is shown whole
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
     QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -34,22 +40,23 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     const QFontMetrics metrics(digits);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + 4);
+    m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + kRowMargin);
     QHeaderView *header = m_table->horizontalHeader();
     QFont headerFont = font(); // in full, or the table's digits would be inherited
     headerFont.setFamilies({fontInfo().family()});
     headerFont.setPointSizeF(font().pointSizeF());
     header->setFont(headerFont);
     header->setHighlightSections(false);
-    // The widths are those of the longest texts to expect, so that the columns stand still.
-    constexpr int kPadding = 12;
+    // The widths are those of the longest texts to expect, so that the columns stand still; the calls have the rest.
+    header->setSectionResizeMode(QHeaderView::Fixed);
     const auto reserve = [&](int column, const QString &widest) {
-        m_table->setColumnWidth(column, metrics.horizontalAdvance(widest) + kPadding);
+        const int head = header->fontMetrics().horizontalAdvance(m_log.headerData(column, Qt::Horizontal).toString());
+        m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(widest), head) + kPadding);
     };
-    reserve(LifecycleLog::Time, QStringLiteral("88888.888 s"));
-    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8, 888.8)"));
-    reserve(LifecycleLog::Took, QStringLiteral("888.88 ms, mean 888.88 ms"));
-    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("glViewport(8888, 8888, 8888, 8888)")) + kPadding;
+    reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"));
+    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8, 8888.8)"));
+    reserve(LifecycleLog::Took, QStringLiteral("8888.88 ms,")); // and the mean in a second line
+    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,88888")) + kPadding;
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->viewport()->installEventFilter(this);
 
@@ -79,10 +86,13 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     });
     connect(m_table->verticalScrollBar(), &QScrollBar::valueChanged, this,
             [this](int value) { m_follows = value == m_table->verticalScrollBar()->maximum(); });
-    connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this] {
+    connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex &, int first) {
         enableButtons();
+        fitRow(first);
         follow();
     });
+    // Pictures in a row are one step, whose text changes with each.
+    connect(&m_log, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) { fitRow(first.row()); });
     connect(&m_log, &QAbstractItemModel::modelReset, this, &LifecyclePanel::enableButtons);
     enableButtons();
 }
@@ -94,15 +104,38 @@ bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
         int others = 0;
         for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
             others += m_table->columnWidth(column);
-        m_table->setColumnWidth(LifecycleLog::StandsFor,
-                                std::max(m_leastCallsWidth, m_table->viewport()->width() - others));
+        const int calls = std::max(m_leastCallsWidth, m_table->viewport()->width() - others);
+        if (calls != m_table->columnWidth(LifecycleLog::StandsFor)) {
+            m_table->setColumnWidth(LifecycleLog::StandsFor, calls);
+            for (int row = 0; row < m_log.rowCount(); ++row)
+                fitRow(row);
+        }
     }
     return QWidget::eventFilter(watched, event);
 }
 
+/// As many lines as its longest text needs.
+void LifecyclePanel::fitRow(int row)
+{
+    const QFontMetrics metrics(m_table->font());
+    int height = 0;
+    for (const int column : {LifecycleLog::StandsFor, LifecycleLog::Took}) {
+        const QRect room(0, 0, m_table->columnWidth(column) - kPadding, 1 << 16);
+        height = std::max(
+            height, metrics.boundingRect(room, Qt::TextWordWrap, m_log.index(row, column).data().toString()).height());
+    }
+    if (m_table->rowHeight(row) != height + kRowMargin)
+        m_table->setRowHeight(row, height + kRowMargin);
+}
+
 QSize LifecyclePanel::sizeHint() const
 {
-    return {900, 190};
+    return {100 * fontMetrics().horizontalAdvance(u'0'), 12 * fontMetrics().lineSpacing()};
+}
+
+QSize LifecyclePanel::minimumSizeHint() const
+{
+    return {40 * fontMetrics().horizontalAdvance(u'0'), 6 * fontMetrics().lineSpacing()};
 }
 
 void LifecyclePanel::showEvent(QShowEvent *event)

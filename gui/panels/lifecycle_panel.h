@@ -16,12 +16,14 @@ public:
     explicit LifecyclePanel(LifecycleLog &log, QWidget *parent = nullptr);
 
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
 
 protected:
     void showEvent(QShowEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void fitRow(int row);
     void follow();
     void copy() const;
     void enableButtons();

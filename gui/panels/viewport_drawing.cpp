@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -16,9 +17,26 @@ constexpr double kGap = 6.0; ///< between the drawings and around texts, logical
 constexpr double kDotRadius = 3.0;
 const QColor kPointerColor(214, 64, 32);
 
-QString limitText(double value)
+QString limitText(double value, int digits = 4)
 {
-    return significantText(value, 4).replace(u'-', u'−');
+    return writtenText(value, digits).replace(u'-', u'−');
+}
+
+/// The limits of an interval with as many digits as fit beside each other, four at most.
+std::pair<QString, QString> limitTexts(double low, double high, const QFontMetricsF &metrics, double width)
+{
+    for (int digits = 4; digits > 1; --digits) {
+        const auto texts = std::pair(limitText(low, digits), limitText(high, digits));
+        if (metrics.horizontalAdvance(texts.first) + metrics.horizontalAdvance(texts.second) + kGap <= width)
+            return texts;
+    }
+    return {limitText(low, 1), limitText(high, 1)};
+}
+
+/// The longest that a limit is with few digits.
+double longestLimit(const QFontMetricsF &metrics)
+{
+    return metrics.horizontalAdvance(QStringLiteral("−8.8e+88"));
 }
 
 /// The largest rectangle of that size's shape in the middle of an area.
@@ -98,12 +116,14 @@ void ViewportDrawing::setPointer(const std::optional<WindowPoint> &pointer)
 
 QSize ViewportDrawing::sizeHint() const
 {
-    return {39 * fontMetrics().horizontalAdvance(u'0'), 9 * fontMetrics().height()};
+    return minimumSizeHint() + QSize(8 * fontMetrics().horizontalAdvance(u'0'), 3 * fontMetrics().height());
 }
 
 QSize ViewportDrawing::minimumSizeHint() const
 {
-    return {23 * fontMetrics().horizontalAdvance(u'0'), 6 * fontMetrics().height()};
+    // Two limits beside each other in either half.
+    const double half = 2.0 * longestLimit(fontMetrics()) + kGap + 2.0;
+    return {static_cast<int>(std::ceil(2.0 * half + 2.0 * kGap)), 7 * fontMetrics().height()};
 }
 
 double ViewportDrawing::captionHeight() const
@@ -219,7 +239,7 @@ QRectF ViewportDrawing::paintProjectionWindow(QPainter &painter, const QRectF &a
                                                                                               : tr("Projection"));
 
     // Room for the limits at the right and below, of one width, so that the drawing does not jump.
-    const double numberWidth = fontMetrics().horizontalAdvance(QStringLiteral("−0.8888")) + 4.0;
+    const double numberWidth = longestLimit(fontMetrics()) + 4.0;
     const QRectF free = area.adjusted(1.0, captionHeight(), -numberWidth, -captionHeight());
     const QRectF rect = fitted({std::abs(w.right - w.left), std::abs(w.top - w.bottom)}, free);
     painter.fillRect(rect, faded(palette().color(QPalette::Highlight), 0.22));
@@ -237,19 +257,22 @@ QRectF ViewportDrawing::paintProjectionWindow(QPainter &painter, const QRectF &a
 
     painter.setPen(palette().color(QPalette::WindowText));
     // A narrow window has its limits beside it, not one over the other.
-    const QString left = limitText(w.left), right = limitText(w.right);
+    const auto [left, right] = limitTexts(w.left, w.right, fontMetrics(), area.width());
     const double leftWidth = fontMetrics().horizontalAdvance(left), rightWidth = fontMetrics().horizontalAdvance(right);
     const double overlap = std::max(0.0, leftWidth + rightWidth + kGap - rect.width());
-    const double leftEdge = std::max(area.left(), rect.left() - overlap / 2.0);
-    const double rightEdge =
-        std::min(area.right(), std::max(rect.right() + overlap / 2.0, leftEdge + leftWidth + kGap + rightWidth));
+    const double leftEdge = std::clamp(rect.left() - overlap / 2.0, area.left(),
+                                       std::max(area.left(), area.right() - leftWidth - kGap - rightWidth));
+    const double rightEdge = std::max(rect.right() + overlap / 2.0, leftEdge + leftWidth + kGap + rightWidth);
     const double ascent = fontMetrics().ascent();
     const double bottomLine = std::max(rect.bottom() - 1.0, rect.top() + captionHeight() + ascent);
     const double belowLine = std::max(rect.bottom() + 2.0 + ascent, bottomLine + captionHeight());
     painter.drawText(QPointF(leftEdge, belowLine), left);
     painter.drawText(QPointF(rightEdge - rightWidth, belowLine), right);
-    painter.drawText(QPointF(rect.right() + 4.0, rect.top() + ascent - 1.0), limitText(w.top));
-    painter.drawText(QPointF(rect.right() + 4.0, bottomLine), limitText(w.bottom));
+    const auto beside = [&](double value) {
+        return limitTexts(value, value, fontMetrics(), 2.0 * (area.right() - rect.right() - 4.0) + kGap).first;
+    };
+    painter.drawText(QPointF(rect.right() + 4.0, rect.top() + ascent - 1.0), beside(w.top));
+    painter.drawText(QPointF(rect.right() + 4.0, bottomLine), beside(w.bottom));
     return rect;
 }
 

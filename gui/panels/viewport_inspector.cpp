@@ -4,6 +4,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/corners_model.h"
 #include "gui/panels/segmented_switch.h"
+#include "gui/panels/steady_label.h"
 #include "gui/panels/viewport_drawing.h"
 #include "gui/text/number_text.h"
 
@@ -47,12 +48,43 @@ QFont digitsFont(const QWidget &widget)
     return font;
 }
 
-/// Wide enough for every line, and never narrower again: nothing beside it moves. A fixed size also keeps new texts
-/// from laying out the panel anew.
-void fitLabel(QLabel &label, const QString &text)
+QString windowText(const Surface &surface)
 {
-    const QSize needed = label.fontMetrics().size(0, text) + QSize(2, 0);
-    label.setFixedSize(needed.expandedTo(label.minimumSize()));
+    return ViewportInspector::tr("Window %1 × %2 device pixels, device pixel ratio %3")
+        .arg(surface.widthPixels)
+        .arg(surface.heightPixels)
+        .arg(significantText(surface.devicePixelRatio, 4));
+}
+
+QString viewportText(const Viewport &v)
+{
+    return QStringLiteral("glViewport(%1, %2, %3, %4)")
+        .arg(significantText(v.x, 6), significantText(v.y, 6), significantText(v.width, 6),
+             significantText(v.height, 6));
+}
+
+/// Each proportion in symbols, then a side a line with its numbers.
+QString proportionLines(const Picture &picture, const std::optional<WindowPoint> &pointer)
+{
+    QStringList lines;
+    for (const Axis axis : {Axis::X, Axis::Y}) {
+        const ProportionText text = proportionText(picture, axis, pointer);
+        lines << text.symbols << QStringLiteral("    ") + text.left
+              << QStringLiteral("  = ") + text.right
+                     + (text.share.isEmpty() ? text.share : QStringLiteral(" = ") + text.share);
+    }
+    return lines.join(u'\n');
+}
+
+/// One whose numbers are as long as they get.
+Picture widestPicture()
+{
+    const double widest = -1.23456e-88;
+    return {{8888, 8888, 1.25},
+            {-8888.5, -8888.5, 8888.5, 8888.5},
+            {},
+            Ortho{widest, -widest, widest, -widest, 1.0, 2.0},
+            LookAt{}};
 }
 
 } // namespace
@@ -62,22 +94,23 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
 {
     m_page = new SegmentedSwitch(tr("What is shown"),
                                  {{tr("Proportions"), tr("The proportions (3) and (4) with their numbers")},
+                                  {tr("Drawing"), tr("Window, viewport and projection window, drawn to scale")},
                                   {tr("Corners"), tr("The window's corners and centre in all coordinates")}});
     m_proportions = createProportions();
     createTable();
 
-    auto *contents = new QHBoxLayout;
-    contents->setSpacing(kSpacing);
-    contents->addWidget(m_drawing, 1);
-    contents->addWidget(m_proportions, 0, Qt::AlignTop);
-    contents->addWidget(m_table, 0, Qt::AlignTop | Qt::AlignLeft);
+    m_contents = new QHBoxLayout;
+    m_contents->setSpacing(kSpacing);
+    m_contents->addWidget(m_drawing, 1);
+    m_contents->addWidget(m_proportions, 2);
+    m_contents->addWidget(m_table, 0, Qt::AlignTop);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
     layout->setSpacing(4);
-    // The panel says itself how small it can be: the wide arrangement must not keep it from becoming narrow.
+    // The panel says itself how small it can be: what is shown now must not keep it from becoming narrow.
     layout->setSizeConstraint(QLayout::SetNoConstraint);
     layout->addWidget(m_page, 0, Qt::AlignLeft);
-    layout->addLayout(contents, 1);
+    layout->addLayout(m_contents, 1);
 
     addCopyAction();
     connect(m_page, &SegmentedSwitch::chosen, this, &ViewportInspector::arrange);
@@ -91,31 +124,34 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
 
 QWidget *ViewportInspector::createProportions()
 {
-    const auto label = [](const QString &accessibleName, const QString &toolTip) {
-        auto *made = new QLabel;
-        made->setTextFormat(Qt::PlainText);
-        made->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    const auto label = [](const QString &accessibleName, const QString &toolTip, const QStringList &longest) {
+        auto *made = new SteadyLabel(longest);
         made->setAccessibleName(accessibleName);
         made->setToolTip(toolTip);
         return made;
     };
+    const Picture widest = widestPicture();
     m_window =
-        label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"));
-    m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"));
+        label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"),
+              {windowText(widest.surface)});
+    m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"),
+                       {viewportText(widest.viewport)});
     m_formulas =
         label(tr("Proportions (3) and (4)"),
               tr("x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane\n"
                  "x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner\n"
-                 "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window"));
+                 "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window"),
+              {proportionLines(widest, WindowPoint(8888.5, 8888.5, 0.0))});
     m_formulas->setFont(digitsFont(*this));
-    m_circle = label(tr("Shape of a circle"), {});
+    m_circle = label(tr("Shape of a circle"), {}, {circleText(0.00123), circleText(1234.5), circleText(1.0)});
 
     auto *proportions = new QWidget;
     auto *lines = new QVBoxLayout(proportions);
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(2);
-    for (QLabel *line : {m_window, m_viewport, m_formulas, m_circle})
+    for (SteadyLabel *line : {m_window, m_viewport, m_formulas, m_circle})
         lines->addWidget(line);
+    lines->addStretch();
     return proportions;
 }
 
@@ -127,8 +163,8 @@ void ViewportInspector::createTable()
     m_table->setFont(digitsFont(*this));
     m_table->setTabKeyNavigation(false);
     m_table->setWordWrap(false);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     fixColumns();
 }
 
@@ -157,10 +193,10 @@ void ViewportInspector::fixColumns()
         m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(text), head) + kCellPadding);
         width += m_table->columnWidth(column);
     }
-    m_table->setFixedWidth(width);
+    m_table->setMaximumWidth(width);
     m_table->setMinimumHeight(columns->minimumHeight() + 3 * rows->defaultSectionSize());
     m_table->setMaximumHeight(columns->minimumHeight() + CornersModel::RowCount * rows->defaultSectionSize()
-                              + 2 * m_table->frameWidth());
+                              + 2 * m_table->frameWidth() + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
 }
 
 void ViewportInspector::addCopyAction()
@@ -173,39 +209,77 @@ void ViewportInspector::addCopyAction()
     setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-int ViewportInspector::widthForAll() const
+/// Of the proportions' longest line as it is with ordinary numbers; longer ones are broken.
+int ViewportInspector::proportionsWidth() const
 {
-    return widthWithDrawing(m_proportions->layout()->minimumSize().width() + kSpacing + m_table->maximumWidth());
+    constexpr int kCharacters = 60;
+    return kCharacters * m_formulas->fontMetrics().horizontalAdvance(u'0');
 }
 
-int ViewportInspector::widthWithDrawing(int others) const
+int ViewportInspector::leastWidth() const
 {
-    const QMargins margins = layout()->contentsMargins();
-    return margins.left() + m_drawing->minimumSizeHint().width() + kSpacing + others + margins.right();
+    constexpr int kDigits = 43;
+    return kDigits * fontMetrics().horizontalAdvance(u'0');
 }
 
 QSize ViewportInspector::sizeHint() const
 {
-    return {widthForAll() + m_drawing->sizeHint().width() - m_drawing->minimumSizeHint().width(), 180};
+    return {m_drawing->sizeHint().width() + proportionsWidth() + m_table->maximumWidth() + 2 * kSpacing,
+            12 * fontMetrics().lineSpacing()};
 }
 
 QSize ViewportInspector::minimumSizeHint() const
 {
     const QMargins margins = layout()->contentsMargins();
-    const QSize proportions = m_proportions->layout()->minimumSize();
-    return {std::max(widthWithDrawing(proportions.width()), margins.left() + m_table->maximumWidth() + margins.right()),
-            margins.top() + m_page->sizeHint().height() + layout()->spacing() + proportions.height()
-                + margins.bottom()};
+    return {std::max(leastWidth(), m_page->sizeHint().width() + margins.left() + margins.right()),
+            margins.top() + m_page->sizeHint().height() + layout()->spacing() + m_leastHeight + margins.bottom()};
 }
 
+/// What was chosen, and beside it what there is room for.
 void ViewportInspector::arrange()
 {
-    const bool isWide = width() >= widthForAll();
-    const bool showsProportions = isWide || m_page->choice() == 0;
-    m_page->setVisible(!isWide);
-    m_drawing->setVisible(showsProportions || width() >= widthWithDrawing(m_table->maximumWidth()));
-    m_proportions->setVisible(showsProportions);
-    m_table->setVisible(isWide || !showsProportions);
+    const QMargins margins = layout()->contentsMargins();
+    const int room = width() - margins.left() - margins.right();
+    const std::array<std::pair<QWidget *, int>, 3> parts{{{m_proportions, proportionsWidth()},
+                                                          {m_drawing, m_drawing->minimumSizeHint().width()},
+                                                          {m_table, m_table->maximumWidth()}}};
+    std::array<bool, 3> isShown{};
+    const auto chosen = static_cast<std::size_t>(m_page->choice());
+    isShown[chosen] = true;
+    int taken = parts[chosen].second;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!isShown[i] && taken + kSpacing + parts[i].second <= room) {
+            isShown[i] = true;
+            taken += kSpacing + parts[i].second;
+        }
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        parts[i].first->setVisible(isShown[i]);
+    m_page->setVisible(isShown != std::array{true, true, true});
+    fitHeight();
+}
+
+/// As high as the proportions need at this width, whatever they say; without them as high as the drawing.
+void ViewportInspector::fitHeight()
+{
+    int height = m_drawing->minimumSizeHint().height();
+    if (m_proportions->isVisibleTo(this)) {
+        const QMargins margins = layout()->contentsMargins();
+        int width = this->width() - margins.left() - margins.right();
+        if (m_table->isVisibleTo(this))
+            width -= m_table->maximumWidth() + kSpacing;
+        // The drawing has a third of what both share, and at least what it needs.
+        if (m_drawing->isVisibleTo(this))
+            width -= kSpacing + std::max((width - kSpacing) / 3, m_drawing->minimumSizeHint().width());
+        int lines = 0;
+        for (const SteadyLabel *line : {m_window, m_viewport, m_formulas, m_circle})
+            lines += line->heightAt(width) + m_proportions->layout()->spacing();
+        height = std::max(height, lines);
+    }
+    if (m_leastHeight == height)
+        return;
+    m_leastHeight = height;
+    updateGeometry();
 }
 
 void ViewportInspector::resizeEvent(QResizeEvent *event)
@@ -247,17 +321,11 @@ void ViewportInspector::refresh()
 void ViewportInspector::showPicture()
 {
     m_shown = m_document.geometry();
-    const Surface &s = m_shown->surface;
-    const Viewport &v = m_shown->viewport;
     m_corners->setPicture(*m_shown);
     m_drawing->setPicture(*m_shown);
-    m_window->setText(tr("Window %1 × %2 device pixels, device pixel ratio %3")
-                          .arg(s.widthPixels)
-                          .arg(s.heightPixels)
-                          .arg(significantText(s.devicePixelRatio, 4)));
-    m_viewport->setText(QStringLiteral("glViewport(%1, %2, %3, %4)")
-                            .arg(significantText(v.x, 6), significantText(v.y, 6), significantText(v.width, 6),
-                                 significantText(v.height, 6)));
+    const Viewport &v = m_shown->viewport;
+    m_window->setText(windowText(m_shown->surface));
+    m_viewport->setText(viewportText(v));
     const double aspect = circleAspect(*m_shown);
     const ProjectionWindow w = projectionWindow(m_shown->projection());
     m_circle->setText(circleText(aspect));
@@ -269,40 +337,22 @@ void ViewportInspector::showPicture()
     font.setBold(isDistorted(aspect));
     m_circle->setFont(font);
     showPointer();
-    for (QLabel *label : {m_window, m_viewport, m_formulas, m_circle})
-        fitLabel(*label, label->text());
 }
 
 void ViewportInspector::showPointer()
 {
     m_corners->setPointer(m_pointer);
     m_drawing->setPointer(m_corners->pointerWindow());
-    m_formulas->setText(proportionLines());
-}
-
-std::array<ProportionText, 2> ViewportInspector::proportionTexts() const
-{
-    const std::optional<WindowPoint> pointer = m_corners->pointerWindow();
-    return {proportionText(*m_shown, Axis::X, pointer), proportionText(*m_shown, Axis::Y, pointer)};
-}
-
-/// Each proportion in symbols, then a side a line with its numbers.
-QString ViewportInspector::proportionLines() const
-{
-    QStringList lines;
-    for (const ProportionText &text : proportionTexts()) {
-        lines << text.symbols << QStringLiteral("    ") + text.left
-              << QStringLiteral("  = ") + text.right
-                     + (text.share.isEmpty() ? text.share : QStringLiteral(" = ") + text.share);
-    }
-    return lines.join(u'\n');
+    m_formulas->setText(proportionLines(*m_shown, m_corners->pointerWindow()));
 }
 
 QString ViewportInspector::text() const
 {
     QStringList lines{m_window->text(), m_viewport->text()};
-    for (const ProportionText &text : proportionTexts())
+    for (const Axis axis : {Axis::X, Axis::Y}) {
+        const ProportionText text = proportionText(*m_shown, axis, m_corners->pointerWindow());
         lines << text.symbols << text.line();
+    }
     lines << m_circle->text();
     return lines.join(u'\n').replace(u'−', u'-') + u'\n' + m_corners->text();
 }

@@ -7,8 +7,7 @@
 #include <array>
 #include <optional>
 
-class QBoxLayout;
-class QLabel;
+class QHBoxLayout;
 class QTableView;
 
 namespace unprojector::gui {
@@ -16,11 +15,13 @@ namespace unprojector::gui {
 class CornersModel;
 class SceneDocument;
 class SegmentedSwitch;
+class SteadyLabel;
 class ViewportDrawing;
 
 /// How window, viewport and projection window relate: drawn to scale, as the proportions (3) and (4) with their numbers,
 /// and as a table of the window's corners. It follows the pointer and every resize. Hidden, it does nothing; shown again,
-/// it catches up. Where it is too narrow for all three, a switch leads to the table.
+/// it catches up. Where it is too narrow for all three, a switch leads from one to the other. Its least size follows from
+/// fonts and from its width, never from numbers.
 class ViewportInspector : public QWidget {
     Q_OBJECT
 public:
@@ -35,7 +36,6 @@ public:
     QString text() const;
 
     QSize sizeHint() const override;
-    /// That of the narrow arrangement, whichever is shown.
     QSize minimumSizeHint() const override;
 
 protected:
@@ -47,25 +47,26 @@ private:
     void createTable();
     void fixColumns();
     void addCopyAction();
-    int widthForAll() const;
-    int widthWithDrawing(int others) const;
+    int proportionsWidth() const;
+    int leastWidth() const;
     void arrange();
+    void fitHeight();
     void refresh();
     void showPicture();
     void showPointer();
-    QString proportionLines() const;
-    std::array<ProportionText, 2> proportionTexts() const;
 
     const SceneDocument &m_document;
     CornersModel *m_corners;
     ViewportDrawing *m_drawing;
     SegmentedSwitch *m_page;
     QWidget *m_proportions;
-    QLabel *m_window;
-    QLabel *m_viewport;
-    QLabel *m_formulas;
-    QLabel *m_circle;
+    SteadyLabel *m_window;
+    SteadyLabel *m_viewport;
+    SteadyLabel *m_formulas;
+    SteadyLabel *m_circle;
     QTableView *m_table;
+    QHBoxLayout *m_contents;
+    int m_leastHeight = 0;          ///< of what is shown, below the switch
     std::optional<Picture> m_shown; ///< the picture that is on display
     std::optional<WidgetPoint> m_pointer;
 };

@@ -3,6 +3,7 @@
 #include "gui/view/scene_overlay.h"
 
 #include <QElapsedTimer>
+#include <QOpenGLContext>
 #include <QSurfaceFormat>
 
 #include <algorithm>
@@ -66,14 +67,16 @@ void SceneView::onCreate()
         return;
     m_overlay->initialize();
     m_isStale = true;
-    const QSurfaceFormat asked = format();
+    const auto described = [](const QSurfaceFormat &format) {
+        return tr("OpenGL %1.%2 core, depth %3 bits, stencil %4 bits, %5 samples")
+            .arg(format.majorVersion())
+            .arg(format.minorVersion())
+            .arg(format.depthBufferSize())
+            .arg(format.stencilBufferSize())
+            .arg(std::max(0, format.samples()));
+    };
     emit happened({LifecycleEvent::Kind::PreCreateWindow, QString(),
-                   QStringLiteral("OpenGL %1.%2 core, depth %3 bits, stencil %4 bits, %5 samples")
-                       .arg(asked.majorVersion())
-                       .arg(asked.minorVersion())
-                       .arg(asked.depthBufferSize())
-                       .arg(asked.stencilBufferSize())
-                       .arg(std::max(0, asked.samples())),
+                   tr("asked for: %1; came: %2").arg(described(preCreateWindow()), described(context()->format())),
                    0.0});
     emit happened({LifecycleEvent::Kind::OnCreate, QString(),
                    QStringLiteral("glCreateProgram, glCreateShader, glCompileShader, glLinkProgram"),
@@ -177,7 +180,8 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
     const Surface &surface = m_document.geometry().surface;
     if (const Result<DevicePixel> pixel = devicePixelFromWidget(surface, position)) {
         emit happened({LifecycleEvent::Kind::OnLButtonDown, QStringLiteral("%1, %2").arg(position.x).arg(position.y),
-                       QStringLiteral("glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, …) = %3; object id %4")
+                       QStringLiteral(
+                           "glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth): depth = %3, object id %4")
                            .arg(pixel->i)
                            .arg(framebufferRow(surface, *pixel))
                            .arg(sample->depth, 0, 'g', 9)

@@ -1038,6 +1038,10 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <source>A point on %1</source>
         <translation>%1 上的一点</translation>
     </message>
+    <message>
+        <source>No point yet</source>
+        <translation>还没有点</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::CornersModel</name>
@@ -2809,6 +2813,14 @@ in logical pixels from the top-left corner, y down</source>
         <source>The depth of this pixel could not be read: OpenGL reported an error.</source>
         <translation>无法读取该像素的深度：OpenGL 报告了错误。</translation>
     </message>
+    <message>
+        <source>OpenGL %1.%2 core, depth %3 bits, stencil %4 bits, %5 samples</source>
+        <translation>OpenGL %1.%2 核心模式，深度 %3 位，模板 %4 位，%5 个采样</translation>
+    </message>
+    <message>
+        <source>asked for: %1; came: %2</source>
+        <translation>请求：%1；得到：%2</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ScreenshotRun</name>
@@ -3198,6 +3210,14 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1</source>
         <translation>对平行于投影平面的圆：视口为 %1 : 1，投影窗口为 %2 : 1</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>图示</translation>
+    </message>
+    <message>
+        <source>Window, viewport and projection window, drawn to scale</source>
+        <translation>窗口、视口和投影窗口，按比例绘制</translation>
     </message>
 </context>
 <context>

@@ -58,8 +58,10 @@ std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remembers = fal
 /// On the screen, not behind another tab.
 bool isSeen(const MainWindow &window, const char *name)
 {
+    // Not by its visible region: what an opaque panel covers of the dock is left out of that.
     const QDockWidget *dock = dockOf(window, name);
-    return dock->isVisible() && !dock->visibleRegion().isEmpty();
+    const QWidget *inFront = window.childAt(dock->mapTo(&window, dock->rect().center()));
+    return dock->isVisible() && inFront && (inFront == dock || dock->isAncestorOf(inFront));
 }
 
 const char *const kPanels[] = {"parameters", "comparison", "pipeline", "inspector", "lifecycle"};

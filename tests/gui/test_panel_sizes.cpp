@@ -1,0 +1,278 @@
+// The panels of numbers at the fonts of the desktops, in both languages and at every width from the least one: no text is
+// cut off, and nothing that is picked, of tiny or of huge models, changes how small a panel can be or where its parts stand.
+
+#include "gui/document/scene_document.h"
+#include "gui/panels/comparison_panel.h"
+#include "gui/panels/comparison_table.h"
+#include "gui/panels/lifecycle_panel.h"
+#include "gui/panels/number_grid.h"
+#include "gui/panels/parameters/elided_label.h"
+#include "gui/panels/pipeline_panel.h"
+#include "gui/panels/steady_label.h"
+#include "gui/panels/viewport_inspector.h"
+#include "gui/text/translation.h"
+#include "gui/view/lifecycle_log.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollBar>
+#include <QTest>
+#include <QToolButton>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+
+namespace {
+
+/// Seen by glFrustum from five units away, all of it `size` times as large.
+void openScene(SceneDocument &document, double size, double offset = 0.0)
+{
+    Scene scene;
+    scene.camera = scene.home = {WorldPoint(offset, 0, 5 * size), WorldPoint(offset, 0, 0), {0, 1, 0}};
+    scene.projection = Frustum{-1.2345678 * size, 1.2345678 * size, -0.98765432 * size,
+                               0.98765432 * size, 2.0123456 * size, 10.987654 * size};
+    scene.projectionFollowsViewport = false;
+    scene.clipDistancesFitObjects = false;
+    auto model = std::make_shared<Model>();
+    model->bounds.add(glm::dvec3(-size));
+    model->bounds.add(glm::dvec3(size));
+    SceneObject object;
+    object.name = "Box";
+    object.model = model;
+    scene.objects = {object};
+    QVERIFY(document.open(scene));
+}
+
+/// What a user does to the numbers, one after the other.
+const std::vector<std::function<void(SceneDocument &)>> &happenings()
+{
+    const auto pick = [](SceneDocument &document) { document.pickAt(WidgetPoint(412.0, 199.0), {0.712345678, 0, 24}); };
+    static const std::vector<std::function<void(SceneDocument &)>> list{
+        pick,
+        [](SceneDocument &document) {
+            document.pickAt(WidgetPoint(3.0, 2.0), {1.0, {}, 24});
+        },
+        [pick](SceneDocument &document) {
+            pick(document);
+            LookAt camera = document.geometry().camera();
+            camera.eye.x += 37.0;
+            camera.eye.y -= 55.0;
+            camera.eye.z += 12.0;
+            document.setCamera(camera);
+        },
+        [pick](SceneDocument &document) {
+            openScene(document, 1e-9);
+            pick(document);
+        },
+        [pick](SceneDocument &document) {
+            openScene(document, 123456789.0, -4.5e9);
+            pick(document);
+        },
+        [](SceneDocument &document) {
+            LookAt camera = document.geometry().camera();
+            camera.eye.z *= 9.0;
+            document.setCamera(camera);
+        },
+        [](SceneDocument &document) {
+            QVERIFY(document.editTransform(0, {Translate{{1.0, 2.0, 3.0}}}, {QStringLiteral("Move")}));
+        },
+        [pick](SceneDocument &document) {
+            openScene(document, 0.03);
+            document.setProjection(Oblique{{-0.2, 0.2, -0.1, 0.1, 0.01, 0.9}, 0.7, 0.9});
+            pick(document);
+        },
+        [](SceneDocument &document) { document.clearPick(); },
+    };
+    return list;
+}
+
+bool isShown(const QWidget &widget, const QWidget &panel)
+{
+    return widget.isVisibleTo(&panel) && widget.width() > 0;
+}
+
+/// The texts of a panel that do not have the room they need.
+QStringList cutTexts(const QWidget &panel)
+{
+    QStringList cut;
+    const auto need = [&cut](const QString &text, double needed, double given) {
+        if (needed > given + 0.5)
+            cut << QStringLiteral("\"%1\" needs %2, has %3").arg(text).arg(needed).arg(given);
+    };
+    for (const QLabel *label : panel.findChildren<QLabel *>()) {
+        if (!isShown(*label, panel) || label->text().isEmpty())
+            continue;
+        const QRect inside = label->contentsRect();
+        const int indent = std::max(0, label->indent());
+        if (label->wordWrap()) {
+            const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, inside.width(), 1 << 16),
+                                                                   Qt::TextWordWrap, label->text());
+            need(label->text(), needed.height(), inside.height());
+            need(label->text(), needed.width(), inside.width());
+        } else {
+            need(label->text(), label->fontMetrics().size(Qt::TextShowMnemonic, label->text()).width() + indent,
+                 inside.width());
+        }
+        if (const auto *elided = qobject_cast<const ElidedLabel *>(label);
+            elided && elided->fullText() != elided->text())
+            cut << elided->fullText();
+    }
+    for (const QAbstractButton *button : panel.findChildren<QAbstractButton *>()) {
+        if (isShown(*button, panel))
+            need(button->text(), button->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width(),
+                 button->width());
+    }
+    for (const QTableView *table : panel.findChildren<QTableView *>()) {
+        if (!isShown(*table, panel))
+            continue;
+        const QAbstractItemModel &model = *table->model();
+        const QFontMetrics metrics(table->font());
+        for (int column = 0; column < model.columnCount(); ++column) {
+            if (table->isColumnHidden(column))
+                continue;
+            if (table->horizontalHeader()->isVisibleTo(table)) {
+                const QString head = model.headerData(column, Qt::Horizontal).toString();
+                need(head, table->horizontalHeader()->fontMetrics().horizontalAdvance(head),
+                     table->columnWidth(column));
+            }
+            for (int row = 0; row < model.rowCount(); ++row) {
+                const QModelIndex index = model.index(row, column);
+                const QString text = index.data().toString();
+                if (table->wordWrap()) {
+                    const QRect needed = metrics.boundingRect(QRect(0, 0, table->columnWidth(column) - 6, 1 << 16),
+                                                              Qt::TextWordWrap, text);
+                    need(text, needed.height(), table->rowHeight(row));
+                    need(text, needed.width(), table->columnWidth(column));
+                } else {
+                    need(text, metrics.horizontalAdvance(text), table->columnWidth(column));
+                }
+            }
+        }
+        // What is not in sight can be scrolled to.
+        if (table->horizontalHeader()->length() > table->viewport()->width() + 1
+            && table->horizontalScrollBar()->maximum() == 0)
+            cut << QStringLiteral("%1 cannot be scrolled").arg(table->accessibleName());
+    }
+    for (const QWidget *child : panel.findChildren<QWidget *>(Qt::FindDirectChildrenOnly)) {
+        if (isShown(*child, panel) && !panel.rect().contains(child->geometry()))
+            cut << QStringLiteral("%1 %2 leaves the panel")
+                       .arg(QLatin1String(child->metaObject()->className()), child->accessibleName());
+    }
+    return cut;
+}
+
+QString places(const QWidget &panel)
+{
+    QStringList list;
+    for (const QWidget *child : panel.findChildren<QWidget *>(Qt::FindDirectChildrenOnly)) {
+        const QRect r = child->geometry();
+        list << QStringLiteral("%1 (%2): %3,%4 %5x%6")
+                    .arg(QLatin1String(child->metaObject()->className()), child->accessibleName())
+                    .arg(r.x())
+                    .arg(r.y())
+                    .arg(r.width())
+                    .arg(r.height());
+    }
+    const QSize least = panel.minimumSizeHint().expandedTo(panel.minimumSize());
+    list << QStringLiteral("at least %1x%2").arg(least.width()).arg(least.height());
+    return list.join(u'\n');
+}
+
+} // namespace
+
+class TestPanelSizes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingIsCutAndNothingMoves_data();
+    void nothingIsCutAndNothingMoves();
+    void cleanup() { QApplication::setFont(m_font); }
+
+private:
+    const QFont m_font = QApplication::font();
+};
+
+void TestPanelSizes::nothingIsCutAndNothingMoves_data()
+{
+    QTest::addColumn<QString>("which");
+    QTest::addColumn<double>("points");
+    QTest::addColumn<bool>("isChinese");
+    for (const char *which : {"comparison", "pipeline", "viewport", "life"}) {
+        for (const double points : {9.0, 10.0, 11.0, 13.0}) {
+            for (const bool isChinese : {false, true})
+                QTest::addRow("%s, %g pt, %s", which, points, isChinese ? "Chinese" : "English")
+                    << QString::fromLatin1(which) << points << isChinese;
+        }
+    }
+}
+
+void TestPanelSizes::nothingIsCutAndNothingMoves()
+{
+#ifdef _WIN32
+    QSKIP("The layout is judged with the fonts of the desktops that the sizes are of.");
+#endif
+    QFETCH(QString, which);
+    QFETCH(double, points);
+    QFETCH(bool, isChinese);
+    QFont font = m_font;
+    font.setPointSizeF(points);
+    QApplication::setFont(font);
+    const Translation translation(isChinese ? QStringList{QStringLiteral("zh-CN")} : QStringList());
+
+    SceneDocument document;
+    document.setSurface({842, 723, 1.0});
+    openScene(document, 1.0);
+    LifecycleLog log;
+    std::unique_ptr<QWidget> panel;
+    if (which == QStringLiteral("comparison"))
+        panel = std::make_unique<ComparisonPanel>(document);
+    else if (which == QStringLiteral("pipeline"))
+        panel = std::make_unique<PipelinePanel>(document);
+    else if (which == QStringLiteral("viewport"))
+        panel = std::make_unique<ViewportInspector>(document);
+    else
+        panel = std::make_unique<LifecyclePanel>(log);
+
+    const auto settle = [] {
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+    };
+    const int digit = QFontMetrics(font).horizontalAdvance(u'0');
+    const int least = panel->minimumSizeHint().expandedTo(panel->minimumSize()).width();
+    QVERIFY2(least <= 48 * digit, qPrintable(QStringLiteral("%1 of %2").arg(least).arg(48 * digit)));
+    panel->show();
+    for (const int width : {least, least + 5 * digit, 60 * digit, 90 * digit, 160 * digit}) {
+        openScene(document, 1.0);
+        document.clearPick();
+        panel->resize(width, 2400);
+        settle();
+        QCOMPARE(panel->width(), width);
+        const QString before = places(*panel);
+        for (std::size_t i = 0; i < happenings().size(); ++i) {
+            happenings()[i](document);
+            if (auto *inspector = qobject_cast<ViewportInspector *>(panel.get()))
+                inspector->setPointer(WidgetPoint(100.0 * static_cast<double>(i), 321.5));
+            log.append({LifecycleEvent::Kind::OnLButtonDown, QStringLiteral("1234.5, 987.5"),
+                        QStringLiteral("glReadPixels(1234, 1987, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth): depth = "
+                                       "0.123456789, object id 12"),
+                        12.3456});
+            log.append({LifecycleEvent::Kind::OnDraw, {}, QStringLiteral("glBindFramebuffer, glClearBuffer"), 8888.88});
+            log.append({LifecycleEvent::Kind::OnDraw, {}, QStringLiteral("glDrawArrays"), 8888.88});
+            settle();
+            const QString where = QStringLiteral(" at %1 px, happening %2").arg(width).arg(i);
+            const QStringList cut = cutTexts(*panel);
+            QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n') + where));
+            QVERIFY2(places(*panel) == before, qPrintable(before + QStringLiteral("\n->\n") + places(*panel) + where));
+        }
+    }
+}
+
+QTEST_MAIN(TestPanelSizes)
+#include "test_panel_sizes.moc"
