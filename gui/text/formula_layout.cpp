@@ -269,7 +269,11 @@ QFont formulaFont(double pointSize)
     font.setFamilies({QStringLiteral("STIX Two Text"), QStringLiteral("Cambria"), QStringLiteral("Libertinus Serif"),
                       QStringLiteral("Linux Libertine O"), QStringLiteral("Noto Serif"),
                       QStringLiteral("Liberation Serif"), QStringLiteral("Times New Roman"),
-                      QStringLiteral("DejaVu Serif")});
+                      QStringLiteral("DejaVu Serif"),
+                      // None of these has Chinese characters. What stands below is taken for them only; left to itself,
+                      // the system may choose a font without serifs or the Japanese forms.
+                      QStringLiteral("Noto Serif CJK SC"), QStringLiteral("Noto Serif SC"),
+                      QStringLiteral("Source Han Serif SC"), QStringLiteral("Songti SC"), QStringLiteral("SimSun")});
     font.setStyleHint(QFont::Serif);
     font.setPointSizeF(pointSize);
     return font;

@@ -62,9 +62,10 @@ protected:
 };
 
 /// The page with the colours that are not those of its text.
-QString pageText(const QColor &heading, const QColor &link, const QColor &source)
+/// @param name  in the folder of the help: "formulas.html"
+QString pageText(const QString &name, const QColor &heading, const QColor &link, const QColor &source)
 {
-    QFile file(QStringLiteral(":/help/formulas.html"));
+    QFile file(QStringLiteral(":/help/") + name);
     if (!file.open(QIODevice::ReadOnly))
         return {};
     const QString colors = QStringLiteral("h2 { color: %1; } a { color: %2; } p.source { color: %3; }\n</style>")
@@ -131,7 +132,9 @@ void FormulasWindow::showPage()
     m_page->setPalette(colors);
     const int place = m_page->verticalScrollBar()->value();
     const QColor link = colors.color(QPalette::Link);
-    m_page->setHtml(pageText(isDark ? link : QColor(0x1f, 0x3a, 0x5f), link,
+    //: The file of the page in this language, in resources/help.
+    const QString name = tr("formulas.html");
+    m_page->setHtml(pageText(name, isDark ? link : QColor(0x1f, 0x3a, 0x5f), link,
                              isDark ? QColor(0xa0, 0xa4, 0xaa) : QColor(0x66, 0x66, 0x66)));
     m_page->verticalScrollBar()->setValue(place);
 }

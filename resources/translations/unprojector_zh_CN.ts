@@ -1178,6 +1178,11 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <translation>公式</translation>
     </message>
     <message>
+        <source>formulas.html</source>
+        <extracomment>The file of the page in this language, in resources/help.</extracomment>
+        <translation>formulas_zh_CN.html</translation>
+    </message>
+    <message>
         <source>Page</source>
         <translation>页面</translation>
     </message>
