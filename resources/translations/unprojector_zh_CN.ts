@@ -248,15 +248,15 @@
     </message>
     <message>
         <source>The view matrix does more than turn and move: %1 stands in row 4, column %2.</source>
-        <translation>观察矩阵不只是旋转和平移：第 4 行第 %2 列为 %1。</translation>
+        <translation>视图矩阵不只是旋转和平移：第 4 行第 %2 列为 %1。</translation>
     </message>
     <message>
         <source>The view matrix does more than turn and move: row %1 has the length %2, not 1.</source>
-        <translation>观察矩阵不只是旋转和平移：第 %1 行的长度为 %2，不是 1。</translation>
+        <translation>视图矩阵不只是旋转和平移：第 %1 行的长度为 %2，不是 1。</translation>
     </message>
     <message>
         <source>The view matrix does more than turn and move: rows %1 and %2 are not perpendicular.</source>
-        <translation>观察矩阵不只是旋转和平移：第 %1 行与第 %2 行不垂直。</translation>
+        <translation>视图矩阵不只是旋转和平移：第 %1 行与第 %2 行不垂直。</translation>
     </message>
     <message>
         <source>There is no number; type one.</source>
@@ -327,7 +327,7 @@
     </message>
     <message>
         <source>Zhang Ci, section 2.1, figures 2.3 to 2.5</source>
-        <translation>Zhang Ci，2.1 节，图 2.3 至图 2.5</translation>
+        <translation>张赐，2.1 节，图 2.3 至图 2.5</translation>
     </message>
     <message>
         <source>Modelview: m[14] = −8</source>
@@ -339,7 +339,7 @@
     </message>
     <message>
         <source>Zhang Ci, section 2.1, figures 2.6 and 2.7</source>
-        <translation>Zhang Ci，2.1 节，图 2.6 和图 2.7</translation>
+        <translation>张赐，2.1 节，图 2.6 和图 2.7</translation>
     </message>
     <message>
         <source>glOrtho from −10 to 10</source>
@@ -351,7 +351,7 @@
     </message>
     <message>
         <source>Zhang Ci, section 2.2.1, figures 2.9 and 2.10</source>
-        <translation>Zhang Ci，2.2.1 节，图 2.9 和图 2.10</translation>
+        <translation>张赐，2.2.1 节，图 2.9 和图 2.10</translation>
     </message>
     <message>
         <source>gluPerspective, 45°</source>
@@ -363,7 +363,7 @@
     </message>
     <message>
         <source>Zhang Ci, section 2.2.2, figures 2.11 and 2.12</source>
-        <translation>Zhang Ci，2.2.2 节，图 2.11 和图 2.12</translation>
+        <translation>张赐，2.2.2 节，图 2.11 和图 2.12</translation>
     </message>
     <message>
         <source>Viewport of 50 × 50 Pixels</source>
@@ -375,7 +375,7 @@
     </message>
     <message>
         <source>Zhang Ci, section 2.3</source>
-        <translation>Zhang Ci，2.3 节</translation>
+        <translation>张赐，2.3 节</translation>
     </message>
     <message>
         <source>Viewport in the Lower Right Quarter</source>
@@ -387,7 +387,7 @@
     </message>
     <message>
         <source>Zhang Ci, section 2.3, figure 2.13</source>
-        <translation>Zhang Ci，2.3 节，图 2.13</translation>
+        <translation>张赐，2.3 节，图 2.13</translation>
     </message>
     <message>
         <source>Three Projections: Hand-made Matrix</source>
@@ -399,7 +399,7 @@
     </message>
     <message>
         <source>projection-derivation, first program (the matrix in ReSize)</source>
-        <translation>projection-derivation，第一个程序（ReSize 中的矩阵）</translation>
+        <translation>《OpenGL 矩阵推导》，第一个程序（ReSize 中的矩阵）</translation>
     </message>
     <message>
         <source>Three Projections: gluPerspective, 90°</source>
@@ -411,7 +411,7 @@
     </message>
     <message>
         <source>projection-derivation, second program</source>
-        <translation>projection-derivation，第二个程序</translation>
+        <translation>《OpenGL 矩阵推导》，第二个程序</translation>
     </message>
     <message>
         <source>Three Projections: glFrustum</source>
@@ -423,7 +423,7 @@
     </message>
     <message>
         <source>projection-derivation, third program</source>
-        <translation>projection-derivation，第三个程序</translation>
+        <translation>《OpenGL 矩阵推导》，第三个程序</translation>
     </message>
     <message>
         <source>Round Trip of Pixel (150, 150)</source>
@@ -435,7 +435,7 @@
     </message>
     <message>
         <source>opencascade-transforms, section 4, figure 4.1 (its camera is not printed)</source>
-        <translation>opencascade-transforms，第 4 节，图 4.1（原文未给出其相机）</translation>
+        <translation>eryar，第 4 节，图 4.1（原文未给出其相机）</translation>
     </message>
     <message>
         <source>Parallel Projection 1: Orthographic</source>
@@ -447,7 +447,7 @@
     </message>
     <message>
         <source>parallel-projection, first program</source>
-        <translation>parallel-projection，第一个程序</translation>
+        <translation>《OpenGL 中的平行投影》，第一个程序</translation>
     </message>
     <message>
         <source>Parallel Projection 2: Oblique</source>
@@ -459,11 +459,11 @@
     </message>
     <message>
         <source>parallel-projection, second program</source>
-        <translation>parallel-projection，第二个程序</translation>
+        <translation>《OpenGL 中的平行投影》，第二个程序</translation>
     </message>
     <message>
         <source>OpenGL Pipeline (Zhang Ci)</source>
-        <translation>OpenGL 流水线（Zhang Ci）</translation>
+        <translation>OpenGL 流水线（张赐）</translation>
     </message>
     <message>
         <source>Projection Derivation</source>
