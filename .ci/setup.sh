@@ -10,8 +10,9 @@ packages=(
     # Vectors and matrices, model files (Assimp's package needs zlib's to link, and does not say so), scene files, the
     # command's options, extended precision
     libglm-dev libassimp-dev zlib1g-dev nlohmann-json3-dev libcli11-dev libboost-dev
-    # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none
-    libgl1-mesa-dri fonts-dejavu-core xvfb xauth
+    # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none; the
+    # texts of Qt's own buttons and dialogs, without which a Chinese window asks its questions with an English Save
+    libgl1-mesa-dri fonts-dejavu-core xvfb xauth qt6-translations-l10n
     "$@"
 )
 
