@@ -133,23 +133,24 @@ PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &point
     const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Backward); };
     const Result<WindowPoint> window = finite(point);
     const Result<NdcPoint> ndc = affine<NdcSpace>(matrix(PipelineStage::ViewportMatrix), window);
-    const Result<ClipPoint> clip = next<ClipSpace>(ndc, [&](const NdcPoint &p) -> Result<ClipPoint> {
-        const glm::dvec4 homogeneous(p.coordinates(), 1.0);
-        const glm::dvec4 eye = matrix(PipelineStage::ProjectionMatrix) * homogeneous;
-        if (eye.w == 0.0)
+    std::optional<glm::dvec4> undivided;
+    if (ndc)
+        undivided = matrix(PipelineStage::ProjectionMatrix) * glm::dvec4(ndc->coordinates(), 1.0);
+    const auto divided = [&](const NdcPoint &) -> Result<EyePoint> {
+        if (undivided->w == 0.0)
             return Error{ErrorCode::PointAtInfinity};
-        return finite(ClipPoint(homogeneous / eye.w));
-    });
-    const Result<EyePoint> eye = next<EyeSpace>(clip, [&](const ClipPoint &p) {
-        return finite(EyePoint(glm::dvec3(matrix(PipelineStage::ProjectionMatrix) * p.coordinates())));
-    });
+        return finite(EyePoint(glm::dvec3(*undivided) / undivided->w));
+    };
+    const Result<EyePoint> eye = next<EyeSpace>(ndc, divided);
+    const Result<ClipPoint> clip = next<ClipSpace>(
+        eye, [&](const EyePoint &) { return finite(ClipPoint(glm::dvec4(ndc->coordinates(), 1.0) / undivided->w)); });
     const Result<WorldPoint> world = affine<WorldSpace>(matrix(PipelineStage::ViewMatrix), eye);
     const Result<ObjectPoint> object = affine<ObjectSpace>(matrix(PipelineStage::ModelMatrix), world);
     const Result<DevicePoint> device =
         next<DeviceSpace>(window, [&](const WindowPoint &p) { return finite(deviceFromWindow(surface, p)); });
     const Result<WidgetPoint> widget =
         next<WidgetSpace>(device, [&](const DevicePoint &p) { return finite(widgetFromDevice(surface, p)); });
-    return {object, world, eye, clip, ndc, window, device, widget};
+    return {object, world, eye, clip, ndc, window, device, widget, undivided};
 }
 
 std::vector<Outside> clipTest(const ClipPoint &p)

@@ -3,6 +3,7 @@
 #include "core/geometry/picture.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace unprojector::matrices {
@@ -52,6 +53,8 @@ struct PipelinePoints {
     Result<WindowPoint> window;
     Result<DevicePoint> device;
     Result<WidgetPoint> widget;
+    /// On the way back: (x', y', z', w') = eyeFromClip (x_n, y_n, z_n, 1), before it is divided by its own w'.
+    std::optional<glm::dvec4> undividedEye = std::nullopt;
 };
 
 /// Forward, stage by stage: object, world, eye, clip, divided by w, window, device, widget. A point behind the eye has
@@ -61,11 +64,12 @@ PipelinePoints pointsForward(const Pipeline &pipeline, const ObjectPoint &point)
 /// The same for a world point; its object point is objectFromWorld * point.
 PipelinePoints pointsForward(const Pipeline &pipeline, const WorldPoint &point);
 
-/// Backward, each stage by the inverse of its matrix: window, NDC, clip, eye, world, object. Clip coordinates get back
-/// the w that the division took:
+/// Backward, each stage by the inverse of its matrix: window, NDC, eye, world, object. The division by w is undone as
+/// gluUnProject does it, by another one:
 ///
-///   w_clip = 1 / w',  (x', y', z', w') = eyeFromClip (x_n, y_n, z_n, 1)
+///   (x', y', z', w') = eyeFromClip (x_n, y_n, z_n, 1),  eye = (x', y', z') / w'
 ///
+/// The w that the division took is 1 / w', so that the clip point is (x_n, y_n, z_n, 1) / w'; the way does not need it.
 /// @param window  device pixels, origin bottom-left; depth in the depth range (not required to be inside it)
 /// @return PointAtInfinity from clip on where w' = 0; NotFinite as above
 PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &window);

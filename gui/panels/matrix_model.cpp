@@ -51,7 +51,7 @@ void MatrixModel::show()
         for (int column = 0; column < columns; ++column)
             numbers.emplace_back(m[static_cast<std::size_t>(memoryIndex(row, column))]);
     }
-    setNumbers(rows, columns, std::move(numbers), m_view.digits);
+    setNumbers(rows, columns, std::move(numbers), m_view.digits, m_view.isWhole);
 }
 
 QString MatrixModel::variableName() const

@@ -1,18 +1,11 @@
 #pragma once
 
 #include "core/matrices/pipeline.h"
+#include "gui/panels/matrix_view.h"
 #include "gui/panels/number_grid_model.h"
 
 namespace unprojector::gui {
 using namespace matrices;
-
-/// How all matrices of the pipeline are shown.
-struct MatrixView {
-    MatrixLayout layout = MatrixLayout::Column;
-    bool isMemoryOrder = false; ///< m[0] to m[15] as glGetFloatv gives them, in two columns of eight
-    Digits digits = Digits::Double;
-    friend bool operator==(const MatrixView &, const MatrixView &) = default;
-};
 
 /// The matrix of one stage: four by four, or its memory. A tooltip names the entry by the formula's symbols.
 class MatrixModel : public NumberGridModel {

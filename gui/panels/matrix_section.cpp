@@ -47,7 +47,7 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     line->addStretch();
     line->addWidget(m_copy);
 
-    auto *grid = new NumberGrid(model, NumberGrid::Frame::Brackets);
+    auto *grid = new NumberGrid(model);
     grid->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(grid, &QWidget::customContextMenuRequested, menu,
             [grid, menu](const QPoint &position) { menu->popup(grid->viewport()->mapToGlobal(position)); });

@@ -1,5 +1,6 @@
 #include "gui/panels/number_grid.h"
 
+#include "gui/panels/contrast.h"
 #include "gui/panels/number_grid_model.h"
 
 #include <QApplication>
@@ -11,6 +12,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace unprojector::gui {
@@ -19,13 +21,12 @@ namespace {
 /// Left and right of a number, logical pixels.
 constexpr int kCellMargin = 4;
 constexpr int kBracketWidth = 5;
-/// Characters of "m[12]" and a blank.
-constexpr int kLabelLength = 6;
+/// Of a column of its own: "-0.123456789" and a little.
+constexpr int kCharactersInColumn = 14;
 
 } // namespace
 
-NumberGrid::NumberGrid(NumberGridModel *model, Frame frame, QWidget *parent)
-    : QTableView(parent), m_model(model), m_frame(frame)
+NumberGrid::NumberGrid(NumberGridModel *model, QWidget *parent) : QTableView(parent), m_model(model)
 {
     setModel(model);
     setShowGrid(false);
@@ -41,13 +42,10 @@ NumberGrid::NumberGrid(NumberGridModel *model, Frame frame, QWidget *parent)
     verticalHeader()->setMinimumSectionSize(1);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    if (frame == Frame::Brackets)
-        viewport()->setAutoFillBackground(false);
+    setHorizontalScrollMode(ScrollPerPixel);
+    viewport()->setAutoFillBackground(false);
     useFont();
-    connect(model, &QAbstractItemModel::modelReset, this, [this] {
-        fitHeight();
-        fitColumns();
-    });
+    connect(model, &QAbstractItemModel::modelReset, this, &NumberGrid::fit);
 }
 
 void NumberGrid::useFont()
@@ -56,32 +54,53 @@ void NumberGrid::useFont()
     digits.setPointSizeF(QApplication::font().pointSizeF() * 0.92);
     setFont(digits);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 3);
-    fitHeight();
+    fit();
 }
 
-void NumberGrid::fitHeight()
+/// Characters of the longest label and a blank.
+int NumberGrid::labelLength() const
 {
-    setFixedHeight(std::max(1, m_model->rowCount()) * verticalHeader()->defaultSectionSize());
+    qsizetype longest = 0;
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        for (int column = 0; column < m_model->columnCount(); ++column)
+            longest =
+                std::max(longest, m_model->index(row, column).data(NumberGridModel::kLabelRole).toString().size());
+    }
+    return longest > 0 ? static_cast<int>(longest) + 2 : 0;
 }
 
-void NumberGrid::fitColumns()
+int NumberGrid::widthOf(int characters) const
+{
+    return static_cast<int>(std::ceil(characters * QFontMetricsF(font()).horizontalAdvance(u'0'))) + 2 * kCellMargin;
+}
+
+void NumberGrid::fit()
 {
     const int columns = m_model->columnCount();
     if (columns == 0)
         return;
-    const int width = viewport()->width();
+    const int labels = labelLength(), least = m_model->leastCapacity();
+    const bool isColumn = columns == 1;
+    setMaximumWidth(isColumn ? widthOf(labels + std::max(least, kCharactersInColumn)) + 2 * kBracketWidth
+                             : QWIDGETSIZE_MAX);
+    const int available = std::min(width(), maximumWidth());
+    const int wanted = least > 0 ? columns * widthOf(labels + least) : 0;
+    const int shared = std::max(available, wanted);
     for (int column = 0; column < columns; ++column)
-        setColumnWidth(column, width * (column + 1) / columns - width * column / columns);
-    const bool hasLabels = m_model->index(0, 0).data(NumberGridModel::kLabelRole).toString().size() > 0;
-    const int room = width / columns - 2 * kCellMargin;
+        setColumnWidth(column, shared * (column + 1) / columns - shared * column / columns);
+    const int room = shared / columns - 2 * kCellMargin;
     const int characters = static_cast<int>(room / QFontMetricsF(font()).horizontalAdvance(u'0'));
-    m_model->setCapacity(characters - (hasLabels ? kLabelLength + 1 : 0));
+    m_model->setCapacity(characters - labels);
+    const bool scrolls = wanted > available;
+    setHorizontalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+    setFixedHeight(std::max(1, m_model->rowCount()) * verticalHeader()->defaultSectionSize()
+                   + (scrolls ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0));
 }
 
 QSize NumberGrid::minimumSizeHint() const
 {
-    constexpr int kShortest = 8; // "-0.12345"
-    return {4 * (kShortest * fontMetrics().horizontalAdvance(u'0') + 2 * kCellMargin), height()};
+    constexpr int kShortest = 8, kColumns = 4; // "-0.12345"
+    return {kColumns * widthOf(kShortest), height()};
 }
 
 /// Only text: what a table and its style do for each cell would cost ten times the rest of the panel, with every step of
@@ -94,9 +113,9 @@ void NumberGrid::paintEvent(QPaintEvent *)
     const double digitWidth = metrics.horizontalAdvance(u'0');
     const int rowHeight = verticalHeader()->defaultSectionSize();
     const double ascent = (rowHeight - metrics.height()) / 2.0 + metrics.ascent();
-    const QColor text = palette().color(QPalette::Text), selectedText = palette().color(QPalette::HighlightedText);
-    QColor labelText = text;
-    labelText.setAlphaF(0.6f);
+    const QColor text = palette().color(QPalette::WindowText),
+                 selectedText = palette().color(QPalette::HighlightedText);
+    const QColor labelText = quietInk(text, palette().color(QPalette::Window));
     for (int row = 0; row < m_model->rowCount(); ++row) {
         for (int column = 0; column < m_model->columnCount(); ++column) {
             const QModelIndex index = m_model->index(row, column);
@@ -119,8 +138,6 @@ void NumberGrid::paintEvent(QPaintEvent *)
             }
         }
     }
-    if (m_frame == Frame::None)
-        return;
     painter.setPen(text);
     const int right = viewport()->width() - 1, bottom = viewport()->height() - 1;
     for (const auto &[edge, inner] : {std::pair(0, kBracketWidth - 1), std::pair(right, right - kBracketWidth + 1)}) {
@@ -133,7 +150,7 @@ void NumberGrid::paintEvent(QPaintEvent *)
 void NumberGrid::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
-    fitColumns();
+    fit();
 }
 
 void NumberGrid::wheelEvent(QWheelEvent *event)
@@ -146,7 +163,6 @@ void NumberGrid::changeEvent(QEvent *event)
     QTableView::changeEvent(event);
     if (event->type() == QEvent::ApplicationFontChange) {
         useFont();
-        fitColumns();
     }
 }
 

@@ -6,14 +6,12 @@ namespace unprojector::gui {
 
 class NumberGridModel;
 
-/// Numbers under each other in columns of equal width, as a matrix is printed, with brackets if wanted. It is as high
-/// as its rows. Arrow keys walk through the numbers, Copy takes the selected ones with all their digits.
+/// Numbers under each other in columns of equal width, as a matrix is printed, in brackets. It is as high as its rows; one
+/// column is no wider than its numbers. Where whole numbers need more room than there is, it scrolls sideways. Arrow keys walk through the numbers, Copy takes the selected ones with all their digits.
 class NumberGrid : public QTableView {
     Q_OBJECT
 public:
-    enum class Frame { None, Brackets };
-
-    NumberGrid(NumberGridModel *model, Frame frame, QWidget *parent = nullptr);
+    explicit NumberGrid(NumberGridModel *model, QWidget *parent = nullptr);
 
     /// The selected numbers with all digits, a row a line, tab-separated.
     QString selectedText() const;
@@ -30,11 +28,11 @@ protected:
 
 private:
     void useFont();
-    void fitHeight();
-    void fitColumns();
+    void fit();
+    int labelLength() const;
+    int widthOf(int characters) const;
 
     NumberGridModel *m_model;
-    Frame m_frame;
 };
 
 } // namespace unprojector::gui

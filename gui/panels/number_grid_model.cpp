@@ -5,15 +5,17 @@
 namespace unprojector::gui {
 namespace {
 
-/// Of a double; a float is shown whole, as the debugger's watch window shows it.
-constexpr int kSignificantDigits = 6;
+/// Of a double: no fewer than of a float, which is shown whole, as the debugger's watch window shows it.
+constexpr int kSignificantDigits = 9;
 /// Room kept after the decimal points, so that they stand still while the numbers change: ".1234567", and ".12345"
 /// where a number has a line for itself.
 constexpr std::size_t kRoomInColumn = 8;
 constexpr std::size_t kRoomInLine = 6;
 
-std::string fittedText(double value, Digits digits, std::size_t capacity)
+std::string fittedText(double value, Digits digits, bool isWhole, std::size_t capacity)
 {
+    if (isWhole)
+        return numberText(value, digits);
     std::string text = numberText(value, digits, digits == Digits::Float ? 0 : kSignificantDigits);
     for (int significant = digits == Digits::Float ? 8 : kSignificantDigits - 1;
          text.size() > capacity && significant > 0; --significant)
@@ -39,10 +41,10 @@ void NumberGridModel::setCapacity(int characters)
         emit dataChanged(index(0, 0), index(m_rows - 1, m_columns - 1));
 }
 
-void NumberGridModel::setNumbers(int rows, int columns, Numbers numbers, Digits digits)
+void NumberGridModel::setNumbers(int rows, int columns, Numbers numbers, Digits digits, bool isWhole)
 {
     Q_ASSERT(numbers.size() == static_cast<std::size_t>(rows * columns));
-    const bool hasNewShape = rows != m_rows || columns != m_columns;
+    const bool hasNewShape = rows != m_rows || columns != m_columns || isWhole != m_isWhole;
     if (!hasNewShape && digits == m_digits && numbers == m_numbers)
         return;
     if (hasNewShape)
@@ -51,6 +53,7 @@ void NumberGridModel::setNumbers(int rows, int columns, Numbers numbers, Digits 
     m_columns = columns;
     m_numbers = std::move(numbers);
     m_digits = digits;
+    m_isWhole = isWhole;
     m_textsAreStale = true;
     if (hasNewShape)
         endResetModel();
@@ -76,7 +79,8 @@ void NumberGridModel::makeTexts() const
         std::vector<std::string> texts;
         texts.reserve(static_cast<std::size_t>(m_rows));
         for (int row = 0; row < m_rows; ++row)
-            texts.push_back(number(row, column) ? fittedText(*number(row, column), m_digits, capacity) : std::string());
+            texts.push_back(number(row, column) ? fittedText(*number(row, column), m_digits, m_isWhole, capacity)
+                                                : std::string());
         std::vector<std::string> aligned = texts;
         const std::size_t point = alignAtDecimalPoint(aligned);
         const std::size_t length = aligned.front().size();

@@ -24,6 +24,8 @@ public:
 
     /// Characters that a number has room for: longer ones lose digits, not places.
     void setCapacity(int characters);
+    /// The room that each column needs at least: that of a whole double where all digits are to be seen, else none.
+    int leastCapacity() const { return m_isWhole ? kWholeDouble : 0; }
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
@@ -35,13 +37,17 @@ public:
 protected:
     using Numbers = std::vector<std::optional<double>>;
 
-    /// Row by row. The views keep their shape unless the numbers of rows and columns change.
-    void setNumbers(int rows, int columns, Numbers numbers, Digits digits);
+    /// Row by row. The views keep their shape unless the numbers of rows and columns or `isWhole` change.
+    /// @param isWhole  all digits, instead of those that there is room for
+    void setNumbers(int rows, int columns, Numbers numbers, Digits digits, bool isWhole);
 
     virtual QString label(int row, int column) const;
     virtual QString toolTip(int row, int column) const = 0;
 
 private:
+    /// "-1.2345678901234567e-300"
+    static constexpr int kWholeDouble = 24;
+
     std::size_t placeOf(int row, int column) const;
     void makeTexts() const;
     const std::optional<double> &number(int row, int column) const;
@@ -50,6 +56,7 @@ private:
     int m_columns = 0;
     Numbers m_numbers;
     Digits m_digits = Digits::Double;
+    bool m_isWhole = false;
     int m_capacity = 12;
     mutable std::vector<QString> m_texts;
     mutable bool m_textsAreStale = true;

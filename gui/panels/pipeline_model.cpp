@@ -1,8 +1,8 @@
 #include "gui/panels/pipeline_model.h"
 
 #include "gui/document/scene_document.h"
-#include "gui/text/error_text.h"
 #include "gui/panels/since_click_text.h"
+#include "gui/text/error_text.h"
 
 namespace unprojector::gui {
 namespace {
@@ -47,6 +47,8 @@ std::optional<std::size_t> PipelineModel::shownObject() const
 void PipelineModel::setDirection(PipelineDirection direction)
 {
     m_direction = direction;
+    for (PointModel *point : m_points)
+        point->setDirection(direction);
     update();
 }
 
@@ -61,6 +63,8 @@ void PipelineModel::setView(const MatrixView &view)
     m_view = view;
     for (MatrixModel *matrix : m_matrices)
         matrix->setView(view);
+    for (PointModel *point : m_points)
+        point->setView(view);
 }
 
 void PipelineModel::update()
@@ -114,7 +118,10 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     point(Space::Object)->setPoint(points.object);
     point(Space::World)->setPoint(points.world);
     point(Space::Eye)->setPoint(points.eye);
-    point(Space::Clip)->setPoint(points.clip);
+    if (m_direction == PipelineDirection::Forward)
+        point(Space::Clip)->setPoint(points.clip);
+    else
+        point(Space::Clip)->setUndivided(points.undividedEye);
     point(Space::Ndc)->setPoint(points.ndc);
     point(Space::Window)->setPoint(points.window);
     point(Space::Widget)->setPoint(points.widget);

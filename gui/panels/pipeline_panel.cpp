@@ -25,6 +25,10 @@ namespace {
 
 using Space = PointModel::Space;
 
+/// Of the switch of digits, whose first one is the double as it fits.
+constexpr int kWholeChoice = 1;
+constexpr int kFloatChoice = 2;
+
 /// Before the document's objects in the combo box.
 constexpr int kAutomaticItem = 0;
 constexpr int kNoneItem = 1;
@@ -75,13 +79,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
 
     m_status = new SteadyLabel(PipelineModel::longestStatusTexts());
     m_status->setAccessibleName(tr("What the points are"));
-    auto *copy = new QPushButton(tr("&Copy all"));
-    copy->setToolTip(tr("Copy all points and matrices with all digits"));
-    connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model->text()); });
-    auto *statusLine = new QHBoxLayout;
-    statusLine->addWidget(m_status, 1);
-    statusLine->addWidget(copy);
-    layout->addLayout(statusLine);
+    layout->addWidget(m_status);
 
     createStages();
     layout->addWidget(m_scrollArea, 1);
@@ -108,7 +106,8 @@ QWidget *PipelinePanel::createSwitches()
           tr("The memory order that glGetFloatv gives and a debugger shows, the same for column and row vectors")}});
     m_digitsSwitch = new SegmentedSwitch(
         tr("Digits"),
-        {{QStringLiteral("double"), tr("Six digits of the double; all of them in the tooltip and when copied")},
+        {{QStringLiteral("double"), tr("Nine digits of the double; all of them in the tooltip and when copied")},
+         {tr("All digits"), tr("The double with all its digits, up to 17; they need room")},
          {QStringLiteral("float"), tr("Rounded to single precision, with all the digits that it has")}});
 
     m_object = new QComboBox;
@@ -131,10 +130,16 @@ QWidget *PipelinePanel::createSwitches()
     auto *second = new QHBoxLayout;
     second->addWidget(m_layoutSwitch);
     second->addWidget(m_memorySwitch);
-    second->addWidget(m_digitsSwitch);
     second->addStretch();
-    lines->addLayout(first);
-    lines->addLayout(second);
+    auto *copy = new QPushButton(tr("&Copy all"));
+    copy->setToolTip(tr("Copy all points and matrices with all digits"));
+    connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model->text()); });
+    auto *third = new QHBoxLayout;
+    third->addWidget(m_digitsSwitch);
+    third->addStretch();
+    third->addWidget(copy);
+    for (QHBoxLayout *line : {first, second, third})
+        lines->addLayout(line);
 
     connect(m_directionSwitch, &SegmentedSwitch::chosen, this, [this](int index) {
         m_model->setDirection(index == 0 ? PipelineDirection::Forward : PipelineDirection::Backward);
@@ -144,7 +149,8 @@ QWidget *PipelinePanel::createSwitches()
     const auto showView = [this] {
         m_model->setView({m_layoutSwitch->choice() == 0 ? MatrixLayout::Column : MatrixLayout::Row,
                           m_memorySwitch->choice() == 1,
-                          m_digitsSwitch->choice() == 0 ? Digits::Double : Digits::Float});
+                          m_digitsSwitch->choice() == kFloatChoice ? Digits::Float : Digits::Double,
+                          m_digitsSwitch->choice() == kWholeChoice});
         showTitles();
     };
     for (SegmentedSwitch *one : {m_layoutSwitch, m_memorySwitch, m_digitsSwitch})
@@ -169,16 +175,19 @@ void PipelinePanel::createStages()
     QFont bold = font();
     bold.setBold(true);
     int nameWidth = 0;
-    for (int i = 0; i < PointModel::kSpaces; ++i)
-        nameWidth =
-            std::max(nameWidth, QFontMetrics(bold).horizontalAdvance(m_model->point(static_cast<Space>(i))->name()));
+    for (const PipelineDirection direction : {PipelineDirection::Backward, PipelineDirection::Forward}) {
+        m_model->setDirection(direction);
+        for (int i = 0; i < PointModel::kSpaces; ++i)
+            nameWidth = std::max(nameWidth,
+                                 QFontMetrics(bold).horizontalAdvance(m_model->point(static_cast<Space>(i))->name()));
+    }
     for (int i = 0; i < PointModel::kSpaces; ++i) {
         PointModel *point = m_model->point(static_cast<Space>(i));
         auto *row = new QWidget;
         auto *name = new QLabel(point->name());
         name->setFont(bold);
         name->setFixedWidth(nameWidth + 8);
-        auto *grid = new NumberGrid(point, NumberGrid::Frame::None);
+        auto *grid = new NumberGrid(point);
         grid->setAccessibleName(tr("Point in %1 coordinates").arg(point->name()));
         name->setBuddy(grid);
         auto *line = new QHBoxLayout(row);
@@ -186,6 +195,8 @@ void PipelinePanel::createStages()
         line->setSpacing(0);
         line->addWidget(name);
         line->addWidget(grid, 1);
+        line->addStretch();
+        m_pointNames[static_cast<std::size_t>(i)] = name;
         m_pointRows[static_cast<std::size_t>(i)] = row;
     }
     for (const PipelineStage stage : kPipelineStages) {
@@ -212,14 +223,17 @@ void PipelinePanel::arrange()
     const auto section = [this](PipelineStage stage) -> QWidget * {
         return m_sections[static_cast<std::size_t>(stage)];
     };
-    std::vector<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix),
-                                point(Space::World),  section(PipelineStage::ViewMatrix),
-                                point(Space::Eye),    section(PipelineStage::ProjectionMatrix),
-                                point(Space::Clip),   m_division,
-                                point(Space::Ndc),    section(PipelineStage::ViewportMatrix),
-                                point(Space::Window), m_flip,
-                                point(Space::Widget)};
-    if (m_model->direction() == PipelineDirection::Backward)
+    const bool isForward = m_model->direction() == PipelineDirection::Forward;
+    std::vector<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix), point(Space::World),
+                                section(PipelineStage::ViewMatrix), point(Space::Eye)};
+    // The division comes after the projection on the way there, and after its inverse on the way back.
+    if (isForward)
+        rows.insert(rows.end(), {section(PipelineStage::ProjectionMatrix), point(Space::Clip), m_division});
+    else
+        rows.insert(rows.end(), {m_division, point(Space::Clip), section(PipelineStage::ProjectionMatrix)});
+    rows.insert(rows.end(), {point(Space::Ndc), section(PipelineStage::ViewportMatrix), point(Space::Window), m_flip,
+                             point(Space::Widget)});
+    if (!isForward)
         std::reverse(rows.begin(), rows.end());
     rows.push_back(section(PipelineStage::ModelviewMatrix));
     rows.push_back(section(PipelineStage::WholeMatrix));
@@ -240,9 +254,9 @@ void PipelinePanel::arrange()
             last = child;
         }
     }
-    m_division->setText(m_model->direction() == PipelineDirection::Forward
-                            ? tr("↓  divide by w")
-                            : tr("↓  times the w that the division took"));
+    m_division->setText(isForward ? tr("↓  divide by w") : tr("↓  divide by its own w′, as gluUnProject does"));
+    for (int i = 0; i < PointModel::kSpaces; ++i)
+        m_pointNames[static_cast<std::size_t>(i)]->setText(m_model->point(static_cast<Space>(i))->name());
     showFlip();
     showTitles();
 }
@@ -335,12 +349,12 @@ void PipelinePanel::setMatrixView(const MatrixView &view)
 {
     m_layoutSwitch->setChoice(view.layout == MatrixLayout::Column ? 0 : 1);
     m_memorySwitch->setChoice(view.isMemoryOrder ? 1 : 0);
-    m_digitsSwitch->setChoice(view.digits == Digits::Double ? 0 : 1);
+    m_digitsSwitch->setChoice(view.digits == Digits::Float ? kFloatChoice : view.isWhole ? kWholeChoice : 0);
 }
 
 QSize PipelinePanel::sizeHint() const
 {
-    return {420, 600};
+    return {54 * fontMetrics().horizontalAdvance(u'0'), 36 * fontMetrics().lineSpacing()};
 }
 
 void PipelinePanel::showEvent(QShowEvent *event)

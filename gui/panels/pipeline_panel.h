@@ -57,6 +57,7 @@ private:
     QScrollArea *m_scrollArea;
     QVBoxLayout *m_rows;
     std::array<QWidget *, PointModel::kSpaces> m_pointRows{};
+    std::array<QLabel *, PointModel::kSpaces> m_pointNames{};
     std::array<MatrixSection *, kPipelineStages.size()> m_sections{};
     QLabel *m_division;
     QLabel *m_flip;

@@ -2,6 +2,8 @@
 
 #include <QStringList>
 
+#include <algorithm>
+
 namespace unprojector::gui {
 namespace {
 
@@ -22,9 +24,10 @@ int coordinatesIn(PointModel::Space space)
 } // namespace
 
 PointModel::PointModel(Space space, QObject *parent)
-    : NumberGridModel(parent), m_space(space), m_coordinates(coordinatesIn(space))
+    : NumberGridModel(parent), m_space(space), m_own(coordinatesIn(space)),
+      m_shown(space == Space::Widget ? coordinatesIn(space) : 4)
 {
-    clearPoint();
+    show();
 }
 
 void PointModel::clearPoint()
@@ -32,9 +35,52 @@ void PointModel::clearPoint()
     setCoordinates({});
 }
 
+void PointModel::setUndivided(const std::optional<glm::dvec4> &point)
+{
+    if (point)
+        setCoordinates({point->x, point->y, point->z, point->w});
+    else
+        clearPoint();
+}
+
 void PointModel::setCoordinates(const Coordinates &coordinates)
 {
-    setNumbers(1, 4, Numbers(coordinates.begin(), coordinates.end()), Digits::Double);
+    m_coordinates = coordinates;
+    show();
+}
+
+void PointModel::setView(const MatrixView &view)
+{
+    m_view = view;
+    show();
+}
+
+void PointModel::setDirection(PipelineDirection direction)
+{
+    m_direction = direction;
+}
+
+void PointModel::show()
+{
+    const bool isColumn = m_view.layout == MatrixLayout::Column;
+    setNumbers(isColumn ? m_shown : 1, isColumn ? 1 : m_shown,
+               Numbers(m_coordinates.begin(), m_coordinates.begin() + m_shown), m_view.digits, m_view.isWhole);
+}
+
+bool PointModel::isUndivided() const
+{
+    return m_space == Space::Clip && m_direction == PipelineDirection::Backward;
+}
+
+QModelIndex PointModel::indexOf(int coordinate) const
+{
+    return m_view.layout == MatrixLayout::Column ? index(coordinate, 0) : index(0, coordinate);
+}
+
+QString PointModel::label(int row, int column) const
+{
+    const QChar axis = QStringLiteral("xyzw")[std::max(row, column)];
+    return isUndivided() ? axis + QStringLiteral("′") : QString(axis);
 }
 
 QString PointModel::name() const
@@ -43,7 +89,7 @@ QString PointModel::name() const
     case Space::Object: return tr("object");
     case Space::World: return tr("world");
     case Space::Eye: return tr("eye");
-    case Space::Clip: return tr("clip");
+    case Space::Clip: return isUndivided() ? tr("eye · w′") : tr("clip");
     case Space::Ndc: return tr("NDC");
     case Space::Window: return tr("window");
     case Space::Widget: return tr("widget");
@@ -51,27 +97,34 @@ QString PointModel::name() const
     Q_UNREACHABLE();
 }
 
+std::vector<double> PointModel::coordinates() const
+{
+    std::vector<double> values;
+    for (int i = 0; i < m_own; ++i) {
+        if (const std::optional<double> &value = m_coordinates[static_cast<std::size_t>(i)])
+            values.push_back(*value);
+    }
+    return values;
+}
+
 QString PointModel::fullText() const
 {
-    if (!index(0, 0).data(kValueRole).isValid())
-        return QStringLiteral("–");
-    QStringList coordinates;
-    for (int i = 0; i < m_coordinates; ++i)
-        coordinates << NumberGridModel::fullText(0, i);
-    return QStringLiteral("(%1)").arg(coordinates.join(QStringLiteral(", ")));
+    QStringList texts;
+    for (const double value : coordinates())
+        texts << QString::fromStdString(numberText(value, Digits::Double));
+    return texts.isEmpty() ? QStringLiteral("–") : QStringLiteral("(%1)").arg(texts.join(QStringLiteral(", ")));
 }
 
-QVariant PointModel::data(const QModelIndex &index, int role) const
+QString PointModel::toolTip(int row, int column) const
 {
-    if (index.isValid() && index.column() >= m_coordinates)
-        return {};
-    return NumberGridModel::data(index, role);
-}
-
-QString PointModel::toolTip(int, int column) const
-{
-    const QChar axis = QStringLiteral("xyzw")[column];
-    const QString number = NumberGridModel::fullText(0, column);
+    const QString number = NumberGridModel::fullText(row, column);
+    const QString axis = label(row, column);
+    column = std::max(row, column); // of x, y, z, w
+    if (isUndivided())
+        return column == 3 ? tr("%1 = %2\nwhat x′, y′ and z′ are divided by").arg(axis, number)
+                           : tr("%1 = %2\nof the eye point before the division by its own w′").arg(axis, number);
+    if (column >= m_own)
+        return tr("w = %1\nof a point that needs no division").arg(number);
     switch (m_space) {
     case Space::Object: return tr("%1 = %2\nin the object's own units").arg(axis, number);
     case Space::World: return tr("%1 = %2\nin world units").arg(axis, number);

@@ -2,12 +2,19 @@
 
 #include "core/geometry/result.h"
 #include "core/geometry/spaces.h"
+#include "core/matrices/pipeline.h"
+#include "gui/panels/matrix_view.h"
 #include "gui/panels/number_grid_model.h"
+
+#include <array>
+#include <optional>
+#include <vector>
 
 namespace unprojector::gui {
 using namespace geometry;
 
-/// One point of the pipeline: a row of four, of which a point with fewer coordinates leaves the last ones blank.
+/// One point of the pipeline: a column of x, y, z and w, or a row of them where vectors are rows. w is 1 in every space but
+/// clip, and on the way back before the division; a widget position has no more than x and y.
 class PointModel : public NumberGridModel {
     Q_OBJECT
 public:
@@ -25,30 +32,46 @@ public:
             return;
         }
         Coordinates coordinates;
-        for (int i = 0; i < m_coordinates; ++i)
+        for (int i = 0; i < Tag::kDimension; ++i)
             coordinates[static_cast<std::size_t>(i)] = (*point)[i];
+        if (Tag::kDimension == 3)
+            coordinates[3] = 1.0;
         setCoordinates(coordinates);
     }
+    /// In place of the clip point on the way back: the eye point before the division by its w'.
+    void setUndivided(const std::optional<glm::dvec4> &point);
     /// No point: a dash for each coordinate.
     void clearPoint();
+    void setView(const MatrixView &view);
+    void setDirection(PipelineDirection direction);
 
     Space space() const { return m_space; }
     /// "world"
     QString name() const;
+    /// Where a coordinate stands: 0 for x, 3 for w.
+    QModelIndex indexOf(int coordinate) const;
+    /// The coordinates that the space has: without a w that is 1 by itself. Empty without a point.
+    std::vector<double> coordinates() const;
     /// "(1, 2.5, 3)" with all digits; "–" without a point.
     QString fullText() const;
 
-    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-
 protected:
+    QString label(int row, int column) const override;
     QString toolTip(int row, int column) const override;
 
 private:
     using Coordinates = std::array<std::optional<double>, 4>;
     void setCoordinates(const Coordinates &coordinates);
+    void show();
+    /// Whether these are the four numbers before the division on the way back.
+    bool isUndivided() const;
 
     Space m_space;
-    int m_coordinates; ///< of a point in this space
+    int m_own;   ///< coordinates that a point in this space has
+    int m_shown; ///< with w
+    Coordinates m_coordinates;
+    MatrixView m_view;
+    PipelineDirection m_direction = PipelineDirection::Forward;
 };
 
 } // namespace unprojector::gui

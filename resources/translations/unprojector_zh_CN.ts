@@ -2426,10 +2426,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>数位</translation>
     </message>
     <message>
-        <source>Six digits of the double; all of them in the tooltip and when copied</source>
-        <translation>double 的六位数字；全部数位见工具提示和复制的内容</translation>
-    </message>
-    <message>
         <source>Rounded to single precision, with all the digits that it has</source>
         <translation>舍入到单精度，显示其全部数位</translation>
     </message>
@@ -2452,10 +2448,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>↓  divide by w</source>
         <translation>↓  除以 w</translation>
-    </message>
-    <message>
-        <source>↓  times the w that the division took</source>
-        <translation>↓  乘以当初所除的 w</translation>
     </message>
     <message>
         <source>↓  (x, %1 − y)</source>
@@ -2492,6 +2484,22 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>↓  (x · %2, %1 − y · %2), depth computed</source>
         <translation>↓  (x · %2, %1 − y · %2)，深度为计算值</translation>
+    </message>
+    <message>
+        <source>Nine digits of the double; all of them in the tooltip and when copied</source>
+        <translation>显示双精度的九位数字；提示和复制中有全部数字</translation>
+    </message>
+    <message>
+        <source>All digits</source>
+        <translation>全部位数</translation>
+    </message>
+    <message>
+        <source>The double with all its digits, up to 17; they need room</source>
+        <translation>双精度的全部数字，最多 17 位；需要较宽的位置</translation>
+    </message>
+    <message>
+        <source>↓  divide by its own w′, as gluUnProject does</source>
+        <translation>↓  除以它自己的 w′，与 gluUnProject 相同</translation>
     </message>
 </context>
 <context>
@@ -2583,6 +2591,28 @@ in device pixels from the bottom-left corner, y up</source>
 in logical pixels from the top-left corner, y down</source>
         <translation>%1 = %2
 逻辑像素，原点在左上角，y 向下</translation>
+    </message>
+    <message>
+        <source>eye · w′</source>
+        <translation>视点 · w′</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+what x′, y′ and z′ are divided by</source>
+        <translation>%1 = %2
+x′、y′、z′ 要除以的数</translation>
+    </message>
+    <message>
+        <source>%1 = %2
+of the eye point before the division by its own w′</source>
+        <translation>%1 = %2
+除以自己的 w′ 之前的视点坐标</translation>
+    </message>
+    <message>
+        <source>w = %1
+of a point that needs no division</source>
+        <translation>w = %1
+不需要再做除法的点的第四分量</translation>
     </message>
 </context>
 <context>

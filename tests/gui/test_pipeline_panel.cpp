@@ -10,6 +10,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -58,11 +59,17 @@ double value(const NumberGridModel *model, int row, int column)
     return value.isValid() ? value.toDouble() : std::nan("");
 }
 
+double coordinate(const PointModel *model, int which)
+{
+    const QVariant value = model->indexOf(which).data(NumberGridModel::kValueRole);
+    return value.isValid() ? value.toDouble() : std::nan("");
+}
+
 bool isPoint(const PointModel *model, std::initializer_list<double> expected)
 {
     int column = 0;
     for (const double number : expected) {
-        if (!(std::abs(value(model, 0, column) - number) <= kRounding)) {
+        if (!(std::abs(coordinate(model, column) - number) <= kRounding)) {
             qWarning("%s: %s", qPrintable(model->name()), qPrintable(model->fullText()));
             return false;
         }
@@ -99,6 +106,10 @@ private slots:
     void backwardStartsFromTheClickedPixelsCentre();
     void backwardStartsFromThePointOnceTheViewChanged();
     void theBackgroundHasNoPoint();
+    void pointsAreColumnsWithAWInEverySpace();
+    void theWayBackDividesByItsOwnW_data();
+    void theWayBackDividesByItsOwnW();
+    void doublesShowAllTheirDigitsOnDemand();
     void rowsAreColumnsTransposed();
     void aTooltipNamesTheEntry();
     void theObjectIsThePickedOneUntilAnotherIsChosen();
@@ -165,8 +176,8 @@ void TestPipelinePanel::aPickIsFollowedThroughEverySpace()
     QVERIFY(isPoint(model.point(Space::Ndc), {0.22, -0.42, 0.7}));
     QVERIFY(isPoint(model.point(Space::Window), {30.5, 14.5, 0.85}));
     QVERIFY(isPoint(model.point(Space::Widget), {30.5, 35.5}));
-    QVERIFY(model.point(Space::Widget)->index(0, 2).data().isNull());
-    QCOMPARE(cell(model.point(Space::Ndc), 0, 2), QStringLiteral("0.7"));
+    QCOMPARE(model.point(Space::Widget)->rowCount(), 2);
+    QCOMPARE(cell(model.point(Space::Ndc), 2, 0), QStringLiteral("0.7"));
 }
 
 void TestPipelinePanel::theDepthRangeChangesOnlyTheWindow()
@@ -195,8 +206,8 @@ void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()
     PipelineModel model(document);
     document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     model.setDirection(PipelineDirection::Backward);
-    QCOMPARE(value(model.point(Space::Window), 0, 0), 30.5);
-    QCOMPARE(value(model.point(Space::Window), 0, 2), 0.85);
+    QCOMPARE(coordinate(model.point(Space::Window), 0), 30.5);
+    QCOMPARE(coordinate(model.point(Space::Window), 2), 0.85);
     QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
     QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 1}));
     QCOMPARE(model.matrix(Stage::ViewMatrix)->variableName(), QStringLiteral("worldFromEye"));
@@ -239,6 +250,116 @@ void TestPipelinePanel::theBackgroundHasNoPoint()
     QVERIFY(isBlank(model));
     QVERIFY(model.status().contains(QStringLiteral("Background")));
     QCOMPARE(value(model.matrix(Stage::ViewMatrix), 2, 3), -5.0);
+}
+
+void TestPipelinePanel::pointsAreColumnsWithAWInEverySpace()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    PipelineModel model(document);
+    for (const MatrixLayout layout : {MatrixLayout::Column, MatrixLayout::Row}) {
+        model.setView({layout, false, Digits::Double});
+        for (int i = 0; i < PointModel::kSpaces; ++i) {
+            const PointModel *point = model.point(static_cast<Space>(i));
+            const int count = point->space() == Space::Widget ? 2 : 4;
+            QCOMPARE(point->rowCount(), layout == MatrixLayout::Column ? count : 1);
+            QCOMPARE(point->columnCount(), layout == MatrixLayout::Column ? 1 : count);
+            for (int which = 0; which < count; ++which)
+                QCOMPARE(point->indexOf(which).data(NumberGridModel::kLabelRole).toString(),
+                         QString(QStringLiteral("xyzw")[which]));
+            if (count == 4)
+                QCOMPARE(coordinate(point, 3), 1.0);
+        }
+    }
+    QCOMPARE(model.point(Space::World)->coordinates().size(), std::size_t(3)); // its w is not one of its own
+    QCOMPARE(model.point(Space::Clip)->coordinates().size(), std::size_t(4));
+    model.setDirection(PipelineDirection::Forward);
+    document.clearPick();
+    model.update();
+    QVERIFY(std::isnan(coordinate(model.point(Space::World), 3)));
+}
+
+void TestPipelinePanel::theWayBackDividesByItsOwnW_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::addColumn<double>("depth");
+    QTest::addColumn<double>("w"); // w' is 1 / z of a perspective, 1 of a box
+    // n = 1, f = 10, d = 0.9: z = 10 / (10 x 0.1 + 0.9) = 100 / 19
+    QTest::newRow("frustum") << Projection(Frustum{-1, 1, -1, 1, 1, 10}) << 0.9 << 0.19;
+    QTest::newRow("box") << Projection(Ortho{-10, 10, -10, 10, 1, 10}) << 0.5 << 1.0;
+}
+
+void TestPipelinePanel::theWayBackDividesByItsOwnW()
+{
+    QFETCH(Projection, projection);
+    QFETCH(double, depth);
+    QFETCH(double, w);
+    SceneDocument document;
+    openFigures(document);
+    document.setProjection(projection);
+    document.pickAt(WidgetPoint(30, 35), {depth, 0, 24});
+    PipelinePanel panel(document);
+    panel.setDirection(PipelineDirection::Backward);
+    panel.show();
+    const PointModel *undivided = panel.model().point(Space::Clip), *eye = panel.model().point(Space::Eye);
+    QCOMPARE(undivided->name(), QStringLiteral("eye · w′"));
+    QCOMPARE(undivided->indexOf(3).data(NumberGridModel::kLabelRole).toString(), QStringLiteral("w′"));
+    QVERIFY(std::abs(coordinate(undivided, 3) - w) < kRounding);
+    // What projection⁻¹ makes of the NDC point, row by row.
+    const MatrixModel *inverse = panel.model().matrix(Stage::ProjectionMatrix);
+    const PointModel *ndc = panel.model().point(Space::Ndc);
+    for (int row = 0; row < 4; ++row) {
+        double sum = 0.0;
+        for (int column = 0; column < 4; ++column)
+            sum += value(inverse, row, column) * coordinate(ndc, column);
+        QVERIFY(std::abs(coordinate(undivided, row) - sum) < kRounding);
+        QVERIFY(std::abs(coordinate(eye, row) - sum / coordinate(undivided, 3)) < kRounding);
+    }
+    // It says so, between the two of them.
+    const QLabel *division = nullptr;
+    for (const QLabel *label : panel.findChildren<QLabel *>()) {
+        if (label->text().contains(QStringLiteral("divide by its own w′")))
+            division = label;
+    }
+    QVERIFY(division);
+    const auto top = [&panel](const PointModel *point) {
+        for (const NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+            if (grid->model() == point)
+                return grid->mapTo(&panel, QPoint(0, 0)).y();
+        }
+        return -1;
+    };
+    const int y = division->mapTo(&panel, QPoint(0, 0)).y();
+    QVERIFY(top(ndc) < top(undivided) && top(undivided) < y && y < top(eye));
+}
+
+void TestPipelinePanel::doublesShowAllTheirDigitsOnDemand()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
+    PipelinePanel panel(document);
+    panel.resize(420, 900);
+    panel.show();
+    const MatrixModel *projection = panel.model().matrix(Stage::ProjectionMatrix);
+    const auto digitsOf = [&](Digits digits, bool isWhole) {
+        panel.setMatrixView({MatrixLayout::Column, false, digits, isWhole});
+        return cell(projection, 0, 0);
+    };
+    QCOMPARE(digitsOf(Digits::Double, true), QStringLiteral("0.3333333333333333"));
+    QCOMPARE(panel.matrixView().isWhole, true);
+    const QString inDouble = digitsOf(Digits::Double, false), inFloat = digitsOf(Digits::Float, false);
+    QVERIFY2(inDouble.size() >= inFloat.size(), qPrintable(inDouble + QStringLiteral(" and ") + inFloat));
+    QCOMPARE(inDouble.left(9), QStringLiteral("0.3333333"));
+    // In a narrow panel all digits are there to be scrolled to.
+    panel.setMatrixView({MatrixLayout::Column, false, Digits::Double, true});
+    for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+        if (grid->model() != projection)
+            continue;
+        QVERIFY(grid->columnWidth(0) >= 18 * grid->fontMetrics().horizontalAdvance(u'0'));
+        QVERIFY(grid->horizontalScrollBar()->maximum() > 0);
+    }
 }
 
 void TestPipelinePanel::rowsAreColumnsTransposed()
@@ -360,7 +481,7 @@ void TestPipelinePanel::aPointInThePlaneOfTheEyeHasNoWindowPosition()
     document.pickAt(WidgetPoint(30, 35), {0.75, 0, 24}); // on z = 0
     document.setView({WorldPoint(1, 2, 0), WorldPoint(1, 2, -5), {0, 1, 0}}, Frustum{-1, 1, -1, 1, 1, 10});
     PipelineModel model(document);
-    QCOMPARE(value(model.point(Space::Clip), 0, 3), 0.0);
+    QCOMPARE(coordinate(model.point(Space::Clip), 3), 0.0);
     QCOMPARE(model.point(Space::Ndc)->fullText(), QStringLiteral("–"));
     QCOMPARE(model.point(Space::Widget)->fullText(), QStringLiteral("–"));
     QVERIFY(model.status().contains(QStringLiteral("infinity")));
@@ -394,7 +515,7 @@ void TestPipelinePanel::numbersThatAreTooLongLoseDigitsNotPlaces()
     model.update();
     MatrixModel *view = model.matrix(Stage::ViewMatrix);
     view->setCapacity(12);
-    QCOMPARE(cell(view, 2, 3), QStringLiteral("-12345.7"));
+    QCOMPARE(cell(view, 2, 3), QStringLiteral("-12345.6789"));
     view->setCapacity(7);
     QCOMPARE(cell(view, 2, 3), QStringLiteral("-12346"));
     QCOMPARE(view->fullText(2, 3), QStringLiteral("-12345.678901"));
