@@ -196,8 +196,48 @@ std::string formatted(const glm::dmat4 &matrix, const MatrixFormat &format, std:
         text += "\\end{bmatrix}\n";
         break;
     }
+    case MatrixSyntax::Csv:
+        for (int row = 0; row < 4; ++row) {
+            for (int column = 0; column < 4; ++column)
+                text +=
+                    (column > 0 ? "," : "") + numberText(entryAt(matrix, format.layout, row, column), format.digits);
+            text += '\n';
+        }
+        break;
     }
     return text;
+}
+
+std::string formatted(const std::vector<double> &numbers, MatrixSyntax syntax, std::string_view name)
+{
+    const std::string variable(name), count = std::to_string(numbers.size());
+    const bool isAlone = numbers.size() == 1;
+    const auto listed = [&numbers](NumberWriter write, std::string_view separator) {
+        std::string list;
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            list += (i > 0 ? std::string(separator) : std::string()) + write(numbers[i], Digits::Double);
+        return list;
+    };
+    const auto plain = [](double value, Digits digits) { return numberText(value, digits); };
+    switch (syntax) {
+    case MatrixSyntax::Text: return listed(plain, " ") + '\n';
+    case MatrixSyntax::Csv: return listed(plain, ",") + '\n';
+    case MatrixSyntax::CArray:
+        return "const double " + variable
+               + (isAlone ? " = " + listed(cNumber, "") : "[" + count + "] = {" + listed(cNumber, ", ") + "}") + ";\n";
+    case MatrixSyntax::Glm:
+        return isAlone ? "const double " + variable + " = " + listed(cNumber, "") + ";\n"
+                       : "const glm::dvec" + count + ' ' + variable + '(' + listed(cNumber, ", ") + ");\n";
+    case MatrixSyntax::NumPy:
+        return variable + " = " + (isAlone ? listed(numPyNumber, "") : "np.array([" + listed(numPyNumber, ", ") + "])")
+               + '\n';
+    case MatrixSyntax::Latex:
+        return "\\mathrm{" + variable + "} = "
+               + (isAlone ? listed(latexNumber, "")
+                          : "\\begin{bmatrix} " + listed(latexNumber, " \\\\ ") + " \\end{bmatrix}")
+               + '\n';
+    }
+    return {};
 }
 
 } // namespace unprojector::matrices

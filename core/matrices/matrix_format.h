@@ -16,7 +16,7 @@ enum class MatrixLayout { Column, Row };
 /// Double: all digits. Float: what the entry is after rounding to single precision, as glGetFloatv gives it.
 enum class Digits { Double, Float };
 
-enum class MatrixSyntax { Text, CArray, Glm, NumPy, Latex };
+enum class MatrixSyntax { Text, CArray, Glm, NumPy, Latex, Csv };
 
 struct MatrixFormat {
     MatrixSyntax syntax = MatrixSyntax::Text;
@@ -41,17 +41,31 @@ std::string numberText(double value, Digits digits, int significant = 0);
 std::size_t alignAtDecimalPoint(std::vector<std::string> &texts);
 
 /// A matrix for the clipboard or the command line, ending in a newline. `name` is the variable's; it is not used by
-/// Text.
+/// Text and Csv.
 ///
 ///   Text    four aligned lines in the layout
 ///   CArray  const double name[16] = {…}; the memory order, whatever the layout
 ///   Glm     const glm::dmat4 name(…); columns of the column-vector matrix, whatever the layout
 ///   NumPy   name = np.array([[…]]) in the layout
 ///   Latex   name = \begin{bmatrix}…\end{bmatrix} in the layout, powers of ten written out
+///   Csv     four lines of four numbers in the layout, separated by commas
 ///
 /// With float digits the types are float, glm::mat4 and np.float32. An entry beyond the range of float is written as
 /// the syntax writes infinity.
 /// @pre the entries are not NaN
 std::string formatted(const glm::dmat4 &matrix, const MatrixFormat &format, std::string_view name);
+
+/// A point, or a number alone, on one line that ends in a newline, with all digits of the doubles:
+///
+///   Text    1.5 2 3
+///   CArray  const double name[3] = {1.5, 2.0, 3.0};
+///   Glm     const glm::dvec3 name(1.5, 2.0, 3.0);
+///   NumPy   name = np.array([1.5, 2.0, 3.0])
+///   Latex   \mathrm{name} = \begin{bmatrix} 1.5 \\ 2 \\ 3 \end{bmatrix}
+///   Csv     1.5,2,3
+///
+/// A number alone is no array: const double name = 1.5; name = 1.5.
+/// @pre one to four numbers, none of them NaN
+std::string formatted(const std::vector<double> &numbers, MatrixSyntax syntax, std::string_view name);
 
 } // namespace unprojector::matrices

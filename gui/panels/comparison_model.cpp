@@ -66,6 +66,7 @@ void ComparisonModel::setPick(const std::optional<Pick> &pick)
 {
     beginResetModel();
     m_rows.clear();
+    m_isRay = pick && !pick->hit();
     if (pick && pick->hit()) {
         addRows(tr("World"), pick->point.world, pick->uncertainty.world);
         addRows(tr("Eye"), pick->point.eye, pick->uncertainty.eye);
@@ -195,6 +196,20 @@ std::vector<double> ComparisonModel::pointAt(const QModelIndex &index) const
             point.push_back(*v);
     }
     return point;
+}
+
+QString ComparisonModel::pointNameAt(const QModelIndex &index) const
+{
+    const bool isFirst = index.row() < 3;
+    const QString point = m_isRay ? (isFirst ? QStringLiteral("rayNear") : QStringLiteral("rayFar"))
+                                  : (isFirst ? QStringLiteral("world") : QStringLiteral("eye"));
+    switch (index.column()) {
+    case Difference: return point + QStringLiteral("Difference");
+    case Ulps: return point + QStringLiteral("DifferenceInUlps");
+    case MatrixInFloat: return point + QStringLiteral("InFloat");
+    case FloatDifference: return point + QStringLiteral("FloatDifference");
+    default: return point;
+    }
 }
 
 QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, int role) const

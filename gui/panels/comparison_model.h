@@ -44,6 +44,9 @@ public:
     /// The point that a cell belongs to, by the method of its column: x, y, z as far as there is an answer.
     std::vector<double> pointAt(const QModelIndex &index) const;
 
+    /// What that point is called in code: "world", "worldDifference".
+    QString pointNameAt(const QModelIndex &index) const;
+
     /// The whole table with all digits, tab-separated.
     QString text() const;
 
@@ -64,6 +67,7 @@ private:
     QString toolTip(const Row &row, int column) const;
 
     std::vector<Row> m_rows;
+    bool m_isRay = false;
     int m_capacity = 18;
 };
 

@@ -185,8 +185,10 @@ void ComparisonPanel::showPick()
     if (!pick) {
         m_heading->setFullText(tr("No point yet"));
         m_sinceClick->setText(tr("Press the left button on the model"));
-        for (SteadyLabel *label : {m_widget, m_devicePixel, m_window, m_depth})
+        for (SteadyLabel *label : {m_widget, m_devicePixel, m_window, m_depth}) {
             label->setText(QStringLiteral("–"));
+            label->setValue({});
+        }
         m_certainty->clear();
         m_cause->clear();
         m_formula->setFormulas({});
@@ -203,6 +205,11 @@ void ComparisonPanel::showPick()
     m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->geometry.surface));
     m_window->setText(windowText(pick->window));
     m_depth->setText(depthText(pick->window.z, pick->hit()));
+    m_widget->setValue({QStringLiteral("widget"), {pick->widget.x, pick->widget.y}});
+    m_devicePixel->setValue(
+        {QStringLiteral("devicePixel"), {double(pick->devicePixel.i), double(pick->devicePixel.j)}});
+    m_window->setValue({QStringLiteral("window"), {pick->window.x, pick->window.y, pick->window.z}});
+    m_depth->setValue({QStringLiteral("depth"), {pick->window.z}});
     m_cause->setText(differenceCauseText(*pick));
     m_certainty->setText(certaintyText(*pick));
     m_formula->setFormulas(formulasOf(*pick));

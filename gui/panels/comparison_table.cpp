@@ -2,10 +2,12 @@
 
 #include "gui/panels/certain_digits_delegate.h"
 #include "gui/panels/comparison_model.h"
+#include "gui/panels/copy_menu.h"
 #include "gui/text/number_text.h"
 
 #include <QApplication>
 #include <QClipboard>
+#include <QContextMenuEvent>
 #include <QFontDatabase>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -151,6 +153,19 @@ void ComparisonTable::keyPressEvent(QKeyEvent *event)
         return;
     }
     QTableView::keyPressEvent(event);
+}
+
+/// Of the cell under the pointer, or by the key of the current one.
+void ComparisonTable::contextMenuEvent(QContextMenuEvent *event)
+{
+    const bool isByKey = event->reason() == QContextMenuEvent::Keyboard;
+    const QModelIndex index = isByKey ? currentIndex() : indexAt(viewport()->mapFromGlobal(event->globalPos()));
+    if (!index.isValid())
+        return;
+    const QVariant value = index.data(ComparisonModel::kValueRole);
+    const QPoint place = isByKey ? viewport()->mapToGlobal(visualRect(index).center()) : event->globalPos();
+    showCopyMenu(*this, place, {{}, value.isValid() ? std::vector{value.toDouble()} : std::vector<double>()},
+                 {m_model->pointNameAt(index), m_model->pointAt(index)});
 }
 
 QString ComparisonTable::selectedText() const

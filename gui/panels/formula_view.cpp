@@ -1,6 +1,7 @@
 #include "gui/panels/formula_view.h"
 
 #include "gui/panels/contrast.h"
+#include "gui/panels/copy_menu.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -179,10 +180,18 @@ bool FormulaView::viewportEvent(QEvent *event)
 
 void FormulaView::contextMenuEvent(QContextMenuEvent *event)
 {
-    QMenu menu(this);
-    QAction *copy = menu.addAction(tr("Copy the formulas"), this, &FormulaView::copyAll);
-    copy->setEnabled(!m_lines.empty());
-    menu.exec(event->globalPos());
+    if (m_lines.empty())
+        return;
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Copy the formulas"), this, &FormulaView::copyAll);
+    const QString term = termAt(viewport()->mapFromGlobal(event->globalPos()));
+    if (const auto found = m_formulas.terms.find(term);
+        found != m_formulas.terms.end() && !found->second.exact.empty()) {
+        menu->addSeparator();
+        addCopyActions(*menu, {}, {term, found->second.exact});
+    }
+    menu->popup(event->globalPos());
 }
 
 void FormulaView::keyPressEvent(QKeyEvent *event)

@@ -33,6 +33,7 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     add(tr("&GLM"), tr("A constructor, column after column"), MatrixSyntax::Glm);
     add(tr("&NumPy"), tr("np.array, row after row as shown"), MatrixSyntax::NumPy);
     add(tr("&LaTeX"), tr("A bmatrix, row after row as shown"), MatrixSyntax::Latex);
+    add(tr("C&SV"), tr("Four lines of numbers with commas, as shown"), MatrixSyntax::Csv);
     m_copy = new QToolButton;
     m_copy->setText(tr("Copy"));
     m_copy->setAutoRaise(true);
@@ -49,8 +50,17 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
 
     auto *grid = new NumberGrid(model);
     grid->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(grid, &QWidget::customContextMenuRequested, menu,
-            [grid, menu](const QPoint &position) { menu->popup(grid->viewport()->mapToGlobal(position)); });
+    // The number under the pointer first, then the whole matrix.
+    connect(grid, &QWidget::customContextMenuRequested, menu, [this, grid, menu](const QPoint &position) {
+        const QPoint place = grid->viewport()->mapToGlobal(position);
+        auto *shown = new QMenu(this);
+        shown->setAttribute(Qt::WA_DeleteOnClose);
+        shown->setToolTipsVisible(true);
+        addCopyActions(*shown, grid->numberAt(place), {});
+        shown->addSeparator();
+        shown->addActions(menu->actions());
+        shown->popup(place);
+    });
     m_product = new QLabel;
     m_product->setIndent(4);
     m_body = new QWidget;

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QContextMenuEvent>
 #include <QFontDatabase>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -174,6 +175,17 @@ void NumberGrid::keyPressEvent(QKeyEvent *event)
         return;
     }
     QTableView::keyPressEvent(event);
+}
+
+Copyable NumberGrid::numberAt(const QPoint &globalPosition) const
+{
+    const QVariant value = indexAt(viewport()->mapFromGlobal(globalPosition)).data(NumberGridModel::kValueRole);
+    return value.isValid() ? Copyable{{}, {value.toDouble()}} : Copyable();
+}
+
+void NumberGrid::contextMenuEvent(QContextMenuEvent *event)
+{
+    showCopyMenu(*this, event->globalPos(), numberAt(event->globalPos()), m_model->copyable());
 }
 
 void NumberGrid::focusOutEvent(QFocusEvent *event)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gui/panels/copy_menu.h"
+
 #include <QTableView>
 
 namespace unprojector::gui {
@@ -13,6 +15,9 @@ class NumberGrid : public QTableView {
 public:
     explicit NumberGrid(NumberGridModel *model, QWidget *parent = nullptr);
 
+    /// The number at a place of the grid, or none.
+    Copyable numberAt(const QPoint &globalPosition) const;
+
     /// The selected numbers with all digits, a row a line, tab-separated.
     QString selectedText() const;
 
@@ -23,6 +28,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
     void changeEvent(QEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/matrices/matrix_format.h"
+#include "gui/panels/copy_menu.h"
 
 #include <QAbstractTableModel>
 
@@ -30,6 +31,9 @@ public:
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+
+    /// What a menu copies besides a number: the point, or nothing.
+    virtual Copyable copyable() const { return {}; }
 
     /// A number with all its digits, "–" where there is none.
     QString fullText(int row, int column) const;

@@ -107,6 +107,23 @@ std::vector<double> PointModel::coordinates() const
     return values;
 }
 
+Copyable PointModel::copyable() const
+{
+    const auto name = [this] {
+        switch (m_space) {
+        case Space::Object: return QStringLiteral("object");
+        case Space::World: return QStringLiteral("world");
+        case Space::Eye: return QStringLiteral("eye");
+        case Space::Clip: return isUndivided() ? QStringLiteral("undividedEye") : QStringLiteral("clip");
+        case Space::Ndc: return QStringLiteral("ndc");
+        case Space::Window: return QStringLiteral("window");
+        case Space::Widget: return QStringLiteral("widget");
+        }
+        Q_UNREACHABLE();
+    };
+    return {name(), coordinates()};
+}
+
 QString PointModel::fullText() const
 {
     QStringList texts;

@@ -54,6 +54,7 @@ public:
     std::vector<double> coordinates() const;
     /// "(1, 2.5, 3)" with all digits; "–" without a point.
     QString fullText() const;
+    Copyable copyable() const override;
 
 protected:
     QString label(int row, int column) const override;

@@ -1,6 +1,7 @@
 #include "gui/panels/steady_label.h"
 
-#include <QEvent>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QResizeEvent>
 
 #include <algorithm>
@@ -55,6 +56,21 @@ void SteadyLabel::changeEvent(QEvent *event)
     QLabel::changeEvent(event);
     if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange)
         keepRoom();
+}
+
+void SteadyLabel::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (text().isEmpty())
+        return;
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const QString copied = hasSelectedText() ? selectedText() : text();
+    menu->addAction(hasSelectedText() ? tr("Copy the &selection") : tr("Copy the &words"), menu,
+                    [copied] { copyToClipboard(copied); });
+    if (!m_value.numbers.empty())
+        menu->addSeparator();
+    addCopyActions(*menu, {}, m_value);
+    menu->popup(event->globalPos());
 }
 
 } // namespace unprojector::gui

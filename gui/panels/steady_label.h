@@ -1,7 +1,11 @@
 #pragma once
 
+#include "gui/panels/copy_menu.h"
+
 #include <QLabel>
 #include <QStringList>
+
+#include <utility>
 
 namespace unprojector::gui {
 
@@ -14,6 +18,9 @@ public:
     /// @param longest  the texts to keep room for
     explicit SteadyLabel(const QStringList &longest, QWidget *parent = nullptr);
 
+    /// What its menu copies besides the text.
+    void setValue(Copyable value) { m_value = std::move(value); }
+
     /// Lines that the longest text needs at a width.
     int heightAt(int width) const;
 
@@ -23,11 +30,13 @@ public:
 protected:
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
     void keepRoom();
 
     QStringList m_longest;
+    Copyable m_value;
 };
 
 } // namespace unprojector::gui

@@ -2,6 +2,7 @@
 
 #include "core/geometry/proportions.h"
 #include "gui/document/scene_document.h"
+#include "gui/panels/copy_menu.h"
 #include "gui/panels/corners_model.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/steady_label.h"
@@ -163,6 +164,14 @@ void ViewportInspector::createTable()
     m_table->setFont(digitsFont(*this));
     m_table->setTabKeyNavigation(false);
     m_table->setWordWrap(false);
+    m_table->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_table, &QWidget::customContextMenuRequested, this, [this](const QPoint &position) {
+        const QVariant value = m_table->indexAt(position).data(CornersModel::kValueRole);
+        const QPointF pair = value.toPointF();
+        if (value.isValid())
+            showCopyMenu(*m_table, m_table->viewport()->mapToGlobal(position), {},
+                         {QStringLiteral("position"), {pair.x(), pair.y()}});
+    });
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     fixColumns();
@@ -326,6 +335,9 @@ void ViewportInspector::showPicture()
     const Viewport &v = m_shown->viewport;
     m_window->setText(windowText(m_shown->surface));
     m_viewport->setText(viewportText(v));
+    m_viewport->setValue({QStringLiteral("viewport"), {v.x, v.y, v.width, v.height}});
+    m_window->setValue(
+        {QStringLiteral("framebuffer"), {double(m_shown->surface.widthPixels), double(m_shown->surface.heightPixels)}});
     const double aspect = circleAspect(*m_shown);
     const ProjectionWindow w = projectionWindow(m_shown->projection());
     m_circle->setText(circleText(aspect));

@@ -89,6 +89,37 @@
     </message>
 </context>
 <context>
+    <name>CopyMenu</name>
+    <message>
+        <source>&amp;Copy %1</source>
+        <translation>复制 %1(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy %1 as &amp;text</source>
+        <translation>将 %1 复制为文本(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Copy %1 as C &amp;array</source>
+        <translation>将 %1 复制为 C 数组(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Copy %1 as &amp;GLM</source>
+        <translation>将 %1 复制为 GLM(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Copy %1 as &amp;NumPy</source>
+        <translation>将 %1 复制为 NumPy(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Copy %1 as &amp;LaTeX</source>
+        <translation>将 %1 复制为 LaTeX(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Copy %1 as C&amp;SV</source>
+        <translation>将 %1 复制为 CSV(&amp;S)</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>%1 is not a whole number of pixels.</source>
@@ -1927,6 +1958,14 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <source>Closed</source>
         <translation>折叠</translation>
     </message>
+    <message>
+        <source>C&amp;SV</source>
+        <translation>CSV(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Four lines of numbers with commas, as shown</source>
+        <translation>四行以逗号分隔的数字，按显示的排列</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MeshPainter</name>
@@ -2933,6 +2972,17 @@ of a point that needs no division</source>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SteadyLabel</name>
+    <message>
+        <source>Copy the &amp;selection</source>
+        <translation>复制选中的文字(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;words</source>
+        <translation>复制文字(&amp;W)</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,9 @@ class TestMatrixFormat : public QObject {
     Q_OBJECT
 
 private slots:
+    void numbersAreFormatted_data();
+    void numbersAreFormatted();
+    void aMatrixIsFourLinesOfCommas();
     void numbersHaveTheFewestDigitsThatComeBack_data();
     void numbersHaveTheFewestDigitsThatComeBack();
     void decimalPointsLieUnderEachOther();
@@ -174,6 +177,47 @@ void TestMatrixFormat::infinityIsWrittenAsTheSyntaxHasIt()
     QVERIFY(text(MatrixSyntax::CArray).contains(QStringLiteral("    -INFINITY, 0.0f")));
     QVERIFY(text(MatrixSyntax::NumPy).contains(QStringLiteral("-np.inf")));
     QVERIFY(text(MatrixSyntax::Latex).contains(QStringLiteral("-\\infty")));
+}
+
+void TestMatrixFormat::numbersAreFormatted_data()
+{
+    QTest::addColumn<std::vector<double>>("numbers");
+    QTest::addColumn<MatrixSyntax>("syntax");
+    QTest::addColumn<std::string>("expected");
+    const std::vector<double> point{1.5, -2.0, 1e-17}, alone{0.1};
+    using enum MatrixSyntax;
+    QTest::newRow("text") << point << Text << std::string("1.5 -2 1e-17\n");
+    QTest::newRow("C") << point << CArray << std::string("const double p[3] = {1.5, -2.0, 1e-17};\n");
+    QTest::newRow("GLM") << point << Glm << std::string("const glm::dvec3 p(1.5, -2.0, 1e-17);\n");
+    QTest::newRow("NumPy") << point << NumPy << std::string("p = np.array([1.5, -2.0, 1e-17])\n");
+    QTest::newRow("LaTeX") << point << Latex
+                           << std::string(
+                                  "\\mathrm{p} = \\begin{bmatrix} 1.5 \\\\ -2 \\\\ 1 \\cdot 10^{-17} \\end{bmatrix}\n");
+    QTest::newRow("CSV") << point << Csv << std::string("1.5,-2,1e-17\n");
+    QTest::newRow("text, alone") << alone << Text << std::string("0.1\n");
+    QTest::newRow("C, alone") << alone << CArray << std::string("const double p = 0.1;\n");
+    QTest::newRow("GLM, alone") << alone << Glm << std::string("const double p = 0.1;\n");
+    QTest::newRow("NumPy, alone") << alone << NumPy << std::string("p = 0.1\n");
+    QTest::newRow("LaTeX, alone") << alone << Latex << std::string("\\mathrm{p} = 0.1\n");
+    QTest::newRow("GLM, two") << std::vector{3.0, 4.0} << Glm << std::string("const glm::dvec2 p(3.0, 4.0);\n");
+}
+
+void TestMatrixFormat::numbersAreFormatted()
+{
+    QFETCH(std::vector<double>, numbers);
+    QFETCH(MatrixSyntax, syntax);
+    QFETCH(std::string, expected);
+    QCOMPARE(formatted(numbers, syntax, "p"), expected);
+}
+
+void TestMatrixFormat::aMatrixIsFourLinesOfCommas()
+{
+    glm::dmat4 matrix(1.0);
+    matrix[3][0] = 0.1;
+    QCOMPARE(formatted(matrix, {MatrixSyntax::Csv, MatrixLayout::Column, Digits::Double}, "m"),
+             std::string("1,0,0,0.1\n0,1,0,0\n0,0,1,0\n0,0,0,1\n"));
+    QCOMPARE(formatted(matrix, {MatrixSyntax::Csv, MatrixLayout::Row, Digits::Double}, "m"),
+             std::string("1,0,0,0\n0,1,0,0\n0,0,1,0\n0.1,0,0,1\n"));
 }
 
 QTEST_GUILESS_MAIN(TestMatrixFormat)
