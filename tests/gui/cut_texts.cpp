@@ -34,7 +34,7 @@ struct Text {
 Text textOf(const QLabel &label)
 {
     const QSize room = label.contentsRect().size();
-    const int flags = label.wordWrap() ? Qt::TextWordWrap : 0;
+    const int flags = Qt::TextShowMnemonic | (label.wordWrap() ? Qt::TextWordWrap : 0);
     return {label.text(), label.fontMetrics().boundingRect(QRect(QPoint(), room), flags, label.text()).size(), room};
 }
 

@@ -1,0 +1,148 @@
+// The whole window at the fonts of the desktops, in both languages, on usual screens: nothing is cut off, nothing lies on
+// anything else, no bar scrolls sideways, and the view stands still.
+
+#include "cut_texts.h"
+#include "gui_scene.h"
+
+#include "gui/text/translation.h"
+#include "gui/view/scene_view.h"
+#include "gui/window/work_places.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QScreen>
+#include <QScrollBar>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTest>
+#include <QToolBar>
+#include <QToolButton>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace guitest;
+
+namespace {
+
+constexpr QSize kLeast(800, 600);
+
+/// What is wrong with the widgets of the window that are to be seen, each in words.
+QStringList faultsOf(const MainWindow &window)
+{
+    // In the least window, panels may scroll.
+    const bool hasRoom = window.width() > kLeast.width();
+    QStringList faults;
+    for (const WorkPlaces::Panel &panel : const_cast<MainWindow &>(window).places().panels()) {
+        const QDockWidget *dock = panel.dock;
+        if (!dock->isVisible() || dock->visibleRegion().isEmpty() || !hasRoom)
+            continue;
+        for (const QString &text : cutTexts(*dock->widget()))
+            faults << QStringLiteral("%1: %2").arg(QLatin1String(panel.id), text);
+        for (const QScrollBar *bar : dock->findChildren<QScrollBar *>()) {
+            if (bar->orientation() == Qt::Horizontal && bar->isVisible() && bar->maximum() > 0)
+                faults << QStringLiteral("%1: scrolls sideways, %2 of %3")
+                              .arg(QLatin1String(panel.id))
+                              .arg(bar->maximum())
+                              .arg(dock->width());
+        }
+    }
+    for (const QTabBar *tabs : window.findChildren<QTabBar *>()) {
+        for (int tab = 0; !tabs->visibleRegion().isEmpty() && tab < tabs->count(); ++tab) {
+            if (tabs->fontMetrics().horizontalAdvance(tabs->tabText(tab)) > tabs->tabRect(tab).width())
+                faults << QStringLiteral("the tab %1 is cut").arg(tabs->tabText(tab));
+        }
+    }
+    for (const QToolButton *button : window.findChild<QToolBar *>()->findChildren<QToolButton *>()) {
+        if (button->objectName() == QStringLiteral("qt_toolbar_ext_button") && button->isVisible())
+            faults << QStringLiteral("the tool bar has no room");
+    }
+    const QList<QAction *> menus = window.menuBar()->actions();
+    if (window.menuBar()->actionGeometry(menus.last()).right() > window.menuBar()->width())
+        faults << QStringLiteral("the menus have no room");
+    for (const QString &text : cutTexts(*window.statusBar()))
+        faults << QStringLiteral("status bar: %1").arg(text);
+    return faults;
+}
+
+} // namespace
+
+class TestWindowGrid : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void theWindowStartsWithinTheScreen();
+    void everythingFits_data();
+    void everythingFits();
+};
+
+void TestWindowGrid::theWindowStartsWithinTheScreen()
+{
+    MainWindow::Options options;
+    options.remembers = false;
+    const MainWindow window(options);
+    const QSize screen = window.screen()->availableSize();
+    QVERIFY(window.width() < screen.width() && window.height() < screen.height());
+}
+
+void TestWindowGrid::everythingFits_data()
+{
+    QTest::addColumn<int>("points");
+    QTest::addColumn<QString>("language");
+    for (const int points : {9, 10, 11, 13}) {
+        for (const char *language : {"en", "zh_CN"})
+            QTest::addRow("%d pt, %s", points, language) << points << QString::fromLatin1(language);
+    }
+}
+
+void TestWindowGrid::everythingFits()
+{
+    QFETCH(int, points);
+    QFETCH(QString, language);
+    const bool isScaled = qApp->devicePixelRatio() != 1.0;
+    const QList<QSize> sizes = isScaled ? QList<QSize>{{1280, 800}}
+                                        : QList<QSize>{kLeast, {1280, 800}, {1366, 768}, {1600, 900}, {1920, 1080}};
+    const QFont before = QApplication::font();
+    QFont font = before;
+    font.setPointSize(points);
+    QApplication::setFont(font);
+    {
+        const Translation translation({language});
+        MainWindow::Options options;
+        options.smoothEdges = false;
+        options.remembers = false;
+        MainWindow window(options);
+        window.session().openBundledScene();
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window) && QTest::qWaitFor([&] { return window.view().isReady(); }));
+        QStringList all;
+        for (const QSize &size : sizes) {
+            window.resize(size);
+            for (const char *place : {"click", "pipeline"}) {
+                window.places().enter(place);
+                window.places().reset(); // as it starts at this size
+                QTest::qWait(10);
+                QCOMPARE(window.size(), size);
+                const QSize viewSize = window.view().size();
+                if (qstrcmp(place, "click") == 0 && size == QSize(1280, 800) && points <= 10)
+                    QVERIFY(viewSize.width() * viewSize.height() >= 0.55 * size.width() * size.height());
+                QStringList faults = faultsOf(window);
+                for (const QPointF &share : {QPointF(0.5, 0.55), QPointF(0.01, 0.01)}) {
+                    click(window.view(), QPointF(share.x() * viewSize.width(), share.y() * viewSize.height()));
+                    QTest::qWait(1);
+                    faults += faultsOf(window);
+                    QCOMPARE(window.view().size(), viewSize);
+                }
+                faults.removeDuplicates();
+                for (const QString &fault : std::as_const(faults))
+                    all << QStringLiteral("%1 x %2, %3").arg(size.width()).arg(size.height()).arg(fault);
+            }
+        }
+        QVERIFY2(all.isEmpty(), qPrintable(all.join(QStringLiteral("\n"))));
+    }
+    QApplication::setFont(before);
+}
+
+QTEST_MAIN(TestWindowGrid)
+#include "test_window_grid.moc"
