@@ -23,10 +23,19 @@ Result<glm::dvec3> pointOf(const Unprojected &click, Method method, const BatchS
     return world ? coordinates(objectFromWorld(space.worldFromObject, *world)) : Result<glm::dvec3>(world.error());
 }
 
+/// What is given of a click and what is computed of it.
+std::vector<std::string> clickColumns(const std::vector<Method> &methods)
+{
+    std::vector<std::string> names(kClickColumns.begin(), kClickColumns.end());
+    for (std::string &name : pointColumns(methods))
+        names.push_back(std::move(name));
+    return names;
+}
+
 class ClickRows {
 public:
     ClickRows(const PointsOptions &options, std::size_t count)
-        : m_options(options), m_isOnly(count == 1), m_names(pointColumns(options.methods)),
+        : m_options(options), m_isOnly(count == 1), m_names(clickColumns(options.methods)),
           m_writer(options.rows.format, m_names, m_text)
     {
         if (!options.rows.isHeaderless)
@@ -76,7 +85,7 @@ private:
     {
         m_hasBad = true;
         complainOf(place, "background: nothing was drawn there, so the click has no point, only a ray");
-        for (std::size_t k = 3; k < m_names.size(); ++k)
+        for (std::size_t k = kClickColumns.size(); k < m_names.size(); ++k)
             m_writer.nothing();
     }
 

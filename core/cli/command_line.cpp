@@ -75,8 +75,10 @@ void addRowOptions(CLI::App &command, RowOptions &options, const std::string &co
     addCount(command, "--threads", options.threads, 64, "How many threads compute");
 }
 
-constexpr const char *kBadRows =
-    "\n\nA row that cannot be computed has empty cells and a line on stderr; the others go on, and the exit code is 1.";
+constexpr const char *kBadRows = "\n\nOther columns (names, notes) pass through unchanged, each where it stands; one "
+                                 "that has the name of a result is\n"
+                                 "written anew.\n\nA row that cannot be computed has empty cells and a line on stderr; "
+                                 "the others go on, and the exit code is 1.";
 
 void addPoints(CLI::App &app, Run &run)
 {
@@ -115,14 +117,18 @@ void addProject(CLI::App &app, Run &run)
 {
     CLI::App *command = app.add_subcommand("project", "Points to the window, every stage on the way");
     auto options = std::make_shared<RowOptions>();
-    addRowOptions(*command, *options, "x,y,z; - or nothing: standard input", "world or object:NAME");
+    addRowOptions(
+        *command, *options,
+        "x,y,z, or formula_x,formula_y,formula_z as 'unproject points' writes them; - or\nnothing: standard input",
+        "world or object:NAME");
     command->footer(
         "The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical pixels\n"
         "from the top left corner); px,py,depth are what 'unproject points' takes.\n"
         "\n"
         "Examples:\n"
         "  printf 'x,y,z\\n0,0,0\\n' | unproject project scene.json\n"
-        "  unproject project scene.json points.csv | unproject points scene.json"
+        "  unproject project scene.json points.csv | unproject points scene.json\n"
+        "  unproject points scene.json clicks.csv | unproject project scene.json"
         + std::string(kBadRows));
     command->callback([options, &run] { run = [options] { return runProject(*options); }; });
 }

@@ -1,5 +1,7 @@
 #include "core/cli/number_table.h"
 
+#include "core/cli/csv_line.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -7,28 +9,6 @@
 
 namespace unprojector::cli {
 namespace {
-
-bool isBlank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && isBlank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back()))
-        text.remove_suffix(1);
-    return text;
-}
-
-std::string_view unquoted(std::string_view text)
-{
-    text = trimmed(text);
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
-        text = trimmed(text.substr(1, text.size() - 2));
-    return text;
-}
 
 /// A cell as a message can show it: short, and on one line.
 std::string shown(std::string_view cell)
@@ -63,20 +43,6 @@ std::optional<double> numberOf(std::string_view cell, const std::string &column,
     else
         return value;
     return std::nullopt;
-}
-
-/// Where a cell ends: at the next comma that is in no quotes, or with its line.
-std::size_t cellEnd(std::string_view line, std::size_t start)
-{
-    const std::size_t text = line.find_first_not_of(" \t", start);
-    if (text != std::string_view::npos && line[text] == '"') {
-        std::size_t quote = line.find('"', text + 1);
-        while (quote != std::string_view::npos && quote + 1 < line.size() && line[quote + 1] == '"')
-            quote = line.find('"', quote + 2); // a doubled quote is one of the text
-        if (quote != std::string_view::npos)
-            start = quote;
-    }
-    return std::min(line.find(',', start), line.size());
 }
 
 /// Where a cell's text starts in its line; the line's end where it has no such cell.
@@ -116,9 +82,12 @@ std::string hintFor(std::string_view header, std::string_view column, const std:
 } // namespace
 
 std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &source,
-                                        const std::array<std::string, 3> &names)
+                                        const std::vector<ColumnNames> &alternatives)
 {
-    const std::string wanted = names[0] + ',' + names[1] + ',' + names[2];
+    const auto listed = [](const ColumnNames &names) { return names[0] + ',' + names[1] + ',' + names[2]; };
+    std::string wanted = listed(alternatives.front());
+    for (std::size_t k = 1; k < alternatives.size(); ++k)
+        wanted += " or " + listed(alternatives[k]);
     const auto refuse = [&source](const std::string &what) {
         complain(source.name() + what);
         return std::nullopt;
@@ -130,23 +99,34 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
         return refuse(":1: the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes; it must be "
                       + wanted);
     const std::string_view header = std::string_view(first.text).substr(0, first.text.find_last_not_of("\r\n") + 1);
+    NumberColumns columns;
+    columns.heads.clear();
     std::vector<std::string_view> found;
     for (std::size_t start = 0; start <= header.size();) {
         const std::size_t end = cellEnd(header, start);
+        columns.heads.emplace_back(header.substr(start, end - start));
         found.push_back(unquoted(header.substr(start, end - start)));
         start = end + 1;
     }
-    NumberColumns columns{names, {}, found.size()};
+    const auto hasAll = [&found](const ColumnNames &names) {
+        return std::all_of(names.begin(), names.end(), [&found](const std::string &name) {
+            return std::find(found.begin(), found.end(), name) != found.end();
+        });
+    };
+    // The first that is there; where none is, the first is missed.
+    const auto there = std::find_if(alternatives.begin(), alternatives.end(), hasAll);
+    columns.names = there == alternatives.end() ? alternatives.front() : *there;
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto place = std::find(found.begin(), found.end(), names[k]);
+        const std::string &name = columns.names[k];
+        const auto place = std::find(found.begin(), found.end(), name);
         if (place == found.end())
-            return refuse(":1:1: the header has no column " + names[k] + "; the first line must be " + wanted
-                          + hintFor(header, names[k], found));
+            return refuse(":1:1: the header has no column " + name + "; the first line must be " + wanted
+                          + hintFor(header, name, found));
         columns.places[k] = static_cast<std::size_t>(place - found.begin());
-        const auto again = std::find(place + 1, found.end(), names[k]);
+        const auto again = std::find(place + 1, found.end(), name);
         if (again != found.end()) {
             const std::size_t column = placeOf(header, static_cast<std::size_t>(again - found.begin()));
-            return refuse(":1:" + std::to_string(column + 1) + ": the header names the column " + names[k] + " twice");
+            return refuse(":1:" + std::to_string(column + 1) + ": the header names the column " + name + " twice");
         }
     }
     return columns;
@@ -157,9 +137,7 @@ void NumberReader::complainAt(const LineBlock &block, const RowPlace &place, std
 {
     std::string message = m_fileName + ':' + std::to_string(block.firstLine + place.line);
     if (cell != kNoColumn) {
-        const std::string_view rest = std::string_view(block.text).substr(place.start);
-        const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
-        message += ':' + std::to_string(placeOf(line, cell) + 1);
+        message += ':' + std::to_string(placeOf(lineAt(block.text, place.start), cell) + 1);
     }
     message.append(": ").append(what);
     messages.push_back({place.line, std::move(message)});
@@ -183,7 +161,7 @@ NumberReader::Cells NumberReader::cellsOf(std::string_view line, std::size_t &su
             if (m_columns.places[k] == place)
                 cells[k] = cell;
         }
-        if (place >= m_columns.count && !trimmed(cell).empty())
+        if (place >= m_columns.count() && !trimmed(cell).empty())
             surplus = place + 1;
         start = end + 1;
     }
@@ -205,8 +183,8 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, const 
     }
     // Numbers with decimal commas would otherwise pass for others.
     if (fault == kNoColumn && surplus > 0) {
-        fault = m_columns.count;
-        reason = "the row has " + std::to_string(surplus) + " cells, the header " + std::to_string(m_columns.count);
+        fault = m_columns.count();
+        reason = "the row has " + std::to_string(surplus) + " cells, the header " + std::to_string(m_columns.count());
     }
     if (fault != kNoColumn) {
         complainAt(block, place, fault, reason, messages);

@@ -12,17 +12,22 @@
 
 namespace unprojector::cli {
 
+using ColumnNames = std::array<std::string, 3>;
+
 /// Where the three columns that are wanted stand in a row of comma-separated values.
 struct NumberColumns {
-    std::array<std::string, 3> names;
+    ColumnNames names;
     std::array<std::size_t, 3> places{};
-    std::size_t count = 3; ///< of all columns that the header names
+    std::vector<std::string> heads = std::vector<std::string>(3); ///< of all columns, as the header writes them
+
+    std::size_t count() const { return heads.size(); }
 };
 
-/// Reads the first line and finds the columns by their names; others are passed over. Blanks around names and quotes around
-/// them are taken off; a comma in quotes separates nothing. What is wrong is said on stderr.
+/// Reads the first line and finds the columns by their names, whatever others there are. Blanks around names and quotes
+/// around them are taken off; a comma in quotes separates nothing. What is wrong is said on stderr.
+/// @param alternatives  names that the three may have, the preferred ones first; at least one
 std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &source,
-                                        const std::array<std::string, 3> &names);
+                                        const std::vector<ColumnNames> &alternatives);
 
 /// A row that has no result.
 struct BadRow {

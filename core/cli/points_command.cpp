@@ -1,6 +1,7 @@
 #include "core/cli/points_command.h"
 
 #include "core/cli/clicks_command.h"
+#include "core/cli/row_layout.h"
 #include "core/text/error_text.h"
 #include "core/unproject/batch/click_batch.h"
 
@@ -32,8 +33,9 @@ struct Task {
     NumberReader reader;
     DepthRange depthRange;
     std::vector<std::optional<ClickBatch>>
-        batches;                    ///< by options.methods; nothing where one does not hold for the scene
-    std::vector<std::string> names; ///< of the columns written
+        batches; ///< by options.methods; nothing where one does not hold for the scene
+    RowLayout layout;
+    std::size_t results; ///< columns of them
 };
 
 /// The scratch memory of a thread.
@@ -120,16 +122,15 @@ private:
 
     void write(const LineBlock &block, BlockResult &result)
     {
-        RowWriter writer(m_task.options.rows.format, m_task.names, result.output);
+        RowWriter writer(m_task.options.rows.format, m_task.layout.names(), result.output);
         result.badRows = m_bad.size();
         auto bad = m_bad.begin();
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
             if (bad != m_bad.end() && bad->row == i) {
-                writeBad(*bad++, writer);
+                writeBad(block, *bad++, writer);
                 continue;
             }
-            for (const auto &column : m_rows.values)
-                writer.number(column[i]);
+            m_task.layout.writeInput(writer, block, m_rows, i);
             if (!writeResults(i, writer)) {
                 ++result.badRows;
                 m_task.reader.complainOf(block, m_rows.places[i], NumberReader::kNoColumn,
@@ -152,11 +153,10 @@ private:
         return writePoints(writer, m_task.options.methods, m_points);
     }
 
-    void writeBad(const BadRow &bad, RowWriter &writer) const
+    void writeBad(const LineBlock &block, const BadRow &bad, RowWriter &writer) const
     {
-        for (const std::string &cell : bad.cells)
-            writer.asWritten(cell);
-        for (std::size_t k = bad.cells.size(); k < m_task.names.size(); ++k)
+        m_task.layout.writeBad(writer, block, m_rows, bad);
+        for (std::size_t k = 0; k < m_task.results; ++k)
             writer.nothing();
         writer.endRow();
     }
@@ -173,7 +173,7 @@ private:
 
 std::vector<std::string> pointColumns(const std::vector<Method> &methods)
 {
-    std::vector<std::string> names{"px", "py", "depth"};
+    std::vector<std::string> names;
     for (const Method method : methods) {
         for (const char *coordinate : {"_x", "_y", "_z"})
             names.push_back(std::string(keyOf(method)) + coordinate);
@@ -216,15 +216,13 @@ ExitCode runPoints(const PointsOptions &options)
         return ExitCode::UnusableInput;
     if (const auto *clicks = std::get_if<std::vector<Click>>(&*given); clicks && options.rows.input == "-")
         return runClicks(options, *clicks);
-    const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {"px", "py", "depth"});
+    const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {kClickColumns});
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;
-    Task task{options,
-              NumberReader(rows->source.name(), rows->columns),
-              geometry.depthRange,
-              {},
-              pointColumns(options.methods)};
+    const std::vector<std::string> results = pointColumns(options.methods);
+    Task task{options, NumberReader(rows->source.name(), rows->columns),       geometry.depthRange,
+              {},      RowLayout(rows->columns, results, options.rows.format), results.size()};
     bool isUsable = false;
     for (const Method method : options.methods) {
         const Result<ClickBatch> batch = ClickBatch::of(method, geometry, rows->space);
@@ -237,7 +235,7 @@ ExitCode runPoints(const PointsOptions &options)
     if (!isUsable)
         return ExitCode::UnusableInput;
 
-    return runRows(*rows, options.rows, task.names, [&] { return BlockWorker(Worker(task)); });
+    return runRows(*rows, options.rows, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
 }
 
 } // namespace unprojector::cli

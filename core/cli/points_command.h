@@ -20,8 +20,9 @@ struct PointsOptions {
     bool isPixel = false; ///< px and py are indices of pixels: their centres are meant
 };
 
-/// The names of the columns written: those given, three for each method, and "difference" with both the formulas and the
-/// matrix.
+/// What is given of a click.
+inline const ColumnNames kClickColumns{"px", "py", "depth"};
+/// The names of the columns that are computed: three for each method, and "difference" with both the formulas and the matrix.
 std::vector<std::string> pointColumns(const std::vector<Method> &methods);
 
 /// Writes the cells of a point by each of the methods, and of the difference; empty where there is no number.

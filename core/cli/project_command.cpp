@@ -1,5 +1,6 @@
 #include "core/cli/project_command.h"
 
+#include "core/cli/row_layout.h"
 #include "core/text/error_text.h"
 
 #include <glm/common.hpp>
@@ -13,14 +14,18 @@ namespace unprojector::cli {
 using namespace text;
 namespace {
 
-const std::vector<std::string> kNames{"x",        "y",        "z",        "eye_x",    "eye_y", "eye_z", "clip_x",
-                                      "clip_y",   "clip_z",   "clip_w",   "ndc_x",    "ndc_y", "ndc_z", "window_x",
-                                      "window_y", "window_z", "widget_x", "widget_y", "px",    "py",    "depth"};
+/// Of the points, the preferred ones first: as a person writes them, or as `unproject points` has written them.
+const std::vector<ColumnNames> kPointColumns{{"x", "y", "z"}, {"formula_x", "formula_y", "formula_z"}};
+
+const std::vector<std::string> kResults{"eye_x",    "eye_y",    "eye_z",    "clip_x", "clip_y",   "clip_z",
+                                        "clip_w",   "ndc_x",    "ndc_y",    "ndc_z",  "window_x", "window_y",
+                                        "window_z", "widget_x", "widget_y", "px",     "py",       "depth"};
 
 /// Everything that is the same for all rows.
 struct Task {
     RowFormat format;
     NumberReader reader;
+    RowLayout layout;
     Picture geometry;
     NdcDepth ndcDepth;
     glm::dmat4 eyeFromSource, clipFromEye;
@@ -107,18 +112,15 @@ public:
     void operator()(const LineBlock &block, BlockResult &result)
     {
         m_task.reader.read(block, m_rows, result.messages);
-        RowWriter writer(m_task.format, kNames, result.output);
+        RowWriter writer(m_task.format, m_task.layout.names(), result.output);
         result.badRows = m_rows.bad.size();
         auto bad = m_rows.bad.begin();
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
             Stages stages;
             if (bad != m_rows.bad.end() && bad->row == i) {
-                for (const std::string &cell : bad->cells)
-                    writer.asWritten(cell);
-                ++bad;
+                m_task.layout.writeBad(writer, block, m_rows, *bad++);
             } else {
-                for (const auto &column : m_rows.values)
-                    writer.number(column[i]);
+                m_task.layout.writeInput(writer, block, m_rows, i);
                 if (!project(m_task, {m_rows.values[0][i], m_rows.values[1][i], m_rows.values[2][i]}, stages)) {
                     ++result.badRows;
                     m_task.reader.complainOf(
@@ -154,7 +156,7 @@ ExitCode runProject(const RowOptions &options)
     const std::optional<SceneOrClicks> given = sceneOrClicks(options.scene);
     if (!given)
         return ExitCode::UnusableInput;
-    const std::unique_ptr<RowStream> rows = openRows(options, *given, {"x", "y", "z"});
+    const std::unique_ptr<RowStream> rows = openRows(options, *given, kPointColumns);
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;
@@ -169,12 +171,13 @@ ExitCode runProject(const RowOptions &options)
     const glm::dmat4 &worldFromSource = rows->space.worldFromObject;
     const Task task{options.format,
                     NumberReader(rows->source.name(), rows->columns),
+                    RowLayout(rows->columns, kResults, options.format),
                     geometry,
                     ndcDepthOf(geometry),
                     *view * worldFromSource,
                     *projection,
                     viewMagnitudes(*view) * magnitudes(worldFromSource)};
-    return runRows(*rows, options, kNames, [&] { return BlockWorker(Worker(task)); });
+    return runRows(*rows, options, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
 }
 
 } // namespace unprojector::cli

@@ -11,7 +11,7 @@ RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const st
 }
 
 std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClicks &given,
-                                    const std::array<std::string, 3> &columns)
+                                    const std::vector<ColumnNames> &columns)
 {
     if (options.scene == "-" && options.input == "-") {
         complain("the scene and the points cannot both come from standard input; give a file for one of them");

@@ -35,9 +35,10 @@ struct RowStream {
 };
 
 /// Opens all of it; null, with the reason on stderr, where something is unusable.
-/// @param given  what options.scene holds
+/// @param given    what options.scene holds
+/// @param columns  the names that they may have, see readHeader
 std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClicks &given,
-                                    const std::array<std::string, 3> &columns);
+                                    const std::vector<ColumnNames> &columns);
 
 /// Takes all rows through workers to stdout.
 /// @param names   of the columns written

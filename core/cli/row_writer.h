@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cli/csv_line.h"
 #include "core/text/number_text.h"
 
 #include <cmath>
@@ -12,7 +13,8 @@ using namespace text;
 
 enum class RowFormat { Csv, Jsonl };
 
-/// Writes rows of numbers, cell by cell: comma-separated values, or one JSON object a line.
+/// Writes rows of numbers, cell by cell: comma-separated values, or one JSON object a line. Names are as the format writes
+/// them: in JSON they have their escapes.
 class RowWriter {
 public:
     RowWriter(RowFormat format, const std::vector<std::string> &names, std::string &output)
@@ -51,6 +53,13 @@ public:
         startCell();
         if (m_format == RowFormat::Jsonl)
             m_output += "null";
+    }
+
+    /// A cell of the input that means nothing to the command, as it stands there.
+    void passed(std::string_view cell)
+    {
+        startCell();
+        m_output += m_format == RowFormat::Jsonl ? jsonOfCell(cell) : passedCell(cell);
     }
 
     /// What stood in a cell of comma-separated values; in JSON where it is a number. No comma and no line end is in it.

@@ -49,7 +49,7 @@ LineBlock block()
 void rows(benchmark::State &state, bool isComputing)
 {
     const LineBlock text = block();
-    const NumberReader reader("rows", {{"px", "py", "depth"}, {0, 1, 2}});
+    const NumberReader reader("rows", NumberColumns{kClickColumns, {0, 1, 2}});
     const std::vector<std::string> names(10, "name");
     const ClickBatch formula = *ClickBatch::of(Method::Formula, geometry(), {});
     const ClickBatch matrix = *ClickBatch::of(Method::Matrix, geometry(), {});

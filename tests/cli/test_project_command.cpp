@@ -89,7 +89,7 @@ void TestProjectCommand::backwardOfForwardIsThePoint()
     const QList<QByteArray> cells = back.lines().at(1).split(',');
     const double expected[] = {0.25, -0.5, 2.0};
     for (int k = 0; k < 3; ++k)
-        QVERIFY(std::abs(cells[3 + k].toDouble() - expected[k]) <= 1e-14);
+        QVERIFY(std::abs(cells[kHeader.count(',') + 1 + k].toDouble() - expected[k]) <= 1e-14);
 }
 
 void TestProjectCommand::pointsOnThePlanesComeBack_data()

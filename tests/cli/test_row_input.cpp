@@ -54,7 +54,7 @@ void TestRowInput::cellsAreFound()
     QCOMPARE(run.errors, QByteArray());
     QCOMPARE(run.exitCode, 0);
     QCOMPARE(run.lines().size(), 2);
-    QCOMPARE(run.lines()[1].split(',').mid(3), (QList<QByteArray>{"0", "0", "4"}));
+    QVERIFY2(run.lines()[1].endsWith(",0,0,4"), run.output.constData());
 }
 
 void TestRowInput::badCells_data()
@@ -88,7 +88,7 @@ void TestRowInput::badCells()
     const Run run = points(input);
     QCOMPARE(run.errors, message + '\n');
     QCOMPARE(run.exitCode, 1);
-    QCOMPARE(run.lines().last().split(',').size(), 6);
+    QVERIFY(run.lines().last().endsWith(",,,"));
 }
 
 void TestRowInput::unusableHeaders_data()
@@ -128,7 +128,8 @@ void TestRowInput::unusableHeaders()
 void TestRowInput::projectNamesItsColumns()
 {
     const Run run = runCommand({"project", m_scene}, "px,py,depth\n1,2,0\n");
-    QCOMPARE(run.errors, QByteArray("stdin:1:1: the header has no column x; the first line must be x,y,z\n"));
+    QCOMPARE(run.errors, QByteArray("stdin:1:1: the header has no column x; the first line must be x,y,z or "
+                                    "formula_x,formula_y,formula_z\n"));
     QCOMPARE(run.exitCode, 2);
 }
 

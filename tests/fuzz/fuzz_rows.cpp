@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
 {
     ByteSource source(fuzz::fileOf("rows.csv", data, size).string());
     LineBlocks blocks(source);
-    const auto columns = readHeader(blocks, source, {"px", "py", "depth"});
+    const auto columns = readHeader(blocks, source, {{"px", "py", "depth"}});
     if (!columns)
         return 0;
     const NumberReader reader(source.name(), *columns);

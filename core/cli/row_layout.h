@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/cli/number_table.h"
+#include "core/cli/row_writer.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::cli {
+
+/// The columns of the output: those of the input, each where it stood, then the results. A column of the input that has the
+/// name of a result is written anew, and only there.
+class RowLayout {
+public:
+    RowLayout(const NumberColumns &columns, const std::vector<std::string> &results, RowFormat format);
+
+    /// As a RowWriter takes them.
+    const std::vector<std::string> &names() const { return m_names; }
+
+    /// Writes what a row has of the input: its numbers, and whatever else is in it, unchanged.
+    void writeInput(RowWriter &writer, const LineBlock &block, const NumberRows &rows, std::size_t row) const;
+    /// The same of a row that has no result. The block may be one line that is too long: it is empty then.
+    void writeBad(RowWriter &writer, const LineBlock &block, const NumberRows &rows, const BadRow &bad) const;
+
+private:
+    static constexpr std::size_t kPassed = 3;
+
+    /// Calls `number` for the wanted columns, and writes the others.
+    template <class Number>
+    void writeCells(RowWriter &writer, std::string_view line, const Number &number) const;
+
+    std::vector<std::string> m_names;
+    std::vector<std::size_t> m_columns; ///< of the input: which of the three, kPassed, or kDropped
+    bool m_isPlain;                     ///< the three, in their order, and nothing else
+
+    static constexpr std::size_t kDropped = 4;
+};
+
+} // namespace unprojector::cli
