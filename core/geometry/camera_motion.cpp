@@ -157,42 +157,6 @@ LookAt recentered(const Picture &geometry, const WorldPoint &point)
     return camera;
 }
 
-Picture framed(const Picture &geometry, const Box &bounds)
-{
-    Picture result = geometry;
-    const double radius = bounds.diagonal() > 0.0 ? bounds.diagonal() / 2.0 : 1.0;
-    const EyeFrame frame = frameOf(geometry.camera());
-    const ProjectionWindow w = projectionWindow(geometry.projection());
-    const double halfWidth = std::abs(w.right - w.left) / 2.0;
-    const double halfHeight = std::abs(w.top - w.bottom) / 2.0;
-    constexpr double kMargin = 1.05;
-    double distance = centerDistance(geometry.camera());
-    if (isPerspective(geometry.projection())) {
-        // Where the ball about the box, in the middle of the window, touches the steeper of two opposite edges.
-        const auto needed = [&](double low, double high, double half) {
-            return radius * kMargin * std::hypot(w.nearDistance, std::max(std::abs(low), std::abs(high))) / half;
-        };
-        distance = std::max(needed(w.left, w.right, halfWidth), needed(w.bottom, w.top, halfHeight));
-    } else {
-        // A shear stretches the ball sideways.
-        const auto *sheared = std::get_if<Oblique>(&geometry.projection());
-        const double stretchX = sheared ? std::hypot(1.0, cotangent(sheared->thetaRadians)) : 1.0;
-        const double stretchY = sheared ? std::hypot(1.0, cotangent(sheared->phiRadians)) : 1.0;
-        const double scale = radius * kMargin * std::max(stretchX / halfWidth, stretchY / halfHeight);
-        distance *= scale; // see zoomed: the eye comes along
-        const double x = (w.left + w.right) / 2.0, y = (w.bottom + w.top) / 2.0;
-        if (auto *ortho = std::get_if<Ortho>(&result.projection()))
-            *ortho = scaledAbout(*ortho, x, y, scale);
-        else if (auto *oblique = std::get_if<Oblique>(&result.projection()))
-            oblique->box = scaledAbout(oblique->box, x, y, scale);
-    }
-    const WorldPoint center(bounds.isEmpty() ? glm::dvec3(0.0) : bounds.center());
-    result.camera().center = center;
-    result.camera().eye = center - frame.forward * distance;
-    result.camera() = recentered(result, center);
-    return result;
-}
-
 Projection withFittedClipDistances(const Picture &geometry, const Box &bounds, const Box &reach)
 {
     if (bounds.isEmpty())

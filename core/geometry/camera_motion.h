@@ -34,9 +34,6 @@ Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor)
 /// Shifts the camera sideways so that `point` comes to the middle of the picture, and makes its depth the centre's.
 LookAt recentered(const Picture &geometry, const WorldPoint &point);
 
-/// Backs off along the view direction until the box fills the viewport, and centres it.
-Picture framed(const Picture &geometry, const Box &bounds);
-
 /// Clip distances that hold the box tightly, which gives the depth buffer's steps to the scene; what lies in front
 /// of the eye by less than 1% of the centre's distance is cut off in a perspective.
 /// @param bounds  of what is picked; empty: the distances stay

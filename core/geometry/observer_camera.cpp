@@ -58,38 +58,6 @@ LookAt observerOf(const EyeFrame &watched, const WorldPoint &center)
     return {center + offset, center, kWorldUp};
 }
 
-LookAt framedTightly(const Picture &observer, const std::vector<WorldPoint> &points)
-{
-    const Result<EyeFrame> found = eyeFrame(observer.camera());
-    assert(found && !points.empty());
-    const EyeFrame &frame = *found;
-    const ProjectionWindow w = projectionWindow(observer.projection());
-    constexpr double kFill = 0.88;
-    const double slopeX = w.right / w.nearDistance * kFill, slopeY = w.top / w.nearDistance * kFill;
-
-    // A point lies left of the picture's right edge when x + slope z <= eye.x + slope eye.z, and so on: the eye is where
-    // the four edges touch the outermost points.
-    constexpr double kLowest = -std::numeric_limits<double>::infinity();
-    double rightmost = kLowest, leftmost = kLowest, topmost = kLowest, bottommost = kLowest, foremost = kLowest,
-           middle = 0.0;
-    for (const WorldPoint &point : points) {
-        const EyePoint p = eyeFromWorld(frame, point);
-        rightmost = std::max(rightmost, p.x + slopeX * p.z);
-        leftmost = std::max(leftmost, -p.x + slopeX * p.z);
-        topmost = std::max(topmost, p.y + slopeY * p.z);
-        bottommost = std::max(bottommost, -p.y + slopeY * p.z);
-        foremost = std::max(foremost, p.z);
-        middle += p.z / static_cast<double>(points.size());
-    }
-    const double x = (rightmost - leftmost) / 2.0, y = (topmost - bottommost) / 2.0;
-    const double z = std::max((rightmost + leftmost) / (2.0 * slopeX), (topmost + bottommost) / (2.0 * slopeY));
-    const double distance = z - middle > 0.0 ? z - middle : 1.0; // a single point has no size to fill anything with
-    LookAt camera = observer.camera();
-    camera.center = worldFromEye(frame, EyePoint(x, y, middle));
-    camera.eye = camera.center - frame.forward * distance;
-    return camera;
-}
-
 ClipPlaneDrag::ClipPlaneDrag(const Projection &projection, ClipPlane plane, const EyePoint &grabbed,
                              const glm::dmat4 &widgetFromEye, const glm::dvec2 &pointer)
     : m_plane(plane)

@@ -32,10 +32,6 @@ Placement placementOf(const EyeFrame &frame, const ViewVolumeMorph &morph);
 /// little behind it, one unit from `center`.
 LookAt observerOf(const EyeFrame &watched, const WorldPoint &center);
 
-/// Backs off or comes closer along the view direction, and shifts, until the points just fill the picture.
-/// @pre a symmetric perspective; there are points
-LookAt framedTightly(const Picture &observer, const std::vector<WorldPoint> &points);
-
 enum class ClipPlane { Near, Far };
 
 /// The near or far plane in the hand: a point of it slides on the line that the volume's edges follow, in a picture

@@ -47,12 +47,26 @@ Viewport viewportIn(const ViewportRule &rule, const Surface &surface)
     return whole;
 }
 
+Box boundsOf(const SceneObject &object)
+{
+    return object.model->bounds.transformed(worldFromObject(object.transform));
+}
+
 Box boundsOf(const Scene &scene)
 {
     Box bounds;
-    for (const SceneObject &object : scene.objects)
-        bounds.add(object.model->bounds.transformed(worldFromObject(object.transform)));
+    for (const SceneObject &object : scene.objects) {
+        if (!object.isHidden)
+            bounds.add(boundsOf(object));
+    }
     return bounds;
+}
+
+void add(Framing &framing, const SceneObject &object)
+{
+    const glm::dmat4 worldFromSource = worldFromObject(object.transform);
+    for (const Mesh &mesh : object.model->meshes)
+        framing.add(worldFromSource, mesh.positions, mesh.indices);
 }
 
 Check check(const Scene &scene)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/framing.h"
 #include "core/geometry/picture.h"
 #include "core/geometry/transform.h"
 #include "core/scene/mesh.h"
@@ -18,6 +19,7 @@ struct SceneObject {
     std::filesystem::path file; ///< empty for a bundled object
     std::shared_ptr<const Model> model;
     std::vector<TransformStep> transform; ///< worldFromObject, step by step
+    bool isHidden = false;                ///< neither drawn nor clicked; all that is computed with it stays the same
 };
 
 /// Which part of a window the viewport takes.
@@ -71,8 +73,13 @@ struct Scene : SceneSettings {
     std::vector<SceneObject> objects;
 };
 
-/// The axis-aligned box around all objects, world space; empty without any.
+/// The axis-aligned box around an object, world space.
+Box boundsOf(const SceneObject &object);
+/// The axis-aligned box around all objects that are not hidden, world space; empty without any.
 Box boundsOf(const Scene &scene);
+
+/// Adds what is seen of an object: the corners of its triangles.
+void add(Framing &framing, const SceneObject &object);
 
 /// @return the first error of the camera, projection, viewport rule, depth range, transforms; NotFinite and
 ///         ClipPlaneHasNoNormal (A = B = C = 0) for clip planes

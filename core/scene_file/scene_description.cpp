@@ -67,8 +67,8 @@ std::filesystem::path relativePath(const std::filesystem::path &file, const std:
     return failed || failedToo ? file : (to / file.filename()).lexically_proximate(from);
 }
 
-/// What an object or a plane that is written again had of keys that are not ours: those of the first one `isIt` of those
-/// before, each taken once.
+/// What a thing that is written again had of keys that are not ours: those of the first one `isIt` of those before, each
+/// taken once.
 template <class Thing, class IsIt>
 nlohmann::ordered_json takeExtra(std::vector<Thing> &before, const IsIt &isIt)
 {
@@ -78,6 +78,34 @@ nlohmann::ordered_json takeExtra(std::vector<Thing> &before, const IsIt &isIt)
     nlohmann::ordered_json extra = std::move(found->extra);
     before.erase(found);
     return extra;
+}
+
+bool hasSameSource(const SceneFileObject &a, const SceneFileObject &b)
+{
+    const bool isSameFile =
+        a.absoluteFile.empty() || b.absoluteFile.empty() ? a.file == b.file : a.absoluteFile == b.absoluteFile;
+    return isSameFile && a.bundled == b.bundled;
+}
+
+/// Gives objects the keys that are not ours of those before: each of them once, to the one that has its name, else to the
+/// one that stands in its place, as one that was renamed does.
+void keepUnknownKeys(std::vector<SceneFileObject> &objects, const std::vector<SceneFileObject> &before)
+{
+    std::vector<bool> isTaken(before.size()), isKnown(objects.size());
+    const auto take = [&](std::size_t i, std::size_t k) {
+        if (isTaken[k] || isKnown[i] || !hasSameSource(objects[i], before[k]))
+            return;
+        objects[i].extra = before[k].extra;
+        isTaken[k] = isKnown[i] = true;
+    };
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        for (std::size_t k = 0; k < before.size() && !isKnown[i]; ++k) {
+            if (objects[i].name == before[k].name)
+                take(i, k);
+        }
+    }
+    for (std::size_t i = 0; i < std::min(objects.size(), before.size()); ++i)
+        take(i, i);
 }
 
 } // namespace
@@ -121,7 +149,8 @@ Result<Scene> sceneFromFile(const SceneFile &file, const std::filesystem::path &
     scene.depthRange = picture->depthRange;
     for (std::size_t i = 0; i < file.objects.size() && i < models.size(); ++i) {
         const SceneFileObject &object = file.objects[i];
-        scene.objects.push_back({object.name, objectFile(object, sceneFile), models[i], object.transform});
+        scene.objects.push_back(
+            {object.name, objectFile(object, sceneFile), models[i], object.transform, object.isHidden});
     }
     scene.clipPlanes = file.clipPlanes;
     for (const SceneFilePlaneOff &off : file.ui.clipPlanesOff)
@@ -154,7 +183,6 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
         file.ui.clipPlanesOff.push_back({off.place, off.plane, takeExtra(knownPlanes, isIt)});
     }
 
-    std::vector<SceneFileObject> knownObjects = before.objects;
     const std::filesystem::path folder = absolutePath(sceneFile).parent_path();
     for (const SceneObject &object : scene.objects) {
         SceneFileObject described;
@@ -166,13 +194,10 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
             described.file = relativePath(described.absoluteFile, folder);
         }
         described.transform = object.transform;
-        described.extra = takeExtra(knownObjects, [&](const SceneFileObject &known) {
-            const bool isSameFile = known.absoluteFile.empty() ? known.file == described.file
-                                                               : known.absoluteFile == described.absoluteFile;
-            return isSameFile && known.name == described.name && known.bundled == described.bundled;
-        });
+        described.isHidden = object.isHidden;
         file.objects.push_back(std::move(described));
     }
+    keepUnknownKeys(file.objects, before.objects);
     return file;
 }
 

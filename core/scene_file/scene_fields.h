@@ -159,6 +159,8 @@ void describe(Fields &json, T &object)
     else
         json.required("bundled", object.bundled, SomeText{});
     json.list("transform", object.transform);
+    if (json.has("hidden", object.isHidden))
+        json.required("hidden", object.isHidden);
 }
 
 template <class Fields, Is<ViewportRule> T>

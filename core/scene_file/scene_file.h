@@ -26,6 +26,7 @@ struct SceneFileObject {
     nlohmann::ordered_json extra; ///< keys that this version does not know; null or an object
 
     std::filesystem::path absoluteFile; ///< where `file` is, once that is known (see locateObjects)
+    bool isHidden = false;              ///< "hidden": the window does not show it. Written only where it is so
 };
 
 /// A plane that does not cut, see ClipPlaneOff.
@@ -135,8 +136,8 @@ Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path 
 /// picture, see clickOf.
 /// @param geometry   of the scene, in the window that shows it
 /// @param sceneFile  to be written; the objects' files are given relative to its folder
-/// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its name
-///                   and file, wherever the scene is written; those of a plane that is off while it lies where it did); a matrix as well, to the last digit, while the scene has just the projection or the camera
+/// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its file
+///                   and its name, or its file and its place in the list, wherever the scene is written; those of a plane that is off while it lies where it did); a matrix as well, to the last digit, while the scene has just the projection or the camera
 ///                   that was read from it. Otherwise their parameters are written
 SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile,
                         const SceneFile &before = {});

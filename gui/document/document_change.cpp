@@ -48,6 +48,20 @@ bool isNearlySame(const Projection &a, const Projection &b)
            && isNear(v.farDistance, w.farDistance, std::abs(v.farDistance));
 }
 
+/// Whether just one object has another name. Where more have, those of one model may have changed places.
+bool isRenaming(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
+{
+    if (a.size() != b.size())
+        return false;
+    int renamed = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].model != b[i].model || a[i].file != b[i].file)
+            return false;
+        renamed += a[i].name == b[i].name ? 0 : 1;
+    }
+    return renamed == 1;
+}
+
 } // namespace
 
 bool isSameObject(const SceneObject &a, const SceneObject &b)
@@ -68,12 +82,37 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
     return changes;
 }
 
+std::optional<std::size_t> placeAfter(const std::vector<SceneObject> &before, std::size_t place,
+                                      const std::vector<SceneObject> &after)
+{
+    const SceneObject &object = before[place];
+    const auto isIt = [&object](const SceneObject &other) {
+        return isSameObject(object, other) && object.transform == other.transform;
+    };
+    // Of several that are alike in everything, the one that stayed.
+    if (place < after.size() && isIt(after[place]))
+        return place;
+    if (const auto found = std::find_if(after.begin(), after.end(), isIt); found != after.end())
+        return static_cast<std::size_t>(found - after.begin());
+    return isRenaming(before, after) ? std::optional(place) : std::nullopt;
+}
+
 Changes changesBetween(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
 {
-    if (!std::equal(a.begin(), a.end(), b.begin(), b.end(), isSameObject))
-        return Change::Objects | Change::Placement;
-    const auto isSamePlace = [](const SceneObject &x, const SceneObject &y) { return x.transform == y.transform; };
-    return std::equal(a.begin(), a.end(), b.begin(), isSamePlace) ? Changes() : Changes(Change::Placement);
+    Changes changes;
+    if (isRenaming(a, b))
+        changes |= Change::Names;
+    else if (!std::equal(a.begin(), a.end(), b.begin(), b.end(), isSameObject))
+        return Change::Objects | Change::Placement | Change::Visibility;
+    const auto differ = [&a, &b](auto SceneObject::*member) {
+        return !std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                           [member](const SceneObject &x, const SceneObject &y) { return x.*member == y.*member; });
+    };
+    if (differ(&SceneObject::transform))
+        changes |= Change::Placement;
+    if (differ(&SceneObject::isHidden))
+        changes |= Change::Visibility;
+    return changes;
 }
 
 bool isSameLook(const SceneSettings &a, const SceneSettings &b)

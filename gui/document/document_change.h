@@ -4,6 +4,10 @@
 
 #include <QFlags>
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 namespace unprojector::gui {
 using namespace geometry;
 using namespace scene;
@@ -12,6 +16,8 @@ using namespace scene;
 enum class Change {
     Objects = 0x01,    ///< which objects there are, and in which order
     Placement = 0x02,  ///< where an object stands
+    Visibility = 0x40, ///< which objects are hidden
+    Names = 0x80,      ///< what an object is called
     ClipPlanes = 0x04, ///< those that cut and those that are switched off
     Picture = 0x08,    ///< camera, projection, viewport, depth range, the window's size, or the rules they follow
     Pick = 0x10,       ///< the picked point
@@ -20,13 +26,18 @@ enum class Change {
 Q_DECLARE_FLAGS(Changes, Change)
 
 /// All that a view of the scene shows; the mark of the pick lies over it.
-constexpr Changes kSeen{Change::Objects, Change::Placement, Change::ClipPlanes, Change::Picture};
+constexpr Changes kSeen{Change::Objects, Change::Placement, Change::Visibility, Change::ClipPlanes, Change::Picture};
 
-/// Whether it is the same object, wherever it stands.
+/// Whether it is the same object, wherever it stands and whether or not it is hidden.
 bool isSameObject(const SceneObject &a, const SceneObject &b);
+/// Where an object of one list is in another one, by all that is known of it, or by its place where only its name is new.
+/// @pre place < before.size()
+std::optional<std::size_t> placeAfter(const std::vector<SceneObject> &before, std::size_t place,
+                                      const std::vector<SceneObject> &after);
 /// Picture and ClipPlanes, or nothing where both settings are the same.
 Changes changesBetween(const SceneSettings &a, const SceneSettings &b);
-/// Objects or Placement, or nothing where both lists are the same.
+/// Of two lists of objects: Objects with what follows from that; or Placement, Visibility and Names, or nothing where both
+/// are the same.
 Changes changesBetween(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b);
 
 /// Whether two looks at a scene differ by no more than rounding: a camera that is asked to go where it stands.

@@ -23,10 +23,15 @@ double roundedUp(double value)
     return 10.0 * power;
 }
 
-/// Whether a list only got longer: every object kept its place.
-bool isStartOf(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
+/// What a picture of these objects that fills it would be.
+Picture framed(const Picture &picture, const std::vector<SceneObject> &objects)
 {
-    return a.size() <= b.size() && std::equal(a.begin(), a.end(), b.begin(), isSameObject);
+    Framing framing(picture);
+    for (const SceneObject &object : objects) {
+        if (!object.isHidden)
+            add(framing, object);
+    }
+    return framing.picture();
 }
 
 } // namespace
@@ -111,10 +116,15 @@ Result<Changes> SceneDocument::take(const SceneState &state)
     changes |= changesBetween(m_state.settings, m_scene);
     if (hasOtherObjects)
         changes |= changesBetween(*m_state.objects, m_scene.objects);
-    // A pick may be on an object that went, and knows it by its place in the list.
-    if (changes.testFlag(Change::Objects) && m_pick && !isStartOf(*m_state.objects, m_scene.objects)) {
-        m_pick.reset();
-        changes |= Change::Pick;
+    // A pick knows its object by its place in the list, and goes with it.
+    if (changes.testFlag(Change::Objects) && m_pick && m_pick->object && *m_pick->object < m_state.objects->size()) {
+        const auto place = placeAfter(*m_state.objects, *m_pick->object, m_scene.objects);
+        if (place != m_pick->object)
+            changes |= Change::Pick;
+        if (place)
+            m_pick->object = place;
+        else
+            m_pick.reset();
     }
     m_unprojector = unprojector.value();
     m_bounds = bounds;
@@ -159,7 +169,7 @@ void SceneDocument::setObjects(std::vector<SceneObject> objects)
                  initialProjection(),
                  LookAt{WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
     home.projection() = withAspect(home.projection(), home.viewport.width / home.viewport.height);
-    const LookAt camera = framed(home, boundsOf(scene)).camera();
+    const LookAt camera = framed(home, scene.objects).camera();
     setObjects(std::move(scene.objects), camera);
 }
 
@@ -215,21 +225,6 @@ void SceneDocument::look(SceneSettings settings, const Deed &deed)
     }
     tell(*taken);
     m_undoStack.push(new SceneChange(*this, before, m_state, deed.text, deed.mergeKey));
-}
-
-Check SceneDocument::addObjects(std::vector<SceneObject> objects)
-{
-    std::vector<SceneObject> all = *m_state.objects;
-    all.insert(all.end(), std::make_move_iterator(objects.begin()), std::make_move_iterator(objects.end()));
-    return edit(std::move(all), {tr("Add objects")});
-}
-
-Check SceneDocument::removeObject(std::size_t place)
-{
-    Q_ASSERT(place < objects().size());
-    std::vector<SceneObject> others = *m_state.objects;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
-    return edit(std::move(others), {tr("Remove object")});
 }
 
 Check SceneDocument::editTransform(std::size_t place, std::vector<TransformStep> steps, const Deed &deed)
@@ -337,7 +332,16 @@ void SceneDocument::setView(const LookAt &camera, const Projection &projection, 
 
 void SceneDocument::fit()
 {
-    const Picture fitted = framed(geometry(), m_bounds);
+    const Picture fitted = framed(geometry(), objects());
+    setView(fitted.camera(), fitted.projection());
+}
+
+void SceneDocument::fitObject(std::size_t place)
+{
+    Q_ASSERT(place < objects().size());
+    Framing framing(geometry());
+    add(framing, objects()[place]);
+    const Picture fitted = framing.picture();
     setView(fitted.camera(), fitted.projection());
 }
 

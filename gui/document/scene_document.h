@@ -4,6 +4,7 @@
 #include "core/scene/scene.h"
 #include "core/unproject/pick.h"
 #include "gui/document/document_change.h"
+#include "gui/document/object_names.h"
 #include "gui/document/scene_change.h"
 
 #include <QObject>
@@ -76,7 +77,7 @@ public:
     /// The projection that a model is shown with at first; it follows the viewport and fits the objects.
     static Projection initialProjection();
 
-    /// Around all objects, world space.
+    /// Around all objects that are not hidden, world space.
     const Box &bounds() const { return m_bounds; }
     /// The drawn ground: a square at the lowest height of the objects, world space.
     const Box &ground() const { return m_ground.box; }
@@ -93,10 +94,22 @@ public:
     // Edits: the user's work, not only a look around. Each is undoable. Where the picture would not be valid the error
     // of pictureOf is returned and nothing changes: the last good view stays.
 
-    /// Puts objects after those that are there. The pick stays.
+    /// Puts objects after those that are there, under names of their own. Where they are not all in sight, the picture
+    /// comes to show everything, near and far planes included. The pick stays.
     Check addObjects(std::vector<SceneObject> objects);
     /// @pre place < objects().size()
     Check removeObject(std::size_t place);
+    /// Puts an object elsewhere in the list.
+    /// @pre from, to < objects().size()
+    Check moveObject(std::size_t from, std::size_t to);
+    /// @pre place < objects().size()
+    Check setObjectHidden(std::size_t place, bool isHidden);
+    Check showAllObjects();
+    bool hasHiddenObjects() const;
+    /// @param name  blanks around it are taken off; see faultOf
+    /// @return what is wrong with the name; then nothing changed
+    /// @pre place < objects().size()
+    NameFault renameObject(std::size_t place, const QString &name);
     /// @pre place < objects().size()
     Check editTransform(std::size_t place, std::vector<TransformStep> steps, const Deed &deed);
     Check editCamera(const LookAt &camera, const Deed &deed);
@@ -112,7 +125,10 @@ public:
     void setCamera(const LookAt &camera, const QString &mergeKey = {});
     void setProjection(const Projection &projection, const QString &mergeKey = {});
     void setView(const LookAt &camera, const Projection &projection, const QString &mergeKey = {});
+    /// Shows all objects that are not hidden as large as the picture lets them be.
     void fit();
+    /// The same of one object, hidden or not. @pre place < objects().size()
+    void fitObject(std::size_t place);
     void goHome();
     /// From a perspective to glOrtho and back, the picture equal at `pivotDistance`.
     void switchProjection();
@@ -163,6 +179,8 @@ private:
     Result<Changes> take(const SceneState &state);
     /// Takes a state undoably, if it is another one.
     Check record(const SceneState &state, const Deed &deed);
+    /// The settings that show all of these, of which the last `added` are new.
+    SceneSettings showing(const std::vector<SceneObject> &objects, std::size_t added) const;
     Check edit(SceneSettings settings, const Deed &deed);
     Check edit(std::vector<SceneObject> objects, const Deed &deed);
     void look(SceneSettings settings, const Deed &deed);

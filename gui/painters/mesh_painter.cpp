@@ -205,6 +205,8 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
         glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     for (std::size_t i = 0; i < objects.size(); ++i) {
         const SceneObject &object = objects[i];
+        if (object.isHidden)
+            continue;
         const GpuModel &model = uploaded(object.model);
         // Products in double: only the final matrix is rounded to what the GPU takes.
         const glm::dmat4 placement = worldFromObject(object.transform);

@@ -155,7 +155,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
             emit pickRequested(m_document.pick()->widget);
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Pick)
+        if (changes & (Change::Pick | Change::Names))
             showPick();
         else if (changes & (Change::Picture | Change::Placement))
             showSinceClick();

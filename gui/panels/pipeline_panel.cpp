@@ -85,7 +85,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_scrollArea, 1);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (Change::Objects | Change::Placement | Change::Picture | Change::Pick))
+        if (changes & (Change::Objects | Change::Names | Change::Placement | Change::Picture | Change::Pick))
             refresh();
     });
     arrange();

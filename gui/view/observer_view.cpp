@@ -1,6 +1,7 @@
 #include "gui/view/observer_view.h"
 
 #include "core/geometry/angle.h"
+#include "core/geometry/framing.h"
 #include "gui/painters/clip_plane_shapes.h"
 #include "gui/painters/observer_shapes.h"
 #include "gui/painters/scene_lines.h"
@@ -132,15 +133,17 @@ void ObserverView::fit()
         return;
     m_reference = placementOf(*frame, *morph);
     if (const std::optional<ObserverPicture> p = picture()) {
-        std::vector<WorldPoint> points = pointsToFit(*p);
-        m_observer.camera() = framedTightly(m_observer, points);
+        Framing framing(m_observer);
+        for (const WorldPoint &point : pointsToFit(*p))
+            framing.add(point);
+        m_observer.camera() = framing.picture().camera();
         // The camera's sign has a constant size in the picture: how large it is follows from the first try.
         const double size = signSize(m_observer, frame->eye);
         for (const WorldVector &axis : {frame->side, frame->upward, frame->forward}) {
             for (const double sign : {-1.0, 1.0})
-                points.push_back(frame->eye + axis * (sign * size));
+                framing.add(frame->eye + axis * (sign * size));
         }
-        m_observer.camera() = framedTightly(m_observer, points);
+        m_observer.camera() = framing.picture().camera();
     }
     update();
 }

@@ -18,7 +18,7 @@ inline const char *const kFullScene = R"({
   "objects": [
     {"name": "face", "file": "models/face.obj",
      "transform": [{"translate": [0, 0, -3]}, {"rotate": [30, 0, 1, 0]}, {"scale": [1, 2, -1]}]},
-    {"name": "Gr\u00fcn", "bundled": "Teapot", "transform": []}
+    {"name": "Gr\u00fcn", "bundled": "Teapot", "transform": [], "hidden": true}
   ],
   "clipPlanes": [[0, 1, 0, 0], [1, 0, 0, -0.25]],
   "ui": {

@@ -137,9 +137,6 @@ private slots:
     void zoomKeepsTheAnchorsPlace();
     void recenteredBringsThePointToTheMiddle_data() { addProjections(); }
     void recenteredBringsThePointToTheMiddle();
-    void framedShowsTheWholeBoxInTheMiddle_data() { addProjections(); }
-    void framedShowsTheWholeBoxInTheMiddle();
-    void framedKnowsWhatToDoWithNoSize();
     void fittedClipDistancesHoldTheBox_data() { addProjections(); }
     void fittedClipDistancesHoldTheBox();
     void clipDistancesOfAnEmptyBoxStay_data() { addProjections(); }
@@ -352,48 +349,6 @@ void TestCameraMotion::recenteredBringsThePointToTheMiddle()
         QVERIFY(isNear(-eyeFromWorld(*eyeFrame(after.camera()), point).z, before, kRounding * 100.0));
         QVERIFY(isNear(distanceOf(after.camera()), before, kRounding * 100.0));
     }
-}
-
-void TestCameraMotion::framedShowsTheWholeBoxInTheMiddle()
-{
-    QFETCH(Picture, geometry);
-    const Box bounds = someBounds();
-    for (const StandardView side : {StandardView::Front, StandardView::Left, StandardView::Top}) {
-        for (const bool isOblique : {true, false}) {
-            Picture before = geometry;
-            if (!isOblique)
-                before.camera() = seenFrom(before.camera(), side);
-            Picture after = framed(before, bounds);
-            after.projection() = withFittedClipDistances(after, bounds, {});
-            QVERIFY(check(after).hasValue());
-            double widest = 0.0;
-            for (const WorldPoint &corner : cornersOf(bounds)) {
-                const Result<WindowPoint> window = windowFromWorld(after, corner);
-                QVERIFY(window.hasValue());
-                const NdcPoint ndc = ndcFromWindow(after.viewport, after.depthRange, *window);
-                QVERIFY2(std::abs(ndc.x) <= 1.0 && std::abs(ndc.y) <= 1.0 && std::abs(ndc.z) <= 1.0,
-                         qPrintable(QStringLiteral("NDC (%1, %2, %3)").arg(ndc.x).arg(ndc.y).arg(ndc.z)));
-                widest = std::max({widest, std::abs(ndc.x), std::abs(ndc.y)});
-            }
-            // It fills a good part of the picture (what is fitted is the ball about it), and its middle is the picture's.
-            QVERIFY(widest > 0.25);
-            const glm::dvec2 place = placeOf(after, WorldPoint(bounds.center()));
-            QVERIFY(isNear(place.x, after.viewport.x + after.viewport.width / 2.0, kRoundingPixels));
-            QVERIFY(isNear(place.y, after.viewport.y + after.viewport.height / 2.0, kRoundingPixels));
-            QVERIFY(isNear(forwardOf(after.camera()), forwardOf(before.camera()), kRounding));
-        }
-    }
-}
-
-void TestCameraMotion::framedKnowsWhatToDoWithNoSize()
-{
-    const Picture g = geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
-    QVERIFY(check(framed(g, {})).hasValue());
-    Box point;
-    point.add(glm::dvec3(7.0, 8.0, 9.0));
-    const Picture after = framed(g, point);
-    QVERIFY(check(after).hasValue());
-    QVERIFY(isNear(placeOf(after, WorldPoint(7.0, 8.0, 9.0)).x, 600.0, kRoundingPixels));
 }
 
 void TestCameraMotion::fittedClipDistancesHoldTheBox()

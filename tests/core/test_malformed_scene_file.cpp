@@ -129,6 +129,8 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
         ": objects[0]: expected an object in { }, found \"a.obj\"");
     row("object without file", withMember("\"objects\": [{\"file\": \"a\"}, {\"name\": \"b\"}]"),
         ": objects[1].file: is missing");
+    row("hidden in words", withMember("\"objects\": [{\"file\": \"a\", \"hidden\": \"yes\"}]"),
+        ": objects[0].hidden: expected true or false, found \"yes\"");
     row("object of two sources", withMember("\"objects\": [{\"file\": \"a\", \"bundled\": \"b\"}]"),
         ": objects[0]: must have exactly one of file or bundled");
     row("file name empty", withMember("\"objects\": [{\"file\": \"\"}]"),

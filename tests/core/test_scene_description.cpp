@@ -42,7 +42,7 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
     scene.projection = Perspective{0.7, 1.5, 0.25, 40};
     scene.viewport = {ViewportRule::Kind::KeepAspect, {1, 2, 30, 40}, 1.25};
     scene.depthRange = {1, 0};
-    scene.objects = {{"a", "/there/models/a.obj", model, {Scale{{2, 2, 2}}}}, {"pot", {}, model, {}}};
+    scene.objects = {{"a", "/there/models/a.obj", model, {Scale{{2, 2, 2}}}}, {"pot", {}, model, {}, true}};
     scene.clipPlanes = {{1, 0, 0, 0.5}};
     scene.clipPlanesOff = {{0, {0, 1, 0, 0.125}}};
     scene.clipDistancesFitObjects = false;
@@ -68,6 +68,7 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
         QVERIFY(pictureOf(again, geometry.surface, {}).value().projection() == geometry.projection());
         QVERIFY(again.objects[0].file == scene.objects[0].file && again.objects[1].file.empty());
         QVERIFY(again.objects[0].transform == scene.objects[0].transform);
+        QVERIFY(!again.objects[0].isHidden && again.objects[1].isHidden);
         QVERIFY(again.clipPlanes == scene.clipPlanes);
         QCOMPARE(again.clipPlanesOff.size(), std::size_t(1));
         QVERIFY(again.clipPlanesOff[0].place == 0 && again.clipPlanesOff[0].plane == scene.clipPlanesOff[0].plane);
@@ -219,6 +220,14 @@ void TestSceneDescription::aModelBehindALinkStaysTheSame()
     locateObjects(before, sceneFile);
     Scene again = sceneFromFile(before, sceneFile, {std::make_shared<Model>()}).value();
     QVERIFY(isKept(again));
+    // One that is called otherwise now is known by its place.
+    again.objects[0].name = "other name";
+    QVERIFY(isKept(again));
+    again.objects.insert(again.objects.begin(), again.objects[0]);
+    again.objects[0].name = "and another";
+    again.objects[1].name = before.objects[0].name;
+    QVERIFY(!isKept(again)); // they went with the one that has the name
+    again.objects.erase(again.objects.begin());
     again.objects[0].file = root / "far" / "other.obj";
     QVERIFY(!isKept(again));
     if (model == "link/../m.obj") {

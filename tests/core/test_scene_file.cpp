@@ -59,6 +59,8 @@ void TestSceneFile::everyKeyIsRead()
             == (std::vector<TransformStep>{Translate{{0, 0, -3}}, Rotate{30, {0, 1, 0}}, Scale{{1, 2, -1}}}));
     QCOMPARE(scene.objects[1].name, "Gr\xC3\xBCn");
     QCOMPARE(scene.objects[1].bundled, "Teapot");
+    QVERIFY(!scene.objects[0].isHidden && scene.objects[1].isHidden);
+    QCOMPARE(written(scene).count("hidden"), 1); // only where it is so
     QVERIFY(scene.objects[1].file.empty());
     QVERIFY(scene.clipPlanes == (std::vector<glm::dvec4>{{0, 1, 0, 0}, {1, 0, 0, -0.25}}));
     QVERIFY(scene.ui.viewportRule == (ViewportRule{ViewportRule::Kind::KeepAspect, {1, 2, 3, 4}, 1.5}));
@@ -158,6 +160,7 @@ void TestSceneFile::whatIsReadIsWrittenAndReadAgain()
     for (std::size_t i = 0; i < first.objects.size(); ++i) {
         QVERIFY(second.objects[i].file == first.objects[i].file && second.objects[i].name == first.objects[i].name);
         QVERIFY(second.objects[i].bundled == first.objects[i].bundled);
+        QVERIFY(second.objects[i].isHidden == first.objects[i].isHidden);
         QVERIFY(second.objects[i].transform == first.objects[i].transform);
     }
     QVERIFY(second.clipPlanes == first.clipPlanes);

@@ -2,6 +2,7 @@
 // it promises.
 
 #include "core/geometry/angle.h"
+#include "core/geometry/framing.h"
 #include "core/geometry/observer_camera.h"
 #include "core/geometry/view_volume.h"
 
@@ -336,7 +337,10 @@ void TestViewVolume::theObserverSeesEverythingItIsToFrame()
                          {},
                          Perspective{0.6, 0.75, 0.1, 1e4},
                          observerOf(frame, frame.eye)};
-        observer.camera() = framedTightly(observer, points);
+        Framing framing(observer);
+        for (const WorldPoint &point : points)
+            framing.add(point);
+        observer.camera() = framing.picture().camera();
         QVERIFY(check(observer).hasValue());
         const EyeFrame from = *eyeFrame(observer.camera());
         QVERIFY(std::abs(std::asin(-from.forward.y) * 180.0 / kPi - 35.0) < 1e-9);

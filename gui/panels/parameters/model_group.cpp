@@ -60,7 +60,7 @@ QString callText(const TransformStep &step)
 }
 
 ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
-    : ParameterGroup(document, Change::Objects | Change::Placement,
+    : ParameterGroup(document, Change::Objects | Change::Names | Change::Placement,
                      {tr("Model"), tr("Where each object stands (glTranslate, glRotate, glScale)"),
                       tr("No steps: the object that is shown stands where its file puts it")},
                      parent)

@@ -1,0 +1,151 @@
+#include "core/geometry/framing.h"
+
+#include "core/geometry/angle.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace unprojector::geometry {
+namespace {
+
+EyeFrame frameOf(const LookAt &camera)
+{
+    const Result<EyeFrame> frame = eyeFrame(camera);
+    assert(frame);
+    return *frame;
+}
+
+/// A needle that points at the eye has no width to fill the picture with: what is closer than this, in sizes of all that
+/// is shown, and what is smaller, counts as this.
+constexpr double kLeastShare = 0.02;
+
+} // namespace
+
+Framing::Framing(const Picture &picture) : m_picture(picture), m_frame(frameOf(picture.camera()))
+{
+    const Projection &projection = picture.projection();
+    const ProjectionWindow w = projectionWindow(projection);
+    const double distance = isPerspective(projection) ? w.nearDistance : 1.0;
+    const glm::dvec2 one(w.left / distance, w.bottom / distance), other(w.right / distance, w.top / distance);
+    const glm::dvec2 middle = (one + other) / 2.0, half = glm::abs(other - one) / 2.0 * kFilled;
+    m_low = middle - half;
+    m_high = middle + half;
+    if (const auto *oblique = std::get_if<Oblique>(&projection))
+        m_shear = {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)};
+
+    // From the world's origin, not from the eye: where the camera is now does not matter.
+    const auto along = [](const WorldVector &axis) { return glm::dvec4(axis.coordinates(), 0.0); };
+    const glm::dvec4 side = along(m_frame.side), upward = along(m_frame.upward), forward = along(m_frame.forward);
+    // A point seen at a rim: its place across is the rim's at its distance.
+    const bool recedes = isPerspective(projection);
+    m_planes[Side] = side;
+    m_planes[Upward] = upward;
+    m_planes[Forward] = forward;
+    m_planes[FromLeft] = side - forward * (recedes ? m_low.x : m_shear.x);
+    m_planes[FromRight] = side - forward * (recedes ? m_high.x : m_shear.x);
+    m_planes[FromBottom] = upward - forward * (recedes ? m_low.y : m_shear.y);
+    m_planes[FromTop] = upward - forward * (recedes ? m_high.y : m_shear.y);
+    m_lowest.fill(std::numeric_limits<double>::infinity());
+    m_highest.fill(-std::numeric_limits<double>::infinity());
+}
+
+void Framing::add(const std::array<double, kMeasures> &measures)
+{
+    for (std::size_t k = 0; k < kMeasures; ++k) {
+        m_lowest[k] = std::min(m_lowest[k], measures[k]);
+        m_highest[k] = std::max(m_highest[k], measures[k]);
+    }
+}
+
+void Framing::add(const WorldPoint &point)
+{
+    std::array<double, kMeasures> measures{};
+    for (std::size_t k = 0; k < kMeasures; ++k)
+        measures[k] = glm::dot(m_planes[k], glm::dvec4(point.coordinates(), 1.0));
+    add(measures);
+}
+
+void Framing::add(const glm::dmat4 &worldFromSource, std::span<const glm::vec3> positions,
+                  std::span<const std::uint32_t> indices)
+{
+    std::array<glm::dvec4, kMeasures> planes;
+    for (std::size_t k = 0; k < kMeasures; ++k)
+        planes[k] = m_planes[k] * worldFromSource; // a row times the matrix
+    std::array<double, kMeasures> measures{};
+    for (const std::uint32_t index : indices) {
+        const glm::dvec3 p(positions[index]);
+        for (std::size_t k = 0; k < kMeasures; ++k)
+            measures[k] = planes[k].x * p.x + planes[k].y * p.y + planes[k].z * p.z + planes[k].w;
+        add(measures);
+    }
+}
+
+double Framing::size() const
+{
+    return m_lowest[Forward] > m_highest[Forward] ? 0.0 : std::hypot(extent(Side), extent(Upward), extent(Forward));
+}
+
+Picture Framing::picture() const
+{
+    if (size() > 0.0)
+        return framed();
+    Framing surroundings = *this;
+    const bool isEmpty = m_lowest[Forward] > m_highest[Forward];
+    const WorldPoint middle = isEmpty ? WorldPoint()
+                                      : WorldPoint() + m_frame.side * m_lowest[Side] + m_frame.upward * m_lowest[Upward]
+                                            + m_frame.forward * m_lowest[Forward];
+    for (const double x : {-0.5, 0.5}) {
+        for (const double y : {-0.5, 0.5}) {
+            for (const double z : {-0.5, 0.5})
+                surroundings.add(middle + WorldVector(x, y, z));
+        }
+    }
+    return surroundings.framed();
+}
+
+Picture Framing::framed() const
+{
+    Picture result = m_picture;
+    LookAt &camera = result.camera();
+    const double depth = middle(Forward); // of what is shown; the camera's centre comes there
+    glm::dvec2 across(0.0);               // of the eye, along the picture's axes
+    double along = 0.0;
+    if (isPerspective(m_picture.projection())) {
+        // Where the points that touch opposite rims do so both at once: closer than that is too close.
+        along = std::min((m_lowest[FromLeft] - m_highest[FromRight]) / (m_high.x - m_low.x),
+                         (m_lowest[FromBottom] - m_highest[FromTop]) / (m_high.y - m_low.y));
+        along = std::min(along, m_lowest[Forward] - kLeastShare * size());
+        // Across, the other pair of rims leaves room on both sides: as much on the one as on the other.
+        across.x = (m_lowest[FromLeft] + m_low.x * along + m_highest[FromRight] + m_high.x * along) / 2.0;
+        across.y = (m_lowest[FromBottom] + m_low.y * along + m_highest[FromTop] + m_high.y * along) / 2.0;
+    } else {
+        const double least = kLeastShare * size();
+        const double scale = std::max(std::max(extent(FromLeft), least) / (m_high.x - m_low.x),
+                                      std::max(extent(FromBottom), least) / (m_high.y - m_low.y));
+        const glm::dvec2 windowMiddle = (m_low + m_high) / 2.0;
+        const auto scaled = [&](auto window) {
+            const glm::dvec2 half(window.right - window.left, window.top - window.bottom);
+            window.left = windowMiddle.x - half.x / 2.0 * scale;
+            window.right = windowMiddle.x + half.x / 2.0 * scale;
+            window.bottom = windowMiddle.y - half.y / 2.0 * scale;
+            window.top = windowMiddle.y + half.y / 2.0 * scale;
+            return window;
+        };
+        if (auto *ortho = std::get_if<Ortho>(&result.projection()))
+            *ortho = scaled(*ortho);
+        else if (auto *oblique = std::get_if<Oblique>(&result.projection()))
+            oblique->box = scaled(oblique->box);
+        // The eye of a box comes along, so that a perspective that is switched to later has the field of view it had.
+        along = depth - distance(m_picture.camera().center, m_picture.camera().eye) * scale;
+        across = glm::dvec2(middle(FromLeft), middle(FromBottom)) + m_shear * along - windowMiddle;
+    }
+    camera.eye = WorldPoint() + m_frame.side * across.x + m_frame.upward * across.y + m_frame.forward * along;
+    camera.center = camera.eye + m_frame.forward * (depth - along);
+    return result;
+}
+
+} // namespace unprojector::geometry

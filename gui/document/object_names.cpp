@@ -1,0 +1,26 @@
+#include "gui/document/object_names.h"
+
+#include <algorithm>
+
+namespace unprojector::gui {
+
+NameFault faultOf(const std::string &name, std::size_t place, const std::vector<SceneObject> &objects)
+{
+    if (name.empty())
+        return NameFault::Empty;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (i != place && objects[i].name == name)
+            return NameFault::Taken;
+    }
+    return NameFault::None;
+}
+
+std::string freeName(const std::string &name, const std::vector<SceneObject> &objects)
+{
+    std::string free = name;
+    for (int number = 2; faultOf(free, objects.size(), objects) == NameFault::Taken; ++number)
+        free = name + " (" + std::to_string(number) + ')';
+    return free;
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace scene;
+
+// Objects are told apart by their names, in lists and by the `unproject` command.
+
+/// What is wrong with a name for an object.
+enum class NameFault { None, Empty, Taken };
+
+/// @param place  of the object that is to have the name
+NameFault faultOf(const std::string &name, std::size_t place, const std::vector<SceneObject> &objects);
+
+/// The name, or the name with the first number behind it that makes it another one than those of the objects: "cube (2)".
+std::string freeName(const std::string &name, const std::vector<SceneObject> &objects);
+
+} // namespace unprojector::gui
