@@ -5,6 +5,7 @@
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
+#include "gui/text/added_text.h"
 #include "gui/text/error_text.h"
 #include "gui/text/example_texts.h"
 
@@ -153,12 +154,17 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
         return;
     std::vector<SceneObject> objects;
     for (const LoadedModel &loaded : models) {
-        objects.push_back(
-            {pathText(loaded.file.filename()).toStdString(), absolutePath(loaded.file), loaded.model, {}});
+        objects.push_back({freeName(pathText(loaded.file.filename()).toStdString(), objects),
+                           absolutePath(loaded.file),
+                           loaded.model,
+                           {}});
         rememberRecent(loaded.file);
     }
     if (isAddition) {
-        if (const Check added = m_document.addObjects(std::move(objects)); !added)
+        const std::size_t count = objects.size();
+        if (const Check added = m_document.addObjects(std::move(objects)))
+            emit noticed(addedText(m_document.objects(), count));
+        else
             emit failed(errorText(added.error()));
         return;
     }

@@ -45,6 +45,7 @@ protected:
 
     bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -79,6 +80,8 @@ private:
     /// Moves the camera so that the scene goes a way in logical pixels at the depth of the pivot.
     void pan(const QPointF &way, const WorldPoint &pivot, const QString &mergeKey);
 
+    void showMenu(const WidgetPoint &position, const QPoint &global);
+
     // Keys do at the crosshair what the mouse does at the pointer.
 
     /// The pixel last clicked or moved to, at first that in the middle of the viewport.
@@ -100,8 +103,9 @@ private:
     QTimer m_hoverTimer;
 
     Drag m_drag = Drag::None;
-    bool m_hasMoved = false;              ///< far enough from the press to be a drag
-    std::optional<KeptPick> m_formerPick; ///< the press has picked; a drag puts this back
+    bool m_hasMoved = false;               ///< far enough from the press to be a drag
+    std::optional<QPointF> m_menuPosition; ///< where the right button was pressed and has not dragged yet
+    std::optional<KeptPick> m_formerPick;  ///< the press has picked; a drag puts this back
     QPointF m_lastPosition;
     WorldPoint m_pivot;
     WidgetPoint m_stillPosition;

@@ -32,6 +32,8 @@ WidgetPoint SceneView::widgetPosition(const QPointF &local) const
 
 void SceneView::mousePressEvent(QMouseEvent *event)
 {
+    if (event->button() == Qt::RightButton && m_drag == Drag::None)
+        m_menuPosition = event->position();
     const bool pans = event->button() == Qt::MiddleButton
                       || (event->button() == Qt::LeftButton && event->modifiers().testFlag(Qt::ShiftModifier));
     if (m_drag != Drag::None || (!pans && event->button() != Qt::LeftButton))
@@ -54,6 +56,8 @@ void SceneView::mousePressEvent(QMouseEvent *event)
 
 void SceneView::mouseMoveEvent(QMouseEvent *event)
 {
+    if (m_menuPosition && isDrag(event->position() - *m_menuPosition))
+        m_menuPosition.reset();
     const QPointF delta = event->position() - m_lastPosition;
     if (m_drag != Drag::None && !m_hasMoved) {
         if (!isDrag(delta))
@@ -83,6 +87,11 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
 
 void SceneView::mouseReleaseEvent(QMouseEvent *event)
 {
+    if (event->button() == Qt::RightButton) {
+        const std::optional<QPointF> position = std::exchange(m_menuPosition, std::nullopt);
+        if (position && m_drag == Drag::None)
+            showMenu(widgetPosition(*position), event->globalPosition().toPoint());
+    }
     if (event->buttons() != Qt::NoButton)
         return;
     m_drag = Drag::None;

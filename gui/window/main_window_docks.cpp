@@ -4,6 +4,7 @@
 
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/lifecycle_panel.h"
+#include "gui/panels/objects_panel.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/panels/pipeline_panel.h"
@@ -63,11 +64,12 @@ void MainWindow::createPanels()
         {"parameters", tr("Parameters"), m_parameters, kLeft, Qt::ALT | Qt::Key_3},
         {"inspector", tr("Viewport"), scrolled(m_inspector), kBottom, Qt::ALT | Qt::Key_4},
         {"lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle), kBottom, Qt::ALT | Qt::Key_5},
+        {"objects", tr("Objects"), new ObjectsPanel(*m_document), kRight, Qt::ALT | Qt::Key_6},
         {kObserver, tr("View from Outside"), m_observerHome, kRight, {}, true},
         {kExample, tr("Example"), m_exampleNote, kLeft, {}, true},
     };
     std::vector<WorkPlaces::Place> places = {
-        {"click", tr("Click"), tr("The view and what a click gives"), Qt::Key_F5, {"comparison"}},
+        {"click", tr("Click"), tr("The view and what a click gives"), Qt::Key_F5, {"comparison", "objects"}},
         {"pipeline",
          tr("Pipeline"),
          tr("Every number and every matrix between an object and its pixel"),

@@ -742,6 +742,33 @@
     </message>
 </context>
 <context>
+    <name>unprojector::gui::AddedText</name>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 added: %2</source>
+        <translation>已添加 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1 models added: %2</source>
+        <translation>已添加 %1 个模型：%2</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as large as the rest: Fit, in Objects, shows each.</source>
+        <translation>%1 的大小是其余物体的 %2 倍：用“物体”面板中的“适合窗口”可分别查看。</translation>
+    </message>
+    <message>
+        <source>The rest is %2 times as large as %1: Fit, in Objects, shows each.</source>
+        <translation>其余物体的大小是 %1 的 %2 倍：用“物体”面板中的“适合窗口”可分别查看。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ClipGroup</name>
     <message>
         <source>Kept is where A x + B y + C z + D ≥ 0, in world coordinates.</source>
@@ -1870,6 +1897,10 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <source>Put all panels of this work place back to where they were at first</source>
         <translation>将此工作区的所有面板恢复到最初的位置</translation>
     </message>
+    <message>
+        <source>Objects</source>
+        <translation>物体</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MatrixModel</name>
@@ -2158,6 +2189,76 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>Way</source>
         <translation>位移</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ObjectsModel</name>
+    <message>
+        <source>comes with the program</source>
+        <translation>随程序提供</translation>
+    </message>
+    <message>
+        <source>hidden: neither drawn nor clicked</source>
+        <translation>已隐藏：既不绘制，也不能点选</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>An object needs a name: it kept its own.</source>
+        <translation>物体需要名称：已保留原名。</translation>
+    </message>
+    <message>
+        <source>Another object is called “%1” already. Give this one a name of its own.</source>
+        <translation>已有另一个物体名为“%1”。请另取一个名称。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ObjectsPanel</name>
+    <message>
+        <source>Objects of the scene</source>
+        <translation>场景中的物体</translation>
+    </message>
+    <message>
+        <source>Why the name was refused</source>
+        <translation>名称被拒绝的原因</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Look at this object: it fills the view</source>
+        <translation>看向该物体，使其充满视图</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Take this object out of the scene (Del)</source>
+        <translation>把该物体从场景中移除（Del）</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Show All Objects</source>
+        <translation>显示全部物体</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
     </message>
 </context>
 <context>
@@ -2872,6 +2973,26 @@ of a point that needs no division</source>
         <source>Perspective</source>
         <translation>透视投影</translation>
     </message>
+    <message>
+        <source>Order of objects</source>
+        <translation>物体顺序</translation>
+    </message>
+    <message>
+        <source>Hide object</source>
+        <translation>隐藏物体</translation>
+    </message>
+    <message>
+        <source>Show object</source>
+        <translation>显示物体</translation>
+    </message>
+    <message>
+        <source>Show all objects</source>
+        <translation>显示全部物体</translation>
+    </message>
+    <message>
+        <source>Rename object</source>
+        <translation>重命名物体</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SceneView</name>
@@ -2894,6 +3015,66 @@ of a point that needs no division</source>
     <message>
         <source>asked for: %1; came: %2</source>
         <translation>请求：%1；得到：%2</translation>
+    </message>
+    <message>
+        <source>Pick Here</source>
+        <translation>在此拾取</translation>
+    </message>
+    <message>
+        <source>Read the world coordinate of this pixel</source>
+        <translation>读取该像素的世界坐标</translation>
+    </message>
+    <message>
+        <source>Copy Point</source>
+        <translation>复制该点</translation>
+    </message>
+    <message>
+        <source>Copy the picked world coordinate, all its digits</source>
+        <translation>复制所拾取的世界坐标，含全部数字</translation>
+    </message>
+    <message>
+        <source>Nothing is picked yet</source>
+        <translation>尚未拾取任何点</translation>
+    </message>
+    <message>
+        <source>Look at This Point</source>
+        <translation>看向该点</translation>
+    </message>
+    <message>
+        <source>Bring it to the middle; the view turns about it</source>
+        <translation>把它移到中央，视图绕它转动</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Move the camera until all objects fill the view</source>
+        <translation>移动相机，使全部物体充满视图</translation>
+    </message>
+    <message>
+        <source>Fit This Object</source>
+        <translation>适合该物体</translation>
+    </message>
+    <message>
+        <source>Look at this object: it fills the view</source>
+        <translation>看向该物体，使其充满视图</translation>
+    </message>
+    <message>
+        <source>Hide This Object</source>
+        <translation>隐藏该物体</translation>
+    </message>
+    <message>
+        <source>Neither draw nor click it; the Objects panel shows it again</source>
+        <translation>既不绘制也不能点选；可在“物体”面板中重新显示</translation>
+    </message>
+    <message>
+        <source>Show All Objects</source>
+        <translation>显示全部物体</translation>
+    </message>
+    <message>
+        <source>Those that are hidden as well</source>
+        <translation>包括已隐藏的物体</translation>
     </message>
 </context>
 <context>

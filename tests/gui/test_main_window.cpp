@@ -100,7 +100,7 @@ void TestMainWindow::theViewHasMostOfTheWindowAtFirst()
     const double share = static_cast<double>(window->view().width()) * window->view().height()
                          / (static_cast<double>(window->width()) * window->height());
     QVERIFY2(share >= 0.55, qPrintable(QString::number(share)));
-    QVERIFY(isSeen(*window, "comparison"));
+    QTRY_VERIFY(isSeen(*window, "comparison"));
     for (const char *name : {"parameters", "pipeline", "inspector", "lifecycle"})
         QVERIFY2(dockOf(*window, name)->isHidden(), name);
 }
@@ -121,7 +121,7 @@ void TestMainWindow::eachPlaceShowsItsPanels()
     QVERIFY(dockOf(*window, "inspector")->mapTo(window.get(), QPoint(0, 0)).y() > view.height());
     QVERIFY(window->tabifiedDockWidgets(dockOf(*window, "inspector")).contains(dockOf(*window, "lifecycle")));
     actionOf(*window, QStringLiteral("Click"))->trigger();
-    QVERIFY(isSeen(*window, "comparison"));
+    QTRY_VERIFY(isSeen(*window, "comparison"));
     QVERIFY(dockOf(*window, "parameters")->isHidden());
 }
 

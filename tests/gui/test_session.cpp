@@ -84,6 +84,7 @@ struct Desk {
     explicit Desk(const QString &recoveryFolder) : session(document, answers, {true, recoveryFolder, {}})
     {
         QObject::connect(&session, &Session::failed, &context, [this](const QString &reason) { failures << reason; });
+        QObject::connect(&session, &Session::noticed, &context, [this](const QString &text) { notices << text; });
     }
     bool openAndWait(const QStringList &files, bool adds = false)
     {
@@ -106,6 +107,7 @@ struct Desk {
     CannedAnswers answers;
     Session session;
     QStringList failures;
+    QStringList notices;
     QObject context;
 };
 
@@ -141,6 +143,9 @@ private slots:
     void whatLoadsIsEndedBeforeAQuestion_data();
     void whatLoadsIsEndedBeforeAQuestion();
     void modelsAreAddedAsOneStep();
+    void whatWasAddedIsTold_data();
+    void whatWasAddedIsTold();
+    void modelsOfOneNameAreToldApart();
     void aFileOfManyObjectsIsReadOnce();
     void theNameAndTheMarkFollow();
     void theAnswerIsObeyed();
@@ -368,7 +373,8 @@ void TestSession::modelsAreAddedAsOneStep()
     QCOMPARE(desk->failures.size(), 1);
     QVERIFY(desk->failures[0].contains(QStringLiteral("broken.obj")));
     const QString name = QStringLiteral("triangle.obj");
-    QCOMPARE(desk->names(), before + QStringList({name, name}));
+    QCOMPARE(desk->names(), before + QStringList({name, QStringLiteral("triangle.obj (2)")}));
+    QCOMPARE(desk->notices, QStringList(QStringLiteral("2 models added: 2 triangles")));
     QVERIFY(desk->session.hasUnsavedChanges());
     QCOMPARE(desk->session.name(), QStringLiteral("Bundled scene"));
     QVERIFY(desk->answers.asked.isEmpty());
@@ -376,6 +382,48 @@ void TestSession::modelsAreAddedAsOneStep()
     QCOMPARE(desk->names(), before);
     QVERIFY(!desk->session.hasUnsavedChanges());
     desk->session.end();
+}
+
+void TestSession::whatWasAddedIsTold_data()
+{
+    QTest::addColumn<double>("scale"); // of the triangle that is added, beside one of edge 1
+    QTest::addColumn<QString>("said");
+    const QString added = QStringLiteral("added.obj added: 1 triangle");
+    QTest::newRow("of the same size") << 1.0 << added;
+    QTest::newRow("100 times as large") << 99.9 << added;
+    QTest::newRow("101 times as large")
+        << 101.0 << added + " added.obj is 101 times as large as the rest: Fit, in Objects, shows each.";
+    QTest::newRow("100 times as small") << 0.0101 << added;
+    QTest::newRow("5000 times as small")
+        << 0.0002 << added + " The rest is 5,000 times as large as added.obj: Fit, in Objects, shows each.";
+    QTest::newRow("a point") << 0.0 << added;
+}
+
+void TestSession::whatWasAddedIsTold()
+{
+    QFETCH(double, scale);
+    QFETCH(QString, said);
+    const QByteArray edge = QByteArray::number(scale);
+    const QString added =
+        write(QStringLiteral("added.obj"), "v 0 0 0\nv " + edge + " 0 0\nv 0 " + edge + " 0\nf 1 2 3\n");
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+    const auto desk = this->desk();
+    QVERIFY(desk->openAndWait({file(QStringLiteral("triangle.obj"))}));
+    QVERIFY(desk->notices.isEmpty());
+    QVERIFY(desk->openAndWait({added}, true));
+    QVERIFY2(desk->failures.isEmpty(), qPrintable(desk->failures.join(u' ')));
+    QCOMPARE(desk->notices, QStringList(said));
+    QCOMPARE(desk->document.undoStack().count(), 1);
+    desk->session.end();
+}
+
+void TestSession::modelsOfOneNameAreToldApart()
+{
+    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("other")));
+    const QString other = write(QStringLiteral("other/triangle.obj"), kTriangle);
+    const auto desk = this->desk();
+    QVERIFY(desk->openAndWait({file(QStringLiteral("triangle.obj")), other}));
+    QCOMPARE(desk->names(), QStringList({QStringLiteral("triangle.obj"), QStringLiteral("triangle.obj (2)")}));
 }
 
 void TestSession::aFileOfManyObjectsIsReadOnce()

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+class QTreeView;
+
+namespace unprojector::gui {
+
+class ObjectsModel;
+class SceneDocument;
+
+/// The objects of the scene: show and hide, rename, look at one, remove, bring into another order.
+class ObjectsPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit ObjectsPanel(SceneDocument &document, QWidget *parent = nullptr);
+
+    QSize minimumSizeHint() const override;
+
+protected:
+    /// The keys of the list.
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    int current() const;
+    void fitCurrent();
+    void removeCurrent();
+    void renameCurrent();
+    void showMenu(const QPoint &place);
+    void updateButtons();
+
+    SceneDocument &m_document;
+    ObjectsModel *m_model;
+    QTreeView *m_list;
+    QLabel *m_reason;
+    QToolButton *m_fit;
+    QToolButton *m_remove;
+    int m_rowBeforeReset = -1;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,78 @@
+// What a right click in the view, or the menu key, offers for the pixel there.
+
+#include "gui/view/scene_view.h"
+
+#include "gui/text/number_text.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QKeySequence>
+#include <QMenu>
+
+namespace unprojector::gui {
+
+void SceneView::contextMenuEvent(QContextMenuEvent *event)
+{
+    event->accept();
+    if (event->reason() == QContextMenuEvent::Mouse)
+        return; // at the release, where it was no drag
+    setCrosshairShown(true);
+    const WidgetPoint position = widgetFromDevice(m_document.geometry().surface, pixelCenter(crosshair()));
+    showMenu(position, mapToGlobal(QPointF(position.x, position.y).toPoint()));
+}
+
+void SceneView::showMenu(const WidgetPoint &position, const QPoint &global)
+{
+    const std::optional<DepthSample> sample = sampleAt(position);
+    std::optional<WorldPoint> surface;
+    if (sample && sample->hit())
+        surface = m_document.pivotOf(m_document.unprojected(position, *sample));
+    const std::optional<std::size_t> object = sample ? sample->object : std::nullopt;
+
+    auto *menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("viewMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    const auto add = [this, menu](const char *name, const QString &text, const QKeySequence &key, const QString &tip,
+                                  bool isEnabled, auto slot) {
+        QAction *action =
+            menu->addAction(key.isEmpty() ? text : text + u'\t' + key.toString(QKeySequence::NativeText), this, slot);
+        action->setObjectName(QLatin1String(name));
+        action->setToolTip(tip);
+        action->setEnabled(isEnabled);
+    };
+    add("pickHere", tr("Pick Here"), Qt::Key_Return, tr("Read the world coordinate of this pixel"), sample.has_value(),
+        [this, position] {
+            putCrosshair(position);
+            onLButtonDown(position);
+        });
+    const std::optional<Pick> &pick = m_document.pick();
+    const bool hasPoint = pick && pick->hit() && pick->point.world[Method::Formula];
+    add("copyPoint", tr("Copy Point"), {},
+        hasPoint ? tr("Copy the picked world coordinate, all its digits") : tr("Nothing is picked yet"), hasPoint,
+        [this] {
+            const WorldPoint &point = *m_document.pick()->point.world[Method::Formula];
+            QGuiApplication::clipboard()->setText(
+                QStringLiteral("%1, %2, %3").arg(shortestText(point.x), shortestText(point.y), shortestText(point.z)));
+        });
+    add("lookHere", tr("Look at This Point"), {}, tr("Bring it to the middle; the view turns about it"),
+        surface.has_value(), [this, surface] { m_document.setCamera(recentered(m_document.geometry(), *surface)); });
+    menu->addSeparator();
+    add("fit", tr("Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"), true,
+        [this] { m_document.fit(); });
+    add("fitObject", tr("Fit This Object"), {}, tr("Look at this object: it fills the view"), object.has_value(),
+        [this, object] { m_document.fitObject(*object); });
+    add("hideObject", tr("Hide This Object"), {}, tr("Neither draw nor click it; the Objects panel shows it again"),
+        object.has_value(), [this, object] { static_cast<void>(m_document.setObjectHidden(*object, true)); });
+    add("showAll", tr("Show All Objects"), {}, tr("Those that are hidden as well"), m_document.hasHiddenObjects(),
+        [this] { static_cast<void>(m_document.showAllObjects()); });
+    // It speaks of objects by their places, and of a point that is picked.
+    connect(&m_document, &SceneDocument::changed, menu, [menu](Changes changes) {
+        if (changes & (Change::Objects | Change::Pick))
+            menu->close();
+    });
+    menu->popup(global);
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,258 @@
+// The context menu of the view, and what is hidden in it.
+
+#include "tests/gui/gui_scene.h"
+
+#include "gui/text/number_text.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QMenu>
+
+#include <glm/geometric.hpp>
+
+using namespace guitest;
+
+namespace {
+
+constexpr double kStillPixels = 1e-3;
+
+QMenu *openMenu(SceneView &view)
+{
+    for (QMenu *menu : view.findChildren<QMenu *>(QStringLiteral("viewMenu"))) {
+        if (menu->isVisible())
+            return menu;
+    }
+    return nullptr;
+}
+
+QAction *actionIn(SceneView &view, const char *name)
+{
+    QMenu *menu = openMenu(view);
+    return menu ? menu->findChild<QAction *>(QLatin1String(name)) : nullptr;
+}
+
+void clickRight(SceneView &view, const QPointF &local)
+{
+    sendMouse(view, QEvent::MouseButtonPress, local, Qt::RightButton, Qt::RightButton);
+    sendMouse(view, QEvent::MouseButtonRelease, local, Qt::RightButton, Qt::NoButton);
+}
+
+/// Opens the menu, does one thing of it and closes it.
+void choose(SceneView &view, const QPointF &local, const char *name)
+{
+    clickRight(view, local);
+    QAction *action = actionIn(view, name);
+    QVERIFY2(action && action->isEnabled(), name);
+    action->trigger();
+    if (QMenu *menu = openMenu(view))
+        menu->close();
+}
+
+} // namespace
+
+class TestViewMenu : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void aRightClickOpensIt();
+    void aRightDragDoesNot();
+    void theMenuKeyOpensItAtTheCrosshair();
+    void whatNeedsASurfaceIsGreyedWithoutOne_data();
+    void whatNeedsASurfaceIsGreyedWithoutOne();
+    void pickHerePicksThatPixel();
+    void theCopiedPointHasAllDigits();
+    void lookingAtAPointBringsItToTheMiddle();
+    void fittingShowsTheObjectThatWasClicked();
+    void aHiddenObjectIsNeitherDrawnNorPicked();
+    void itClosesWhenItsObjectsGo();
+};
+
+void TestViewMenu::aRightClickOpensIt()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const LookAt before = window->document().geometry().camera();
+    clickRight(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1)));
+    QVERIFY(openMenu(view));
+    QVERIFY(!window->document().pick()); // until it is asked for
+    openMenu(view)->close();
+    // Qt tells of the same click once more, by an event of its own: that is not for the window's menu either.
+    QContextMenuEvent again(QContextMenuEvent::Mouse, QPoint(50, 50), view.mapToGlobal(QPoint(50, 50)));
+    QVERIFY(QCoreApplication::sendEvent(&view, &again) && again.isAccepted());
+    QVERIFY(!openMenu(view));
+    QVERIFY(window->document().geometry().camera() == before);
+}
+
+void TestViewMenu::aRightDragDoesNot()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const LookAt before = window->document().geometry().camera();
+    const QPointF from(100.0, 100.0);
+    drag(view, from, from + QPointF(QApplication::startDragDistance() + 5.0, 0.0), Qt::RightButton);
+    QVERIFY(!openMenu(view));
+    // Nor there and back again, nor in the middle of another drag.
+    sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::RightButton);
+    sendMouse(view, QEvent::MouseMove, from + QPointF(40.0, 0.0), Qt::NoButton, Qt::RightButton);
+    sendMouse(view, QEvent::MouseMove, from, Qt::NoButton, Qt::RightButton);
+    sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::NoButton);
+    QVERIFY(!openMenu(view));
+    QVERIFY(window->document().geometry().camera() == before);
+    sendMouse(view, QEvent::MouseButtonPress, from, Qt::MiddleButton, Qt::MiddleButton);
+    sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::MiddleButton | Qt::RightButton);
+    sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::MiddleButton);
+    sendMouse(view, QEvent::MouseButtonRelease, from, Qt::MiddleButton, Qt::NoButton);
+    QVERIFY(!openMenu(view));
+    // A tremble is none.
+    sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::RightButton);
+    sendMouse(view, QEvent::MouseMove, from + QPointF(1.0, 1.0), Qt::NoButton, Qt::RightButton);
+    sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::NoButton);
+    QVERIFY(openMenu(view));
+    openMenu(view)->close();
+}
+
+void TestViewMenu::theMenuKeyOpensItAtTheCrosshair()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(3, 3), view.mapToGlobal(QPoint(3, 3)));
+    QCoreApplication::sendEvent(&view, &key);
+    QAction *pick = actionIn(view, "pickHere");
+    QVERIFY(pick);
+    pick->trigger();
+    const Surface &surface = window->document().geometry().surface;
+    QCOMPARE(window->document().pick()->devicePixel.i, surface.widthPixels / 2);
+    QCOMPARE(window->document().pick()->devicePixel.j, surface.heightPixels / 2);
+    QVERIFY(!openMenu(view)); // another point is picked now
+}
+
+void TestViewMenu::whatNeedsASurfaceIsGreyedWithoutOne_data()
+{
+    QTest::addColumn<bool>("onSurface");
+    QTest::addColumn<bool>("isPicked");
+    QTest::newRow("on an object, nothing picked") << true << false;
+    QTest::newRow("on the background, nothing picked") << false << false;
+    QTest::newRow("on the background, a point picked") << false << true;
+}
+
+void TestViewMenu::whatNeedsASurfaceIsGreyedWithoutOne()
+{
+    QFETCH(bool, onSurface);
+    QFETCH(bool, isPicked);
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const QPointF surface = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
+    if (isPicked)
+        click(view, surface);
+    clickRight(view, onSurface ? surface : QPointF(5.0, 6.0));
+    QVERIFY(openMenu(view));
+    for (const char *name : {"lookHere", "fitObject", "hideObject"})
+        QCOMPARE(actionIn(view, name)->isEnabled(), onSurface);
+    for (const char *name : {"pickHere", "fit"})
+        QVERIFY(actionIn(view, name)->isEnabled());
+    QCOMPARE(actionIn(view, "copyPoint")->isEnabled(), isPicked);
+    QVERIFY(!actionIn(view, "showAll")->isEnabled());
+    for (const QAction *action : openMenu(view)->actions())
+        QVERIFY(action->isSeparator() || !action->toolTip().isEmpty());
+    openMenu(view)->close();
+}
+
+void TestViewMenu::pickHerePicksThatPixel()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const QPointF local = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
+    const DevicePixel pixel = pixelUnder(view, local);
+    choose(view, local, "pickHere");
+    QVERIFY(window->document().pick() && window->document().pick()->hit());
+    QVERIFY(window->document().pick()->devicePixel == pixel);
+    // Keys go on from there.
+    QTest::keyClick(&view, Qt::Key_Right, Qt::ControlModifier);
+    QTest::keyClick(&view, Qt::Key_Return);
+    QCOMPARE(window->document().pick()->devicePixel.i, pixel.i + 1);
+}
+
+void TestViewMenu::theCopiedPointHasAllDigits()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1)));
+    const WorldPoint point = *window->document().pick()->point.world[Method::Formula];
+    choose(view, QPointF(5.0, 6.0), "copyPoint"); // what is picked, wherever the menu is
+    const QStringList numbers = QApplication::clipboard()->text().split(QStringLiteral(", "));
+    QCOMPARE(numbers.size(), 3);
+    QCOMPARE(numbers[0].toDouble(), point.x);
+    QCOMPARE(numbers[1].toDouble(), point.y);
+    QCOMPARE(numbers[2].toDouble(), point.z);
+}
+
+void TestViewMenu::lookingAtAPointBringsItToTheMiddle()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    const QPointF local = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
+    click(view, local);
+    const glm::dvec3 point = window->document().pick()->point.world[Method::Formula]->coordinates();
+    choose(view, local, "lookHere");
+    const Viewport &viewport = window->document().geometry().viewport;
+    QVERIFY(glm::length(placeOf(*window, point) - glm::dvec2(viewport.width, viewport.height) / 2.0) < kStillPixels);
+}
+
+void TestViewMenu::fittingShowsTheObjectThatWasClicked()
+{
+    const auto window = twoCubesWindow();
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    const QPointF behind = localOf(*window, kTwoCubeCenters[1] + glm::dvec3(-0.8, 0.9, 1.0));
+    click(view, behind);
+    QCOMPARE(document.pick()->object, std::optional<std::size_t>(1));
+    choose(view, behind, "fitObject");
+    const LookAt one = document.geometry().camera();
+    document.fitObject(1);
+    QVERIFY(distance(one.eye, document.geometry().camera().eye) < 1e-9);
+    choose(view, QPointF(2.0, 2.0), "fit");
+    QVERIFY(distance(one.eye, document.geometry().camera().eye) > 1.0);
+}
+
+void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
+{
+    const auto window = twoCubesWindow();
+    SceneView &view = window->view();
+    SceneDocument &document = window->document();
+    const QPointF front = localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.0, 1.0));
+    const QImage both = view.grabFramebuffer();
+    const int steps = document.undoStack().count();
+    choose(view, front, "hideObject");
+    QCOMPARE(document.undoStack().count(), steps + 1);
+    QVERIFY(document.objects()[0].isHidden);
+    QVERIFY(differentPixels(view.grabFramebuffer(), both) > 1000);
+    click(view, front);
+    QVERIFY(!document.pick()->hit() || document.pick()->object == std::optional<std::size_t>(1));
+    document.clearPick();
+    const QPointF other = localOf(*window, kTwoCubeCenters[1] + glm::dvec3(-0.8, 0.9, 1.0));
+    click(view, other);
+    QCOMPARE(document.pick()->object, std::optional<std::size_t>(1)); // it kept its number
+    document.clearPick();
+    choose(view, QPointF(2.0, 2.0), "showAll");
+    QVERIFY(!document.hasHiddenObjects());
+    QCOMPARE(differentPixels(view.grabFramebuffer(), both), 0);
+    document.undoStack().undo();
+    QVERIFY(document.objects()[0].isHidden);
+    document.undoStack().undo();
+    QCOMPARE(differentPixels(view.grabFramebuffer(), both), 0);
+}
+
+void TestViewMenu::itClosesWhenItsObjectsGo()
+{
+    const auto window = twoCubesWindow();
+    SceneView &view = window->view();
+    clickRight(view, localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.0, 1.0)));
+    QVERIFY(openMenu(view));
+    QVERIFY(window->document().removeObject(0));
+    QVERIFY(!openMenu(view));
+}
+
+QTEST_MAIN(TestViewMenu)
+#include "test_view_menu.moc"
