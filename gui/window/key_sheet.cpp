@@ -53,12 +53,15 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(tr("middle drag, or Shift + left drag"), tr("move the camera sideways"));
     rows += row(tr("wheel"), tr("zoom towards the pointer"));
     rows += row(tr("double-click"), tr("bring the point to the middle"));
+    rows += row(tr("right click, or the menu key"), tr("what there is to do with the pixel and its object"));
     rows += heading(tr("Keys in the view"));
     rows += row(tr("arrows"), tr("turn the camera"));
     rows += row(tr("Shift + arrows"), tr("move the camera sideways"));
     rows += row(tr("+, −, Page Up, Page Down"), tr("zoom at the crosshair"));
     rows += row(tr("Ctrl + arrows"), tr("move the crosshair by a pixel, with Shift by ten"));
     rows += row(tr("Enter"), tr("read the world coordinate at the crosshair"));
+    rows += heading(tr("Keys in the list of objects"));
+    rows += row(tr("Space, Enter, Del"), tr("show or hide the object, rename it, remove it"));
     rows += heading(tr("Keys in a field"));
     rows += row(tr("Enter, Tab"), tr("apply the number or the expression, such as 1/3 or 2*pi"));
     rows += row(tr("Esc"), tr("restore what was there"));

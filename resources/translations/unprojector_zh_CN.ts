@@ -1350,6 +1350,26 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <translation>朝指针缩放</translation>
     </message>
     <message>
+        <source>right click, or the menu key</source>
+        <translation>右键单击，或菜单键</translation>
+    </message>
+    <message>
+        <source>what there is to do with the pixel and its object</source>
+        <translation>可对该像素及其物体执行的操作</translation>
+    </message>
+    <message>
+        <source>Keys in the list of objects</source>
+        <translation>物体列表中的按键</translation>
+    </message>
+    <message>
+        <source>Space, Enter, Del</source>
+        <translation>空格、回车、Del</translation>
+    </message>
+    <message>
+        <source>show or hide the object, rename it, remove it</source>
+        <translation>显示或隐藏、重命名、移除物体</translation>
+    </message>
+    <message>
         <source>double-click</source>
         <translation>双击</translation>
     </message>

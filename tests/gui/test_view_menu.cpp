@@ -221,6 +221,8 @@ void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
     const auto window = twoCubesWindow();
     SceneView &view = window->view();
     SceneDocument &document = window->document();
+    // Near and far stay: fitted to the one that is left they would cut the other one away.
+    QVERIFY(document.editProjection({document.geometry().projection(), true, false}, {QStringLiteral("Fixed")}));
     const QPointF front = localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.0, 1.0));
     const QImage both = view.grabFramebuffer();
     const int steps = document.undoStack().count();
