@@ -62,12 +62,12 @@ QString addedText(const std::vector<SceneObject> &objects, std::size_t added)
         const QString name = QString::fromStdString(misfit->object->name);
         const double times = std::max(misfit->ratio, 1.0 / misfit->ratio);
         const QString ratio = QLocale().toString(std::round(times), 'f', 0);
-        text +=
-            u' '
-            + (misfit->ratio > 1.0
-                   ? AddedText::tr("%1 is %2 times as large as the rest: Fit, in Objects, shows each.").arg(name, ratio)
-                   : AddedText::tr("The rest is %2 times as large as %1: Fit, in Objects, shows each.")
-                         .arg(name, ratio));
+        const QString how =
+            misfit->ratio > 1.0
+                ? AddedText::tr("%1 is %2 times as large as the rest: Fit, in Objects, shows each.").arg(name, ratio)
+                : AddedText::tr("The rest is %2 times as large as %1: Fit, in Objects, shows each.").arg(name, ratio);
+        //: two sentences, the second with its full stop
+        text = AddedText::tr("%1. %2").arg(text, how);
     }
     return text;
 }

@@ -756,6 +756,11 @@
         <translation>已添加 %1：%2</translation>
     </message>
     <message>
+        <source>%1. %2</source>
+        <extracomment>two sentences, the second with its full stop</extracomment>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
         <source>%1 models added: %2</source>
         <translation>已添加 %1 个模型：%2</translation>
     </message>

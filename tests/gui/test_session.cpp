@@ -392,10 +392,10 @@ void TestSession::whatWasAddedIsTold_data()
     QTest::newRow("of the same size") << 1.0 << added;
     QTest::newRow("100 times as large") << 99.9 << added;
     QTest::newRow("101 times as large")
-        << 101.0 << added + " added.obj is 101 times as large as the rest: Fit, in Objects, shows each.";
+        << 101.0 << added + ". added.obj is 101 times as large as the rest: Fit, in Objects, shows each.";
     QTest::newRow("100 times as small") << 0.0101 << added;
     QTest::newRow("5000 times as small")
-        << 0.0002 << added + " The rest is 5,000 times as large as added.obj: Fit, in Objects, shows each.";
+        << 0.0002 << added + ". The rest is 5,000 times as large as added.obj: Fit, in Objects, shows each.";
     QTest::newRow("a point") << 0.0 << added;
 }
 
