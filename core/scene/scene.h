@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,13 @@ struct ClipPlaneOff {
     friend bool operator==(const ClipPlaneOff &, const ClipPlaneOff &) = default;
 };
 
+/// A projection that a file gives as a matrix, and the parameters that it is shown by.
+struct GivenProjection {
+    MatrixProjection matrix;
+    Projection converted; ///< of OpenGL's depth; a reversed matrix has the scene's depth range turned round besides
+    friend bool operator==(const GivenProjection &, const GivenProjection &) = default;
+};
+
 /// How the objects are shown: everything but the objects and the window's size.
 struct SceneSettings {
     LookAt camera;
@@ -66,6 +74,8 @@ struct SceneSettings {
     std::vector<glm::dvec4> clipPlanes;
     /// Planes that are switched off, by place. With `clipPlanes` no more than kMostClipPlanes.
     std::vector<ClipPlaneOff> clipPlanesOff;
+    /// What `projection` was read from; it is the file's as long as `projection` is still what that was converted to.
+    std::optional<GivenProjection> given;
 };
 
 /// What is shown and how: everything but the window's size.

@@ -138,6 +138,8 @@ Result<Scene> sceneFromFile(const SceneFile &file, const std::filesystem::path &
     scene.camera = picture->camera();
     scene.home = file.ui.home.value_or(scene.camera);
     scene.projection = picture->projection();
+    if (const auto *matrix = std::get_if<MatrixProjection>(&file.projection))
+        scene.given = {*matrix, scene.projection};
     scene.projectionFollowsViewport = file.ui.projectionFollowsViewport.value_or(file.aspectFromViewport);
     scene.clipDistancesFitObjects = file.ui.clipDistancesFitObjects.value_or(false);
     if (file.ui.viewportRule)

@@ -56,6 +56,8 @@ void MatrixModel::show()
 
 QString MatrixModel::variableName() const
 {
+    if (!m_variableName.isEmpty())
+        return m_variableName;
     const bool forward = m_direction == PipelineDirection::Forward;
     switch (m_stage) {
     case PipelineStage::ModelMatrix:

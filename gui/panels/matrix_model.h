@@ -15,6 +15,8 @@ public:
 
     void setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind);
     void setView(const MatrixView &view);
+    /// In place of the one that the stage has.
+    void setVariableName(const QString &name) { m_variableName = name; }
 
     PipelineStage stage() const { return m_stage; }
     const MatrixView &view() const { return m_view; }
@@ -38,6 +40,7 @@ private:
     ProjectionKind m_kind = ProjectionKind::Perspective;
     glm::dmat4 m_matrix{1.0};
     MatrixView m_view;
+    QString m_variableName;
 };
 
 } // namespace unprojector::gui

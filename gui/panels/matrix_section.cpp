@@ -63,6 +63,7 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     });
     m_product = new QLabel;
     m_product->setIndent(4);
+    m_product->setWordWrap(true);
     m_body = new QWidget;
     auto *body = new QVBoxLayout(m_body);
     body->setContentsMargins(0, 0, 0, 0);

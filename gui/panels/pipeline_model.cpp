@@ -1,5 +1,6 @@
 #include "gui/panels/pipeline_model.h"
 
+#include "core/geometry/matrix_projection.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/since_click_text.h"
 #include "gui/text/error_text.h"
@@ -21,8 +22,10 @@ QStringList PipelineModel::longestStatusTexts()
     return longestSinceClickTexts() << movedBackText();
 }
 
-PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
+PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent)
+    : QObject(parent), m_document(document), m_given(new MatrixModel(PipelineStage::WholeMatrix, this))
 {
+    m_given->setVariableName(QStringLiteral("clipFromEyeAsGiven"));
     for (const PipelineStage stage : kPipelineStages)
         m_matrices[static_cast<std::size_t>(stage)] = new MatrixModel(stage, this);
     for (int space = 0; space < PointModel::kSpaces; ++space)
@@ -63,6 +66,7 @@ void PipelineModel::setView(const MatrixView &view)
     m_view = view;
     for (MatrixModel *matrix : m_matrices)
         matrix->setView(view);
+    m_given->setView(view);
     for (PointModel *point : m_points)
         point->setView(view);
 }
@@ -79,6 +83,7 @@ void PipelineModel::update()
         m_status = errorText(pipeline.error());
         return;
     }
+    showGiven();
     const ProjectionKind kind = kindOf(m_document.geometry().projection());
     for (const PipelineStage stage : kPipelineStages)
         matrix(stage)->setMatrix(pipeline->matrix(stage, m_direction), m_direction, kind);
@@ -91,6 +96,27 @@ void PipelineModel::update()
     } else {
         showPoints(*pipeline);
     }
+}
+
+void PipelineModel::showGiven()
+{
+    const std::optional<GivenProjection> &given = m_document.scene().given;
+    m_givenNote.clear();
+    if (!given || given->converted != m_document.geometry().projection())
+        return;
+    const Result<RecognisedProjection> form = recognised(given->matrix);
+    if (!form)
+        return;
+    m_given->setMatrix(given->matrix.clipFromEye, PipelineDirection::Forward, kindOf(given->converted));
+    QStringList said{form->ndcDepth == NdcDepth::ZeroToOne ? tr("z of NDC from 0 to 1") : tr("z of NDC from −1 to 1")};
+    if (form->reversed)
+        said << tr("reversed: the depth range is turned round for it");
+    if (form->infiniteFar)
+        said << tr("the far plane at infinity: here at a million times near");
+    m_givenNote =
+        tr("As the file gives it: %1. Clip and NDC are those of its conversion, OpenGL's matrix of the same view "
+           "volume, which follows.")
+            .arg(said.join(QStringLiteral("; ")));
 }
 
 void PipelineModel::showPoints(const Pipeline &pipeline)
@@ -153,6 +179,8 @@ QString PipelineModel::text() const
     }
     for (const MatrixModel *model : m_matrices)
         text += QStringLiteral("\n%1\n%2").arg(model->variableName(), model->copyText(MatrixSyntax::Text));
+    if (!m_givenNote.isEmpty())
+        text += QStringLiteral("\n%1\n%2").arg(m_given->variableName(), m_given->copyText(MatrixSyntax::Text));
     return text;
 }
 

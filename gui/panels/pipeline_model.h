@@ -37,6 +37,10 @@ public:
     void setView(const MatrixView &view);
 
     MatrixModel *matrix(PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
+    /// The projection's matrix as the file gives it.
+    MatrixModel *given() const { return m_given; }
+    /// How it was read and what became of it; empty where the projection is not a file's matrix (any more).
+    const QString &givenNote() const { return m_givenNote; }
     PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
 
     /// The object whose space is shown; nothing for the identity.
@@ -51,6 +55,7 @@ public:
     QString text() const;
 
 private:
+    void showGiven();
     void showPoints(const Pipeline &pipeline);
     void clearPoints();
 
@@ -61,6 +66,8 @@ private:
     MatrixView m_view;
     std::array<MatrixModel *, kPipelineStages.size()> m_matrices;
     std::array<PointModel *, PointModel::kSpaces> m_points;
+    MatrixModel *m_given;
+    QString m_givenNote;
     QString m_status;
 };
 

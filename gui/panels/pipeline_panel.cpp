@@ -204,6 +204,8 @@ void PipelinePanel::createStages()
         m_sections[static_cast<std::size_t>(stage)] = section;
         section->setOpen(stage != PipelineStage::ModelviewMatrix && stage != PipelineStage::WholeMatrix);
     }
+    m_given = new MatrixSection(m_model->given());
+    showGiven();
     m_division = new QLabel;
     m_flip = new QLabel;
     for (QLabel *step : {m_division, m_flip})
@@ -228,9 +230,9 @@ void PipelinePanel::arrange()
                                 section(PipelineStage::ViewMatrix), point(Space::Eye)};
     // The division comes after the projection on the way there, and after its inverse on the way back.
     if (isForward)
-        rows.insert(rows.end(), {section(PipelineStage::ProjectionMatrix), point(Space::Clip), m_division});
+        rows.insert(rows.end(), {m_given, section(PipelineStage::ProjectionMatrix), point(Space::Clip), m_division});
     else
-        rows.insert(rows.end(), {m_division, point(Space::Clip), section(PipelineStage::ProjectionMatrix)});
+        rows.insert(rows.end(), {m_division, point(Space::Clip), section(PipelineStage::ProjectionMatrix), m_given});
     rows.insert(rows.end(), {point(Space::Ndc), section(PipelineStage::ViewportMatrix), point(Space::Window), m_flip,
                              point(Space::Widget)});
     if (!isForward)
@@ -280,6 +282,7 @@ void PipelinePanel::refresh()
 
 void PipelinePanel::showStatus()
 {
+    showGiven();
     if (m_status->text() != m_model->status()) {
         m_status->setText(m_model->status());
         m_status->setToolTip(m_model->status());
@@ -290,6 +293,12 @@ void PipelinePanel::showStatus()
     m_surface = surface;
     m_isDepthRead = m_model->isDepthRead();
     showFlip();
+}
+
+void PipelinePanel::showGiven()
+{
+    m_given->setTitle(tr("Projection"), m_model->given()->variableName(), m_model->givenNote());
+    m_given->setVisible(!m_model->givenNote().isEmpty());
 }
 
 void PipelinePanel::showFlip()

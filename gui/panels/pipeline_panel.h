@@ -44,6 +44,7 @@ private:
     void refresh();
     void showStatus();
     void showFlip();
+    void showGiven();
     void showObjects();
 
     const SceneDocument &m_document;
@@ -59,6 +60,7 @@ private:
     std::array<QWidget *, PointModel::kSpaces> m_pointRows{};
     std::array<QLabel *, PointModel::kSpaces> m_pointNames{};
     std::array<MatrixSection *, kPipelineStages.size()> m_sections{};
+    MatrixSection *m_given = nullptr; ///< before the projection, while that is a file's
     QLabel *m_division;
     QLabel *m_flip;
     Surface m_surface;                      ///< as m_flip tells of it

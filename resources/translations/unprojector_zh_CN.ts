@@ -2495,6 +2495,26 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <source>The view has changed since the click: back from where the point is now.</source>
         <translation>点击之后视图已改变：从该点现在的位置反算。</translation>
     </message>
+    <message>
+        <source>z of NDC from 0 to 1</source>
+        <translation>NDC 的 z 从 0 到 1</translation>
+    </message>
+    <message>
+        <source>z of NDC from −1 to 1</source>
+        <translation>NDC 的 z 从 −1 到 1</translation>
+    </message>
+    <message>
+        <source>reversed: the depth range is turned round for it</source>
+        <translation>反向：为此把深度范围倒过来</translation>
+    </message>
+    <message>
+        <source>the far plane at infinity: here at a million times near</source>
+        <translation>远裁剪面在无穷远：这里取近裁剪面的一百万倍</translation>
+    </message>
+    <message>
+        <source>As the file gives it: %1. Clip and NDC are those of its conversion, OpenGL&apos;s matrix of the same view volume, which follows.</source>
+        <translation>文件中给出的矩阵：%1。裁剪坐标和 NDC 属于其转换结果，即同一视景体的 OpenGL 矩阵，列于其后。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PipelinePanel</name>

@@ -1,5 +1,6 @@
 // The pipeline panel: its numbers are read from its models, and compared with the originals' or with hand-made ones.
 
+#include "core/scene_file/scene_file.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
@@ -20,6 +21,7 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::scene_file;
 using Space = PointModel::Space;
 using Stage = PipelineStage;
 
@@ -110,6 +112,7 @@ private slots:
     void theWayBackDividesByItsOwnW_data();
     void theWayBackDividesByItsOwnW();
     void doublesShowAllTheirDigitsOnDemand();
+    void aFilesMatrixIsShownAsGivenBesideItsConversion();
     void rowsAreColumnsTransposed();
     void aTooltipNamesTheEntry();
     void theObjectIsThePickedOneUntilAnotherIsChosen();
@@ -362,6 +365,53 @@ void TestPipelinePanel::doublesShowAllTheirDigitsOnDemand()
     }
 }
 
+void TestPipelinePanel::aFilesMatrixIsShownAsGivenBesideItsConversion()
+{
+    // Reversed, z from 0 to 1, near 1 and far 9: z_clip = 0.125 z_eye + 1.125.
+    SceneFile file;
+    file.windowWidth = 400;
+    file.windowHeight = 300;
+    MatrixProjection given{glm::dmat4(0.0), NdcDepth::ZeroToOne};
+    given.clipFromEye[0][0] = 1.1;
+    given.clipFromEye[1][1] = 1.3;
+    given.clipFromEye[2] = {0.0, 0.0, 0.125, -1.0};
+    given.clipFromEye[3][2] = 1.125;
+    file.projection = given;
+    file.view = LookAt{};
+    const Result<Scene> scene = sceneFromFile(file, {}, {});
+    QVERIFY(scene);
+    SceneDocument document;
+    document.setSurface(surfaceFromWidget(400, 300, 1.0));
+    QVERIFY(document.open(*scene));
+    PipelinePanel panel(document);
+    panel.resize(460, 2000);
+    panel.show();
+    const MatrixModel *asGiven = panel.model().given();
+    const auto isShown = [&] {
+        for (const NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+            if (grid->model() == asGiven)
+                return grid->isVisible();
+        }
+        return false;
+    };
+    QVERIFY(isShown());
+    QCOMPARE(value(asGiven, 0, 0), 1.1);
+    QCOMPARE(value(asGiven, 2, 2), 0.125);
+    QCOMPARE(value(asGiven, 2, 3), 1.125);
+    QVERIFY(panel.model().givenNote().contains(QStringLiteral("from 0 to 1"))
+            && panel.model().givenNote().contains(QStringLiteral("reversed")));
+    QVERIFY(asGiven->copyText(MatrixSyntax::NumPy).startsWith(QStringLiteral("clipFromEyeAsGiven = ")));
+    // Beside it OpenGL's: -(f+n)/(f-n) and -2fn/(f-n).
+    const MatrixModel *converted = panel.model().matrix(Stage::ProjectionMatrix);
+    QVERIFY(std::abs(value(converted, 2, 2) + 1.25) < kRounding && std::abs(value(converted, 2, 3) + 2.25) < kRounding);
+    // Another projection is no file's.
+    document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
+    QVERIFY(!isShown());
+    QVERIFY(panel.model().givenNote().isEmpty());
+    document.undoStack().undo();
+    QVERIFY(isShown());
+}
+
 void TestPipelinePanel::rowsAreColumnsTransposed()
 {
     SceneDocument document;
@@ -533,10 +583,10 @@ void TestPipelinePanel::theHeadingOpensAndCloses()
     panel.show();
     int open = 0;
     const QList<MatrixSection *> sections = panel.findChildren<MatrixSection *>();
-    QCOMPARE(sections.size(), 6);
+    QCOMPARE(sections.size(), 7); // with that of a file's projection
     for (const MatrixSection *section : sections)
         open += section->isOpen() ? 1 : 0;
-    QCOMPARE(open, 4);
+    QCOMPARE(open, 5);
     MatrixSection *first = sections.front();
     const bool wasOpen = first->isOpen();
     auto *heading = first->findChild<QToolButton *>();
