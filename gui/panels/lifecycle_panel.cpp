@@ -19,7 +19,7 @@
 namespace unprojector::gui {
 namespace {
 
-constexpr int kPadding = 12; ///< of a cell, both sides
+constexpr int kPadding = 8; ///< of a cell, both sides
 constexpr int kRowMargin = 4;
 
 } // namespace
@@ -54,10 +54,12 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
         m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(widest), head) + kPadding);
     };
     reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"));
-    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8, 8888.8)"));
-    reserve(LifecycleLog::Took, QStringLiteral("8888.88 ms,")); // and the mean in a second line
-    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,88888")) + kPadding;
+    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8,"));
+    reserve(LifecycleLog::Took, QStringLiteral("888.88 ms,")); // and the mean in a second line
+    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,")) + kPadding;
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    // What is short stands before what may be long.
+    header->moveSection(LifecycleLog::Took, LifecycleLog::Step);
     m_table->viewport()->installEventFilter(this);
 
     m_copy = new QPushButton(tr("&Copy"));
@@ -119,7 +121,7 @@ void LifecyclePanel::fitRow(int row)
 {
     const QFontMetrics metrics(m_table->font());
     int height = 0;
-    for (const int column : {LifecycleLog::StandsFor, LifecycleLog::Took}) {
+    for (const int column : {LifecycleLog::Step, LifecycleLog::StandsFor, LifecycleLog::Took}) {
         const QRect room(0, 0, m_table->columnWidth(column) - kPadding, 1 << 16);
         height = std::max(
             height, metrics.boundingRect(room, Qt::TextWordWrap, m_log.index(row, column).data().toString()).height());
