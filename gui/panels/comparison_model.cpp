@@ -149,7 +149,7 @@ Notation ComparisonModel::notation(const Row &row, int column) const
 
 QString ComparisonModel::toolTip(const Row &row, int column) const
 {
-    const QString number = shortestText(*value(row, column));
+    QString number = shortestText(*value(row, column));
     if (column == Certain)
         return tr("%1 ± %2\nRounded to what the depth and the pixel leave certain of this coordinate")
             .arg(certainText(*by(Method::Formula, row), row.uncertainty), readableText(row.uncertainty));
@@ -201,8 +201,8 @@ std::vector<double> ComparisonModel::pointAt(const QModelIndex &index) const
 QString ComparisonModel::pointNameAt(const QModelIndex &index) const
 {
     const bool isFirst = index.row() < 3;
-    const QString point = m_isRay ? (isFirst ? QStringLiteral("rayNear") : QStringLiteral("rayFar"))
-                                  : (isFirst ? QStringLiteral("world") : QStringLiteral("eye"));
+    QString point = m_isRay ? (isFirst ? QStringLiteral("rayNear") : QStringLiteral("rayFar"))
+                            : (isFirst ? QStringLiteral("world") : QStringLiteral("eye"));
     switch (index.column()) {
     case Difference: return point + QStringLiteral("Difference");
     case Ulps: return point + QStringLiteral("DifferenceInUlps");

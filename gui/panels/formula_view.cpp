@@ -121,7 +121,7 @@ QString FormulaView::termAt(const QPoint &position) const
 {
     const QPointF inContent = QPointF(position) + QPointF(0.0, verticalScrollBar()->value());
     for (const Line &line : m_lines) {
-        if (const QString term = line.layout.termAt(inContent - line.place); !term.isEmpty())
+        if (QString term = line.layout.termAt(inContent - line.place); !term.isEmpty())
             return term;
     }
     return {};
