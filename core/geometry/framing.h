@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -34,7 +35,8 @@ public:
 
 private:
     /// What is measured of a point: along the picture's axes, and from the rims of the filled part of the window.
-    enum Measure { Side, Upward, Forward, FromLeft, FromRight, FromBottom, FromTop, kMeasures };
+    enum Measure { Side, Upward, Forward, FromLeft, FromRight, FromBottom, FromTop };
+    static constexpr std::size_t kMeasures = 7;
 
     void add(const std::array<double, kMeasures> &measures);
     double middle(Measure measure) const { return (m_lowest[measure] + m_highest[measure]) / 2.0; }
