@@ -26,7 +26,7 @@ QString limitText(double value, int digits = 4)
 std::pair<QString, QString> limitTexts(double low, double high, const QFontMetricsF &metrics, double width)
 {
     for (int digits = 4; digits > 1; --digits) {
-        const auto texts = std::pair(limitText(low, digits), limitText(high, digits));
+        auto texts = std::pair(limitText(low, digits), limitText(high, digits));
         if (metrics.horizontalAdvance(texts.first) + metrics.horizontalAdvance(texts.second) + kGap <= width)
             return texts;
     }

@@ -247,7 +247,7 @@ QString termIn(const Box &box, const QPointF &position)
     if (!box.rect().contains(position))
         return {};
     for (const Box &part : box.parts) {
-        if (const QString inner = termIn(part, position - box.origin); !inner.isEmpty())
+        if (QString inner = termIn(part, position - box.origin); !inner.isEmpty())
             return inner;
     }
     return box.term;
@@ -294,10 +294,12 @@ void FormulaLayout::build(double scale)
 
 void FormulaLayout::setWidth(double width)
 {
-    for (double scale = 1.0; scale >= kLeastScale; scale *= kScaleStep) {
+    double scale = 1.0;
+    while (scale >= kLeastScale) {
         build(scale);
         if (breakLines(width, false) <= width || breakLines(width, true) <= width)
             return;
+        scale *= kScaleStep;
     }
 }
 
@@ -346,7 +348,7 @@ void FormulaLayout::paint(QPainter &painter, const QPointF &topLeft, const Color
 QString FormulaLayout::termAt(const QPointF &position) const
 {
     for (const Box &line : m_lines) {
-        if (const QString term = termIn(line, position); !term.isEmpty())
+        if (QString term = termIn(line, position); !term.isEmpty())
             return term;
     }
     return {};

@@ -17,8 +17,7 @@ constexpr int kBorder = 5; ///< that the mouse takes hold of
 
 } // namespace
 
-ObserverInset::ObserverInset(ObserverPanel &observer, QWidget &area)
-    : QFrame(&area), m_observer(observer), m_area(area), m_share(kFirstShare)
+ObserverInset::ObserverInset(ObserverPanel &observer, QWidget &area) : QFrame(&area), m_area(area), m_share(kFirstShare)
 {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
@@ -29,12 +28,6 @@ ObserverInset::ObserverInset(ObserverPanel &observer, QWidget &area)
     m_area.installEventFilter(this);
     place();
     raise();
-}
-
-ObserverInset::~ObserverInset()
-{
-    if (m_observer.parentWidget() == this)
-        m_observer.setParent(nullptr);
 }
 
 void ObserverInset::place()

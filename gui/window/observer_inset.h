@@ -2,20 +2,16 @@
 
 #include <QFrame>
 
-class QSizeGrip;
-
 namespace unprojector::gui {
 
 class ObserverPanel;
 
 /// The view from outside in a corner of the view: it stands over it and leaves its size and its aspect alone. Its own corner
-/// is drawn to make it larger.
+/// is drawn to make it larger. The observer goes with it, unless it was put elsewhere before.
 class ObserverInset : public QFrame {
 public:
     /// @param area  the corner of which it stands in
     ObserverInset(ObserverPanel &observer, QWidget &area);
-    /// Leaves the observer where it was put since, or without a parent.
-    ~ObserverInset() override;
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -26,7 +22,6 @@ private:
     void place();
     bool isAtCorner(const QPoint &position) const;
 
-    ObserverPanel &m_observer;
     QWidget &m_area;
     QSizeF m_share; ///< of the area
     QPoint m_grabbed;
