@@ -253,8 +253,8 @@ void TestPipeline::theClipTestSaysWhereAPointLies_data()
     QTest::addColumn<ClipPoint>("point");
     QTest::addColumn<std::vector<Outside>>("expected");
     using enum Outside;
-    const auto row = [](const char *name, const ClipPoint &point, std::vector<Outside> expected) {
-        QTest::newRow(name) << point << std::move(expected);
+    const auto row = [](const char *name, const ClipPoint &point, const std::vector<Outside> &expected) {
+        QTest::newRow(name) << point << expected;
     };
     row("inside", {0.5, -0.5, 1.9, 2}, {});
     row("on the edges", {2, -2, 2, 2}, {});
