@@ -114,10 +114,9 @@ void TestParametersLayout::nothingIsCut_data()
     QTest::addColumn<QString>("language");
     QTest::addColumn<double>("width"); // least ones
     for (const double points : {9.0, 10.0, 11.0, 13.0}) {
-        for (const char *language : {"en", "zh-CN"}) {
+        for (const QString &language : {QStringLiteral("en"), QStringLiteral("zh-CN")}) {
             for (const double width : {1.0, 1.1, 1.5, 2.5})
-                QTest::addRow("%g-pt-%s-%g-wide", points, language, width)
-                    << points << QString::fromLatin1(language) << width;
+                QTest::addRow("%g-pt-%s-%g-wide", points, qPrintable(language), width) << points << language << width;
         }
     }
 }

@@ -91,8 +91,8 @@ void TestWindowGrid::everythingFits_data()
     QTest::addColumn<int>("points");
     QTest::addColumn<QString>("language");
     for (const int points : {9, 10, 11, 13}) {
-        for (const char *language : {"en", "zh_CN"})
-            QTest::addRow("%d pt, %s", points, language) << points << QString::fromLatin1(language);
+        for (const QString &language : {QStringLiteral("en"), QStringLiteral("zh_CN")})
+            QTest::addRow("%d pt, %s", points, qPrintable(language)) << points << language;
     }
 }
 
