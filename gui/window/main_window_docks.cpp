@@ -18,9 +18,11 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cstring>
 
 namespace unprojector::gui {
@@ -42,6 +44,17 @@ public:
     {
         constexpr int kLeastDigits = 20, kLeastLines = 4;
         return {kLeastDigits * fontMetrics().horizontalAdvance(u'0'), kLeastLines * fontMetrics().lineSpacing()};
+    }
+
+protected:
+    /// Where the panel has its least width there is no bar below it: Qt can otherwise leave both bars standing, each
+    /// there for the room that the other takes.
+    void resizeEvent(QResizeEvent *event) override
+    {
+        const int least = std::max(widget()->minimumWidth(), widget()->minimumSizeHint().width())
+                          + verticalScrollBar()->sizeHint().width();
+        setHorizontalScrollBarPolicy(width() >= least ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+        QScrollArea::resizeEvent(event);
     }
 };
 
