@@ -76,8 +76,9 @@ void Framing::add(const glm::dmat4 &worldFromSource, std::span<const glm::vec3> 
     for (std::size_t k = 0; k < kMeasures; ++k)
         planes[k] = m_planes[k] * worldFromSource; // a row times the matrix
     std::array<double, kMeasures> measures{};
-    for (const std::uint32_t index : indices) {
-        const glm::dvec3 p(positions[index]);
+    const std::size_t count = indices.empty() ? positions.size() : indices.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 p(positions[indices.empty() ? i : indices[i]]);
         for (std::size_t k = 0; k < kMeasures; ++k)
             measures[k] = planes[k].x * p.x + planes[k].y * p.y + planes[k].z * p.z + planes[k].w;
         add(measures);

@@ -23,7 +23,7 @@ public:
     explicit Framing(const Picture &picture);
 
     void add(const WorldPoint &point);
-    /// Those points of a list that are named by the indices, as those of triangles are.
+    /// Those points of a list that are named by the indices, as those of triangles are; all of them without indices.
     /// @pre every index is below positions.size()
     void add(const glm::dmat4 &worldFromSource, std::span<const glm::vec3> positions,
              std::span<const std::uint32_t> indices);

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,17 +23,45 @@ struct Texture {
     bool wrapRepeat = true;
 };
 
-/// Triangles that share one material. Object space, in single precision as model files and GPUs hold it.
+/// Triangles or points that share one material. Object space, in single precision as GPUs hold it, about an origin in
+/// double: so a mesh far from the object's origin keeps its digits.
 struct Mesh {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;     ///< one a vertex
+    enum class Kind { Triangles, Points };
+
+    Kind kind = Kind::Triangles;
+    glm::dvec3 origin{0.0};             ///< object space
+    std::vector<glm::vec3> positions;   ///< relative to `origin`
+    std::vector<glm::vec3> normals;     ///< one a vertex, or empty: triangles are drawn flat
     std::vector<glm::u8vec4> colors;    ///< one a vertex, or empty: the vertices are white
     std::vector<glm::vec2> texcoords;   ///< one a vertex, or empty: no texture. (0, 0) is the image's bottom-left
-    std::vector<std::uint32_t> indices; ///< three a triangle
+    std::vector<std::uint32_t> indices; ///< three a triangle, or empty: the vertices as they come. None for points
     glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
     int texture = -1; ///< index into Model::textures, or -1
 
-    std::size_t triangleCount() const { return indices.size() / 3; }
+    std::size_t triangleCount() const { return kind == Kind::Triangles ? elementCount() / 3 : 0; }
+    std::size_t pointCount() const { return kind == Kind::Points ? elementCount() : 0; }
+    /// The corners of all triangles, or the points.
+    std::size_t elementCount() const { return indices.empty() ? positions.size() : indices.size(); }
+    /// The vertex of corner `element % 3` of triangle `element / 3`, or of a point.
+    std::size_t vertexAt(std::size_t element) const { return indices.empty() ? element : indices[element]; }
+    /// Object space.
+    glm::dvec3 position(std::size_t vertex) const { return origin + glm::dvec3(positions[vertex]); }
+};
+
+/// Something of a model file that is not shown, or not as the file has it.
+struct ModelNote {
+    enum class Kind {
+        TextureMissing,    ///< detail: the file that is not there or cannot be read
+        TextureScaledDown, ///< detail: its file, count: its new width in pixels
+        LinesLeftOut,      ///< count: lines, and points beside triangles
+        FacesLeftOut,      ///< count: faces that refer to vertices which the file does not have
+        PartLeftOut,       ///< detail: what the format calls it, such as an extension; count: how many, or 0
+        PartUnusable,      ///< detail: what it is and why it is not used
+    };
+    Kind kind;
+    std::size_t count = 0;
+    std::string detail; ///< UTF-8, as the file has it
+    friend bool operator==(const ModelNote &, const ModelNote &) = default;
 };
 
 /// What one model file holds.
@@ -41,11 +70,22 @@ struct Model {
     std::vector<Mesh> meshes;
     std::vector<Texture> textures;
     Box bounds;
+    std::vector<ModelNote> notes; ///< what is not as in the file
 
     std::size_t triangleCount() const;
+    std::size_t pointCount() const;
 };
 
-/// The box around all vertices that triangles use.
+/// The origin that keeps the digits of positions in a box: along each axis on which the box is farther from zero than it
+/// is wide, its middle rounded to single precision; else zero. Where the box holds floats, their differences from it are
+/// floats too: no bit of them is lost.
+glm::dvec3 originFor(const Box &box);
+/// Sets a mesh's origin and positions; a position that is not finite stays so.
+/// @param origin  the same for all meshes of a model that touch each other, or else they part by a rounding on the screen
+/// @param positions  object space
+void setPositions(Mesh &mesh, const glm::dvec3 &origin, std::span<const glm::dvec3> positions);
+
+/// The box around all points and all vertices that triangles use.
 Box boundsOf(const std::vector<Mesh> &meshes);
 
 } // namespace unprojector::scene

@@ -4,6 +4,8 @@
 #include "core/geometry/drawable.h"
 #include "core/geometry/finite.h"
 
+#include <glm/ext/matrix_transform.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +68,7 @@ void add(Framing &framing, const SceneObject &object)
 {
     const glm::dmat4 worldFromSource = worldFromObject(object.transform);
     for (const Mesh &mesh : object.model->meshes)
-        framing.add(worldFromSource, mesh.positions, mesh.indices);
+        framing.add(glm::translate(worldFromSource, mesh.origin), mesh.positions, mesh.indices);
 }
 
 Check check(const Scene &scene)

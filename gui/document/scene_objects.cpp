@@ -17,15 +17,18 @@ bool isInSight(const Picture &picture, const SceneObject &object, bool withClipD
     if (!matrix)
         return false;
     const glm::dmat4 clipFromObject = *matrix * worldFromObject(object.transform);
-    const auto isSeen = [&](const Mesh &mesh, std::uint32_t index) {
-        const glm::dvec4 clip = clipFromObject * glm::dvec4(glm::dvec3(mesh.positions[index]), 1.0);
+    const auto isSeen = [&](const Mesh &mesh, std::size_t vertex) {
+        const glm::dvec4 clip = clipFromObject * glm::dvec4(mesh.position(vertex), 1.0);
         return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w
                && (!withClipDistances || std::abs(clip.z) <= clip.w);
     };
     const std::vector<Mesh> &meshes = object.model->meshes;
     return std::all_of(meshes.begin(), meshes.end(), [&](const Mesh &mesh) {
-        return std::all_of(mesh.indices.begin(), mesh.indices.end(),
-                           [&](std::uint32_t index) { return isSeen(mesh, index); });
+        for (std::size_t element = 0; element < mesh.elementCount(); ++element) {
+            if (!isSeen(mesh, mesh.vertexAt(element)))
+                return false;
+        }
+        return true;
     });
 }
 

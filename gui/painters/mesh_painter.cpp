@@ -21,13 +21,16 @@ namespace unprojector::gui {
 struct MeshPainter::GpuMesh {
     QOpenGLVertexArrayObject vertexArray;
     std::vector<std::unique_ptr<QOpenGLBuffer>> buffers;
-    GLsizei indexCount = 0;
+    GLenum primitives = GL_TRIANGLES;
+    GLsizei elementCount = 0;
+    bool isIndexed = false;
+    bool isFlat = false;
+    glm::dvec3 origin; ///< object space; the positions are relative to it
     glm::vec4 baseColor;
     int texture = -1;
 };
 
 struct MeshPainter::GpuModel {
-    glm::dvec3 center;                   ///< object space; the uploaded positions are relative to it
     std::shared_ptr<const Model> source; ///< keeps the key of the map alive
     std::vector<std::unique_ptr<GpuMesh>> meshes;
     std::vector<std::unique_ptr<QOpenGLTexture>> textures; ///< null where the image could not be decoded
@@ -44,22 +47,6 @@ enum Attribute : GLuint { Position, Normal, Color, Texcoord };
 
 /// OpenGL guarantees as many.
 constexpr std::size_t kClipDistances = 8;
-
-/// The GPU multiplies in float: a model far from its origin would lose its digits there, and the depths with them. About
-/// its own centre it keeps them; the way back is part of the matrix, which is made in double.
-glm::dvec3 centerOf(const Model &model)
-{
-    return model.bounds.isEmpty() ? glm::dvec3(0.0) : glm::dvec3(glm::vec3(model.bounds.center()));
-}
-
-std::vector<glm::vec3> relativeTo(const glm::dvec3 &center, const std::vector<glm::vec3> &positions)
-{
-    std::vector<glm::vec3> relative;
-    relative.reserve(positions.size());
-    for (const glm::vec3 &position : positions)
-        relative.emplace_back(position - glm::vec3(center));
-    return relative;
-}
 
 std::unique_ptr<QOpenGLTexture> decoded(const Texture &texture)
 {
@@ -122,7 +109,6 @@ const MeshPainter::GpuModel &MeshPainter::uploaded(const std::shared_ptr<const M
         return *slot;
     slot = std::make_unique<GpuModel>();
     slot->source = model;
-    slot->center = centerOf(*model);
     for (const Texture &texture : model->textures) {
         slot->textures.push_back(decoded(texture));
         if (!slot->textures.back() && !texture.encoded.empty())
@@ -132,7 +118,7 @@ const MeshPainter::GpuModel &MeshPainter::uploaded(const std::shared_ptr<const M
                        .arg(QString::fromStdString(model->name));
     }
     for (const Mesh &mesh : model->meshes) {
-        std::unique_ptr<GpuMesh> target = uploaded(mesh, slot->center);
+        std::unique_ptr<GpuMesh> target = uploaded(mesh);
         if (!target) {
             m_failures << tr("The graphics memory does not hold %1, which is not drawn whole. Close other programs, or "
                              "open a smaller model.")
@@ -147,7 +133,7 @@ const MeshPainter::GpuModel &MeshPainter::uploaded(const std::shared_ptr<const M
 }
 
 /// @return null when the graphics memory does not hold it
-std::unique_ptr<MeshPainter::GpuMesh> MeshPainter::uploaded(const Mesh &mesh, const glm::dvec3 &center)
+std::unique_ptr<MeshPainter::GpuMesh> MeshPainter::uploaded(const Mesh &mesh)
 {
     auto target = std::make_unique<GpuMesh>();
     target->vertexArray.create();
@@ -166,13 +152,18 @@ std::unique_ptr<MeshPainter::GpuMesh> MeshPainter::uploaded(const Mesh &mesh, co
         glEnableVertexAttribArray(index);
         glVertexAttribPointer(index, size, type, normalized, 0, nullptr);
     };
-    attribute(Position, relativeTo(center, mesh.positions), 3, GL_FLOAT, GL_FALSE);
+    attribute(Position, mesh.positions, 3, GL_FLOAT, GL_FALSE);
     attribute(Normal, mesh.normals, 3, GL_FLOAT, GL_FALSE);
     attribute(Color, mesh.colors, 4, GL_UNSIGNED_BYTE, GL_TRUE);
     attribute(Texcoord, mesh.texcoords, 2, GL_FLOAT, GL_FALSE);
-    buffer(QOpenGLBuffer::IndexBuffer, mesh.indices);
+    target->isIndexed = !mesh.indices.empty();
+    if (target->isIndexed)
+        buffer(QOpenGLBuffer::IndexBuffer, mesh.indices);
     target->vertexArray.release();
-    target->indexCount = static_cast<GLsizei>(mesh.indices.size());
+    target->primitives = mesh.kind == Mesh::Kind::Points ? GL_POINTS : GL_TRIANGLES;
+    target->elementCount = static_cast<GLsizei>(mesh.elementCount());
+    target->isFlat = mesh.normals.empty();
+    target->origin = mesh.origin;
     target->baseColor = mesh.baseColor;
     return fits ? std::move(target) : nullptr;
 }
@@ -184,7 +175,7 @@ void MeshPainter::setClipPlanes(const std::vector<glm::dvec4> &planes, const glm
     std::array<glm::vec4, kClipDistances> distances;
     distances.fill(glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
     for (std::size_t i = 0; i < std::min(planes.size(), kClipDistances); ++i) {
-        // In double, and about the model's centre, so that a plane cuts where it says far from the origin too.
+        // In double, and about the mesh's origin, so that a plane cuts where it says far from the origin too.
         const glm::dvec4 plane = planeInSource(planes[i], worldFromUploaded);
         const double length = glm::length(glm::dvec3(plane));
         distances[i] = glm::vec4(length > 0.0 ? plane / length : plane);
@@ -208,28 +199,36 @@ void MeshPainter::draw(const std::vector<SceneObject> &objects, const glm::dmat4
         if (object.isHidden)
             continue;
         const GpuModel &model = uploaded(object.model);
-        // Products in double: only the final matrix is rounded to what the GPU takes.
         const glm::dmat4 placement = worldFromObject(object.transform);
-        const glm::dmat4 worldFromUploaded = placement * glm::translate(glm::dmat4(1.0), model.center);
-        const glm::mat4 clipFromObject(clipFromWorld * worldFromUploaded);
         const glm::dmat3 eyeFromObject(eyeFromWorld * placement);
         // A mirror swaps a triangle's sides, and the shader turns the normals of back sides: they must swap along.
         const double handedness = glm::determinant(eyeFromObject) < 0.0 ? -1.0 : 1.0;
         const glm::mat3 normalMatrix(handedness * glm::transpose(glm::inverse(eyeFromObject)));
-        glUniformMatrix4fv(location("clipFromObject"), 1, GL_FALSE, glm::value_ptr(clipFromObject));
         glUniformMatrix3fv(location("eyeNormalFromObject"), 1, GL_FALSE, glm::value_ptr(normalMatrix));
+        glUniformMatrix3fv(location("eyeFromObject"), 1, GL_FALSE, glm::value_ptr(glm::mat3(eyeFromObject)));
         glUniform1ui(location("object"), static_cast<GLuint>(i + 1));
-        setClipPlanes(clipPlanes, worldFromUploaded);
         for (const auto &mesh : model.meshes) {
+            // Products in double: only the final matrix is rounded to what the GPU takes, which multiplies in float. A
+            // mesh far from its object's origin would lose its digits there, and the depths with them; about its own
+            // origin it keeps them.
+            const glm::dmat4 worldFromUploaded = glm::translate(placement, mesh->origin);
+            const glm::mat4 clipFromUploaded(clipFromWorld * worldFromUploaded);
+            glUniformMatrix4fv(location("clipFromObject"), 1, GL_FALSE, glm::value_ptr(clipFromUploaded));
+            setClipPlanes(clipPlanes, worldFromUploaded);
             m_program->setUniformValue("baseColor", mesh->baseColor.r, mesh->baseColor.g, mesh->baseColor.b,
                                        mesh->baseColor.a);
             m_program->setUniformValue("isTextured", mesh->texture >= 0);
             if (mesh->texture >= 0)
                 model.textures[static_cast<std::size_t>(mesh->texture)]->bind(0);
+            m_program->setUniformValue("isFlat", mesh->isFlat);
+            m_program->setUniformValue("isPoint", mesh->primitives == GL_POINTS);
             // A vertex array without colours takes this constant: white.
             glVertexAttrib4f(Color, 1.0f, 1.0f, 1.0f, 1.0f);
             mesh->vertexArray.bind();
-            glDrawElements(GL_TRIANGLES, mesh->indexCount, GL_UNSIGNED_INT, nullptr);
+            if (mesh->isIndexed)
+                glDrawElements(mesh->primitives, mesh->elementCount, GL_UNSIGNED_INT, nullptr);
+            else
+                glDrawArrays(mesh->primitives, 0, mesh->elementCount);
             mesh->vertexArray.release();
         }
     }

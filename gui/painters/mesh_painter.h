@@ -48,7 +48,7 @@ private:
 
     void dropUnshown(const std::vector<SceneObject> &objects);
     const GpuModel &uploaded(const std::shared_ptr<const Model> &model);
-    std::unique_ptr<GpuMesh> uploaded(const Mesh &mesh, const glm::dvec3 &center);
+    std::unique_ptr<GpuMesh> uploaded(const Mesh &mesh);
     void setClipPlanes(const std::vector<glm::dvec4> &planes, const glm::dmat4 &worldFromUploaded);
 
     std::unique_ptr<QOpenGLShaderProgram> m_program;

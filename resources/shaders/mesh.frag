@@ -1,9 +1,12 @@
 in vec3 eyeNormal;
+in vec3 eyePosition;
 in vec4 vertexColor;
 in vec2 uv;
 
 uniform vec4 baseColor;
 uniform bool isTextured;
+uniform bool isFlat;  // a triangle has one normal, its own
+uniform bool isPoint; // and a point none
 uniform sampler2D baseTexture;
 
 layout(location = 0) out vec4 fragment;
@@ -25,9 +28,17 @@ void main()
     vec4 color = baseColor * vertexColor;
     if (isTextured)
         color *= texture(baseTexture, uv);
-    vec3 n = normalize(eyeNormal);
-    if (!gl_FrontFacing)
-        n = -n;
+    vec3 n;
+    if (isPoint) {
+        n = vec3(0.0, 0.0, 1.0);
+    } else if (isFlat) {
+        // Along the screen's axes: it always looks to the viewer.
+        n = normalize(cross(dFdx(eyePosition), dFdy(eyePosition)));
+    } else {
+        n = normalize(eyeNormal);
+        if (!gl_FrontFacing)
+            n = -n;
+    }
     const vec3 key = vec3(-0.36, 0.48, 0.80);
     const vec3 fill = vec3(0.60, -0.10, 0.79);
     float light = 0.38 + 0.58 * max(dot(n, key), 0.0) + 0.18 * max(dot(n, fill), 0.0);

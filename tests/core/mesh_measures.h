@@ -28,7 +28,7 @@ inline constexpr int kTeapotDivisions = 10;
 
 inline glm::dvec3 corner(const Mesh &mesh, std::size_t index)
 {
-    return glm::dvec3(mesh.positions[mesh.indices[index]]);
+    return mesh.position(mesh.vertexAt(index));
 }
 
 inline std::array<glm::dvec3, 3> triangle(const Mesh &mesh, std::size_t number)

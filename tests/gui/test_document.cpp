@@ -406,8 +406,8 @@ bool isInSight(const SceneDocument &document, const SceneObject &object, glm::dv
     glm::dvec2 lowest(1e300), highest(-1e300);
     const glm::dmat4 clipFromObject = clipFromWorld(document.geometry()).value() * worldFromObject(object.transform);
     for (const Mesh &mesh : object.model->meshes) {
-        for (const std::uint32_t index : mesh.indices) {
-            const glm::dvec4 clip = clipFromObject * glm::dvec4(glm::dvec3(mesh.positions[index]), 1.0);
+        for (std::size_t element = 0; element < mesh.elementCount(); ++element) {
+            const glm::dvec4 clip = clipFromObject * glm::dvec4(mesh.position(mesh.vertexAt(element)), 1.0);
             if (!(clip.w > 0.0) || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w || std::abs(clip.z) > clip.w)
                 return false;
             lowest = glm::min(lowest, glm::dvec2(clip) / clip.w);
