@@ -53,8 +53,14 @@ struct ModelNote {
     enum class Kind {
         TextureMissing,    ///< detail: the file that is not there or cannot be read
         TextureScaledDown, ///< detail: its file, count: its new width in pixels
+        MaterialsMissing,  ///< detail: the file of materials that is not there or cannot be read
+        MaterialUnknown,   ///< detail: the name that none of the file's materials has
         LinesLeftOut,      ///< count: lines, and points beside triangles
         FacesLeftOut,      ///< count: faces that refer to vertices which the file does not have
+        TexcoordsLeftOut,  ///< count: faces that refer to texture coordinates which the file does not have
+        NormalsLeftOut,    ///< count: faces that refer to normals which the file does not have: they are made instead
+        NumbersLeftOut,    ///< count: vertices with words behind their coordinates that mean nothing there
+        BytesLeftOut,      ///< count: bytes behind all that the file declares
         PartLeftOut,       ///< detail: what the format calls it, such as an extension; count: how many, or 0
         PartUnusable,      ///< detail: what it is and why it is not used
     };
