@@ -1,6 +1,9 @@
 #include "gui/document/model_loader.h"
 
+#include "gui/document/model_store.h"
 #include "gui/text/error_text.h"
+
+#include <optional>
 
 namespace unprojector::gui {
 
@@ -10,7 +13,7 @@ struct ModelLoader::Job {
     std::thread thread;
 };
 
-ModelLoader::ModelLoader(QObject *parent) : QObject(parent) {}
+ModelLoader::ModelLoader(ModelStore &store, QObject *parent) : QObject(parent), m_store(store) {}
 
 ModelLoader::~ModelLoader()
 {
@@ -50,11 +53,21 @@ void ModelLoader::load(std::vector<std::filesystem::path> files)
             },
             Qt::QueuedConnection);
     };
-    job->thread = std::thread([this, job, report, files = std::move(files)] {
+    std::vector<std::shared_ptr<const Model>> held;
+    for (const std::filesystem::path &file : files)
+        held.push_back(m_store.find(file));
+    job->thread = std::thread([this, job, report, files = std::move(files), held = std::move(held)] {
         std::vector<LoadedModel> models;
+        std::vector<std::optional<ModelStore::FileState>> states; // of the files of the models
         std::vector<ImportError> errors;
         for (std::size_t i = 0; i < files.size() && !job->isCancelled; ++i) {
             const QString name = pathText(files[i].filename());
+            const std::optional<ModelStore::FileState> state = ModelStore::stateOf(files[i]);
+            if (held[i]) {
+                models.push_back({files[i], held[i]});
+                states.push_back(state);
+                continue;
+            }
             double reported = -1.0;
             auto result = importModel(files[i], [&](double share) {
                 const double total = (double(i) + share) / double(files.size());
@@ -65,13 +78,17 @@ void ModelLoader::load(std::vector<std::filesystem::path> files)
                 }
                 return !job->isCancelled;
             });
-            if (result)
-                models.push_back({files[i], std::move(result).value()});
-            else
+            if (!result) {
                 errors.push_back(result.error());
+                continue;
+            }
+            models.push_back({files[i], std::move(result).value()});
+            states.push_back(state);
         }
-        report([this, models = std::move(models), errors = std::move(errors)] {
+        report([this, models = std::move(models), states = std::move(states), errors = std::move(errors)] {
             m_isLoading = false;
+            for (std::size_t i = 0; i < models.size(); ++i)
+                m_store.keep(models[i].file, states[i], models[i].model);
             emit finished(models, errors);
         });
         job->isDone = true;

@@ -15,6 +15,8 @@
 namespace unprojector::gui {
 using namespace mesh_import;
 
+class ModelStore;
+
 /// One opened file.
 struct LoadedModel {
     std::filesystem::path file;
@@ -25,7 +27,8 @@ struct LoadedModel {
 class ModelLoader : public QObject {
     Q_OBJECT
 public:
-    explicit ModelLoader(QObject *parent = nullptr);
+    /// @param store  outlives the loader; what it holds already is not read again
+    explicit ModelLoader(ModelStore &store, QObject *parent = nullptr);
     ~ModelLoader() override;
 
     /// Starts opening the files, one after the other. A loading that is under way is cancelled.
@@ -47,6 +50,7 @@ private:
     struct Job;
     void reap(bool all);
 
+    ModelStore &m_store;
     std::list<std::shared_ptr<Job>> m_jobs; ///< the running one last; before it, cancelled ones that are ending
     bool m_isLoading = false;
 };

@@ -4,6 +4,7 @@
 #include "core/scene_file/scene_file.h"
 #include "gui/document/autosave.h"
 #include "gui/document/model_loader.h"
+#include "gui/document/model_store.h"
 
 #include <QObject>
 #include <QString>
@@ -75,6 +76,7 @@ public:
     void openBundledScene();
     /// Opens one of core's examples.
     void openExample(const std::string &id);
+    ModelStore &models() { return m_models; }
     bool isLoading() const { return m_loader.isLoading(); }
     void cancelLoading() { m_loader.cancel(); }
 
@@ -162,7 +164,8 @@ private:
     SceneDocument &m_document;
     SessionQuestions &m_questions;
     Options m_options;
-    ModelLoader m_loader;
+    ModelStore m_models;
+    ModelLoader m_loader{m_models};
     std::optional<Pending> m_pending; ///< while it loads
     QString m_name;
     std::filesystem::path m_file;

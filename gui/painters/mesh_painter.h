@@ -1,58 +1,71 @@
 #pragma once
 
+#include "core/geometry/drawable.h"
 #include "core/scene/scene.h"
+#include "gui/painters/gpu_model.h"
 #include "gui/painters/object_ids.h"
 
-#include <QCoreApplication>
-#include <QOpenGLBuffer>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLShaderProgram>
-#include <QOpenGLTexture>
-#include <QOpenGLVertexArrayObject>
 #include <QStringList>
 
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace unprojector::gui {
 using namespace scene;
 
-/// Fills the buffer that is bound to a target.
-/// @return false when the graphics memory does not hold so much
-bool fillBuffer(QOpenGLExtraFunctions &gl, unsigned target, std::size_t bytes, const void *data);
+/// What is to be drawn into a Frame.
+struct FrameContents {
+    Drawable drawn;
+    std::vector<SceneObject> objects;
+    glm::dmat4 clipFromWorld{1.0};
+    glm::dmat4 eyeFromWorld{1.0};
+    std::vector<glm::dvec4> clipPlanes; ///< world space; what lies on the negative side of one is not drawn. At most 8
+};
 
-/// The objects' triangles, lit from the camera, into a Frame: colours, depths, and the object's place in the list as its
-/// id. Each model is uploaded when it is first drawn, once, however many objects show it.
+/// The objects' triangles and points, lit from the camera, into a Frame: colours, depths, and the object's place in the
+/// list as its id. Each model is uploaded when it is first drawn, once, however many objects show it. All of that can be
+/// done bit by bit.
 /// All calls need the OpenGL context current.
 class MeshPainter : protected QOpenGLExtraFunctions {
-    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::MeshPainter)
 public:
+    /// How far a drawing has come.
+    struct Place {
+        std::size_t object = 0;
+        std::size_t mesh = 0;
+        std::size_t element = 0; ///< corner of a triangle, or point
+    };
+
     MeshPainter();
     ~MeshPainter();
 
     void initialize(ObjectIds ids);
     void release();
 
-    /// @param clipPlanes  world space; what lies on the negative side of one is not drawn. At most 8
-    void draw(const std::vector<SceneObject> &objects, const glm::dmat4 &clipFromWorld, const glm::dmat4 &eyeFromWorld,
-              const std::vector<glm::dvec4> &clipPlanes);
+    /// Draws on from a place, and uploads what is not there yet, until all is done or the time is over.
+    /// @return whether all is done
+    bool drawOn(const FrameContents &contents, Place &place, const Deadline &deadline);
+
+    /// Drops every model that is not among these.
+    void keepOnly(const std::set<const Model *> &models);
 
     /// What could not be uploaded since the last call, in sentences for the user.
     QStringList takeFailures();
 
 private:
-    struct GpuMesh;
-    struct GpuModel;
+    struct Entry;
 
-    void dropUnshown(const std::vector<SceneObject> &objects);
-    const GpuModel &uploaded(const std::shared_ptr<const Model> &model);
-    std::unique_ptr<GpuMesh> uploaded(const Mesh &mesh);
+    GpuModel &modelOf(const std::shared_ptr<const Model> &model);
+    bool drawObject(const FrameContents &contents, const SceneObject &object, Place &place, const Deadline &deadline);
+    bool drawMesh(const GpuMesh &mesh, Place &place, const Deadline &deadline);
     void setClipPlanes(const std::vector<glm::dvec4> &planes, const glm::dmat4 &worldFromUploaded);
 
     std::unique_ptr<QOpenGLShaderProgram> m_program;
-    std::map<const Model *, std::unique_ptr<GpuModel>> m_models;
+    std::map<const Model *, std::unique_ptr<Entry>> m_models;
     QStringList m_failures;
 };
 

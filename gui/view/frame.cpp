@@ -95,6 +95,19 @@ bool Frame::allocate(int widthPixels, int heightPixels)
     return true;
 }
 
+/// Binds the frame and sets all that drawing into it needs; what else is drawn in between sets its own.
+void Frame::bind()
+{
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &m_boundBefore);
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_DITHER); // an object's number must come out as it went in
+    glDepthMask(GL_TRUE);
+    glViewport(m_begun->x, m_begun->y, m_begun->width, m_begun->height);
+    glDepthRangef(m_begun->depthAtNear, m_begun->depthAtFar);
+}
+
 bool Frame::begin(const Drawable &drawable)
 {
     dropRequest();
@@ -102,14 +115,8 @@ bool Frame::begin(const Drawable &drawable)
     if (!allocate(drawable.picture.surface.widthPixels, drawable.picture.surface.heightPixels))
         return false;
     m_begun = drawable;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &m_boundBefore);
-    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    glDisable(GL_DITHER); // an object's number must come out as it went in
-    glDepthMask(GL_TRUE);
-    glViewport(drawable.x, drawable.y, drawable.width, drawable.height);
-    glDepthRangef(drawable.depthAtNear, drawable.depthAtFar);
+    m_isPaused = false;
+    bind();
     constexpr std::array<GLfloat, 4> kAround{0.80f, 0.82f, 0.84f, 1.0f};
     glDrawBuffers(2, kColorsAndObjects.data());
     glClearBufferfv(GL_COLOR, 0, kAround.data());
@@ -125,9 +132,20 @@ bool Frame::begin(const Drawable &drawable)
 
 void Frame::beginObjects()
 {
+    if (m_isPaused) {
+        m_isPaused = false;
+        bind();
+    }
     glDrawBuffers(2, kColorsAndObjects.data());
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(m_begun->depthAtNear < m_begun->depthAtFar ? GL_LESS : GL_GREATER);
+}
+
+void Frame::pause()
+{
+    glDisable(GL_DEPTH_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(m_boundBefore));
+    m_isPaused = true;
 }
 
 void Frame::end()

@@ -33,8 +33,10 @@ public:
     /// plane.
     /// @return false when OpenGL gives no such framebuffer; then nothing is bound, and there is nothing to end
     bool begin(const Drawable &drawable);
-    /// From now on objects are drawn: colour, depth and object id.
+    /// From now on objects are drawn: colour, depth and object id. After pause() they are drawn on.
     void beginObjects();
+    /// What was bound before is drawn into for a while; nothing of the frame is to be read yet.
+    void pause();
     /// What was bound before is drawn into again.
     void end();
 
@@ -66,6 +68,7 @@ private:
     };
     static_assert(sizeof(Raw) == 8);
 
+    void bind();
     bool allocate(int widthPixels, int heightPixels);
     void releaseTextures();
     void readPixel(const DevicePixel &pixel, void *depth, void *object);
@@ -78,6 +81,7 @@ private:
     int m_depthBits = 24;
     int m_boundBefore = 0;
     std::optional<Drawable> m_begun;
+    bool m_isPaused = false;
     std::optional<Picture> m_picture;
     unsigned m_requestBuffer = 0;
     GLsync m_fence = nullptr;

@@ -5,11 +5,21 @@
 #include <QScopedValueRollback>
 #include <QSurfaceFormat>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 namespace unprojector::gui {
 namespace {
 
 /// A frame that has not been drawn anew for so long is at rest.
 constexpr int kRestMilliseconds = 120;
+
+/// Of a large model so much is drawn at once: the window stays awake in between.
+constexpr int kSliceMilliseconds = 30;
+
+/// What is drawn so fast can be drawn while the view moves.
+constexpr double kFastMilliseconds = 30.0;
 
 /// Behind the objects, at the bottom and at the top: light or dark as the window is.
 std::array<QColor, 2> backgroundOf(const QPalette &palette)
@@ -40,6 +50,8 @@ FrameView::FrameView(QWidget *parent) : QOpenGLWidget(parent)
     setMinimumSize(160, 120);
     m_restTimer.setSingleShot(true);
     connect(&m_restTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    m_refineTimer.setSingleShot(true);
+    connect(&m_refineTimer, &QTimer::timeout, this, &FrameView::takeRest);
 }
 
 void FrameView::setSmoothEdges(bool smooth)
@@ -62,9 +74,10 @@ bool FrameView::createFrame()
         return QString::fromLatin1(reinterpret_cast<const char *>(glGetString(name)));
     };
     m_openGLName = QStringLiteral("%1, %2").arg(text(GL_VERSION), text(GL_RENDERER));
-    m_frame.initialize();
+    for (Frame &frame : m_frames)
+        frame.initialize();
     m_background.initialize();
-    m_meshes.initialize(m_frame.ids());
+    m_meshes.initialize(m_frames[0].ids());
     m_painter.initialize();
     m_isCreated = true;
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &FrameView::releaseGL, Qt::UniqueConnection);
@@ -73,7 +86,10 @@ bool FrameView::createFrame()
 
 void FrameView::releaseFrame()
 {
-    m_frame.release();
+    for (Frame &frame : m_frames)
+        frame.release();
+    m_refineTimer.stop();
+    m_isRefining = m_isCoarse = false;
     m_background.release();
     m_meshes.release();
     m_painter.release();
@@ -81,14 +97,11 @@ void FrameView::releaseFrame()
     disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &FrameView::releaseGL);
 }
 
-bool FrameView::drawFrame(const Drawable &drawn, const std::vector<SceneObject> &objects,
-                          const glm::dmat4 &clipFromWorld, const glm::dmat4 &eyeFromWorld,
-                          const std::vector<glm::dvec4> &clipPlanes)
+/// @return whether OpenGL gives such a frame
+bool FrameView::beginFrame(Frame &frame)
 {
-    m_painter.setStale();
-    m_sinceDrawn.start();
-    if (!m_frame.begin(drawn)) {
-        const Surface &surface = drawn.picture.surface;
+    if (!frame.begin(m_contents.drawn)) {
+        const Surface &surface = m_contents.drawn.picture.surface;
         emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
                        "driver.")
                         .arg(surface.widthPixels)
@@ -96,23 +109,138 @@ bool FrameView::drawFrame(const Drawable &drawn, const std::vector<SceneObject> 
         return false;
     }
     m_background.draw(backgroundOf(palette()));
-    m_frame.beginObjects();
-    m_meshes.draw(objects, clipFromWorld, eyeFromWorld, clipPlanes);
-    m_frame.end();
+    frame.beginObjects();
+    return true;
+}
+
+/// The graphics memory holds the models that are shown, and their stand-ins.
+void FrameView::keepModels()
+{
+    std::set<const Model *> models;
+    for (const SceneObject &object : m_contents.objects)
+        models.insert(object.model.get());
+    if (const auto standIns = m_models ? m_models->standInsFor(m_contents.objects) : std::nullopt) {
+        for (const SceneObject &object : *standIns)
+            models.insert(object.model.get());
+    }
+    m_meshes.keepOnly(models);
+}
+
+bool FrameView::drawFrame(FrameContents contents)
+{
+    const auto haveSameModels = [](const std::vector<SceneObject> &a, const std::vector<SceneObject> &b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const SceneObject &x, const SceneObject &y) {
+            return x.model == y.model && x.isHidden == y.isHidden;
+        });
+    };
+    m_isFast = m_isFast && haveSameModels(contents.objects, m_contents.objects);
+    m_painter.setStale();
+    m_sinceDrawn.start();
+    m_isRefining = false;
+    m_refineTimer.stop();
+    m_contents = std::move(contents);
+    keepModels();
+    const bool isLarge = m_models && ModelStore::areLarge(m_contents.objects);
+    const auto standIns = isLarge ? m_models->standInsFor(m_contents.objects) : std::nullopt;
+    if (isLarge && m_isOnScreen && !m_isFast) {
+        m_isCoarse = true;
+        // Without stand-ins yet, what was shown last stays.
+        m_refineTimer.start(standIns ? kRestMilliseconds : 0);
+        if (!standIns)
+            return true;
+    }
+    QElapsedTimer timer;
+    timer.start();
+    if (!beginFrame(frame()))
+        return false;
+    MeshPainter::Place place;
+    if (m_refineTimer.isActive()) {
+        FrameContents coarse = m_contents;
+        coarse.objects = *standIns;
+        m_meshes.drawOn(coarse, place, Deadline({}));
+    } else {
+        m_meshes.drawOn(m_contents, place, Deadline({}));
+        m_isCoarse = false;
+        if (m_isFast) {
+            glFinish();
+            m_isFast = static_cast<double>(timer.nsecsElapsed()) * 1e-6 < 2.0 * kFastMilliseconds;
+        }
+    }
+    frame().end();
     for (const QString &failure : m_meshes.takeFailures())
         emit failed(failure);
     return true;
 }
 
+/// Draws on into the frame that is not shown, and shows it when all is in it.
+void FrameView::refine(const Deadline &deadline)
+{
+    QElapsedTimer timer;
+    timer.start();
+    Frame &next = m_frames[1 - m_shown];
+    if (m_isRefining) {
+        next.beginObjects();
+    } else {
+        m_place = {};
+        m_refineMilliseconds = 0.0;
+        if (!beginFrame(next)) {
+            m_isCoarse = false; // it is not tried again before there is something else to draw
+            return;
+        }
+        m_isRefining = true;
+    }
+    const bool isDone = m_meshes.drawOn(m_contents, m_place, deadline);
+    if (isDone)
+        next.end();
+    else
+        next.pause();
+    for (const QString &failure : m_meshes.takeFailures())
+        emit failed(failure);
+    if (!isDone) {
+        m_refineMilliseconds += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+        return;
+    }
+    glFinish();
+    m_refineMilliseconds += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    m_isFast = m_refineMilliseconds < kFastMilliseconds;
+    m_isRefining = m_isCoarse = false;
+    m_shown = 1 - m_shown;
+    m_painter.setStale();
+}
+
+void FrameView::completeFrame()
+{
+    m_refineTimer.stop();
+    if (m_isCoarse)
+        refine(Deadline({}));
+}
+
+void FrameView::takeRest()
+{
+    if (!m_isCreated || !m_isCoarse)
+        return;
+    makeCurrent();
+    refine(Deadline(kSliceMilliseconds));
+    doneCurrent();
+    if (m_isCoarse) {
+        m_refineTimer.start(0);
+        return;
+    }
+    m_models->makeStandIns(m_contents.objects);
+    update();
+}
+
 bool FrameView::showFrame()
 {
-    if (!m_frame.picture()) {
+    if (!m_isOnScreen)
+        completeFrame();
+    if (!frame().picture()) {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); // why has been told
         return false;
     }
     const bool isInMotion = m_isOnScreen && m_painter.isSmoothingSlow() && !m_sinceDrawn.hasExpired(kRestMilliseconds);
-    const Surface &surface = m_frame.picture()->surface;
-    m_painter.draw({m_frame.colors(), m_frame.depths(), surface.widthPixels, surface.heightPixels},
+    const Surface &surface = frame().picture()->surface;
+    m_painter.draw({frame().colors(), frame().depths(), surface.widthPixels, surface.heightPixels},
                    m_smoothEdges && !isInMotion);
     if (m_smoothEdges && isInMotion)
         m_restTimer.start(kRestMilliseconds);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/document/model_store.h"
 #include "gui/painters/background_painter.h"
 #include "gui/painters/frame_painter.h"
 #include "gui/painters/mesh_painter.h"
@@ -10,10 +11,17 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
+#include <array>
+#include <cstddef>
+
 namespace unprojector::gui {
 
 /// A widget that shows a Frame: objects are drawn into the frame when something has changed, and onto the widget goes a
 /// copy of it, over which the rest is drawn.
+///
+/// What takes too long to draw while the view moves is shown by stand-ins, and drawn itself bit by bit into a second frame
+/// as soon as the view rests; that frame takes the first one's place when it is whole. Nothing is ever read from a frame
+/// that is not: who reads completes it first.
 ///
 /// Edges are smooth if wanted, as soon as the frame rests for a moment: where smoothing is slow, a frame in motion is
 /// shown without. A grabbed picture is always the one at rest.
@@ -24,13 +32,18 @@ public:
     /// paper sets up before the window exists.
     static QSurfaceFormat preCreateWindow();
 
+    /// Where the stand-ins come from; without it there are none. It outlives the view.
+    void setModelStore(ModelStore &models) { m_models = &models; }
+
     /// A matter of looks alone: the depths that are read are the same.
     void setSmoothEdges(bool smooth);
     bool smoothEdges() const { return m_smoothEdges; }
 
     bool isReady() const { return m_isCreated; }
+    /// Whether stand-ins are shown, or what was there before, until all is drawn.
+    bool isCoarse() const { return m_isCoarse; }
     /// How this driver tells the object under a pixel; valid once the view is ready.
-    ObjectIds objectIds() const { return m_frame.ids(); }
+    ObjectIds objectIds() const { return m_frames[0].ids(); }
 
     /// Version and renderer, as OpenGL names them; empty before the view is ready.
     QString openGLName() const { return m_openGLName; }
@@ -47,11 +60,13 @@ protected:
     /// @return whether OpenGL is new enough; when it is not, `failed` has told so, and nothing can be drawn
     bool createFrame();
     void releaseFrame();
-    /// Draws objects into the frame, with a background behind them. What cannot be drawn is told by `failed`.
-    /// @param clipPlanes  world space; what lies on the negative side of one is not drawn. At most 8
+    /// Draws objects into the frame, with a background behind them. What cannot be drawn is told by `failed`. On the screen
+    /// the frame may be coarse, or the last one, until all is drawn.
     /// @return false when OpenGL gives no such frame
-    bool drawFrame(const Drawable &drawn, const std::vector<SceneObject> &objects, const glm::dmat4 &clipFromWorld,
-                   const glm::dmat4 &eyeFromWorld, const std::vector<glm::dvec4> &clipPlanes);
+    bool drawFrame(FrameContents contents);
+    /// Draws what is missing of the frame.
+    void completeFrame();
+    Frame &frame() { return m_frames[m_shown]; }
     /// Puts the frame onto the widget; where there is none, clears the widget.
     /// @return whether there is one
     bool showFrame();
@@ -66,10 +81,25 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
 
-    Frame m_frame;
     bool m_isStale = true; ///< the frame does not show what there is to be seen
 
 private:
+    bool beginFrame(Frame &frame);
+    void keepModels();
+    void refine(const Deadline &deadline);
+    void takeRest();
+
+    ModelStore *m_models = nullptr;
+    std::array<Frame, 2> m_frames;
+    std::size_t m_shown = 0; ///< of m_frames
+    FrameContents m_contents;
+    MeshPainter::Place m_place; ///< in the contents: so far they are drawn into the frame that is not shown
+    bool m_isCoarse = false;
+    bool m_isRefining = false; ///< drawing into it has begun
+    bool m_isFast = false;     ///< these objects can be drawn while the view moves, however many they are
+    double m_refineMilliseconds = 0.0;
+    QTimer m_refineTimer;
+
     BackgroundPainter m_background;
     MeshPainter m_meshes;
     FramePainter m_painter;

@@ -221,7 +221,7 @@ void ObserverView::updateFrame(const ObserverPicture &p)
     m_drawnFrom = clipFromWorld;
     const Result<Drawable> drawn = drawable(p.observer);
     if (drawn)
-        drawFrame(*drawn, m_document.objects(), clipFromWorld, p.observerFromWorld, cuttingPlanes(p));
+        drawFrame({*drawn, m_document.objects(), clipFromWorld, p.observerFromWorld, cuttingPlanes(p)});
     else
         emit failed(errorText(drawn.error()));
 }

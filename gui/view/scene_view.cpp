@@ -131,7 +131,7 @@ bool SceneView::updateFrame()
     const Result<Drawable> drawn = drawable(g);
     if (!matrix || !frame || !drawn)
         return false;
-    return drawFrame(*drawn, m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes);
+    return drawFrame({*drawn, m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes});
 }
 
 void SceneView::onDestroy()
@@ -160,9 +160,10 @@ std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)
     makeCurrent();
     if (updateFrame())
         emit happened({LifecycleEvent::Kind::OnDraw, QString(), kObjectCalls, milliseconds(timer)});
+    completeFrame();
     std::optional<DepthSample> sample;
     if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position)) {
-        sample = m_frame.sample(*pixel);
+        sample = frame().sample(*pixel);
         if (!sample)
             emit failed(tr("The depth of this pixel could not be read: OpenGL reported an error."));
     }

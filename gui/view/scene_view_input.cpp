@@ -109,8 +109,8 @@ void SceneView::reportHover(const QPointF &local)
 void SceneView::requestHover()
 {
     // A request under way is not overtaken, or a pointer that never rests would never be answered. A picture that is
-    // about to be drawn is not drawn for the pointer's sake: it asks again.
-    if (!isReady() || !m_hovered || m_isStale || m_frame.isRequested())
+    // about to be drawn, or drawn on, is not drawn for the pointer's sake: it asks again.
+    if (!isReady() || !m_hovered || m_isStale || isCoarse() || frame().isRequested())
         return;
     const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, *m_hovered);
     const std::optional<WidgetPoint> position = std::exchange(m_hovered, std::nullopt);
@@ -118,7 +118,7 @@ void SceneView::requestHover()
         return;
     m_requested = position;
     makeCurrent();
-    m_frame.request(*pixel);
+    frame().request(*pixel);
     doneCurrent();
     m_hoverTimer.start(0);
 }
@@ -129,9 +129,9 @@ void SceneView::takeHover()
     if (!isReady() || !m_requested)
         return;
     makeCurrent();
-    const std::optional<DepthSample> sample = m_frame.takeRequested();
+    const std::optional<DepthSample> sample = frame().takeRequested();
     doneCurrent();
-    if (m_frame.isRequested()) {
+    if (frame().isRequested()) {
         m_hoverTimer.start(kPollMilliseconds);
         return;
     }
@@ -210,7 +210,7 @@ void SceneView::leaveEvent(QEvent *event)
     if (m_requested) {
         m_requested.reset();
         makeCurrent();
-        m_frame.dropRequest();
+        frame().dropRequest();
         doneCurrent();
     }
     emit pointerLeft();

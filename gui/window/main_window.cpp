@@ -130,6 +130,7 @@ void MainWindow::createView()
 {
     m_view = new SceneView(*m_document);
     m_view->setSmoothEdges(m_smoothEdges);
+    m_view->setModelStore(m_session->models());
     m_center->addWidget(m_view, 0, 0);
     m_center->addWidget(m_topBars, 0, 0, Qt::AlignTop);
     m_center->addWidget(m_loading, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);

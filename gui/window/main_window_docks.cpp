@@ -142,6 +142,7 @@ void MainWindow::showObserver(bool isShown)
             return;
         m_observer = new ObserverPanel(*m_document);
         m_observer->view().setSmoothEdges(m_smoothEdges);
+        m_observer->view().setModelStore(m_session->models());
         connect(&m_observer->view(), &ObserverView::failed, this, &MainWindow::showFailure);
         connect(m_observer, &ObserverPanel::dockRequested, this, &MainWindow::dockObserver);
         connect(m_observer, &ObserverPanel::closeRequested, m_observerAction,

@@ -1298,6 +1298,17 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     </message>
 </context>
 <context>
+    <name>unprojector::gui::GpuModel</name>
+    <message>
+        <source>A texture of %1 could not be decoded and is not shown. Convert it to PNG or JPEG, or make it smaller.</source>
+        <translation>%1 的一张纹理无法解码，未予显示。请把它转换为 PNG 或 JPEG，或将其缩小。</translation>
+    </message>
+    <message>
+        <source>The graphics memory does not hold %1, which is not drawn whole. Close other programs, or open a smaller model.</source>
+        <translation>显存容纳不下 %1，它没有被完整绘制。请关闭其他程序，或打开较小的模型。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::GroupHeading</name>
     <message>
         <source>Reset</source>
@@ -2021,17 +2032,6 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>Four lines of numbers with commas, as shown</source>
         <translation>四行以逗号分隔的数字，按显示的排列</translation>
-    </message>
-</context>
-<context>
-    <name>unprojector::gui::MeshPainter</name>
-    <message>
-        <source>A texture of %1 could not be decoded and is not shown. Convert it to PNG or JPEG, or make it smaller.</source>
-        <translation>%1 的一张纹理无法解码，未予显示。请把它转换为 PNG 或 JPEG，或将其缩小。</translation>
-    </message>
-    <message>
-        <source>The graphics memory does not hold %1, which is not drawn whole. Close other programs, or open a smaller model.</source>
-        <translation>显存容纳不下 %1，它没有被完整绘制。请关闭其他程序，或打开较小的模型。</translation>
     </message>
 </context>
 <context>

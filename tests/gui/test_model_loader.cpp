@@ -1,6 +1,7 @@
 // Loading on a thread of its own, without a window: what the thread sanitizer can follow.
 
 #include "gui/document/model_loader.h"
+#include "gui/document/model_store.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -65,7 +66,8 @@ void TestModelLoader::initTestCase()
 
 void TestModelLoader::theGoodFilesComeInOrderAndTheOthersSayWhy()
 {
-    ModelLoader loader;
+    ModelStore store;
+    ModelLoader loader(store);
     QSignalSpy finished(&loader, &ModelLoader::finished);
     QSignalSpy progressed(&loader, &ModelLoader::progressed);
     loader.load({m_large, m_broken, m_small});
@@ -90,7 +92,8 @@ void TestModelLoader::theGoodFilesComeInOrderAndTheOthersSayWhy()
 
 void TestModelLoader::nothingComesAfterACancel()
 {
-    ModelLoader loader;
+    ModelStore store;
+    ModelLoader loader(store);
     QSignalSpy cancelled(&loader, &ModelLoader::cancelled);
     QSignalSpy finished(&loader, &ModelLoader::finished);
     QSignalSpy progressed(&loader, &ModelLoader::progressed);
@@ -104,7 +107,8 @@ void TestModelLoader::nothingComesAfterACancel()
 
 void TestModelLoader::aSecondLoadingTakesTheFirstOnesPlace()
 {
-    ModelLoader loader;
+    ModelStore store;
+    ModelLoader loader(store);
     QSignalSpy cancelled(&loader, &ModelLoader::cancelled);
     QSignalSpy finished(&loader, &ModelLoader::finished);
     loader.load({m_large});
@@ -120,7 +124,8 @@ void TestModelLoader::aSecondLoadingTakesTheFirstOnesPlace()
 void TestModelLoader::aLoaderMayGoWhileItLoads()
 {
     for (int i = 0; i < 5; ++i) {
-        ModelLoader loader;
+        ModelStore store;
+    ModelLoader loader(store);
         loader.load({m_large, m_small});
         QTest::qWait(i);
     }

@@ -1,0 +1,159 @@
+#include "gui/document/model_store.h"
+
+#include "core/scene/stand_in.h"
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+#include <system_error>
+#include <thread>
+
+namespace unprojector::gui {
+namespace {
+
+/// Of all stand-ins of a scene together: what a processor alone draws about twenty-five times a second.
+constexpr std::size_t kStandInSize = 200'000;
+
+std::size_t sizeOf(const Model &model)
+{
+    return model.triangleCount() + model.pointCount();
+}
+
+} // namespace
+
+struct ModelStore::Job {
+    std::shared_ptr<const Model> model;
+    std::atomic<bool> isEnded{false};
+    std::atomic<bool> isDone{false};
+    std::thread thread;
+};
+
+ModelStore::ModelStore(QObject *parent) : QObject(parent) {}
+
+ModelStore::~ModelStore()
+{
+    reap(true);
+}
+
+/// Joins the threads that have ended, or ends all of them.
+void ModelStore::reap(bool all)
+{
+    for (const std::shared_ptr<Job> &job : m_jobs)
+        job->isEnded = job->isEnded || all;
+    std::erase_if(m_jobs, [all](const std::shared_ptr<Job> &job) {
+        if (!all && !job->isDone)
+            return false;
+        job->thread.join();
+        return true;
+    });
+}
+
+std::optional<ModelStore::FileState> ModelStore::stateOf(const std::filesystem::path &file)
+{
+    std::error_code error;
+    FileState state;
+    state.size = std::filesystem::file_size(file, error);
+    if (error)
+        return std::nullopt;
+    state.time = std::filesystem::last_write_time(file, error);
+    return error ? std::nullopt : std::optional(state);
+}
+
+std::shared_ptr<const Model> ModelStore::find(const std::filesystem::path &file) const
+{
+    std::error_code error;
+    const auto found = m_files.find(std::filesystem::weakly_canonical(file, error));
+    if (error || found == m_files.end())
+        return nullptr;
+    const std::optional<FileState> state = stateOf(file);
+    return state && *state == found->second.state ? found->second.model.lock() : nullptr;
+}
+
+void ModelStore::keep(const std::filesystem::path &file, const std::optional<FileState> &state,
+                      const std::shared_ptr<const Model> &model)
+{
+    dropUnused();
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
+    if (state && !error)
+        m_files[path] = {*state, model};
+}
+
+void ModelStore::dropUnused()
+{
+    std::erase_if(m_files, [](const auto &entry) { return entry.second.model.expired(); });
+    std::erase_if(m_standIns, [](const auto &entry) { return entry.second.model.expired(); });
+}
+
+const ModelStore::StandIn *ModelStore::standInOf(const std::shared_ptr<const Model> &model) const
+{
+    const auto found = m_standIns.find(model.get());
+    return found != m_standIns.end() && found->second.model.lock() == model ? &found->second : nullptr;
+}
+
+bool ModelStore::areLarge(const std::vector<SceneObject> &objects)
+{
+    std::size_t size = 0;
+    for (const SceneObject &object : objects)
+        size += object.isHidden ? 0 : sizeOf(*object.model);
+    return size > kMostInMotion;
+}
+
+void ModelStore::makeStandIns(const std::vector<SceneObject> &objects)
+{
+    dropUnused();
+    reap(false);
+    if (!areLarge(objects))
+        return;
+    std::size_t all = 0;
+    for (const SceneObject &object : objects)
+        all += sizeOf(*object.model);
+    for (const SceneObject &object : objects) {
+        const bool isUnderWay = std::any_of(m_jobs.begin(), m_jobs.end(),
+                                            [&object](const auto &job) { return job->model == object.model; });
+        if (isUnderWay || standInOf(object.model))
+            continue;
+        // Each has its share by its size.
+        const double share = static_cast<double>(sizeOf(*object.model)) / static_cast<double>(all);
+        const auto most = static_cast<std::size_t>(share * static_cast<double>(kStandInSize));
+        const auto job = std::make_shared<Job>();
+        job->model = object.model;
+        m_jobs.push_back(job);
+        job->thread = std::thread([this, job, most] {
+            std::shared_ptr<const Model> standIn;
+            try {
+                Model made = standInFor(*job->model, most, [&job](double) { return !job->isEnded; });
+                standIn = std::make_shared<const Model>(std::move(made));
+            } catch (const std::bad_alloc &) {
+                standIn = nullptr; // without memory for it the model is drawn itself
+            }
+            QMetaObject::invokeMethod(
+                this,
+                [this, job, standIn] {
+                    if (job->isEnded || !standIn)
+                        return;
+                    m_standIns[job->model.get()] = {job->model, standIn};
+                    job->model.reset(); // the store keeps no model alive
+                    emit standInReady();
+                },
+                Qt::QueuedConnection);
+            job->isDone = true;
+        });
+    }
+}
+
+std::optional<std::vector<SceneObject>> ModelStore::standInsFor(const std::vector<SceneObject> &objects) const
+{
+    if (!areLarge(objects))
+        return std::nullopt;
+    std::vector<SceneObject> coarse = objects;
+    for (SceneObject &object : coarse) {
+        const StandIn *found = standInOf(object.model);
+        if (!found)
+            return std::nullopt;
+        object.model = found->standIn;
+    }
+    return coarse;
+}
+
+} // namespace unprojector::gui

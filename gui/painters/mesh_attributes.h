@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QtGui/qopengl.h>
+
+namespace unprojector::gui {
+
+/// Where the shader of meshes takes its values from: the locations in mesh.vert.
+struct MeshAttribute {
+    static constexpr GLuint Position = 0;
+    static constexpr GLuint Normal = 1;
+    static constexpr GLuint Color = 2;
+    static constexpr GLuint Texcoord = 3;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,187 @@
+// Models that take too long to be drawn while the view moves: stand-ins are shown, and nothing is ever read from them.
+
+#include "core/scene/solids.h"
+#include "gui/document/model_store.h"
+#include "tests/gui/gui_scene.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <fstream>
+
+using namespace guitest;
+
+namespace {
+
+constexpr int kPatienceMilliseconds = 60000;
+
+/// Two balls of 327,680 triangles each, one model: more than is drawn in motion.
+std::vector<SceneObject> largeScene()
+{
+    auto model = std::make_shared<Model>();
+    model->name = "ball";
+    model->meshes.push_back(sphereMesh(1.0, 7));
+    model->bounds = boundsOf(model->meshes);
+    return {{"left", {}, model, {Translate{{-1.2, 0.0, 0.0}}}}, {"right", {}, model, {Translate{{1.2, 0.0, 0.0}}}}};
+}
+
+const LookAt kFromBefore{WorldPoint(0.0, 0.0, 8.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
+
+LookAt turned(double degrees)
+{
+    const double angle = degrees * kPi / 180.0;
+    return {WorldPoint(8.0 * std::sin(angle), 0.0, 8.0 * std::cos(angle)), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
+}
+
+/// A view of the large scene with stand-ins that are made, at rest.
+struct LargeView {
+    SceneDocument document;
+    ModelStore models;
+    SceneView view{document};
+
+    bool show()
+    {
+        document.setObjects(largeScene(), kFromBefore);
+        view.setModelStore(models);
+        view.setSmoothEdges(false);
+        QSignalSpy made(&models, &ModelStore::standInReady);
+        view.resize(320, 240);
+        view.show();
+        return QTest::qWaitForWindowExposed(&view) && QTest::qWaitFor([&] { return view.isReady(); })
+               && QTest::qWaitFor([&] { return !made.isEmpty(); }, kPatienceMilliseconds) && rest();
+    }
+    /// Turns the camera, and waits until that is on the screen.
+    bool turn(double degrees)
+    {
+        document.setCamera(turned(degrees), {});
+        return QTest::qWaitFor([&] { return view.isCoarse(); });
+    }
+    bool rest()
+    {
+        return QTest::qWaitFor([&] { return !view.isCoarse(); }, kPatienceMilliseconds);
+    }
+};
+
+} // namespace
+
+class TestLargeModels : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void standInsAreOfWhatIsTooLarge();
+    void whatIsReadIsWhole();
+    void aPictureIsWhole();
+    void restBringsAll();
+    void smallModelsAreDrawnAtOnce();
+    void aFileIsReadOnce();
+};
+
+void TestLargeModels::standInsAreOfWhatIsTooLarge()
+{
+    ModelStore models;
+    QSignalSpy made(&models, &ModelStore::standInReady);
+    std::vector<SceneObject> objects = largeScene();
+    QVERIFY(ModelStore::areLarge(objects));
+    QVERIFY(!models.standInsFor(objects));
+    models.makeStandIns(objects);
+    models.makeStandIns(objects); // they are under way
+    QVERIFY(made.wait(kPatienceMilliseconds));
+    QTest::qWait(50);
+    QCOMPARE(made.size(), 1);
+    const auto standIns = models.standInsFor(objects);
+    QVERIFY(standIns);
+    QCOMPARE(standIns->size(), objects.size());
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        QCOMPARE(standIns->at(i).name, objects[i].name);
+        QVERIFY(standIns->at(i).model->triangleCount() < 200'000);
+        QVERIFY(standIns->at(i).model->triangleCount() > 20'000);
+    }
+    objects[1].isHidden = true;
+    QVERIFY2(!models.standInsFor(objects), "what is hidden takes no time");
+}
+
+void TestLargeModels::whatIsReadIsWhole()
+{
+    LargeView shown;
+    QVERIFY(shown.show());
+    // The truth: the same without stand-ins.
+    SceneDocument document;
+    document.setObjects(largeScene(), kFromBefore);
+    SceneView whole(document);
+    whole.resize(shown.view.size());
+    whole.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&whole) && QTest::qWaitFor([&] { return whole.isReady(); }));
+
+    for (const double degrees : {20.0, -35.0}) {
+        QVERIFY(shown.turn(degrees));
+        document.setCamera(turned(degrees), {});
+        const WidgetPoint position(shown.view.width() / 2.0 - 40.0, shown.view.height() / 2.0 + 5.0);
+        whole.onLButtonDown(position);
+        shown.view.onLButtonDown(position);
+        QVERIFY2(!shown.view.isCoarse(), "a click completes the picture");
+        QVERIFY(document.pick() && shown.document.pick() && document.pick()->hit());
+        QCOMPARE(shown.document.pick()->window.z, document.pick()->window.z);
+    }
+}
+
+void TestLargeModels::aPictureIsWhole()
+{
+    LargeView shown;
+    QVERIFY(shown.show());
+    QVERIFY(shown.turn(30.0));
+    const QImage grabbed = shown.view.grabFramebuffer();
+    QVERIFY(!shown.view.isCoarse());
+    shown.view.setModelStore(shown.models);
+    QVERIFY(shown.rest());
+    QCOMPARE(differentPixels(grabbed, shown.view.grabFramebuffer()), 0);
+}
+
+void TestLargeModels::restBringsAll()
+{
+    LargeView shown;
+    QVERIFY(shown.show());
+    const QImage before = shown.view.grabFramebuffer();
+    QVERIFY(shown.turn(30.0));
+    QVERIFY(shown.turn(0.0));
+    QVERIFY(shown.rest());
+    QVERIFY(differentPixels(before, shown.view.grabFramebuffer()) <= 2);
+}
+
+void TestLargeModels::smallModelsAreDrawnAtOnce()
+{
+    SceneDocument document;
+    ModelStore models;
+    SceneView view(document);
+    document.setObjects(cubeScene(), kFromBefore);
+    view.setModelStore(models);
+    view.resize(320, 240);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view) && QTest::qWaitFor([&] { return view.isReady(); }));
+    for (int i = 1; i < 10; ++i) {
+        document.setCamera(turned(i), {});
+        QTest::qWait(2);
+        QVERIFY(!view.isCoarse());
+    }
+}
+
+void TestLargeModels::aFileIsReadOnce()
+{
+    QTemporaryDir folder;
+    const std::filesystem::path path = std::filesystem::path(folder.path().toStdU16String()) / "triangle.off";
+    const auto write = [&](const char *text) { std::ofstream(path) << text; };
+    write("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    ModelStore models;
+    const auto model = std::make_shared<const Model>();
+    models.keep(path, ModelStore::stateOf(path), model);
+    QCOMPARE(models.find(path), model);
+    QVERIFY2(models.find(path.parent_path() / "." / "triangle.off") == model, "another name of the same file");
+    QVERIFY(!models.find(path.parent_path() / "other.off"));
+    write("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 2 1 \n");
+    QVERIFY2(!models.find(path), "the file has changed");
+    models.keep(path, ModelStore::stateOf(path), std::make_shared<const Model>());
+    QVERIFY2(!models.find(path), "nobody has the model any more");
+}
+
+QTEST_MAIN(TestLargeModels)
+#include "test_large_models.moc"
