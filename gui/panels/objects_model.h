@@ -39,7 +39,7 @@ public:
 signals:
     /// What was typed is no name for an object, and why.
     void nameRefused(const QString &reason);
-    /// A name was taken, or a row is about to be edited anew.
+    /// What was typed is the object's name now.
     void nameAccepted();
 
 private:

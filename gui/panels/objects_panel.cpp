@@ -94,7 +94,10 @@ int ObjectsPanel::current() const
 
 bool ObjectsPanel::eventFilter(QObject *watched, QEvent *event)
 {
-    if (event->type() == QEvent::KeyPress) {
+    // Keys of the editor in a row come by as well, where it has no use for them: Enter, which ends it.
+    const QWidget *focus = window()->focusWidget();
+    const bool isEditing = focus && m_list->viewport()->isAncestorOf(focus);
+    if (event->type() == QEvent::KeyPress && !isEditing) {
         switch (static_cast<QKeyEvent *>(event)->key()) {
         case Qt::Key_Delete: removeCurrent(); return true;
         case Qt::Key_Return:
