@@ -144,6 +144,7 @@ Check SceneDocument::open(Scene scene)
     m_savedEdit = ++m_lastEdit;
     m_undoStack.clear();
     clearPick();
+    emit opened();
     tell(kSeen | Change::Pick | Change::History);
     return std::monostate{};
 }

@@ -152,6 +152,8 @@ public:
     WorldPoint pivotOf(const Result<Pick> &pick) const;
 
 signals:
+    /// Another scene is shown. Told before what of it has changed.
+    void opened();
     /// Told once for all that was done together, when all of it is in place.
     void changed(unprojector::gui::Changes changes);
     /// A click that could not be unprojected, with the reason; the last pick stays.

@@ -23,28 +23,27 @@ QStringList PipelineModel::longestStatusTexts()
 }
 
 PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent)
-    : QObject(parent), m_document(document), m_given(new MatrixModel(PipelineStage::WholeMatrix, this))
+    : QObject(parent), m_document(document), m_chosen(new FollowedObject(document, this)),
+      m_given(new MatrixModel(PipelineStage::WholeMatrix, this))
 {
     m_given->setVariableName(QStringLiteral("clipFromEyeAsGiven"));
     for (const PipelineStage stage : kPipelineStages)
         m_matrices[static_cast<std::size_t>(stage)] = new MatrixModel(stage, this);
     for (int space = 0; space < PointModel::kSpaces; ++space)
         m_points[static_cast<std::size_t>(space)] = new PointModel(static_cast<Space>(space), this);
-    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Objects)
-            m_object = kAutomaticObject;
-    });
+    connect(&document, &SceneDocument::opened, this, [this] { m_isIdentity = false; });
     update();
 }
 
 std::optional<std::size_t> PipelineModel::shownObject() const
 {
     const std::size_t count = m_document.objects().size();
-    if (m_object == kNoObject || count == 0)
+    if (m_isIdentity || count == 0)
         return std::nullopt;
+    if (const std::optional<std::size_t> chosen = m_chosen->place())
+        return chosen;
     const std::size_t picked = m_document.pick() ? m_document.pick()->object.value_or(0) : 0;
-    const std::size_t index = m_object >= 0 ? static_cast<std::size_t>(m_object) : picked;
-    return index < count ? std::optional(index) : std::nullopt;
+    return picked < count ? std::optional(picked) : std::nullopt;
 }
 
 void PipelineModel::setDirection(PipelineDirection direction)
@@ -55,9 +54,18 @@ void PipelineModel::setDirection(PipelineDirection direction)
     update();
 }
 
+int PipelineModel::object() const
+{
+    if (m_isIdentity)
+        return kNoObject;
+    const std::optional<std::size_t> chosen = m_chosen->place();
+    return chosen ? static_cast<int>(*chosen) : kAutomaticObject;
+}
+
 void PipelineModel::setObject(int object)
 {
-    m_object = object;
+    m_isIdentity = object == kNoObject;
+    m_chosen->choose(object >= 0 ? std::optional(static_cast<std::size_t>(object)) : std::nullopt);
     update();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/matrices/pipeline.h"
+#include "gui/document/followed_object.h"
 #include "gui/panels/matrix_model.h"
 #include "gui/panels/point_model.h"
 
@@ -21,7 +22,7 @@ class PipelineModel : public QObject {
     Q_OBJECT
 public:
     /// Whose object space: the index of one of the document's objects, or one of these.
-    static constexpr int kAutomaticObject = -1; ///< the one that the picked point belongs to, by the boxes
+    static constexpr int kAutomaticObject = -1; ///< the one that was drawn at the picked pixel
     static constexpr int kNoObject = -2;        ///< the identity: object coordinates are world coordinates
 
     explicit PipelineModel(const SceneDocument &document, QObject *parent = nullptr);
@@ -31,7 +32,8 @@ public:
 
     PipelineDirection direction() const { return m_direction; }
     void setDirection(PipelineDirection direction);
-    int object() const { return m_object; }
+    /// A chosen object stays chosen while the list changes around it, until it is removed.
+    int object() const;
     void setObject(int object);
     const MatrixView &view() const { return m_view; }
     void setView(const MatrixView &view);
@@ -61,8 +63,8 @@ private:
 
     const SceneDocument &m_document;
     PipelineDirection m_direction = PipelineDirection::Forward;
-    int m_object = kAutomaticObject;
-    /// Found once for each pick: moving the object afterwards does not make the point another's.
+    FollowedObject *m_chosen;
+    bool m_isIdentity = false;
     MatrixView m_view;
     std::array<MatrixModel *, kPipelineStages.size()> m_matrices;
     std::array<PointModel *, PointModel::kSpaces> m_points;

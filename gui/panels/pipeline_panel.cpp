@@ -112,8 +112,7 @@ QWidget *PipelinePanel::createSwitches()
 
     m_object = new QComboBox;
     m_object->setAccessibleName(tr("Object"));
-    m_object->setToolTip(
-        tr("Whose object space: by itself that of the object whose box holds the picked point most tightly"));
+    m_object->setToolTip(tr("Whose object space: by itself that of the object that was drawn at the picked pixel"));
     m_object->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_object->setMinimumContentsLength(8);
     auto *objectLabel = new QLabel(tr("&Object:"));

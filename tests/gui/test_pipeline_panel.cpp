@@ -481,6 +481,17 @@ void TestPipelinePanel::theObjectIsThePickedOneUntilAnotherIsChosen()
     QVERIFY(isPoint(model.point(Space::Object), {8.2, 0.2, -2}));
     QCOMPARE(value(model.matrix(Stage::ModelMatrix), 0, 0), 1.0);
 
+    // The chosen one stays chosen while others come and go, are renamed and change places.
+    model.setObject(1);
+    QVERIFY(document.moveObject(1, 0));
+    QCOMPARE(document.renameObject(0, QStringLiteral("another name")), NameFault::None);
+    model.update();
+    QCOMPARE(model.object(), 0);
+    QVERIFY(isPoint(model.point(Space::Object), {4.1, 0.1, -1}));
+    QVERIFY(document.removeObject(0));
+    QCOMPARE(model.object(), PipelineModel::kAutomaticObject);
+    model.setObject(PipelineModel::kNoObject);
+
     // Without objects there is only the world.
     document.setObjects({});
     model.update();

@@ -63,7 +63,8 @@ ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(document, Change::Objects | Change::Names | Change::Placement,
                      {tr("Model"), tr("Where each object stands (glTranslate, glRotate, glScale)"),
                       tr("No steps: the object that is shown stands where its file puts it")},
-                     parent)
+                     parent),
+      m_shown(new FollowedObject(document, this))
 {
     m_object = new QComboBox;
     m_object->setObjectName(QStringLiteral("object"));
@@ -109,7 +110,7 @@ ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
 
     connect(m_object, &QComboBox::activated, this, [this](int index) {
         restoreFields();
-        m_shown = static_cast<std::size_t>(index);
+        m_shown->choose(static_cast<std::size_t>(index));
         refresh();
     });
 }
@@ -118,15 +119,17 @@ const std::vector<TransformStep> &ModelGroup::steps() const
 {
     static const std::vector<TransformStep> none;
     const std::vector<SceneObject> &objects = document().objects();
-    return m_shown < objects.size() ? objects[m_shown].transform : none;
+    const std::optional<std::size_t> shown = m_shown->place();
+    return shown ? objects[*shown].transform : none;
 }
 
 void ModelGroup::addStep(const TransformStep &step, const QString &text, bool byKeyboard)
 {
     Scene next = document().scene();
-    if (m_shown >= next.objects.size())
+    const std::optional<std::size_t> shown = m_shown->place();
+    if (!shown)
         return;
-    next.objects[m_shown].transform.push_back(step);
+    next.objects[*shown].transform.push_back(step);
     if (change(next, text) && !m_rows.empty())
         bringUp(m_rows.back().first, byKeyboard);
 }
@@ -134,7 +137,7 @@ void ModelGroup::addStep(const TransformStep &step, const QString &text, bool by
 void ModelGroup::moveStep(std::size_t from, std::size_t to, bool byKeyboard)
 {
     Scene next = document().scene();
-    std::vector<TransformStep> &list = next.objects[m_shown].transform;
+    std::vector<TransformStep> &list = next.objects[m_shown->place().value()].transform;
     std::swap(list[from], list[to]);
     restoreFields();
     const bool isUp = to < from;
@@ -148,7 +151,7 @@ void ModelGroup::moveStep(std::size_t from, std::size_t to, bool byKeyboard)
 void ModelGroup::removeStep(std::size_t step, bool byKeyboard)
 {
     Scene next = document().scene();
-    std::vector<TransformStep> &list = next.objects[m_shown].transform;
+    std::vector<TransformStep> &list = next.objects[m_shown->place().value()].transform;
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(step));
     restoreFields();
     if (!change(next, tr("Remove step")) || !byKeyboard)
@@ -161,61 +164,54 @@ void ModelGroup::removeStep(std::size_t step, bool byKeyboard)
 
 void ModelGroup::removeObject()
 {
-    if (m_shown >= document().objects().size())
+    const std::optional<std::size_t> shown = m_shown->place();
+    if (!shown)
         return;
     restoreFields();
-    const std::size_t place = m_shown;
-    static_cast<void>(document().removeObject(place)); // fewer objects are always a picture
-    const std::size_t count = document().objects().size();
-    if (count == 0)
-        return;
-    // The next one takes its place.
-    m_shown = std::min(place, count - 1);
-    refresh();
+    static_cast<void>(document().removeObject(*shown)); // fewer objects are always a picture
 }
 
 void ModelGroup::showObjects()
 {
     const std::vector<SceneObject> &objects = document().objects();
-    if (!m_isEmpty && std::equal(objects.begin(), objects.end(), m_listed.begin(), m_listed.end(), isSameObject)) {
-        m_object->setCurrentIndex(static_cast<int>(m_shown));
-        return;
+    if (!m_shown->place()) {
+        // What was typed for the one that went is not meant for the one that takes its place.
+        m_rowsOf.reset();
+        if (!objects.empty())
+            m_shown->choose(std::min(m_shown->lastPlace(), objects.size() - 1));
     }
-    // The shown object stays shown, wherever it is in the list now.
-    const auto shown =
-        m_shown < m_listed.size()
-            ? std::find_if(objects.begin(), objects.end(),
-                           [&](const SceneObject &object) { return isSameObject(object, m_listed[m_shown]); })
-            : objects.end();
-    m_shown = shown == objects.end() ? 0 : static_cast<std::size_t>(shown - objects.begin());
-    m_listed = objects;
-    m_rowsOf.reset();
-    m_isEmpty = objects.empty();
-    m_object->clear();
-    for (const SceneObject &object : objects) {
-        const QString name = QString::fromStdString(object.name);
-        m_object->addItem(name);
-        m_object->setItemData(m_object->count() - 1, plainToolTip(name), Qt::ToolTipRole); // it may be cut
+    const int shown = objects.empty() ? -1 : static_cast<int>(*m_shown->place());
+    QStringList names;
+    for (const SceneObject &object : objects)
+        names << QString::fromStdString(object.name);
+    if (names != m_names) {
+        m_names = names;
+        m_object->clear();
+        for (const QString &name : names) {
+            m_object->addItem(name);
+            m_object->setItemData(m_object->count() - 1, plainToolTip(name), Qt::ToolTipRole); // it may be cut
+        }
     }
-    m_object->setCurrentIndex(m_isEmpty ? -1 : static_cast<int>(m_shown));
-    m_object->setEnabled(!m_isEmpty);
-    m_removeObject->setEnabled(!m_isEmpty);
+    m_object->setCurrentIndex(shown);
+    m_object->setEnabled(shown >= 0);
+    m_removeObject->setEnabled(shown >= 0);
     for (QPushButton *button : m_adds)
-        button->setEnabled(!m_isEmpty);
+        button->setEnabled(shown >= 0);
 }
 
 Scene ModelGroup::withDefaults(Scene scene) const
 {
-    if (m_shown < scene.objects.size())
-        scene.objects[m_shown].transform.clear();
+    if (const std::optional<std::size_t> shown = m_shown->place())
+        scene.objects[*shown].transform.clear();
     return scene;
 }
 
 Check ModelGroup::edit(const Scene &next, const Deed &deed)
 {
-    if (m_shown >= next.objects.size())
+    const std::optional<std::size_t> shown = m_shown->place();
+    if (!shown)
         return std::monostate{}; // there is nothing to place
-    return document().editTransform(m_shown, next.objects[m_shown].transform, deed);
+    return document().editTransform(*shown, next.objects[*shown].transform, deed);
 }
 
 void ModelGroup::showScene()
@@ -224,9 +220,9 @@ void ModelGroup::showScene()
     std::vector<std::size_t> kinds;
     for (const TransformStep &step : steps())
         kinds.push_back(step.index());
-    if (kinds != m_shownKinds || m_rowsOf != m_shown) {
+    if (kinds != m_shownKinds || m_rowsOf != m_shown->place()) {
         m_shownKinds = std::move(kinds);
-        m_rowsOf = m_shown;
+        m_rowsOf = m_shown->place();
         rebuildRows();
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i)
@@ -301,7 +297,7 @@ ModelGroup::Row ModelGroup::makeRow(std::size_t step)
                                  ? tr("Axis of the rotation, %1; its length does not matter (glRotate: %1)").arg(axis)
                              : isScale ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
                                        : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
-        const std::size_t object = m_shown;
+        const std::size_t object = m_shown->place().value();
         const QString unit = isAngle ? degrees() : isRotation ? ofAnyLength() : isScale ? factor() : worldUnits();
         NumberField *field =
             addField(isAngle ? angle : vector, isAngle ? QString() : axis, unit,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/document/followed_object.h"
 #include "gui/panels/parameters/parameter_group.h"
 
 class QComboBox;
@@ -48,10 +49,9 @@ private:
     QVBoxLayout *m_list;
     std::vector<QPushButton *> m_adds;
     std::vector<Row> m_rows;
-    std::vector<SceneObject> m_listed;     ///< those in the combo box
+    FollowedObject *m_shown;
+    QStringList m_names;                   ///< those in the combo box
     std::vector<std::size_t> m_shownKinds; ///< of the steps that the rows were made for
-    std::size_t m_shown = 0;               ///< the object that is shown
-    bool m_isEmpty = true;                 ///< nothing is in the combo box
     std::optional<std::size_t> m_rowsOf;   ///< the object that the rows were made for
 };
 

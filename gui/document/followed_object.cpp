@@ -1,0 +1,38 @@
+#include "gui/document/followed_object.h"
+
+#include "gui/document/scene_document.h"
+
+namespace unprojector::gui {
+
+FollowedObject::FollowedObject(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
+{
+    connect(&document, &SceneDocument::opened, this, [this] {
+        choose(std::nullopt);
+        m_lastPlace = 0;
+    });
+    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        // Step by step: of an object that is moved and then renamed only the first step tells where it came from.
+        if (changes & (Change::Objects | Change::Names | Change::Placement))
+            static_cast<void>(place());
+    });
+}
+
+void FollowedObject::choose(std::optional<std::size_t> place)
+{
+    m_place = place;
+    m_lastPlace = place.value_or(m_lastPlace);
+    m_listed = place ? m_document.objects() : std::vector<SceneObject>();
+}
+
+std::optional<std::size_t> FollowedObject::place()
+{
+    if (!m_place)
+        return std::nullopt;
+    // Who is told of a change before this asks for the list as it is already.
+    const std::vector<SceneObject> &now = m_document.objects();
+    const bool isOtherList = changesBetween(m_listed, now).testFlag(Change::Objects);
+    choose(isOtherList ? placeAfter(m_listed, *m_place, now) : m_place);
+    return m_place;
+}
+
+} // namespace unprojector::gui
