@@ -81,6 +81,7 @@ bool Session::saveAs()
 
 bool Session::saveScene(const std::filesystem::path &file)
 {
+    emit aboutToSaveOrLeave();
     const std::filesystem::path path = absolutePath(file);
     SceneFile contents = sceneFileFrom(m_document.scene(), m_document.geometry(), path, m_contents);
     const std::optional<files::FileStamp> onlyIf = path == m_file ? m_stamp : std::nullopt;
@@ -126,6 +127,7 @@ QString Session::droppedMatrices(const SceneFile &written) const
 bool Session::mayLeave()
 {
     m_loader.cancel(); // it could replace the scene under the question
+    emit aboutToSaveOrLeave();
     if (!m_options.remembers || !hasUnsavedChanges())
         return true;
     switch (m_questions.askSave(m_name)) {

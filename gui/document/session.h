@@ -111,6 +111,8 @@ public:
     void clearRecentFiles();
 
 signals:
+    /// The scene is to be saved or left: what is being typed is to count before.
+    void aboutToSaveOrLeave();
     /// The name, the file, or whether there are unsaved changes.
     void changed();
     /// Something is opened or was saved: what was told before is past.

@@ -65,6 +65,11 @@ ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QSc
     layout->addStretch();
     alignRows();
     orderTabs();
+    connect(&document, &SceneDocument::opened, this, [this] {
+        // What was typed for the numbers of one scene is not meant for those of another.
+        for (ParameterGroup *group : m_groups)
+            group->restoreFields();
+    });
 }
 
 void ParametersPanel::addGroup(ParameterGroup *group, const QString &objectName, bool isOpen)
@@ -122,8 +127,8 @@ void ParametersPanel::bringUp(QWidget *widget)
 
 void ParametersPanel::applyTyped()
 {
-    for (NumberField *field : findChildren<NumberField *>())
-        field->commit();
+    for (ParameterGroup *group : m_groups)
+        group->applyTyped();
 }
 
 QByteArray ParametersPanel::saveState() const

@@ -19,7 +19,7 @@ class ParametersPanel : public QScrollArea {
 public:
     explicit ParametersPanel(SceneDocument &document, QWidget *parent = nullptr);
 
-    /// What is being typed counts, as if Enter were pressed.
+    /// What is being typed counts, as if Enter were pressed. What was refused already is not asked for again.
     void applyTyped();
 
     /// Which groups are folded, to be kept with the window's layout.

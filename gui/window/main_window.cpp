@@ -85,6 +85,7 @@ MainWindow::~MainWindow()
 
 void MainWindow::connectSession()
 {
+    connect(m_session, &Session::aboutToSaveOrLeave, m_parameters, &ParametersPanel::applyTyped);
     connect(m_session, &Session::changed, this, &MainWindow::showName);
     connect(m_session, &Session::opened, this, &MainWindow::showOpened);
     connect(m_session, &Session::failed, this, &MainWindow::showFailure);
@@ -249,7 +250,6 @@ void MainWindow::showEvent(QShowEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    m_parameters->applyTyped();
     if (!m_session->mayLeave()) {
         event->ignore();
         return;

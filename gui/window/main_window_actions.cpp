@@ -6,7 +6,6 @@
 #include "gui/document/recent_files.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/icons.h"
-#include "gui/panels/parameters_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/example_texts.h"
 #include "gui/view/scene_view.h"
@@ -102,17 +101,11 @@ void MainWindow::createFileMenu(QToolBar &bar)
     m_recentMenu = menu->addMenu(tr("Open &Recent"));
     onBar(bar,
           addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"),
-                    [this] {
-                        m_parameters->applyTyped();
-                        m_session->save();
-                    }),
+                    [this] { m_session->save(); }),
           Drawing::Save);
     bar.addSeparator();
     addAction(menu, tr("Save Scene &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Write the scene to another file"),
-              [this] {
-                  m_parameters->applyTyped();
-                  m_session->saveAs();
-              });
+              [this] { m_session->saveAs(); });
     menu->addSeparator();
     addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
               [this] { m_session->openBundledScene(); });

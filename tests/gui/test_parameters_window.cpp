@@ -2,9 +2,11 @@
 
 #include "gui_scene.h"
 
+#include "core/scene/examples.h"
 #include "gui/panels/parameters/number_field.h"
 #include "gui/panels/parameters/parameter_group.h"
 #include "gui/panels/parameters_panel.h"
+#include "gui/window/work_places.h"
 
 #include <QFile>
 #include <QLabel>
@@ -25,6 +27,8 @@ private slots:
 
     void whatIsFoldedIsKeptWithTheLayout();
     void savingSavesWhatIsTyped();
+    void whatIsTypedCountsBeforeAnotherSceneIsOpened_data();
+    void whatIsTypedCountsBeforeAnotherSceneIsOpened();
     void theProjectionIsCalledByItsName_data();
     void theProjectionIsCalledByItsName();
 
@@ -63,6 +67,7 @@ void TestParametersWindow::savingSavesWhatIsTyped()
     const auto window = shownWindow(false, {1100, 800}, true);
     window->session().openBundledScene();
     QVERIFY(window->session().saveScene(file.toStdString()));
+    window->places().enter("pipeline");
     auto *panel = window->findChild<ParametersPanel *>();
     auto *nearField = panel->findChild<NumberField *>(QStringLiteral("nearDistance"));
     window->document().undoStack().setClean();
@@ -76,6 +81,36 @@ void TestParametersWindow::savingSavesWhatIsTyped()
     QFile saved(file);
     QVERIFY(saved.open(QIODevice::ReadOnly));
     QVERIFY(saved.readAll().contains("0.12345"));
+}
+
+void TestParametersWindow::whatIsTypedCountsBeforeAnotherSceneIsOpened_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<bool>("counts");
+    QTest::newRow("a good number") << QStringLiteral("0.12345") << true;
+    QTest::newRow("one that is refused") << QStringLiteral("-3") << false;
+}
+
+/// It counts in the scene that it was typed for, so that one is asked whether to save it, and never in the next one.
+void TestParametersWindow::whatIsTypedCountsBeforeAnotherSceneIsOpened()
+{
+    QFETCH(QString, typed);
+    QFETCH(bool, counts);
+    const auto window = shownWindow(false, {1100, 800}, true);
+    window->session().openBundledScene();
+    window->places().enter("pipeline");
+    auto *nearField = window->findChild<ParametersPanel *>()->findChild<NumberField *>(QStringLiteral("nearDistance"));
+    nearField->setText(typed);
+    const auto nearNow = [&] { return projectionWindow(window->document().scene().projection).nearDistance; };
+    bool hasCounted = false;
+    connect(&window->document(), &SceneDocument::changed, this, [&] { hasCounted |= nearNow() == 0.12345; });
+    window->session().openExample(examples().front().id);
+    QCOMPARE(hasCounted, counts);
+    QVERIFY(!nearField->isTyping() && !nearField->isBad());
+    const double opened = nearNow();
+    QVERIFY(opened != 0.12345);
+    window->findChild<ParametersPanel *>()->applyTyped();
+    QCOMPARE(nearNow(), opened);
 }
 
 void TestParametersWindow::theProjectionIsCalledByItsName_data()

@@ -103,6 +103,12 @@ void NumberField::commit()
     emit committed();
 }
 
+void NumberField::commitUntried()
+{
+    if (isUntried())
+        commit();
+}
+
 void NumberField::setReason(const QString &reason)
 {
     if (reason == m_reason)
@@ -250,7 +256,7 @@ void NumberField::commitBeforeShortcut(const QKeyEvent &key)
     const Qt::KeyboardModifiers held = key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
     const bool isModifierItself = key.key() >= Qt::Key_Escape;
     if (held != Qt::NoModifier && held != (Qt::ControlModifier | Qt::AltModifier) && !isModifierItself)
-        commit();
+        commitUntried();
 }
 
 void NumberField::focusInEvent(QFocusEvent *event)
@@ -285,8 +291,7 @@ void NumberField::focusOutEvent(QFocusEvent *event)
 
 void NumberField::commitLeft(Qt::FocusReason reason)
 {
-    if (isTyping() && text() != m_tried)
-        commit();
+    commitUntried();
     // A menu over the window does not end the look at the digits.
     if (reason == Qt::PopupFocusReason)
         return;

@@ -41,6 +41,10 @@ public:
     Result<double, text::ExpressionError> typed() const;
     /// Finishes the typing, if there is any.
     void commit();
+    /// Whether there is a text that was not committed as it is: neither taken nor refused.
+    bool isUntried() const { return isTyping() && text() != m_tried; }
+    /// Finishes the typing, unless it was refused already.
+    void commitUntried();
 
     bool isBad() const { return !m_reason.isEmpty(); }
     const QString &reason() const { return m_reason; }

@@ -144,7 +144,7 @@ void ParameterGroup::onClick(QAbstractButton *button, std::function<void(bool by
     button->setFocusPolicy(Qt::TabFocus);
     connect(button, &QAbstractButton::clicked, this, [button, act = std::move(act)] {
         if (auto *typing = qobject_cast<NumberField *>(QApplication::focusWidget()))
-            typing->commit();
+            typing->commitUntried();
         act(button->hasFocus());
     });
 }
@@ -166,8 +166,23 @@ void ParameterGroup::restoreFields()
 {
     setReason({});
     for (const FieldPointer &field : m_fields) {
-        if (field->widget->isBad())
+        if (field->widget->isBad() || field->widget->isTyping())
             field->widget->restore();
+    }
+}
+
+void ParameterGroup::applyTyped()
+{
+    const auto isUntried = [](const FieldPointer &field) { return field->widget->isUntried(); };
+    if (std::none_of(m_fields.begin(), m_fields.end(), isUntried))
+        return;
+    // A group that was folded or hidden may have fields of objects and planes that are gone.
+    if (m_isStale)
+        refresh();
+    const std::vector<FieldPointer> fields = m_fields; // a change may make others
+    for (const FieldPointer &field : fields) {
+        if (isThere(field))
+            field->widget->commitUntried();
     }
 }
 
@@ -255,7 +270,8 @@ std::vector<ParameterGroup::FieldPointer> ParameterGroup::refusedBut(const Field
     std::vector<FieldPointer> refused;
     for (const FieldPointer &field : m_fields) {
         NumberField *widget = field->widget;
-        if (field == other || !widget->isBad() || !widget->typed() || refused.size() == kMostTriedTogether)
+        if (field == other || !widget->isBad() || !widget->typed() || refused.size() == kMostTriedTogether
+            || !field->binding.read(m_document.scene()))
             continue;
         if (!field->binding.refusal || field->binding.refusal(*widget->typed()).isEmpty())
             refused.push_back(field);
@@ -269,7 +285,11 @@ void ParameterGroup::apply(const FieldPointer &field)
     const Result<double, text::ExpressionError> typed = field->widget->typed();
     const std::vector<FieldPointer> refused = refusedBut(field);
     const std::optional<double> current = field->binding.read(m_document.scene());
-    if (!typed || !current || (field->binding.refusal && !field->binding.refusal(*typed).isEmpty())) {
+    if (!current) {
+        field->widget->restore(); // what it stood for is gone
+        return;
+    }
+    if (!typed || (field->binding.refusal && !field->binding.refusal(*typed).isEmpty())) {
         refuse(field);
         return;
     }
@@ -320,6 +340,8 @@ void ParameterGroup::refuse(const FieldPointer &field)
 
 QString ParameterGroup::refusalOf(const Field &field) const
 {
+    if (!field.binding.read(m_document.scene()))
+        return {}; // what it stood for is gone
     const Result<double, text::ExpressionError> typed = field.widget->typed();
     if (!typed)
         return typed.error().code == text::ExpressionErrorCode::Empty

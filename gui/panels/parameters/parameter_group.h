@@ -53,6 +53,10 @@ public:
     void setOpen(bool isOpen);
     /// The width that it needs, open or not.
     int leastWidth() const;
+    /// What is being typed counts, on the screen or not. What was refused already is not asked for again.
+    void applyTyped();
+    /// All fields show the document's values again, whatever was typed into them.
+    void restoreFields();
     /// Why a change that no field made was refused; empty if none was.
     QString reason() const;
 
@@ -72,10 +76,9 @@ protected:
                             std::function<double(const Scene &, double)> within);
     /// Forgets and deletes the fields inside a widget that is about to go.
     void removeFieldsIn(QWidget *container);
-    /// Red fields show the document's values again.
-    void restoreFields();
 
-    /// Shows everything of the scene but the fields' numbers. Called only while the group is on the screen.
+    /// Shows everything of the scene but the fields' numbers. Called while the group is on the screen, or before what was
+    /// typed there counts.
     virtual void showScene() = 0;
     /// showScene and all numbers, now.
     void refresh();

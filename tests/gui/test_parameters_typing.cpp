@@ -1,0 +1,171 @@
+// What was typed and refused, or not finished, while the scene changes under it: other objects, another scene, a panel that
+// is hidden meanwhile.
+
+#include "panel_user.h"
+
+#include <QComboBox>
+#include <QTest>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+
+class TestParametersTyping : public QObject, PanelUser {
+    Q_OBJECT
+
+private slots:
+    void init() { start(); }
+
+    void aRefusedNumberGoesWithItsObject_data();
+    void aRefusedNumberGoesWithItsObject();
+    void aRefusedNumberGoesWithItsPlane();
+    void aRefusedNumberIsNotMeantForAnotherScene_data() { addPlaces(); }
+    void aRefusedNumberIsNotMeantForAnotherScene();
+    void aNumberCountsThoughItsGroupIsNotSeen_data() { addPlaces(); }
+    void aNumberCountsThoughItsGroupIsNotSeen();
+    void theShownObjectStaysShown_data();
+    void theShownObjectStaysShown();
+
+private:
+    static void addPlaces()
+    {
+        QTest::addColumn<bool>("isHidden");
+        QTest::addColumn<bool>("isFolded");
+        QTest::newRow("on the screen") << false << false;
+        QTest::newRow("in a hidden panel") << true << false;
+        QTest::newRow("in a folded group") << false << true;
+    }
+    /// Both objects with a scale, the second shown, 0 typed for it and refused.
+    NumberField *refusedScale()
+    {
+        Scene prepared = startScene();
+        for (SceneObject &object : prepared.objects)
+            object.transform = {Scale{{2.0, 1.0, 1.0}}};
+        open(prepared);
+        showGroup(QStringLiteral("modelGroup"));
+        choose(QStringLiteral("object"), QStringLiteral("second"));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        NumberField *scale = field(QStringLiteral("number0"), QStringLiteral("step1"));
+        type(scale, QStringLiteral("0"));
+        return scale;
+    }
+};
+
+void TestParametersTyping::aRefusedNumberGoesWithItsObject_data()
+{
+    QTest::addColumn<bool>("isHidden");
+    QTest::addColumn<int>("removed");
+    QTest::newRow("on the screen") << false << 1;
+    QTest::newRow("in a hidden panel") << true << 1;
+    QTest::newRow("the one before it, in a hidden panel") << true << 0;
+}
+
+void TestParametersTyping::aRefusedNumberGoesWithItsObject()
+{
+    QFETCH(bool, isHidden);
+    QFETCH(int, removed);
+    QVERIFY(refusedScale()->isBad());
+    m_panel->setHidden(isHidden);
+    QVERIFY(m_document->removeObject(static_cast<std::size_t>(removed)));
+    const Scene before = scene();
+    m_panel->applyTyped(); // as Save does
+    QVERIFY(isSameScene(scene(), before));
+    m_panel->show();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    NumberField *left = field(QStringLiteral("number0"), QStringLiteral("step1"));
+    QCOMPARE(left->text(), QStringLiteral("2"));
+    QVERIFY(!left->isBad());
+}
+
+void TestParametersTyping::aRefusedNumberGoesWithItsPlane()
+{
+    Scene prepared = startScene();
+    cut(prepared);
+    open(prepared);
+    showGroup(QStringLiteral("clipGroup"));
+    NumberField *plane = field(QStringLiteral("number0"), QStringLiteral("plane1"));
+    type(plane, QStringLiteral("0")); // its normal would have no length
+    QVERIFY(plane->isBad());
+    begin(field(QStringLiteral("number3"), QStringLiteral("plane1")), QStringLiteral("4"));
+    m_panel->hide();
+    QVERIFY(m_document->editClipPlanes({}, {}, {QStringLiteral("by another")}));
+    m_panel->applyTyped();
+    QVERIFY(scene().clipPlanes.empty());
+}
+
+void TestParametersTyping::aRefusedNumberIsNotMeantForAnotherScene()
+{
+    QFETCH(bool, isHidden);
+    QFETCH(bool, isFolded);
+    NumberField *nearField = field(QStringLiteral("nearDistance"));
+    type(nearField, QStringLiteral("200"));
+    QVERIFY(nearField->isBad());
+    m_panel->setHidden(isHidden);
+    showGroup(QStringLiteral("projectionGroup"))->setOpen(!isFolded);
+    Scene other = startScene();
+    std::get<Frustum>(other.projection).farDistance = 1000.0; // 200 would be good there
+    open(other);
+    m_panel->applyTyped();
+    QCOMPARE(frustumOf(scene()).nearDistance, 1.0);
+    m_panel->show();
+    showGroup(QStringLiteral("projectionGroup"));
+    QCOMPARE(nearField->text(), QStringLiteral("1"));
+    QVERIFY(!nearField->isBad());
+}
+
+void TestParametersTyping::aNumberCountsThoughItsGroupIsNotSeen()
+{
+    QFETCH(bool, isHidden);
+    QFETCH(bool, isFolded);
+    begin(field(QStringLiteral("nearDistance")), QStringLiteral("20"));
+    NumberField *farField = field(QStringLiteral("farDistance"));
+    farField->setText(QStringLiteral("300")); // without the focus, so that nothing but applyTyped finishes it
+    m_panel->setHidden(isHidden);
+    showGroup(QStringLiteral("projectionGroup"))->setOpen(!isFolded);
+    m_panel->applyTyped();
+    QCOMPARE(frustumOf(scene()).nearDistance, 20.0);
+    QCOMPARE(frustumOf(scene()).farDistance, 300.0);
+}
+
+void TestParametersTyping::theShownObjectStaysShown_data()
+{
+    QTest::addColumn<bool>("isHidden");
+    QTest::newRow("on the screen") << false;
+    QTest::newRow("in a hidden panel") << true;
+}
+
+/// Whatever is done to the list.
+void TestParametersTyping::theShownObjectStaysShown()
+{
+    QFETCH(bool, isHidden);
+    showGroup(QStringLiteral("modelGroup"));
+    choose(QStringLiteral("object"), QStringLiteral("second"));
+    const auto *box = m_panel->findChild<QComboBox *>(QStringLiteral("object"));
+    const auto shows = [&](const char *name, int place) {
+        m_panel->show();
+        QCoreApplication::processEvents();
+        const bool is = box->currentText() == QLatin1String(name) && box->currentIndex() == place;
+        m_panel->setHidden(isHidden);
+        return is;
+    };
+    m_panel->setHidden(isHidden);
+    QVERIFY(m_document->editTransform(1, {Translate{{1.0, 2.0, 3.0}}}, {QStringLiteral("by another")}));
+    QCOMPARE(m_document->renameObject(1, QStringLiteral("renamed")), NameFault::None);
+    QVERIFY(shows("renamed", 1));
+    QVERIFY(m_document->moveObject(1, 0));
+    QVERIFY(shows("renamed", 0));
+    m_document->undoStack().undo();
+    m_document->undoStack().undo();
+    QVERIFY(shows("second", 1));
+    QVERIFY(m_document->removeObject(0));
+    QVERIFY(shows("second", 0));
+    // What takes the place of one that goes is shown; another scene starts with its first.
+    m_document->undoStack().undo();
+    QVERIFY(m_document->removeObject(1));
+    QVERIFY(shows("first", 0));
+    m_document->undoStack().undo();
+    open(startScene());
+    QVERIFY(shows("first", 0));
+}
+
+QTEST_MAIN(TestParametersTyping)
+#include "test_parameters_typing.moc"
