@@ -109,7 +109,7 @@ void SceneView::onDraw()
         m_overlay->draw(m_document, m_isCrosshairShown ? std::optional(crosshair()) : std::nullopt);
     emit happened({LifecycleEvent::Kind::OnDraw, QString(),
                    hasDrawnObjects ? kObjectCalls + QStringLiteral(", glDrawArrays")
-                                   : QStringLiteral("glDrawArrays: the objects are as they were drawn before"),
+                                   : tr("glDrawArrays: the objects are as they were drawn before"),
                    milliseconds(timer)});
     requestHover();
 }

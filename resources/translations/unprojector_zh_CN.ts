@@ -2619,10 +2619,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>物体</translation>
     </message>
     <message>
-        <source>Whose object space: by itself that of the object whose box holds the picked point most tightly</source>
-        <translation>取哪个物体的物体空间：自动选择包围盒最紧密地包含拾取点的物体</translation>
-    </message>
-    <message>
         <source>&amp;Object:</source>
         <translation>物体(&amp;O)：</translation>
     </message>
@@ -2685,6 +2681,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>↓  divide by its own w′, as gluUnProject does</source>
         <translation>↓  除以它自己的 w′，与 gluUnProject 相同</translation>
+    </message>
+    <message>
+        <source>Whose object space: by itself that of the object that was drawn at the picked pixel</source>
+        <translation>属于哪个物体的物体坐标：自动时为所选像素上绘制的那个物体</translation>
     </message>
 </context>
 <context>
@@ -3120,6 +3120,10 @@ of a point that needs no division</source>
     <message>
         <source>Those that are hidden as well</source>
         <translation>包括已隐藏的物体</translation>
+    </message>
+    <message>
+        <source>glDrawArrays: the objects are as they were drawn before</source>
+        <translation>glDrawArrays：物体沿用上一次的绘制结果</translation>
     </message>
 </context>
 <context>
