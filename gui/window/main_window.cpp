@@ -117,12 +117,6 @@ void MainWindow::createCenter()
     m_center->setContentsMargins(0, 0, 0, 0);
     m_recovery = new RecoveryBar;
     m_message = new MessageBar;
-    m_topBars = new QWidget;
-    auto *bars = new QVBoxLayout(m_topBars);
-    bars->setContentsMargins(0, 0, 0, 0);
-    bars->setSpacing(0);
-    bars->addWidget(m_recovery);
-    bars->addWidget(m_message);
     m_loading = new LoadingBar;
     setCentralWidget(m_viewFrame);
 }
@@ -133,10 +127,17 @@ void MainWindow::createView()
     m_view->setSmoothEdges(m_smoothEdges);
     m_view->setModelStore(m_session->models());
     m_center->addWidget(m_view, 0, 0);
-    m_center->addWidget(m_topBars, 0, 0, Qt::AlignTop);
+    // A layout, not a widget: beside what stands in it the view is clicked.
+    m_overlays = new QVBoxLayout;
+    m_overlays->setSpacing(0);
+    m_overlays->addWidget(m_recovery);
+    m_overlays->addWidget(m_message);
+    m_overlays->addStretch();
+    m_center->addLayout(m_overlays, 0, 0);
     m_center->addWidget(m_loading, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
-    m_topBars->raise();
-    m_loading->raise();
+    for (QWidget *bar :
+         {static_cast<QWidget *>(m_recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_loading)})
+        bar->raise();
     connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
     connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
     connect(m_view, &SceneView::pointerLeft, this, [this] {

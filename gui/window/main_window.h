@@ -6,6 +6,7 @@
 
 #include <QKeySequence>
 #include <QMainWindow>
+#include <QSizeF>
 
 #include <functional>
 #include <memory>
@@ -15,6 +16,7 @@
 
 class QGridLayout;
 class QLabel;
+class QVBoxLayout;
 
 namespace unprojector::gui {
 using namespace unproject;
@@ -63,6 +65,8 @@ public:
     /// Makes the window as large or small as gives the view this size, logical pixels.
     /// @pre the window is shown
     void setViewSize(const QSize &size);
+    /// What a right click on the tool bar or on a panel's title offers.
+    QMenu *createPopupMenu() override;
     /// The message that is on show, or nothing.
     QString message() const;
 
@@ -88,6 +92,8 @@ private:
     void restoreLayout();
     void keepLayout() const;
     void showExample(const QString &example);
+    /// An example's text and the view from outside, in a dock, go along from place to place.
+    void showAccompanying();
     void showObserver(bool isShown);
     /// Into a dock, or over the view.
     void dockObserver(bool isDocked);
@@ -125,10 +131,11 @@ private:
     ObserverPanel *m_observer = nullptr; ///< made when it is first asked for
     QWidget *m_observerHome = nullptr;   ///< where it stands in its dock
     ObserverInset *m_inset = nullptr;    ///< where it stands over the view, if it does
+    QSizeF m_insetShare;                 ///< what it took of the view when it last stood there
     QAction *m_observerAction = nullptr;
     QWidget *m_viewFrame = nullptr; ///< the view and what stands over it
     QGridLayout *m_center = nullptr;
-    QWidget *m_topBars = nullptr;
+    QVBoxLayout *m_overlays = nullptr; ///< what stands over the top of the view, one below the other
     RecoveryBar *m_recovery = nullptr;
     MessageBar *m_message = nullptr;
     LoadingBar *m_loading = nullptr;

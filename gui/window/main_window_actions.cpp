@@ -18,7 +18,7 @@
 
 #include <QActionGroup>
 #include <QFileDialog>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QSettings>
@@ -268,7 +268,12 @@ void MainWindow::showFirstSteps(bool isShown)
 {
     if (isShown && !m_firstSteps) {
         m_firstSteps = new FirstSteps(exampleText(examples().front().id)->name);
-        m_center->addWidget(m_firstSteps, 0, 0, Qt::AlignTop | Qt::AlignLeft);
+        const int margin = fontMetrics().height() / 2;
+        auto *line = new QHBoxLayout;
+        line->setContentsMargins(margin, margin, margin, margin);
+        line->addWidget(m_firstSteps);
+        line->addStretch();
+        m_overlays->insertLayout(m_overlays->count() - 1, line); // below the messages
         connect(m_firstSteps, &FirstSteps::closeRequested, this, [this] { showFirstSteps(false); });
         connect(m_firstSteps, &FirstSteps::exampleRequested, this,
                 [this] { m_session->openExample(examples().front().id); });

@@ -20,6 +20,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -90,18 +91,33 @@ void MainWindow::createPanels()
          {"pipeline", "parameters", "inspector", "lifecycle"}},
     };
     m_places = new WorkPlaces(*this, std::move(panels), std::move(places));
-    connect(m_exampleNote, &ExampleNote::closeRequested, m_places->dock(kExample), &QWidget::hide);
+    connect(m_exampleNote, &ExampleNote::closeRequested, m_places->dock(kExample), &QWidget::close);
     connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
-    connect(m_places, &WorkPlaces::entered, this, [this] {
-        // An example's text and the view from outside come along.
-        m_places->dock(kExample)->setVisible(!m_exampleNote->isEmpty());
-        m_places->dock(kObserver)->setVisible(m_observerAction->isChecked() && !m_inset);
-    });
-    // Closed by its own button.
-    connect(m_places->dock(kObserver)->toggleViewAction(), &QAction::triggered, this, [this](bool isShown) {
-        if (!isShown)
+    connect(m_places, &WorkPlaces::laidOut, this, &MainWindow::showAccompanying);
+    connect(m_places, &WorkPlaces::closed, this, [this](const char *panel) {
+        if (qstrcmp(panel, kObserver) == 0)
             m_observerAction->setChecked(false);
+        else if (qstrcmp(panel, kExample) == 0)
+            m_exampleNote->clear(); // until the next example
     });
+}
+
+void MainWindow::showAccompanying()
+{
+    m_places->dock(kExample)->setVisible(!m_exampleNote->isEmpty());
+    m_places->dock(kObserver)->setVisible(m_observerAction->isChecked() && !m_inset);
+}
+
+QMenu *MainWindow::createPopupMenu()
+{
+    auto *menu = new QMenu(this);
+    for (const WorkPlaces::Panel &panel : m_places->panels()) {
+        if (!panel.standsAlone) // the others would be empty without what shows them
+            menu->addAction(panel.dock->toggleViewAction());
+    }
+    menu->addSeparator();
+    menu->addAction(findChild<QToolBar *>()->toggleViewAction());
+    return menu;
 }
 
 void MainWindow::createPlaceActions(QMenu &menu)
@@ -118,10 +134,7 @@ void MainWindow::createPlaceActions(QMenu &menu)
     connect(hides, &QAction::toggled, m_places, &WorkPlaces::hidePanels);
     connect(m_places, &WorkPlaces::panelsHidden, hides, &QAction::setChecked);
     addAction(&menu, tr("R&eset Layout"), {}, tr("Put all panels of this work place back to where they were at first"),
-              [this] {
-                  m_places->reset();
-                  m_places->enter(m_places->current());
-              });
+              [this] { m_places->reset(); });
 }
 
 void MainWindow::showExample(const QString &example)
@@ -161,11 +174,13 @@ void MainWindow::dockObserver(bool isDocked)
     m_observer->setIsInset(!isDocked);
     if (isDocked) {
         m_observerHome->layout()->addWidget(m_observer);
+        if (m_inset)
+            m_insetShare = m_inset->share();
         delete m_inset;
         m_inset = nullptr;
         m_places->show(kObserver);
     } else {
-        m_inset = new ObserverInset(*m_observer, *m_viewFrame);
+        m_inset = new ObserverInset(*m_observer, *m_viewFrame, m_insetShare);
         m_places->dock(kObserver)->hide();
         m_inset->show();
     }
@@ -188,6 +203,8 @@ void MainWindow::restoreLayout()
     m_parameters->restoreState(settings.value(QStringLiteral("parameters/state")).toByteArray());
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     m_places->restore(settings);
+    m_insetShare = settings.value(QStringLiteral("observer/share")).toSizeF();
+    m_observerAction->setChecked(settings.value(QStringLiteral("observer/isShown"), false).toBool());
 }
 
 void MainWindow::keepLayout() const
@@ -199,6 +216,8 @@ void MainWindow::keepLayout() const
     settings.setValue(QStringLiteral("parameters/state"), m_parameters->saveState());
     settings.setValue(QStringLiteral("comparison/showsFloat"), m_comparison->showsFloat());
     m_places->keep(settings);
+    settings.setValue(QStringLiteral("observer/share"), m_inset ? m_inset->share() : m_insetShare);
+    settings.setValue(QStringLiteral("observer/isShown"), m_observerAction->isChecked());
 }
 
 } // namespace unprojector::gui

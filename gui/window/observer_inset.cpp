@@ -11,20 +11,30 @@ namespace unprojector::gui {
 namespace {
 
 constexpr QSizeF kFirstShare(0.4, 0.5);
+constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 0.9;
 constexpr int kMargin = 8; ///< from the area's corner
 constexpr int kBorder = 5; ///< that the mouse takes hold of
 
+double bounded(double share)
+{
+    return std::clamp(share, kLeastShare, kMostShare);
+}
+
 } // namespace
 
-ObserverInset::ObserverInset(ObserverPanel &observer, QWidget &area) : QFrame(&area), m_area(area), m_share(kFirstShare)
+ObserverInset::ObserverInset(ObserverPanel &observer, QWidget &area, const QSizeF &share)
+    : QFrame(&area), m_area(area), m_share(share.isEmpty() ? kFirstShare : share)
 {
+    m_share = {bounded(m_share.width()), bounded(m_share.height())};
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(kBorder, kBorder, 0, 0);
     layout->addWidget(&observer);
-    setMouseTracking(true);
+    // All that is seen of it is the border; the observer keeps the pointer that it has anywhere else.
+    setCursor(Qt::SizeFDiagCursor);
+    observer.setCursor(Qt::ArrowCursor);
     m_area.installEventFilter(this);
     place();
     raise();
@@ -49,25 +59,19 @@ bool ObserverInset::eventFilter(QObject *watched, QEvent *event)
     return QFrame::eventFilter(watched, event);
 }
 
-bool ObserverInset::isAtCorner(const QPoint &position) const
-{
-    return position.x() < kBorder || position.y() < kBorder;
-}
-
 void ObserverInset::mousePressEvent(QMouseEvent *event)
 {
-    m_isResizing = event->button() == Qt::LeftButton && isAtCorner(event->pos());
+    m_isResizing = event->button() == Qt::LeftButton;
     m_grabbed = event->pos();
 }
 
 void ObserverInset::mouseMoveEvent(QMouseEvent *event)
 {
-    setCursor(isAtCorner(event->pos()) ? Qt::SizeFDiagCursor : Qt::ArrowCursor);
     if (!m_isResizing || !(event->buttons() & Qt::LeftButton))
         return;
     const QPoint corner = mapToParent(event->pos() - m_grabbed);
     const auto share = [](int from, int whole) {
-        return std::clamp(static_cast<double>(whole - kMargin - from) / std::max(whole, 1), 0.0, kMostShare);
+        return bounded(static_cast<double>(whole - kMargin - from) / std::max(whole, 1));
     };
     m_share = {share(corner.x(), m_area.width()), share(corner.y(), m_area.height())};
     place();

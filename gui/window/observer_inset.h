@@ -11,7 +11,11 @@ class ObserverPanel;
 class ObserverInset : public QFrame {
 public:
     /// @param area  the corner of which it stands in
-    ObserverInset(ObserverPanel &observer, QWidget &area);
+    /// @param share  of the area's width and height; an empty one: as it is at first
+    ObserverInset(ObserverPanel &observer, QWidget &area, const QSizeF &share);
+
+    /// What it was drawn to, of the area's width and height.
+    const QSizeF &share() const { return m_share; }
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -20,7 +24,6 @@ protected:
 
 private:
     void place();
-    bool isAtCorner(const QPoint &position) const;
 
     QWidget &m_area;
     QSizeF m_share; ///< of the area

@@ -4,26 +4,32 @@
 #include <QActionGroup>
 #include <QDockWidget>
 #include <QEvent>
+#include <QLayout>
 #include <QMainWindow>
 #include <QSettings>
 #include <QTimer>
+#include <QVariant>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace unprojector::gui {
 namespace {
 
-/// Raised when docks or tool bars change, so that an old layout is not put onto a new window.
+/// Raised when docks or tool bars change, so that an old layout is not put onto
+/// a new window.
 constexpr int kLayoutVersion = 3;
 
 // Sizes in digits and lines of the window's font.
 constexpr int kWideWindow = 150;
 constexpr int kHighWindow = 40;
 constexpr int kLeftDigits = 34;
+constexpr int kNoteDigits = 44; // on the left, where only a text is read there
 constexpr int kRightDigits = 54;
 constexpr int kBottomLines = 16;
-/// What the panels of both sides may take of the window together, and one side at first.
+/// What the panels of both sides, or those above and below, may take of the
+/// window together, and one side at first.
 constexpr double kMostOfTheWindow = 0.62;
 constexpr double kMostOfOneSide = 0.36;
 constexpr double kMostOfANarrowWindow = 0.48;
@@ -31,6 +37,23 @@ constexpr double kMostOfANarrowWindow = 0.48;
 bool isSame(const char *a, const char *b)
 {
     return std::strcmp(a, b) == 0;
+}
+
+struct AreaName {
+    Qt::DockWidgetArea area;
+    const char *name; ///< in the settings
+};
+constexpr std::array kAreaNames{AreaName{Qt::LeftDockWidgetArea, "left"}, AreaName{Qt::RightDockWidgetArea, "right"},
+                                AreaName{Qt::TopDockWidgetArea, "top"}, AreaName{Qt::BottomDockWidgetArea, "bottom"}};
+
+bool isSide(Qt::DockWidgetArea area)
+{
+    return area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+}
+
+QString settingOf(const char *what, const QByteArray &place)
+{
+    return QStringLiteral("window/%1/%2").arg(QLatin1String(what), QLatin1String(place));
 }
 
 } // namespace
@@ -44,10 +67,10 @@ WorkPlaces::WorkPlaces(QMainWindow &window, std::vector<Panel> panels, std::vect
         panel.dock->setWidget(panel.widget);
         panel.dock->hide(); // until it has a place
         panel.dock->toggleViewAction()->setShortcut(panel.key);
-        connect(panel.dock, &QDockWidget::topLevelChanged, this, &WorkPlaces::setTitleBars, Qt::QueuedConnection);
-        connect(panel.dock, &QDockWidget::dockLocationChanged, this, &WorkPlaces::setTitleBars, Qt::QueuedConnection);
-        connect(panel.dock->toggleViewAction(), &QAction::toggled, this, &WorkPlaces::setTitleBars,
-                Qt::QueuedConnection);
+        panel.dock->installEventFilter(this);
+        connect(panel.dock, &QDockWidget::topLevelChanged, this, &WorkPlaces::settle, Qt::QueuedConnection);
+        connect(panel.dock, &QDockWidget::dockLocationChanged, this, &WorkPlaces::settle, Qt::QueuedConnection);
+        connect(panel.dock->toggleViewAction(), &QAction::toggled, this, &WorkPlaces::settle, Qt::QueuedConnection);
     }
     auto *group = new QActionGroup(this);
     for (Place &place : m_places) {
@@ -60,7 +83,9 @@ WorkPlaces::WorkPlaces(QMainWindow &window, std::vector<Panel> panels, std::vect
         connect(place.action, &QAction::triggered, this, [this, id = place.id] { enter(id); });
     }
     m_places[m_current].action->setChecked(true);
-    m_window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
+    // Not animated: the sizes of panels are read, and given, as soon as one was
+    // dropped.
+    m_window.setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
     m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     // The sides keep their full height: numbers stand in columns there.
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -96,13 +121,11 @@ void WorkPlaces::enter(const char *place)
         if (kept.isEmpty() || !m_window.restoreState(kept, kLayoutVersion))
             arrange();
         else
-            rememberSizes();
-        setTitleBars();
-        windowResized();
+            emit laidOut();
+        settle();
         emit panelsHidden(false);
     }
     found->action->setChecked(true);
-    emit entered(found->id);
 }
 
 void WorkPlaces::show(const char *panel)
@@ -110,7 +133,7 @@ void WorkPlaces::show(const char *panel)
     QDockWidget *shown = dock(panel);
     shown->show();
     shown->raise();
-    setTitleBars();
+    settle();
 }
 
 void WorkPlaces::reset()
@@ -158,18 +181,26 @@ void WorkPlaces::arrange()
     }
     for (QDockWidget *front : std::as_const(fronts))
         front->raise();
-    m_wanted.clear();
-    const auto wants = [&](Qt::DockWidgetArea area, const QSize &size) {
-        if (fronts.contains(area) && !fronts[area]->isHidden())
-            m_wanted[fronts[area]] = size;
-    };
-    const int oneSide = static_cast<int>((isWide ? kMostOfOneSide : kMostOfANarrowWindow) * m_window.width());
-    wants(Qt::LeftDockWidgetArea, {std::min(kLeftDigits * digit, oneSide), 0});
-    wants(Qt::RightDockWidgetArea, {std::min(kRightDigits * digit, oneSide), 0});
-    wants(Qt::BottomDockWidgetArea, {0, kBottomLines * metrics.lineSpacing()});
+    m_wanted[current()] = firstSizes(isWide);
     m_isArranged = true;
-    setTitleBars();
-    windowResized();
+    emit laidOut();
+    settle();
+}
+
+WorkPlaces::Sizes WorkPlaces::firstSizes(bool isWide) const
+{
+    const QFontMetrics metrics(m_window.font());
+    const int digit = metrics.horizontalAdvance(u'0'), line = metrics.lineSpacing();
+    const int oneSide = static_cast<int>((isWide ? kMostOfOneSide : kMostOfANarrowWindow) * m_window.width());
+    const QList<const char *> &shown = m_places[m_current].panels;
+    const bool hasLeft = std::any_of(m_panels.begin(), m_panels.end(), [&shown](const Panel &panel) {
+        const auto isIt = [&panel](const char *id) { return isSame(id, panel.id); };
+        return panel.area == Qt::LeftDockWidgetArea && std::any_of(shown.begin(), shown.end(), isIt);
+    });
+    return {{Qt::LeftDockWidgetArea, std::min((hasLeft ? kLeftDigits : kNoteDigits) * digit, oneSide)},
+            {Qt::RightDockWidgetArea, std::min(kRightDigits * digit, oneSide)},
+            {Qt::TopDockWidgetArea, kBottomLines * line},
+            {Qt::BottomDockWidgetArea, kBottomLines * line}};
 }
 
 void WorkPlaces::hidePanels(bool isHidden)
@@ -185,77 +216,103 @@ void WorkPlaces::hidePanels(bool isHidden)
         arrange();
     }
     m_arePanelsHidden = isHidden;
-    windowResized();
+    if (!isHidden)
+        emit laidOut();
+    settle();
     emit panelsHidden(isHidden);
 }
 
-/// Of each dock or group of tabs that stands in the window the one in front.
-QList<QDockWidget *> WorkPlaces::dockedFronts() const
+bool WorkPlaces::isFront(const QDockWidget &dock) const
 {
-    QList<QDockWidget *> fronts;
-    for (const Panel &panel : m_panels) {
-        if (!panel.dock->isHidden() && !panel.dock->isFloating() && !panel.dock->visibleRegion().isEmpty())
-            fronts << panel.dock;
-    }
-    return fronts;
+    if (!dock.isVisible() || dock.isFloating() || dock.window() != &m_window)
+        return false;
+    // Not by its visible region: what the opaque widgets inside cover of the dock
+    // is left out of that.
+    const QWidget *there = m_window.childAt(dock.mapTo(&m_window, dock.rect().center()));
+    return there && (there == &dock || dock.isAncestorOf(there));
 }
 
-void WorkPlaces::rememberSizes()
+WorkPlaces::Sizes WorkPlaces::sizesNow() const
 {
-    m_wanted.clear();
-    for (QDockWidget *dock : dockedFronts())
-        m_wanted[dock] = dock->size();
+    QMap<Qt::DockWidgetArea, QRect> places;
+    for (const Panel &panel : m_panels) {
+        if (isFront(*panel.dock))
+            places[m_window.dockWidgetArea(panel.dock)] |= panel.dock->geometry();
+    }
+    Sizes sizes;
+    for (auto place = places.cbegin(); place != places.cend(); ++place)
+        sizes[place.key()] = isSide(place.key()) ? place->width() : place->height();
+    return sizes;
+}
+
+void WorkPlaces::applySizes()
+{
+    if (!m_isArranged || !m_window.isVisible())
+        return;
+    m_window.layout()->activate(); // what was shown a moment ago has its place only then
+    Sizes &wanted = m_wanted[current()];
+    const Sizes now = sizesNow();
+    for (const bool isAcross : {true, false}) {
+        int sum = 0;
+        for (auto size = now.cbegin(); size != now.cend(); ++size) {
+            if (!wanted.contains(size.key()))
+                wanted[size.key()] = *size;
+            sum += isSide(size.key()) == isAcross ? wanted[size.key()] : 0;
+        }
+        const double room = kMostOfTheWindow * (isAcross ? m_window.width() : m_window.height());
+        const double share = sum > room ? room / sum : 1.0;
+        QList<QDockWidget *> docks;
+        QList<int> sizes;
+        for (const Panel &panel : m_panels) {
+            const Qt::DockWidgetArea area = m_window.dockWidgetArea(panel.dock);
+            if (isSide(area) != isAcross || !isFront(*panel.dock))
+                continue;
+            // Those that stand side by side in an area share its width as they did.
+            const int own = isAcross ? panel.dock->width() : panel.dock->height();
+            docks << panel.dock;
+            sizes << static_cast<int>(wanted[area] * share * own / std::max(now[area], 1));
+        }
+        if (!docks.isEmpty())
+            m_window.resizeDocks(docks, sizes, isAcross ? Qt::Horizontal : Qt::Vertical);
+    }
 }
 
 void WorkPlaces::windowResized()
 {
-    if (!m_isArranged) {
-        // Only now the window has the size that the arrangement goes by.
-        if (m_window.isVisible())
-            arrange();
-        return;
-    }
-    if (m_wanted.isEmpty() && m_window.isVisible())
-        rememberSizes(); // of a layout that was kept
-    QList<QDockWidget *> sides, bottoms;
-    QList<int> widths, heights;
-    int left = 0, right = 0, bottom = 0;
-    for (auto wanted = m_wanted.cbegin(); wanted != m_wanted.cend(); ++wanted) {
-        QDockWidget *dock = wanted.key();
-        if (dock->isHidden() || dock->isFloating())
-            continue;
-        const Qt::DockWidgetArea area = m_window.dockWidgetArea(dock);
-        if (area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea) {
-            sides << dock;
-            widths << wanted->width();
-            int &side = area == Qt::LeftDockWidgetArea ? left : right;
-            side = std::max(side, wanted->width());
-        } else {
-            bottoms << dock;
-            heights << wanted->height();
-            bottom += wanted->height();
-        }
-    }
-    const auto shrink = [](QList<int> &sizes, int sum, double room) {
-        if (sum > room) {
-            for (int &size : sizes)
-                size = static_cast<int>(size * room / sum);
-        }
-    };
-    shrink(widths, left + right, kMostOfTheWindow * m_window.width());
-    shrink(heights, bottom, kMostOfTheWindow * m_window.height());
-    if (!sides.isEmpty())
-        m_window.resizeDocks(sides, widths, Qt::Horizontal);
-    if (!bottoms.isEmpty())
-        m_window.resizeDocks(bottoms, heights, Qt::Vertical);
+    if (m_isArranged)
+        applySizes();
+    else if (m_window.isVisible())
+        arrange(); // only now the window has the size that the arrangement goes by
 }
 
 bool WorkPlaces::eventFilter(QObject *watched, QEvent *event)
 {
-    // The separators between docks belong to the window itself: after one was let go, sizes are as the user wants them.
-    if (watched == &m_window && event->type() == QEvent::MouseButtonRelease && !m_arePanelsHidden)
-        QTimer::singleShot(0, this, &WorkPlaces::rememberSizes);
+    if (watched == &m_window) {
+        // The separators between docks belong to the window itself: an area that
+        // has another size after one was let go has it as the user wants it.
+        if (event->type() == QEvent::MouseButtonPress)
+            m_pressed = sizesNow();
+        else if (event->type() == QEvent::MouseButtonRelease)
+            QTimer::singleShot(0, this, [this] {
+                const Sizes now = sizesNow();
+                for (auto size = now.cbegin(); size != now.cend(); ++size) {
+                    if (m_pressed.contains(size.key()) && m_pressed[size.key()] != *size)
+                        m_wanted[current()][size.key()] = *size;
+                }
+            });
+    } else if (event->type() == QEvent::Close) {
+        for (const Panel &panel : m_panels) {
+            if (panel.dock == watched)
+                emit closed(panel.id);
+        }
+    }
     return QObject::eventFilter(watched, event);
+}
+
+void WorkPlaces::settle()
+{
+    setTitleBars();
+    applySizes();
 }
 
 /// A tab has the panel's name already.
@@ -276,10 +333,14 @@ void WorkPlaces::setTitleBars()
 bool WorkPlaces::restore(const QSettings &settings)
 {
     for (const Place &place : m_places) {
-        const QByteArray layout =
-            settings.value(QStringLiteral("window/places/%1").arg(QLatin1String(place.id))).toByteArray();
+        const QByteArray layout = settings.value(settingOf("places", place.id)).toByteArray();
         if (!layout.isEmpty())
             m_layouts[place.id] = layout;
+        const QVariantMap sizes = settings.value(settingOf("sizes", place.id)).toMap();
+        for (const AreaName &area : kAreaNames) {
+            if (const int size = sizes.value(QLatin1String(area.name)).toInt(); size > 0)
+                m_wanted[place.id][area.area] = size;
+        }
     }
     const QByteArray kept = settings.value(QStringLiteral("window/place")).toByteArray();
     const auto found = std::find_if(m_places.begin(), m_places.end(), [&](const Place &p) { return kept == p.id; });
@@ -290,11 +351,13 @@ bool WorkPlaces::restore(const QSettings &settings)
     const QByteArray layout = m_layouts.value(current());
     if (layout.isEmpty())
         return false;
+    const Sizes sizes = m_wanted.value(current());
     arrange(); // every dock needs a place before a kept one can be given to it
     m_isArranged = m_window.restoreState(layout, kLayoutVersion);
     if (m_isArranged) {
-        rememberSizes();
-        setTitleBars();
+        m_wanted[current()] = sizes;
+        emit laidOut();
+        settle();
     }
     return m_isArranged;
 }
@@ -304,7 +367,15 @@ void WorkPlaces::keep(QSettings &settings)
     leave();
     settings.setValue(QStringLiteral("window/place"), QByteArray(current()));
     for (auto layout = m_layouts.cbegin(); layout != m_layouts.cend(); ++layout)
-        settings.setValue(QStringLiteral("window/places/%1").arg(QLatin1String(layout.key())), *layout);
+        settings.setValue(settingOf("places", layout.key()), *layout);
+    for (auto sizes = m_wanted.cbegin(); sizes != m_wanted.cend(); ++sizes) {
+        QVariantMap named;
+        for (const AreaName &area : kAreaNames) {
+            if (sizes->contains(area.area))
+                named[QLatin1String(area.name)] = sizes->value(area.area);
+        }
+        settings.setValue(settingOf("sizes", sizes.key()), named);
+    }
 }
 
 } // namespace unprojector::gui

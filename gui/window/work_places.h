@@ -45,6 +45,8 @@ public:
     const std::vector<Panel> &panels() const { return m_panels; }
     const std::vector<Place> &places() const { return m_places; }
     QDockWidget *dock(const char *panel) const;
+    /// Whether a dock stands in the window, in front where others share its place: it is seen.
+    bool isFront(const QDockWidget &dock) const;
     /// The id of the place one is at.
     const char *current() const { return m_places[m_current].id; }
     /// Goes to a place and leaves the one before as it is. A panel that has no place there is not shown.
@@ -65,25 +67,37 @@ public:
     void keep(QSettings &settings);
 
 signals:
-    void entered(const char *place);
+    /// The panels are where they are at first in a place, or where they were when it was left. Whether those that stand
+    /// alone are shown is not the place's to say: now is the time to show or hide them.
+    void laidOut();
+    /// The user closed this panel by the button of its frame or by its key.
+    void closed(const char *panel);
     void panelsHidden(bool isHidden);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    /// Of the areas around the view: widths on the left and right, heights above and below, logical pixels.
+    using Sizes = QMap<Qt::DockWidgetArea, int>;
+
     void arrange();
     void leave();
-    void rememberSizes();
+    Sizes firstSizes(bool isWide) const;
+    /// Of the areas where a panel is seen, as they are now.
+    Sizes sizesNow() const;
+    void applySizes();
+    /// Title bars and sizes after panels came, went or were put elsewhere.
+    void settle();
     void setTitleBars();
-    QList<QDockWidget *> dockedFronts() const;
 
     QMainWindow &m_window;
     std::vector<Panel> m_panels;
     std::vector<Place> m_places;
     std::size_t m_current = 0;
     QMap<QByteArray, QByteArray> m_layouts; ///< of the places that were left, by their id
-    QMap<QDockWidget *, QSize> m_wanted;    ///< as the user made them
+    QMap<QByteArray, Sizes> m_wanted;       ///< of each place, as the user made them in whatever window
+    Sizes m_pressed;                        ///< when the mouse was pressed, perhaps onto a separator
     bool m_isArranged = false;
     bool m_arePanelsHidden = false;
     QByteArray m_layoutWithPanels;

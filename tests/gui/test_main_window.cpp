@@ -1,6 +1,6 @@
 // The window as a whole: its panels' arrangement at several sizes, what it keeps, and the examples it opens.
 
-#include "gui_scene.h"
+#include "window_user.h"
 
 #include "core/scene/examples.h"
 #include "gui/panels/observer_panel.h"
@@ -9,9 +9,7 @@
 #include "gui/window/appearance.h"
 #include "gui/window/first_steps.h"
 #include "gui/window/key_sheet.h"
-#include "gui/window/work_places.h"
 
-#include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
@@ -23,46 +21,6 @@ using namespace unprojector::gui;
 using namespace guitest;
 
 namespace {
-
-QDockWidget *dockOf(const MainWindow &window, const char *name)
-{
-    return window.findChild<QDockWidget *>(QLatin1String(name));
-}
-
-/// The action with this text (without its mnemonic) in any menu.
-QAction *actionOf(const MainWindow &window, const QString &text)
-{
-    for (QAction *action : window.findChildren<QAction *>()) {
-        if (action->text().remove(u'&') == text && !action->associatedObjects().isEmpty())
-            return action;
-    }
-    return nullptr;
-}
-
-std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remembers = false)
-{
-    MainWindow::Options options;
-    options.smoothEdges = false;
-    options.remembers = remembers;
-    auto window = std::make_unique<MainWindow>(options);
-    if (!remembers)
-        window->resize(size);
-    window->session().openBundledScene();
-    window->show();
-    if (!QTest::qWaitForWindowExposed(window.get()) || !QTest::qWaitFor([&] { return window->view().isReady(); }))
-        qFatal("the window does not come up");
-    QTest::qWait(50);
-    return window;
-}
-
-/// On the screen, not behind another tab.
-bool isSeen(const MainWindow &window, const char *name)
-{
-    // Not by its visible region: what an opaque panel covers of the dock is left out of that.
-    const QDockWidget *dock = dockOf(window, name);
-    const QWidget *inFront = window.childAt(dock->mapTo(&window, dock->rect().center()));
-    return dock->isVisible() && inFront && (inFront == dock || dock->isAncestorOf(inFront));
-}
 
 const char *const kPanels[] = {"parameters", "comparison", "pipeline", "inspector", "lifecycle"};
 

@@ -1,0 +1,326 @@
+// What the window's panels come back to: sizes after narrow windows, other places and restarts, and the panels that go along
+// from place to place.
+
+#include "window_user.h"
+
+#include "core/scene/examples.h"
+#include "gui/panels/observer_panel.h"
+#include "gui/view/observer_view.h"
+#include "gui/window/first_steps.h"
+#include "gui/window/observer_inset.h"
+#include "gui/window/overlay_bars.h"
+
+#include <QLabel>
+#include <QMenu>
+#include <QSettings>
+#include <QStatusBar>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace guitest;
+
+namespace {
+
+using Act = void (*)(MainWindow &);
+
+constexpr QSize kWide(1280, 800), kNarrow(800, 600);
+
+void resizeTo(MainWindow &window, const QSize &size)
+{
+    window.resize(size);
+    QTest::qWait(50);
+}
+
+/// Takes the separator left of a dock on the right and lets it go so many pixels to the left.
+void widen(MainWindow &window, const char *panel, int pixels)
+{
+    const QRect dock = dockOf(window, panel)->geometry();
+    const QPoint from(dock.left() - 2, dock.center().y()), to = from - QPoint(pixels, 0);
+    QTest::mousePress(&window, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&window, to);
+    QMouseEvent move(QEvent::MouseMove, to, window.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window, &move);
+    QTest::qWait(20); // it follows a moment later
+    QTest::mouseRelease(&window, Qt::LeftButton, {}, to);
+    QTest::qWait(20);
+}
+
+} // namespace
+
+class TestWorkPlaces : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void init() { QSettings().clear(); }
+
+    void thePanelInFrontIsKnown();
+    void theOldSizesComeBack_data();
+    void theOldSizesComeBack();
+    void whatTheUserMadeWiderStaysWider_data();
+    void whatTheUserMadeWiderStaysWider();
+    void theOldSizesComeBackAfterARestart();
+
+    void theViewFromOutsideComesBackAsItWasLeft_data();
+    void theViewFromOutsideComesBackAsItWasLeft();
+    void theViewFromOutsideIsOffOnceItsDockIsClosed();
+    void aClosedNoteStaysClosedUntilTheNextExample();
+    void hiddenPanelsComeBackAsTheyAreNow();
+    void aRightClickOffersNoEmptyPanel();
+    void theInsetsBorderAloneHasItsPointer();
+    void messagesAreReadBesideTheFirstSteps();
+};
+
+void TestWorkPlaces::thePanelInFrontIsKnown()
+{
+    const auto window = windowOfSize(kWide);
+    QVERIFY(isSeen(*window, "comparison") && !isSeen(*window, "objects"));
+    window->places().show("objects");
+    QTRY_VERIFY(!isSeen(*window, "comparison") && isSeen(*window, "objects"));
+    window->places().enter("pipeline");
+    QTRY_VERIFY(isSeen(*window, "pipeline") && isSeen(*window, "parameters") && isSeen(*window, "inspector"));
+    QVERIFY(!isSeen(*window, "lifecycle") && !isSeen(*window, "comparison"));
+    dockOf(*window, "inspector")->setFloating(true);
+    QVERIFY(!isSeen(*window, "inspector"));
+}
+
+void TestWorkPlaces::theOldSizesComeBack_data()
+{
+    QTest::addColumn<Act>("before");
+    QTest::addColumn<Act>("whileNarrow");
+    const Act nothing = [](MainWindow &) {};
+    const Act thereAndBack = [](MainWindow &window) {
+        window.places().enter("pipeline");
+        QTest::qWait(20);
+        window.places().enter("click");
+    };
+    QTest::newRow("narrow, then wide") << nothing << nothing;
+    QTest::newRow("after another place") << thereAndBack << nothing;
+    QTest::newRow("another place meanwhile") << nothing << thereAndBack;
+    QTest::newRow("a click into the status bar meanwhile") << nothing << Act([](MainWindow &window) {
+        QTest::mouseClick(window.statusBar()->findChild<QLabel *>(), Qt::LeftButton);
+        QTest::qWait(10);
+    });
+    QTest::newRow("all panels hidden meanwhile") << nothing << Act([](MainWindow &window) {
+        window.hidePanels(true);
+        QTest::qWait(10);
+        window.hidePanels(false);
+    });
+    QTest::newRow("with a panel that was shown by its key")
+        << Act([](MainWindow &window) { dockOf(window, "parameters")->toggleViewAction()->trigger(); }) << nothing;
+    QTest::newRow("with one below that was shown by its key")
+        << Act([](MainWindow &window) { dockOf(window, "inspector")->toggleViewAction()->trigger(); }) << nothing;
+    QTest::newRow("with the other tab in front")
+        << Act([](MainWindow &window) { window.places().show("objects"); }) << nothing;
+}
+
+void TestWorkPlaces::theOldSizesComeBack()
+{
+    QFETCH(Act, before);
+    QFETCH(Act, whileNarrow);
+    const auto window = windowOfSize(kWide);
+    before(*window);
+    QTest::qWait(50);
+    const QSize wide = window->view().size();
+    resizeTo(*window, kNarrow);
+    QVERIFY(window->view().width() < wide.width());
+    whileNarrow(*window);
+    QTest::qWait(20);
+    resizeTo(*window, kWide);
+    QTRY_COMPARE(window->view().size(), wide);
+}
+
+void TestWorkPlaces::whatTheUserMadeWiderStaysWider_data()
+{
+    QTest::addColumn<bool>("withOtherPlace");
+    QTest::newRow("here") << false;
+    QTest::newRow("after another place") << true;
+}
+
+void TestWorkPlaces::whatTheUserMadeWiderStaysWider()
+{
+    QFETCH(bool, withOtherPlace);
+    const auto window = windowOfSize(kWide);
+    const int first = dockOf(*window, "comparison")->width();
+    widen(*window, "comparison", 60);
+    const int wider = dockOf(*window, "comparison")->width();
+    QCOMPARE(wider, first + 60);
+    resizeTo(*window, kNarrow);
+    if (withOtherPlace) {
+        window->places().enter("pipeline");
+        QTest::qWait(20);
+        window->places().enter("click");
+    }
+    resizeTo(*window, kWide);
+    QTRY_COMPARE(dockOf(*window, "comparison")->width(), wider);
+}
+
+void TestWorkPlaces::theOldSizesComeBackAfterARestart()
+{
+    int wider = 0;
+    {
+        const auto window = windowOfSize(kWide, true);
+        resizeTo(*window, kWide);
+        widen(*window, "comparison", 40);
+        wider = dockOf(*window, "comparison")->width();
+        resizeTo(*window, kNarrow);
+        window->close();
+    }
+    const auto window = windowOfSize(kWide, true);
+    QCOMPARE(window->size(), kNarrow);
+    resizeTo(*window, kWide);
+    QTRY_COMPARE(dockOf(*window, "comparison")->width(), wider);
+}
+
+void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft_data()
+{
+    QTest::addColumn<bool>("isDocked");
+    QTest::addColumn<bool>("isShown");
+    QTest::newRow("in the corner of the view") << false << true;
+    QTest::newRow("in a dock") << true << true;
+    QTest::newRow("in a dock, not shown") << true << false;
+}
+
+void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft()
+{
+    QFETCH(bool, isDocked);
+    QFETCH(bool, isShown);
+    QSizeF share;
+    {
+        const auto window = windowOfSize(kWide, true);
+        QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
+        action->trigger();
+        auto *panel = window->findChild<ObserverPanel *>();
+        QTRY_VERIFY(panel->isVisible());
+        auto *inset = static_cast<ObserverInset *>(panel->parentWidget());
+        QTest::mousePress(inset, Qt::LeftButton, {}, {2, 2});
+        QMouseEvent move(QEvent::MouseMove, QPointF(-38.0, -22.0), inset->mapToGlobal(QPointF(-38.0, -22.0)),
+                         Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(inset, &move);
+        QTest::mouseRelease(inset, Qt::LeftButton, {}, {2, 2});
+        share = inset->share();
+        QVERIFY(share.width() > 0.42);
+        if (isDocked) {
+            emit panel->dockRequested(true);
+            QTRY_VERIFY(isSeen(*window, "observer"));
+        }
+        if (!isShown)
+            action->trigger();
+        window->close();
+    }
+    const auto window = windowOfSize(kWide, true);
+    QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
+    QCOMPARE(action->isChecked(), isShown);
+    if (!isShown) {
+        QVERIFY(dockOf(*window, "observer")->isHidden());
+        action->trigger();
+    }
+    auto *panel = window->findChild<ObserverPanel *>();
+    QVERIFY(panel);
+    QTRY_VERIFY(panel->isVisible());
+    QCOMPARE(isSeen(*window, "observer"), isDocked);
+    emit panel->dockRequested(false);
+    QCOMPARE(static_cast<ObserverInset *>(panel->parentWidget())->share(), share);
+}
+
+void TestWorkPlaces::theViewFromOutsideIsOffOnceItsDockIsClosed()
+{
+    const auto window = windowOfSize(kWide);
+    QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
+    action->trigger();
+    emit window->findChild<ObserverPanel *>()->dockRequested(true);
+    QTRY_VERIFY(isSeen(*window, "observer"));
+    dockOf(*window, "observer")->close(); // as the x of its frame does
+    QVERIFY(!action->isChecked());
+    for (const char *place : {"pipeline", "click"}) {
+        window->places().enter(place);
+        QVERIFY2(dockOf(*window, "observer")->isHidden(), place);
+    }
+    window->places().reset();
+    QVERIFY(dockOf(*window, "observer")->isHidden());
+    action->trigger();
+    QTRY_VERIFY(isSeen(*window, "observer"));
+    window->places().enter("pipeline");
+    QTRY_VERIFY(!dockOf(*window, "observer")->isHidden());
+}
+
+void TestWorkPlaces::aClosedNoteStaysClosedUntilTheNextExample()
+{
+    const auto window = windowOfSize(kWide);
+    window->session().openExample(examples().front().id);
+    const QDockWidget *note = dockOf(*window, "example");
+    QVERIFY(!note->isHidden());
+    window->places().enter("pipeline");
+    QVERIFY(!note->isHidden());
+    dockOf(*window, "example")->close();
+    window->places().enter("click");
+    QVERIFY(note->isHidden());
+    window->places().reset();
+    QVERIFY(note->isHidden());
+    window->session().openExample(examples().back().id);
+    QVERIFY(!note->isHidden());
+}
+
+void TestWorkPlaces::hiddenPanelsComeBackAsTheyAreNow()
+{
+    const auto window = windowOfSize(kWide);
+    window->session().openExample(examples().front().id);
+    QVERIFY(!dockOf(*window, "example")->isHidden());
+    window->hidePanels(true);
+    QVERIFY(dockOf(*window, "example")->isHidden());
+    window->session().openBundledScene();
+    window->hidePanels(false);
+    QVERIFY(dockOf(*window, "example")->isHidden());
+    QTRY_VERIFY(isSeen(*window, "comparison"));
+}
+
+void TestWorkPlaces::aRightClickOffersNoEmptyPanel()
+{
+    const auto window = windowOfSize(kWide);
+    const std::unique_ptr<QMenu> menu(window->createPopupMenu());
+    QStringList texts;
+    for (const QAction *action : menu->actions())
+        texts << action->text();
+    for (const WorkPlaces::Panel &panel : window->places().panels())
+        QCOMPARE(texts.contains(panel.title), !panel.standsAlone);
+    QVERIFY(texts.contains(QStringLiteral("Tools")));
+}
+
+void TestWorkPlaces::theInsetsBorderAloneHasItsPointer()
+{
+    const auto window = windowOfSize(kWide);
+    actionOf(*window, QStringLiteral("View from Outside"))->trigger();
+    auto *panel = window->findChild<ObserverPanel *>();
+    QTRY_VERIFY(panel->isVisible());
+    QWidget *inset = panel->parentWidget();
+    QTest::mouseMove(inset, QPoint(1, 1));
+    QTest::qWait(10);
+    QCOMPARE(inset->cursor().shape(), Qt::SizeFDiagCursor);
+    QVERIFY(panel->view().cursor().shape() != Qt::SizeFDiagCursor);
+    QVERIFY(panel->cursor().shape() != Qt::SizeFDiagCursor);
+}
+
+/// At the first start, with the name of a file that is not there.
+void TestWorkPlaces::messagesAreReadBesideTheFirstSteps()
+{
+    const auto window = windowOfSize(kWide, true);
+    const auto *steps = window->findChild<FirstSteps *>();
+    QVERIFY(steps && steps->isVisible());
+    const QPoint corner = window->view().mapFromGlobal(steps->mapToGlobal(QPoint(0, 0)));
+    QVERIFY(corner.x() > 0 && corner.y() > 0);
+    window->session().openFiles({"not-there.obj"});
+    QTRY_VERIFY(!window->message().isEmpty());
+    QTest::qWait(20);
+    const auto *message = window->findChild<MessageBar *>();
+    const auto placeOf = [&](const QWidget &widget) {
+        return QRect(widget.mapTo(window.get(), QPoint(0, 0)), widget.size());
+    };
+    QVERIFY(message->isVisible() && steps->isVisible());
+    QVERIFY(!placeOf(*message).intersects(placeOf(*steps)));
+    // Beside them the view is clicked.
+    const QPoint beside = placeOf(*steps).center() + QPoint(steps->width(), 0);
+    QCOMPARE(window->childAt(beside), &window->view());
+}
+
+QTEST_MAIN(TestWorkPlaces)
+#include "test_work_places.moc"

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "gui_scene.h"
+
+#include "gui/window/work_places.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QTest>
+
+#include <memory>
+
+/// What the tests of the whole window do with it.
+namespace guitest {
+
+inline QDockWidget *dockOf(const MainWindow &window, const char *name)
+{
+    return window.findChild<QDockWidget *>(QLatin1String(name));
+}
+
+/// The action with this text (without its mnemonic) in any menu.
+inline QAction *actionOf(const MainWindow &window, const QString &text)
+{
+    for (QAction *action : window.findChildren<QAction *>()) {
+        if (action->text().remove(u'&') == text && !action->associatedObjects().isEmpty())
+            return action;
+    }
+    return nullptr;
+}
+
+/// With the bundled scene, its view ready.
+/// @param size  where it remembers nothing; else it has the size that it was left with
+inline std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remembers = false)
+{
+    MainWindow::Options options;
+    options.smoothEdges = false;
+    options.remembers = remembers;
+    auto window = std::make_unique<MainWindow>(options);
+    if (!remembers)
+        window->resize(size);
+    window->session().openBundledScene();
+    window->show();
+    if (!QTest::qWaitForWindowExposed(window.get()) || !QTest::qWaitFor([&] { return window->view().isReady(); }))
+        qFatal("the window does not come up");
+    QTest::qWait(50);
+    return window;
+}
+
+/// On the screen, not behind another tab.
+inline bool isSeen(MainWindow &window, const char *name)
+{
+    return window.places().isFront(*dockOf(window, name));
+}
+
+} // namespace guitest
