@@ -61,9 +61,6 @@ bool AssimpFiles::isModel(const std::string &file) const
 
 std::filesystem::path AssimpFiles::resolved(std::string file) const
 {
-    // assimp's OBJ importer tries "model.mtl" where the named library is missing.
-    if (file == "model.mtl")
-        file = utf8FromPath(m_source.file.stem()) + ".mtl";
     return resolveReference(m_source.file, file);
 }
 

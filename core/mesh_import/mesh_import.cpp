@@ -3,10 +3,15 @@
 #include "core/geometry/finite.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
+#include "core/mesh_import/parallel.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fstream>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -20,56 +25,114 @@ namespace {
 
 constexpr std::size_t kReadChunkBytes = 1 << 20;
 
+/// Elements looked at in a task of some milliseconds.
+constexpr std::size_t kElementsInTask = 1 << 18;
+/// Normals take a second and a third of the memory for meshes beyond this, whose triangles are so small on the screen
+/// that they look no better smooth.
+constexpr std::size_t kMostTrianglesToSmooth = 3000000;
+
 bool hasUsableNormals(const Mesh &mesh)
 {
     if (mesh.normals.size() != mesh.positions.size())
         return false;
-    return std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t index) {
-        const glm::vec3 &normal = mesh.normals[index];
-        return isFinite(normal) && normal != glm::vec3(0.0f);
+    std::atomic<bool> isUsable = true;
+    inParallelRanges(mesh.elementCount(), kElementsInTask, {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t element = begin; element < end; ++element) {
+            const glm::vec3 &normal = mesh.normals[mesh.vertexAt(element)];
+            if (!isFinite(normal) || normal == glm::vec3(0.0f)) {
+                isUsable = false;
+                return;
+            }
+        }
     });
+    return isUsable;
 }
 
-/// Checks what every reader must keep, so that drawing and ray casting need not; makes missing normals.
-void finishModel(Model &model, ProgressReporter &progress)
+/// Checks what every reader must keep, so that drawing and ray casting need not.
+/// @param firstVertex  of the mesh in the model, for messages
+void checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(double)> &report)
 {
-    std::size_t firstVertex = 0;
-    for (Mesh &mesh : model.meshes) {
-        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-            if (!isFinite(mesh.positions[v]))
+    const std::size_t vertexCount = mesh.positions.size();
+    inParallelRanges(vertexCount, kElementsInTask, report, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            const glm::vec3 &position = mesh.positions[v];
+            if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
                 throw Failure(ImportErrorCode::NotFinite, {}, firstVertex + v);
         }
-        const auto outside = std::find_if(mesh.indices.begin(), mesh.indices.end(),
-                                          [&](std::uint32_t index) { return index >= mesh.positions.size(); });
-        if (outside != mesh.indices.end())
-            failMalformed("a face refers to vertex " + std::to_string(*outside) + ", the mesh has "
-                          + std::to_string(mesh.positions.size()));
-        if (mesh.colors.size() != mesh.positions.size())
-            mesh.colors.clear();
-        if (mesh.texcoords.size() != mesh.positions.size())
-            mesh.texcoords.clear();
-        for (glm::vec2 &texcoord : mesh.texcoords) {
-            if (!isFinite(texcoord))
-                texcoord = glm::vec2(0.0f);
+    });
+    inParallelRanges(mesh.indices.size(), kElementsInTask, {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (mesh.indices[i] >= vertexCount)
+                failMalformed("a face refers to vertex " + std::to_string(mesh.indices[i]) + ", the mesh has "
+                              + std::to_string(vertexCount));
         }
-        firstVertex += mesh.positions.size();
+    });
+    if (mesh.colors.size() != vertexCount)
+        mesh.colors.clear();
+    if (mesh.texcoords.size() != vertexCount)
+        mesh.texcoords.clear();
+    for (glm::vec2 &texcoord : mesh.texcoords) {
+        if (!isFinite(texcoord))
+            texcoord = glm::vec2(0.0f);
     }
-    std::erase_if(model.meshes, [](const Mesh &mesh) { return mesh.indices.empty(); });
+}
+
+/// Keeps normals that can be used, makes those that are missing where that pays.
+void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
+{
+    if (mesh.kind == Mesh::Kind::Triangles && hasUsableNormals(mesh))
+        return;
+    mesh.normals = {};
+    if (mesh.kind == Mesh::Kind::Triangles && !mesh.indices.empty() && mesh.triangleCount() <= kMostTrianglesToSmooth)
+        makeNormals(mesh, 0.5f, report);
+}
+
+/// The box of Model::bounds, by all cores.
+Box boundsInParallel(const std::vector<Mesh> &meshes)
+{
+    Box bounds;
+    std::mutex mutex;
+    for (const Mesh &mesh : meshes) {
+        inParallelRanges(mesh.elementCount(), kElementsInTask, {}, [&](std::size_t begin, std::size_t end) {
+            glm::vec3 lowest = mesh.positions[mesh.vertexAt(begin)];
+            glm::vec3 highest = lowest;
+            for (std::size_t element = begin + 1; element < end; ++element) {
+                const glm::vec3 &position = mesh.positions[mesh.vertexAt(element)];
+                lowest = glm::min(lowest, position);
+                highest = glm::max(highest, position);
+            }
+            const std::lock_guard lock(mutex);
+            bounds.add(mesh.origin + glm::dvec3(lowest));
+            bounds.add(mesh.origin + glm::dvec3(highest));
+        });
+    }
+    return bounds;
+}
+
+void finishModel(Model &model, ProgressReporter &progress)
+{
+    std::erase_if(model.meshes, [](const Mesh &mesh) { return mesh.triangleCount() == 0 && mesh.pointCount() == 0; });
     if (model.meshes.empty())
         throw Failure(ImportErrorCode::NoTriangles);
-
-    const auto total = static_cast<double>(model.triangleCount());
+    std::size_t total = 0;
+    for (const Mesh &mesh : model.meshes)
+        total += mesh.elementCount();
+    std::size_t firstVertex = 0;
     std::size_t done = 0;
     for (Mesh &mesh : model.meshes) {
-        const auto report = [&](double share) {
-            progress.report((static_cast<double>(done) + share * static_cast<double>(mesh.triangleCount())) / total);
+        const auto reporting = [&](double from, double to) {
+            return [&progress, &mesh, done, total, from, to](double share) {
+                const double ofMesh = (from + share * (to - from)) * static_cast<double>(mesh.elementCount());
+                progress.report((static_cast<double>(done) + ofMesh) / static_cast<double>(total));
+            };
         };
-        report(0.0);
-        if (!hasUsableNormals(mesh))
-            makeNormals(mesh, 0.5f, report);
-        done += mesh.triangleCount();
+        const std::size_t elements = mesh.elementCount();
+        checkMesh(mesh, firstVertex, reporting(0.0, 0.1));
+        firstVertex += mesh.positions.size();
+        finishNormals(mesh, reporting(0.1, 1.0));
+        done += elements;
     }
-    model.bounds = boundsOf(model.meshes);
+    model.bounds = boundsInParallel(model.meshes);
 }
 
 std::string lowerCaseSuffix(const std::filesystem::path &file)
@@ -92,7 +155,9 @@ Reader readerFor(const std::string &suffix)
         return readPly;
     if (suffix == "off")
         return readOff;
-    if (suffix == "obj" || suffix == "gltf" || suffix == "glb")
+    if (suffix == "obj")
+        return readObj;
+    if (suffix == "gltf" || suffix == "glb")
         return readWithAssimp;
     return nullptr;
 }

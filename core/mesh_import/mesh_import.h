@@ -37,8 +37,9 @@ using ImportProgress = std::function<bool(double share)>;
 
 /// Reads a model file: OBJ, STL, PLY, OFF (ASCII and binary), glTF and GLB.
 ///
-/// Node transforms are applied, polygons are triangulated, points and lines dropped, missing normals made. The
-/// file's own vertex order and coordinates are kept as they are: no unit or axis conversion.
+/// Node transforms are applied, polygons are cut into triangles where they stand, missing normals made for meshes that
+/// are not very large. Vertices without any faces are points. What is left out or not as in the file is in the model's
+/// notes. The file's own vertex order and coordinates are kept as they are: no unit or axis conversion.
 ///
 /// Safe to call from any thread; several imports may run at once.
 /// @param progress  may be empty

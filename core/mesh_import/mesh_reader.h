@@ -72,12 +72,10 @@ struct Source {
 Model readStl(const Source &source);
 Model readPly(const Source &source);
 Model readOff(const Source &source);
-/// OBJ, glTF and GLB.
+Model readObj(const Source &source);
+/// glTF and GLB.
 Model readWithAssimp(const Source &source);
 
-/// Throws Failure (Malformed with the line, NotFinite with the vertex, NoTriangles) for what assimp accepts in
-/// silence: missing coordinates, faces that refer to vertices the file does not have.
-void checkObj(const Source &source);
 /// A glTF or GLB file for assimp, without animations, skins and cameras. Throws Failure (Malformed) where buffers,
 /// accessors or the node tree would lead assimp beyond its memory.
 std::vector<std::uint8_t> checkedGltf(const Source &source);
@@ -86,6 +84,9 @@ std::vector<std::uint8_t> checkedGltf(const Source &source);
 /// @param reference  UTF-8, as written in the file: relative to the model file's folder, either slash, perhaps with
 ///                   %20 for a blank
 Texture readTexture(const std::filesystem::path &modelFile, const std::string &reference);
+/// Puts it among the model's textures, with a note where there is no such file.
+/// @return its number
+int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference);
 /// The file that such a reference means, or an empty path.
 std::filesystem::path resolveReference(const std::filesystem::path &modelFile, const std::string &reference);
 /// A regular file's bytes. Throws Failure (NotReadable).

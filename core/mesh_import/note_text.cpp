@@ -40,7 +40,10 @@ std::string noteText(const ModelNote &note)
         return "the materials " + quotedDetail(note)
                + " are not there or cannot be read: their surfaces are shown without colours and pictures";
     case ModelNote::Kind::MaterialUnknown:
-        return "no material is called " + quotedDetail(note) + ": its surfaces are shown in grey";
+        return "no material is called " + quotedDetail(note)
+               + (note.count > 1 ? " or by " + counted(note.count - 1, "other name", "other names") + " of the file"
+                                 : std::string())
+               + ": its surfaces are shown in grey";
     case ModelNote::Kind::LinesLeftOut:
         return counted(note.count, "line or point is not shown", "lines and points are not shown");
     case ModelNote::Kind::FacesLeftOut:

@@ -2,7 +2,6 @@
 
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
-#include "core/mesh_import/polygon_triangulation.h"
 
 #include <string>
 
@@ -29,7 +28,7 @@ void PolygonMesh::addPolygon(std::span<const std::int64_t> vertices, std::size_t
         for (const std::int64_t vertex : vertices)
             m_corners.push_back(mesh.positions.empty() ? glm::vec3(0.0f)
                                                        : mesh.positions[static_cast<std::size_t>(vertex)]);
-        triangulatePolygon(m_corners, m_localTriangles);
+        m_triangulator.triangulate(m_corners, m_localTriangles);
     }
     for (const std::uint32_t corner : m_localTriangles)
         mesh.indices.push_back(static_cast<std::uint32_t>(vertices[corner]));
@@ -72,6 +71,8 @@ void PolygonMesh::addStrip(std::span<const std::int64_t> vertices, std::size_t s
 
 Mesh PolygonMesh::take()
 {
+    if (mesh.indices.empty())
+        mesh.kind = Mesh::Kind::Points;
     if (m_cornerColors.empty() && m_cornerTexcoords.empty())
         return std::move(mesh);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh_import/polygon_triangulation.h"
 #include "core/scene/mesh.h"
 
 #include <cstddef>
@@ -29,7 +30,7 @@ public:
     /// Adds a strip of triangles; a negative number starts a new one.
     void addStrip(std::span<const std::int64_t> vertices, std::size_t strip);
 
-    /// The finished mesh.
+    /// The finished mesh; of points when there is no triangle.
     Mesh take();
 
 private:
@@ -38,6 +39,7 @@ private:
     std::size_t m_vertexCount;
     std::size_t m_polygonBegin = 0;              ///< where the last polygon starts in mesh.indices
     std::vector<std::uint32_t> m_localTriangles; ///< the last polygon's triangles, as corners of the polygon
+    PolygonTriangulator m_triangulator;
     std::vector<glm::vec3> m_corners;
     std::vector<glm::u8vec4> m_cornerColors; ///< one an index, or shorter
     std::vector<glm::vec2> m_cornerTexcoords;

@@ -1,6 +1,5 @@
 #include "core/geometry/finite.h"
 #include "core/mesh_import/assimp_files.h"
-#include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
 
 #include <assimp/Importer.hpp>
@@ -16,6 +15,7 @@
 #include <map>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -71,10 +71,8 @@ public:
         if (m_scene.mRootNode)
             addNode(*m_scene.mRootNode, glm::dmat4(1.0));
         for (auto &[key, mesh] : m_meshes) {
-            // OBJ readers hand out a vertex for each corner.
-            if (m_source.suffix == "obj")
-                mergeEqualVertices(mesh);
-            m_model.meshes.push_back(std::move(mesh));
+            if (!mesh.indices.empty())
+                m_model.meshes.push_back(std::move(mesh));
         }
         return std::move(m_model);
     }
@@ -103,9 +101,6 @@ private:
             look.baseColor = {color.r, color.g, color.b, color.a};
             look.hasBaseColor = true;
         }
-        float opacity = 1.0f;
-        if (m_source.suffix == "obj" && material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS)
-            look.baseColor.a = opacity;
         for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
             aiString path;
             aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
@@ -233,10 +228,9 @@ std::string cleaned(std::string message)
 {
     for (char &c : message)
         c = c >= ' ' && c <= '~' ? c : ' ';
-    for (const char *prefix : {"GLTF: ", "OBJ: ", "OBJ-file", "Obj: "}) {
-        if (message.starts_with(prefix))
-            message.erase(0, std::string(prefix).size());
-    }
+    constexpr std::string_view kPrefix = "GLTF: ";
+    if (message.starts_with(kPrefix))
+        message.erase(0, kPrefix.size());
     const std::size_t first = message.find_first_not_of(' ');
     message.erase(0, first == message.npos ? message.size() : first);
     while (!message.empty() && (message.back() == '.' || message.back() == ' ' || message.back() == '!'))
@@ -248,17 +242,12 @@ std::string cleaned(std::string message)
 
 Model readWithAssimp(const Source &source)
 {
-    std::vector<std::uint8_t> checked;
+    const std::vector<std::uint8_t> checked = checkedGltf(source);
     Source checkedSource = source;
-    if (source.suffix == "obj") {
-        checkObj(source);
-    } else {
-        checked = checkedGltf(source);
-        checkedSource.bytes = checked;
-        // A GLB that is called .gltf.
-        if (checked.size() >= 4 && checked[0] == 'g')
-            checkedSource.suffix = "glb";
-    }
+    checkedSource.bytes = checked;
+    // A GLB that is called .gltf.
+    if (checked.size() >= 4 && checked[0] == 'g')
+        checkedSource.suffix = "glb";
 
     Assimp::Importer importer;
     // The importer deletes both.

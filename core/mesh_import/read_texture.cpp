@@ -68,4 +68,12 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
     return texture;
 }
 
+int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference)
+{
+    model.textures.push_back(readTexture(modelFile, reference));
+    if (model.textures.back().encoded.empty())
+        model.notes.push_back({ModelNote::Kind::TextureMissing, 0, reference});
+    return static_cast<int>(model.textures.size()) - 1;
+}
+
 } // namespace unprojector::mesh_import::mesh_reader

@@ -72,20 +72,21 @@ std::string_view TextScanner::restOfLine()
     return m_text.substr(begin, end - begin);
 }
 
-std::optional<float> floatFromWord(std::string_view word)
+std::optional<double> doubleFromWord(std::string_view word)
 {
     if (!word.empty() && word.front() == '+')
         word.remove_prefix(1);
-    float value = 0.0f;
+    double value = 0.0;
     const char *end = word.data() + word.size();
     const std::from_chars_result result = std::from_chars(word.data(), end, value);
     if (result.ec == std::errc::result_out_of_range) {
-        // from_chars does not say which end of the range: the double has room for nearly all such words.
-        double wide = 0.0;
-        const bool isWide = std::from_chars(word.data(), end, wide).ec == std::errc();
-        const bool isTiny =
-            isWide ? std::abs(wide) < 1.0 : word.find("e-") != word.npos || word.find("E-") != word.npos;
-        value = isTiny ? 0.0f : std::numeric_limits<float>::infinity();
+        // from_chars does not say which end of the range; without an exponent it is hundreds of digits either way.
+        const std::size_t exponent = word.find_first_of("eE");
+        const std::size_t firstDigit = word.find_first_of("123456789.");
+        const bool isTiny = exponent != word.npos && exponent + 1 < word.size()
+                                ? word[exponent + 1] == '-'
+                                : firstDigit != word.npos && word[firstDigit] == '.';
+        value = isTiny ? 0.0 : std::numeric_limits<double>::infinity();
     } else if (result.ec != std::errc()) {
         return std::nullopt;
     }
@@ -94,8 +95,14 @@ std::optional<float> floatFromWord(std::string_view word)
     // What Microsoft's C library prints for NaN and infinity.
     if (std::string_view(result.ptr, static_cast<std::size_t>(end - result.ptr)).starts_with('#')
         || (result.ptr != word.data() && result.ptr + 1 < end && result.ptr[0] == '.' && result.ptr[1] == '#'))
-        return std::numeric_limits<float>::quiet_NaN();
+        return std::numeric_limits<double>::quiet_NaN();
     return std::nullopt;
+}
+
+std::optional<float> floatFromWord(std::string_view word)
+{
+    const std::optional<double> value = doubleFromWord(word);
+    return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
 }
 
 std::optional<long long> integerFromWord(std::string_view word)

@@ -37,8 +37,9 @@ private:
     std::size_t m_line;
 };
 
-/// The number a word stands for, independent of the locale; "nan", "inf" and "1.#IND" count as numbers, values too
-/// large or too small for a float become infinity or 0. Nothing when the word is not a number.
+/// The number a word stands for, rounded correctly and independent of the locale; "nan", "inf" and "1.#IND" count as
+/// numbers, values too large or too small for a double become infinity or 0. Nothing when the word is not a number.
+std::optional<double> doubleFromWord(std::string_view word);
 std::optional<float> floatFromWord(std::string_view word);
 std::optional<long long> integerFromWord(std::string_view word);
 

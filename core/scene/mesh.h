@@ -54,7 +54,7 @@ struct ModelNote {
         TextureMissing,    ///< detail: the file that is not there or cannot be read
         TextureScaledDown, ///< detail: its file, count: its new width in pixels
         MaterialsMissing,  ///< detail: the file of materials that is not there or cannot be read
-        MaterialUnknown,   ///< detail: the name that none of the file's materials has
+        MaterialUnknown,   ///< detail: a name that none of the file's materials has, count: how many such names
         LinesLeftOut,      ///< count: lines, and points beside triangles
         FacesLeftOut,      ///< count: faces that refer to vertices which the file does not have
         TexcoordsLeftOut,  ///< count: faces that refer to texture coordinates which the file does not have

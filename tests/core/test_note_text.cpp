@@ -33,7 +33,9 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("no materials", MaterialsMissing, 0, "a.mtl",
         "the materials \"a.mtl\" are not there or cannot be read: their surfaces are shown without colours and "
         "pictures");
-    row("unknown material", MaterialUnknown, 0, "red", "no material is called \"red\": its surfaces are shown in grey");
+    row("unknown material", MaterialUnknown, 1, "red", "no material is called \"red\": its surfaces are shown in grey");
+    row("unknown materials", MaterialUnknown, 3, "red",
+        "no material is called \"red\" or by 2 other names of the file: its surfaces are shown in grey");
     row("one line", LinesLeftOut, 1, "", "1 line or point is not shown");
     row("lines", LinesLeftOut, 3, "", "3 lines and points are not shown");
     row("a face", FacesLeftOut, 1, "", "1 face refers to vertices that the file does not have and cannot be shown");

@@ -16,14 +16,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const scene::Model &model = **read;
     fuzz::require(!model.meshes.empty(), "a model that opens has something to show");
     for (const scene::Mesh &mesh : model.meshes) {
-        fuzz::require(!mesh.indices.empty() && mesh.indices.size() % 3 == 0, "faces are triangles");
+        const bool isPoints = mesh.kind == scene::Mesh::Kind::Points;
+        fuzz::require(mesh.elementCount() > 0, "a mesh has something to show");
+        fuzz::require(isPoints ? mesh.indices.empty() : mesh.elementCount() % 3 == 0, "faces are triangles");
         fuzz::require(std::all_of(mesh.indices.begin(), mesh.indices.end(),
                                   [&](std::uint32_t i) { return i < mesh.positions.size(); }),
                       "triangles have vertices of their mesh");
-        fuzz::require(std::all_of(mesh.positions.begin(), mesh.positions.end(),
-                                  [](const glm::vec3 &p) { return geometry::isFinite(p); }),
+        fuzz::require(geometry::isFinite(mesh.origin)
+                          && std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                                         [](const glm::vec3 &p) { return geometry::isFinite(p); }),
                       "coordinates are finite");
-        fuzz::require(mesh.normals.size() == mesh.positions.size(), "every vertex has a normal");
+        const auto isOneEachOrNone = [&](const auto &values) {
+            return values.empty() || values.size() == mesh.positions.size();
+        };
+        fuzz::require(isOneEachOrNone(mesh.normals) && isOneEachOrNone(mesh.colors) && isOneEachOrNone(mesh.texcoords),
+                      "what vertices have, all have");
         fuzz::require(mesh.texture < static_cast<int>(model.textures.size()), "a mesh's texture is one of the model's");
     }
     return 0;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/mesh_import/mesh_reader.h"
+
+#include <glm/vec4.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::mesh_import::mesh_reader {
+
+/// A material of an OBJ file: its colour is multiplied with the texture's and the vertices'.
+struct ObjMaterial {
+    glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
+    bool hasBaseColor = false; ///< whether a library says so
+    int texture = -1;          ///< into Model::textures
+};
+
+/// The materials of an OBJ file's libraries. Reads pictures and adds notes to the model.
+class ObjMaterials {
+public:
+    ObjMaterials(const Source &source, Model &model) : m_source(source), m_model(model) {}
+
+    /// Reads what follows "mtllib": one file whose name may hold blanks, or several files.
+    void readLibraries(std::string_view names);
+    /// The material after "usemtl", or nothing where no library has it.
+    std::optional<ObjMaterial> find(std::string_view name);
+
+private:
+    /// As written.
+    struct Written {
+        std::optional<glm::vec3> diffuse;
+        float opacity = 1.0f;
+        std::string picture;
+        bool wrapRepeat = true;
+    };
+
+    bool readLibrary(const std::string &name);
+    void parse(std::string_view text);
+    int textureNumber(const Written &written);
+
+    const Source &m_source;
+    Model &m_model;
+    std::map<std::string, Written, std::less<>> m_written;
+    std::map<std::pair<std::string, bool>, int> m_textures;
+};
+
+} // namespace unprojector::mesh_import::mesh_reader

@@ -1,0 +1,101 @@
+#include "core/mesh_import/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace unprojector::mesh_import {
+namespace {
+
+/// The tasks of one call, handed out in order.
+class TaskQueue {
+public:
+    TaskQueue(std::size_t count, const std::function<void(std::size_t)> &task) : m_count(count), m_task(task) {}
+
+    /// Runs the next task; false when there is none left.
+    bool runNext()
+    {
+        const std::size_t number = m_next.fetch_add(1);
+        if (number >= m_count || m_isStopped)
+            return false;
+        try {
+            m_task(number);
+        } catch (...) {
+            stop(number, std::current_exception());
+        }
+        m_done.fetch_add(1);
+        return true;
+    }
+
+    void stop(std::size_t number, std::exception_ptr exception)
+    {
+        m_isStopped = true;
+        const std::lock_guard lock(m_mutex);
+        // All tasks before this one have begun and end: the first of them that fails is known in the end.
+        if (!m_exception || number < m_failed) {
+            m_failed = number;
+            m_exception = std::move(exception);
+        }
+    }
+
+    double share() const { return static_cast<double>(m_done.load()) / static_cast<double>(m_count); }
+    const std::exception_ptr &exception() const { return m_exception; }
+
+private:
+    std::size_t m_count;
+    const std::function<void(std::size_t)> &m_task;
+    std::atomic<std::size_t> m_next{0};
+    std::atomic<std::size_t> m_done{0};
+    std::atomic<bool> m_isStopped{false};
+    std::mutex m_mutex;
+    std::size_t m_failed = 0;
+    std::exception_ptr m_exception;
+};
+
+} // namespace
+
+void inParallel(std::size_t count, const std::function<void(double)> &report,
+                const std::function<void(std::size_t)> &task)
+{
+    if (count == 0)
+        return;
+    TaskQueue queue(count, task);
+    std::vector<std::thread> helpers;
+    const std::size_t helperCount = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency())) - 1;
+    helpers.reserve(helperCount);
+    try {
+        while (helpers.size() < helperCount) {
+            helpers.emplace_back([&queue] {
+                while (queue.runNext()) {
+                }
+            });
+        }
+    } catch (const std::system_error &) {
+        // The system gives no more threads: those that there are do the work.
+    }
+    try {
+        while (queue.runNext()) {
+            if (report)
+                report(queue.share());
+        }
+    } catch (...) {
+        queue.stop(0, std::current_exception());
+    }
+    for (std::thread &helper : helpers)
+        helper.join();
+    if (queue.exception())
+        std::rethrow_exception(queue.exception());
+}
+
+void inParallelRanges(std::size_t count, std::size_t size, const std::function<void(double)> &report,
+                      const std::function<void(std::size_t, std::size_t)> &range)
+{
+    inParallel((count + size - 1) / size, report,
+               [&](std::size_t number) { range(number * size, std::min(count, (number + 1) * size)); });
+}
+
+} // namespace unprojector::mesh_import

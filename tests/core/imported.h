@@ -1,0 +1,96 @@
+#pragma once
+
+#include "core/mesh_import/mesh_import.h"
+#include "model_files.h"
+
+#include <QTest>
+
+#include <QTemporaryDir>
+
+#include <glm/geometric.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+/// What the tests of the model readers share: a folder of their own, and what comes out of a file in it.
+namespace model_files {
+
+class ImportFolder {
+public:
+    std::filesystem::path write(const QString &name, const QByteArray &content) const
+    {
+        std::filesystem::path file = path() / pathOf(name);
+        // Truncating a file that was just written waits for the disk on some systems.
+        std::filesystem::remove(file);
+        std::ofstream(file, std::ios::binary).write(content.constData(), content.size());
+        return file;
+    }
+    auto imported(const QString &name, const QByteArray &content) const
+    {
+        return unprojector::mesh_import::importModel(write(name, content), {});
+    }
+    std::filesystem::path path() const { return pathOf(m_folder.path()); }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// The triangles' area in object space.
+inline double areaOf(const unprojector::scene::Mesh &mesh)
+{
+    double area = 0.0;
+    for (std::size_t i = 0; i < 3 * mesh.triangleCount(); i += 3) {
+        const glm::dvec3 a = mesh.position(mesh.vertexAt(i));
+        area +=
+            glm::length(glm::cross(mesh.position(mesh.vertexAt(i + 1)) - a, mesh.position(mesh.vertexAt(i + 2)) - a))
+            / 2.0;
+    }
+    return area;
+}
+
+/// A grid of 5 x 5 points beside a survey's origin, in steps of a millimetre, as a file would have them.
+inline glm::dvec3 surveyPoint(int i)
+{
+    return {4000000.0 + 0.001 * (i % 5), 500000.0 + 0.001 * (i / 5), 300.0 + 0.001 * ((i * 7) % 5)};
+}
+inline constexpr int kSurveyPoints = 25;
+
+/// The two triangles of each of the grid's 16 squares, as numbers of its points.
+inline std::vector<std::array<int, 3>> surveyTriangles()
+{
+    std::vector<std::array<int, 3>> triangles;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            const int a = 5 * row + column;
+            triangles.push_back({a, a + 1, a + 6});
+            triangles.push_back({a, a + 6, a + 5});
+        }
+    }
+    return triangles;
+}
+
+inline QByteArray surveyWords(int i)
+{
+    const glm::dvec3 p = surveyPoint(i);
+    return QByteArray::number(p.x, 'f', 3) + ' ' + QByteArray::number(p.y, 'f', 3) + ' '
+           + QByteArray::number(p.z, 'f', 3);
+}
+
+/// Whether all corners of the grid's triangles are where the file has them, in its order.
+inline bool hasSurveyDetail(const unprojector::scene::Mesh &mesh, double tolerance = 1e-5)
+{
+    const auto triangles = surveyTriangles();
+    if (mesh.triangleCount() != triangles.size())
+        return false;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (!(glm::distance(mesh.position(mesh.vertexAt(3 * t + c)), surveyPoint(triangles[t][c])) < tolerance))
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace model_files
+
+#define REQUIRE_MODEL(result) QVERIFY2((result).hasValue(), (result).hasValue() ? "" : (result).error().detail.c_str())
