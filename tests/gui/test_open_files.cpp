@@ -235,9 +235,9 @@ void TestOpenFiles::aBrokenFileChangesNothing_data()
         << "index.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n") << "7";
     QTest::newRow("empty file") << "empty.ply" << QByteArray() << "empty";
     QTest::newRow("PLY without triangles") << "none.ply"
-                                           << QByteArray("ply\nformat ascii 1.0\nelement vertex 1\nproperty float "
+                                           << QByteArray("ply\nformat ascii 1.0\nelement vertex 0\nproperty float "
                                                          "x\nproperty float y\nproperty float z\nelement face 0\n"
-                                                         "property list uchar int vertex_indices\nend_header\n0 0 0\n")
+                                                         "property list uchar int vertex_indices\nend_header\n")
                                            << "no triangles";
     QTest::newRow("NaN vertex")
         << "nan.ply"
