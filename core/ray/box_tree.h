@@ -1,0 +1,87 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace unprojector::ray {
+
+/// Called with a share done in [0, 1], never falling; returning false cancels. From any thread, one at a time; throws nothing.
+using Progress = std::function<bool(double share)>;
+
+/// Boxes in boxes, down to a few of what they were built of: a binary tree by the surface area heuristic, built with all cores. Plain
+/// C++, for what Embree does not do and for where it is not.
+class BoxTree {
+public:
+    struct Box {
+        glm::vec3 lowest, highest;
+    };
+
+    /// @param boxes  finite
+    /// @param mostInLeaf  at least 1
+    /// @return nothing when progress says stop
+    static std::optional<BoxTree> build(const std::vector<Box> &boxes, std::size_t mostInLeaf,
+                                        const Progress &progress);
+
+    /// Shows to `visit` the numbers of the boxes that it was built of, those that come first first.
+    /// @param entry  where a box (lowest, highest) begins, by whatever measure; infinity: it does not matter
+    /// @param limit  what begins beyond this measure no longer matters; asked for again and again
+    template <class Entry, class Limit, class Visit>
+    void search(const Entry &entry, const Limit &limit, const Visit &visit) const;
+
+private:
+    /// Two siblings lie side by side.
+    struct Node {
+        glm::vec3 lowest;
+        std::uint32_t first; ///< child, or place in m_numbers
+        glm::vec3 highest;
+        std::uint32_t count; ///< of boxes in a leaf; 0: none
+    };
+    class Builder;
+    static constexpr std::size_t kMostLevels = 96;
+
+    std::vector<Node> m_nodes;
+    std::vector<std::uint32_t> m_numbers; ///< leaf by leaf
+};
+
+template <class Entry, class Limit, class Visit>
+void BoxTree::search(const Entry &entry, const Limit &limit, const Visit &visit) const
+{
+    struct Waiting {
+        std::uint32_t node;
+        float begin;
+    };
+    std::array<Waiting, kMostLevels> waiting;
+    std::size_t depth = 0;
+    if (m_nodes.empty())
+        return;
+    constexpr float kNever = std::numeric_limits<float>::infinity();
+    Waiting next{0, entry(m_nodes[0].lowest, m_nodes[0].highest)};
+    for (;;) {
+        if (next.begin < kNever && next.begin <= limit()) {
+            const Node &node = m_nodes[next.node];
+            if (node.count == 0) {
+                const Node &a = m_nodes[node.first], &b = m_nodes[node.first + 1];
+                const Waiting one{node.first, entry(a.lowest, a.highest)};
+                const Waiting other{node.first + 1, entry(b.lowest, b.highest)};
+                const bool isInOrder = one.begin <= other.begin;
+                waiting[depth++] = isInOrder ? other : one;
+                next = isInOrder ? one : other;
+                continue;
+            }
+            for (std::uint32_t i = 0; i < node.count; ++i)
+                visit(m_numbers[node.first + i]);
+        }
+        if (depth == 0)
+            return;
+        next = waiting[--depth];
+    }
+}
+
+} // namespace unprojector::ray

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/scene/mesh.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace unprojector::ray {
+using namespace scene;
+
+/// Triangles (or vertices, or points) of all meshes of a model, counted through from 0: those of the first mesh, then those
+/// of the next.
+class ElementNumbers {
+public:
+    struct Place {
+        std::uint32_t mesh;
+        std::uint32_t element; ///< in it
+    };
+
+    /// @param count  how many a mesh has
+    template <class Count>
+    ElementNumbers(const std::vector<Mesh> &meshes, const Count &count)
+    {
+        std::size_t sum = 0;
+        for (const Mesh &mesh : meshes) {
+            m_starts.push_back(static_cast<std::uint32_t>(sum));
+            sum += count(mesh);
+        }
+        assert(sum <= std::numeric_limits<std::uint32_t>::max());
+        m_count = static_cast<std::uint32_t>(sum);
+    }
+
+    std::uint32_t count() const { return m_count; }
+    std::uint32_t of(std::uint32_t mesh, std::uint32_t element) const { return m_starts[mesh] + element; }
+    /// @pre number < count()
+    Place place(std::uint32_t number) const
+    {
+        std::uint32_t mesh = 0;
+        if (m_starts.size() > 1) { // the last that starts no later
+            const auto after = std::upper_bound(m_starts.begin(), m_starts.end(), number);
+            mesh = static_cast<std::uint32_t>(after - m_starts.begin()) - 1;
+        }
+        return {mesh, number - m_starts[mesh]};
+    }
+
+private:
+    std::vector<std::uint32_t> m_starts; ///< of each mesh
+    std::uint32_t m_count = 0;
+};
+
+} // namespace unprojector::ray

@@ -1,0 +1,159 @@
+// The tree by Embree 3 or 4. Embree knows boxes only; which triangle is met, and where, is computed in double, as without it.
+
+#include "core/ray/triangle_tree.h"
+
+#if UNPROJECTOR_EMBREE == 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <new>
+
+namespace unprojector::ray {
+namespace {
+
+#if UNPROJECTOR_EMBREE == 4
+using Context = RTCRayQueryContext;
+#else
+using Context = RTCIntersectContext;
+#endif
+
+/// A ray under way, as the callback finds it again: Embree hands on what it was given first.
+struct Search {
+    Context context;
+    PacketSearch *packets;
+};
+
+void giveBounds(const RTCBoundsFunctionArguments *arguments)
+{
+    const auto &packets = *static_cast<const TrianglePackets *>(arguments->geometryUserPtr);
+    const auto [lowest, highest] = packets.boxOf(arguments->primID);
+    *arguments->bounds_o = {lowest.x, lowest.y, lowest.z, 0.0f, highest.x, highest.y, highest.z, 0.0f};
+}
+
+void intersect(const RTCIntersectFunctionNArguments *arguments)
+{
+    if (arguments->valid[0] == 0)
+        return;
+    const auto &packets = *static_cast<const TrianglePackets *>(arguments->geometryUserPtr);
+    const auto &search = *reinterpret_cast<const Search *>(arguments->context);
+    if (packets.test(arguments->primID, *search.packets))
+        reinterpret_cast<RTCRayHit *>(arguments->rayhit)->ray.tfar = search.packets->length();
+}
+
+/// Hands on what Embree says of its progress, from several threads at once.
+struct Monitor {
+    const Progress &progress;
+    std::mutex telling = {};
+    double told = -1.0;
+    std::atomic<bool> isCancelled = false;
+
+    static bool tell(void *monitor, double share) { return static_cast<Monitor *>(monitor)->advance(share); }
+
+    bool advance(double share)
+    {
+        constexpr double kStep = 0.01;
+        const std::lock_guard lock(telling);
+        if (progress && !isCancelled && share >= told + kStep) {
+            told = std::min(share, 1.0);
+            isCancelled = !progress(told);
+        }
+        return !isCancelled;
+    }
+};
+
+class EmbreeTree : public TriangleTree {
+public:
+    explicit EmbreeTree(const TrianglePackets &packets) : m_device(rtcNewDevice(nullptr))
+    {
+        if (m_device == nullptr)
+            return;
+        m_scene = rtcNewScene(m_device);
+        rtcSetSceneBuildQuality(m_scene, RTC_BUILD_QUALITY_MEDIUM);
+        rtcSetSceneFlags(m_scene, RTC_SCENE_FLAG_ROBUST);
+        RTCGeometry geometry = rtcNewGeometry(m_device, RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(geometry, packets.count());
+        rtcSetGeometryUserData(geometry, const_cast<TrianglePackets *>(&packets)); // it comes back as const
+        rtcSetGeometryBoundsFunction(geometry, giveBounds, nullptr);
+        rtcSetGeometryIntersectFunction(geometry, intersect);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(m_scene, geometry);
+        rtcReleaseGeometry(geometry);
+    }
+    ~EmbreeTree() override
+    {
+        if (m_scene != nullptr)
+            rtcReleaseScene(m_scene);
+        if (m_device != nullptr)
+            rtcReleaseDevice(m_device);
+    }
+
+    /// @return whether the tree is ready; throws std::bad_alloc
+    bool build(Monitor &monitor)
+    {
+        if (m_device == nullptr)
+            return false;
+        rtcSetSceneProgressMonitorFunction(m_scene, &Monitor::tell, &monitor);
+        rtcCommitScene(m_scene);
+        rtcSetSceneProgressMonitorFunction(m_scene, nullptr, nullptr);
+        switch (rtcGetDeviceError(m_device)) {
+        case RTC_ERROR_NONE: return true;
+        case RTC_ERROR_OUT_OF_MEMORY: throw std::bad_alloc();
+        default: return false;
+        }
+    }
+
+    void search(const UnitRay &ray, PacketSearch &packets) const override
+    {
+        Search search{{}, &packets};
+        RTCRayHit hit{};
+        hit.ray.org_x = ray.from.x;
+        hit.ray.org_y = ray.from.y;
+        hit.ray.org_z = ray.from.z;
+        hit.ray.dir_x = ray.along.x;
+        hit.ray.dir_y = ray.along.y;
+        hit.ray.dir_z = ray.along.z;
+        hit.ray.tfar = ray.length;
+        hit.ray.mask = 0xFFFFFFFFu;
+        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if UNPROJECTOR_EMBREE == 4
+        rtcInitRayQueryContext(&search.context);
+        RTCIntersectArguments arguments;
+        rtcInitIntersectArguments(&arguments);
+        arguments.context = &search.context;
+        rtcIntersect1(m_scene, &hit, &arguments);
+#else
+        rtcInitIntersectContext(&search.context);
+        rtcIntersect1(m_scene, &search.context, &hit);
+#endif
+    }
+
+private:
+    RTCDevice m_device = nullptr;
+    RTCScene m_scene = nullptr;
+};
+
+} // namespace
+
+std::unique_ptr<const TriangleTree> embreeTriangleTree(const TrianglePackets &packets, const Progress &progress,
+                                                       bool &isCancelled)
+{
+    Monitor monitor{progress};
+    auto tree = std::make_unique<EmbreeTree>(packets);
+    const bool isReady = tree->build(monitor);
+    isCancelled = monitor.isCancelled;
+    if (!isReady || isCancelled)
+        return nullptr;
+    return tree;
+}
+
+bool hasEmbree()
+{
+    return true;
+}
+
+} // namespace unprojector::ray

@@ -1,0 +1,42 @@
+#include "core/ray/nearest_triangle.h"
+
+namespace unprojector::ray {
+namespace {
+
+/// Differences of doubles near each other are exact: the mesh's digits and the ray's meet about the mesh's own origin.
+LineCrossing lineAbout(const Model &model, std::uint32_t mesh, const Ray<ObjectSpace> &ray)
+{
+    const glm::dvec3 origin = mesh < model.meshes.size() ? model.meshes[mesh].origin : glm::dvec3(0.0);
+    return {ray.from.coordinates() - origin, ray.along.coordinates()};
+}
+
+} // namespace
+
+std::array<glm::dvec3, 3> cornersOf(const Mesh &mesh, std::uint32_t triangle)
+{
+    const std::size_t first = std::size_t{3} * triangle;
+    return {glm::dvec3(mesh.positions[mesh.vertexAt(first)]), glm::dvec3(mesh.positions[mesh.vertexAt(first + 1)]),
+            glm::dvec3(mesh.positions[mesh.vertexAt(first + 2)])};
+}
+
+NearestTriangle::NearestTriangle(const Model &model, const Ray<ObjectSpace> &ray)
+    : m_model(model), m_ray(ray), m_line(lineAbout(model, 0, ray))
+{
+}
+
+bool NearestTriangle::test(std::uint32_t mesh, std::uint32_t triangle, const std::array<glm::dvec3, 3> &corners)
+{
+    if (mesh != m_mesh) {
+        m_line = lineAbout(m_model, mesh, m_ray);
+        m_mesh = mesh;
+    }
+    const std::optional<Crossing> crossing = m_line.with(corners[0], corners[1], corners[2]);
+    if (!crossing || !(crossing->t >= m_ray.low && crossing->t <= high()))
+        return false;
+    if (m_hit && crossing->t == m_hit->t && triangle >= m_hit->triangle)
+        return false;
+    m_hit = TriangleHit{triangle, crossing->t, crossing->barycentric};
+    return true;
+}
+
+} // namespace unprojector::ray

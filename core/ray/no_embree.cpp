@@ -1,0 +1,17 @@
+// Where the program is built without Embree.
+
+#include "core/ray/triangle_tree.h"
+
+namespace unprojector::ray {
+
+std::unique_ptr<const TriangleTree> embreeTriangleTree(const TrianglePackets &, const Progress &, bool &)
+{
+    return nullptr;
+}
+
+bool hasEmbree()
+{
+    return false;
+}
+
+} // namespace unprojector::ray

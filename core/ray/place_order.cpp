@@ -1,0 +1,179 @@
+#include "core/ray/place_order.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <utility>
+
+namespace unprojector::ray {
+namespace {
+
+struct Keyed {
+    std::uint32_t key;
+    std::uint32_t number;
+};
+
+constexpr int kBits = 10; ///< along an axis
+constexpr std::size_t kCrowd = 64;
+constexpr int kMostLevels = 8;
+
+/// Two zeros between each of the lowest ten bits.
+std::uint32_t spread(std::uint32_t bits)
+{
+    bits = (bits | (bits << 16)) & 0x030000FFu;
+    bits = (bits | (bits << 8)) & 0x0300F00Fu;
+    bits = (bits | (bits << 4)) & 0x030C30C3u;
+    return (bits | (bits << 2)) & 0x09249249u;
+}
+
+/// @param place  in [0, 1]^3
+std::uint32_t keyOf(const glm::vec3 &place)
+{
+    constexpr float kSteps = float(1 << kBits);
+    const glm::vec3 step = glm::clamp(place * kSteps, 0.0f, kSteps - 1.0f);
+    return (spread(static_cast<std::uint32_t>(step.z)) << 2) | (spread(static_cast<std::uint32_t>(step.y)) << 1)
+           | spread(static_cast<std::uint32_t>(step.x));
+}
+
+/// By key, equal ones as they were: digit by digit from the lowest.
+void sortByKey(std::vector<Keyed> &all)
+{
+    constexpr std::uint32_t kDigit = 10, kValues = 1u << kDigit;
+    std::vector<Keyed> sorted(all.size());
+    for (std::uint32_t shift = 0; shift < 3 * kBits; shift += kDigit) {
+        std::array<std::size_t, kValues> starts{};
+        for (const Keyed &one : all)
+            ++starts[(one.key >> shift) % kValues];
+        std::size_t start = 0;
+        for (std::size_t &count : starts)
+            start += std::exchange(count, start);
+        for (const Keyed &one : all)
+            sorted[starts[(one.key >> shift) % kValues]++] = one;
+        all.swap(sorted);
+    }
+}
+
+void sortCrowd(std::span<Keyed> crowd, const std::function<glm::vec3(std::uint32_t)> &place, int level)
+{
+    glm::vec3 lowest(std::numeric_limits<float>::infinity()), highest(-lowest);
+    for (const Keyed &one : crowd) {
+        const glm::vec3 p = place(one.number);
+        lowest = glm::min(lowest, p);
+        highest = glm::max(highest, p);
+    }
+    const glm::vec3 size = highest - lowest;
+    const float widest = std::max({size.x, size.y, size.z});
+    if (!(widest > 0.0f))
+        return;
+    for (Keyed &one : crowd)
+        one.key = keyOf((place(one.number) - lowest) / widest);
+    const auto isBefore = [](const Keyed &a, const Keyed &b) {
+        return a.key != b.key ? a.key < b.key : a.number < b.number;
+    };
+    std::sort(crowd.begin(), crowd.end(), isBefore);
+    for (std::size_t first = 0, end = 0; level < kMostLevels && first < crowd.size(); first = end) {
+        for (end = first + 1; end < crowd.size() && crowd[end].key == crowd[first].key;)
+            ++end;
+        if (end - first > kCrowd)
+            sortCrowd(crowd.subspan(first, end - first), place, level + 1);
+    }
+}
+
+struct Placed {
+    glm::vec3 place;
+    std::uint32_t number;
+};
+
+/// Parts a list in halves across its longest side, and those again, down to groups of a size.
+void gather(std::span<Placed> all, std::size_t size)
+{
+    if (all.size() <= size)
+        return;
+    glm::vec3 lowest = all[0].place, highest = lowest;
+    for (const Placed &one : all) {
+        lowest = glm::min(lowest, one.place);
+        highest = glm::max(highest, one.place);
+    }
+    const glm::vec3 extent = highest - lowest;
+    const int axis = extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
+    const std::size_t half = (all.size() / size + 1) / 2 * size;
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(half), all.end(),
+                     [axis](const Placed &a, const Placed &b) { return a.place[axis] < b.place[axis]; });
+    gather(all.first(half), size);
+    gather(all.subspan(half), size);
+}
+
+} // namespace
+
+void inParts(std::size_t count, const std::function<void(std::size_t, std::size_t)> &work)
+{
+    constexpr std::size_t kWorthAThread = 1000;
+    const std::size_t threads =
+        std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 1 + count / kWorthAThread);
+    std::exception_ptr failure;
+    std::mutex failing;
+    const auto part = [&](std::size_t i) noexcept {
+        try {
+            work(count * i / threads, count * (i + 1) / threads);
+        } catch (...) {
+            const std::lock_guard lock(failing);
+            failure = std::current_exception();
+        }
+    };
+    std::vector<std::thread> others;
+    std::size_t started = 1;
+    try {
+        for (; started < threads; ++started)
+            others.emplace_back(part, started);
+    } catch (const std::exception &) { // the system gives no more threads: what is left is done here
+    }
+    part(0);
+    for (std::size_t i = started; i < threads; ++i)
+        part(i);
+    for (std::thread &thread : others)
+        thread.join();
+    if (failure)
+        std::rethrow_exception(failure);
+}
+
+std::vector<std::uint32_t> placeOrder(std::uint32_t count, std::size_t group,
+                                      const std::function<glm::vec3(std::uint32_t)> &place)
+{
+    std::vector<Keyed> all(count);
+    inParts(count, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
+            const auto number = static_cast<std::uint32_t>(i);
+            all[i] = {keyOf(place(number) * 0.5f + 0.5f), number};
+        }
+    });
+    sortByKey(all);
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        for (end = first + 1; end < all.size() && all[end].key == all[first].key;)
+            ++end;
+        if (end - first > kCrowd)
+            sortCrowd(std::span(all).subspan(first, end - first), place, 1);
+    }
+    std::vector<std::uint32_t> order(count);
+    constexpr std::size_t kTogether = 256;
+    inParts((count + kTogether - 1) / kTogether, [&](std::size_t begin, std::size_t end) {
+        std::vector<Placed> some;
+        for (std::size_t first = begin * kTogether; first < std::min<std::size_t>(end * kTogether, count);
+             first += kTogether) {
+            some.clear();
+            for (std::size_t i = first; i < std::min<std::size_t>(first + kTogether, count); ++i)
+                some.push_back({place(all[i].number), all[i].number});
+            gather(some, group);
+            std::transform(some.begin(), some.end(), order.begin() + static_cast<std::ptrdiff_t>(first),
+                           [](const Placed &one) { return one.number; });
+        }
+    });
+    return order;
+}
+
+} // namespace unprojector::ray

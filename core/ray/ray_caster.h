@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/ray/nearest_triangle.h"
+#include "core/ray/triangle_tree.h"
+
+#include <memory>
+#include <optional>
+
+namespace unprojector::ray {
+
+/// Answers where rays meet a model, exactly as testing all its triangles in double precision would (see NearestTriangle), and
+/// in a microsecond. Building takes a while for large models and may be done on any thread; afterwards it is immutable, and
+/// any thread may ask.
+class RayCaster {
+public:
+    enum class Tree {
+        Fastest, ///< Embree's where there is Embree
+        Plain,   ///< our own; the answers are the same
+    };
+
+    /// @param progress  may be empty
+    /// @return null when progress says stop
+    /// Throws std::bad_alloc.
+    static std::shared_ptr<const RayCaster> build(std::shared_ptr<const Model> model, const Progress &progress,
+                                                  Tree tree = Tree::Fastest);
+
+    const Model &model() const { return *m_model; }
+    /// Of the model's triangles.
+    const ElementNumbers &triangleNumbers() const { return m_numbers; }
+
+    /// The triangle that a ray in object space meets first, from either side.
+    /// @return nothing where there is none in low <= t <= high, and for a ray that is not finite
+    std::optional<TriangleHit> nearestTriangle(const Ray<ObjectSpace> &ray) const;
+
+private:
+    RayCaster(std::shared_ptr<const Model> model, const Box &bounds);
+
+    std::shared_ptr<const Model> m_model;
+    ElementNumbers m_numbers; ///< of its triangles
+    UnitSpace m_space;
+    TrianglePackets m_packets;
+    std::unique_ptr<const TriangleTree> m_triangles; ///< null: the model has none
+};
+
+} // namespace unprojector::ray

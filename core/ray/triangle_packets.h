@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/ray/box_tree.h"
+#include "core/ray/element_numbers.h"
+#include "core/ray/nearest_triangle.h"
+#include "core/ray/unit_space.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace unprojector::ray {
+
+/// A ray's way through a model's packets: first seen in single precision, then met exactly.
+class PacketSearch {
+public:
+    /// @param model  outlives this
+    PacketSearch(const Model &model, const UnitSpace &space, const UnitRay &unit, NearestTriangle &nearest);
+
+    /// How far in unit space something may begin that is of interest yet.
+    float length() const { return m_length; }
+
+private:
+    friend class TrianglePackets;
+    void enter(std::uint32_t mesh);
+
+    const Model &m_model;
+    const UnitSpace &m_space;
+    const UnitRay &m_unit;
+    NearestTriangle &m_nearest;
+    float m_length;
+    std::size_t m_x, m_y, m_z; ///< the ray goes farthest along axis m_z
+    float m_shearX, m_shearY;
+    std::uint32_t m_mesh = 0;
+    std::array<float, 3> m_from{}; ///< relative to the mesh's origin
+    float m_margin = 0.0f;         ///< what single precision may be off there
+};
+
+/// A model's triangles, four neighbours of a mesh together, as the mesh has them: what a tree has for leaves. With all four
+/// at once it is seen which of them a ray may meet; that is then tested exactly.
+class TrianglePackets {
+public:
+    static constexpr std::size_t kSize = 4;
+
+    /// @param numbers  of the model's triangles
+    TrianglePackets(const Model &model, const ElementNumbers &numbers, const UnitSpace &space);
+
+    std::uint32_t count() const { return static_cast<std::uint32_t>(m_packets.size()); }
+    /// The box of a packet in unit space, widened by its margin.
+    BoxTree::Box boxOf(std::uint32_t packet) const;
+    /// Tests those that the ray may meet.
+    /// @return whether one of them is the nearest so far
+    bool test(std::uint32_t packet, PacketSearch &search) const;
+
+private:
+    struct Packet {
+        std::array<std::array<std::array<float, kSize>, 3>, 3> corners; ///< by axis, corner, triangle
+        std::array<std::uint32_t, kSize> numbers;                       ///< the last one again, where there are fewer
+    };
+    std::uint32_t meshOf(std::uint32_t packet) const;
+
+    const Model &m_model;
+    const UnitSpace &m_space;
+    std::vector<Packet> m_packets;
+    std::vector<std::uint32_t> m_starts; ///< of each mesh, its first packet
+};
+
+} // namespace unprojector::ray

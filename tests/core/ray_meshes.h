@@ -1,0 +1,128 @@
+#pragma once
+
+#include "core/ray/ray_caster.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+// Meshes that rays are aimed at, and the answer without any tree.
+namespace ray_meshes {
+
+using namespace unprojector;
+using namespace unprojector::ray;
+
+using ObjectVector = Vector<ObjectSpace>;
+
+/// A model of one mesh.
+inline std::shared_ptr<Model> modelOf(Mesh mesh)
+{
+    auto model = std::make_shared<Model>();
+    model->meshes.push_back(std::move(mesh));
+    model->bounds = boundsOf(model->meshes);
+    return model;
+}
+
+inline std::shared_ptr<Model> modelOf(const std::vector<glm::vec3> &positions, std::vector<std::uint32_t> indices = {})
+{
+    Mesh mesh;
+    mesh.positions = positions;
+    mesh.indices = std::move(indices);
+    return modelOf(std::move(mesh));
+}
+
+/// A surface over [0, 1] x [0, 1] whose rims meet, every vertex shared: nothing is open where it wraps around.
+inline std::shared_ptr<Model> wrapped(std::uint32_t n, const std::function<glm::dvec3(double, double)> &at)
+{
+    Mesh mesh;
+    for (std::uint32_t j = 0; j < n; ++j) {
+        for (std::uint32_t i = 0; i < n; ++i)
+            mesh.positions.emplace_back(at(double(i) / n, double(j) / n));
+    }
+    for (std::uint32_t j = 0; j < n; ++j) {
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t p = (i + 1) % n, q = (j + 1) % n;
+            const std::uint32_t a = j * n + i, b = j * n + p, c = q * n + p, d = q * n + i;
+            mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+        }
+    }
+    return modelOf(std::move(mesh));
+}
+
+constexpr double kTurn = 6.283185307179586;
+
+inline std::shared_ptr<Model> torus(std::uint32_t n)
+{
+    return wrapped(n, [](double u, double v) {
+        const double ring = 1.0 + 0.4 * std::cos(kTurn * v);
+        return glm::dvec3(ring * std::cos(kTurn * u), ring * std::sin(kTurn * u), 0.4 * std::sin(kTurn * v));
+    });
+}
+
+/// Triangles of all sizes and shapes anywhere, some of them without an area.
+inline std::shared_ptr<Model> soup(std::size_t count, std::uint64_t seed)
+{
+    std::mt19937_64 engine(seed);
+    std::uniform_real_distribution<double> place(-1.0, 1.0), size(-4.0, -0.5);
+    std::vector<glm::vec3> positions;
+    const auto anywhere = [&] { return glm::dvec3(place(engine), place(engine), place(engine)); };
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 center = anywhere();
+        const double extent = std::pow(10.0, size(engine));
+        const glm::dvec3 a = center + extent * anywhere(), b = center + extent * anywhere();
+        positions.insert(positions.end(), {a, b, i % 16 == 0 ? a : i % 16 == 1 ? 2.0 * b - a : center});
+    }
+    return modelOf(positions);
+}
+
+/// The nearest of all triangles, each tested.
+inline std::optional<TriangleHit> testingAll(const Model &model, const Ray<ObjectSpace> &ray)
+{
+    NearestTriangle nearest(model, ray);
+    std::uint32_t number = 0;
+    for (std::uint32_t mesh = 0; mesh < model.meshes.size(); ++mesh) {
+        for (std::uint32_t i = 0; i < model.meshes[mesh].triangleCount(); ++i)
+            nearest.test(mesh, number++, cornersOf(model.meshes[mesh], i));
+    }
+    return nearest.hit();
+}
+
+inline bool isSame(const std::optional<TriangleHit> &a, const std::optional<TriangleHit> &b)
+{
+    if (!a || !b)
+        return !a && !b;
+    return a->triangle == b->triangle && a->t == b->t && a->barycentric == b->barycentric;
+}
+
+/// Random numbers for rays.
+class Aim {
+public:
+    explicit Aim(std::uint64_t seed) : m_engine(seed) {}
+
+    glm::dvec3 direction()
+    {
+        return glm::normalize(glm::dvec3(m_normal(m_engine), m_normal(m_engine), m_normal(m_engine)));
+    }
+    double share() { return m_share(m_engine); }
+    std::size_t below(std::size_t count) { return m_engine() % count; }
+
+    /// From somewhere about a center to a point and as far again behind it.
+    Ray<ObjectSpace> at(const glm::dvec3 &target, const glm::dvec3 &center, double distance)
+    {
+        const glm::dvec3 eye = center + distance * direction();
+        return {ObjectPoint(eye), ObjectVector(target - eye), 0.0, 2.0};
+    }
+
+private:
+    std::mt19937_64 m_engine;
+    std::normal_distribution<double> m_normal;
+    std::uniform_real_distribution<double> m_share;
+};
+
+} // namespace ray_meshes
