@@ -231,13 +231,13 @@ std::vector<std::uint8_t> readFile(const std::filesystem::path &file, ProgressRe
 
 } // namespace mesh_reader
 
-Result<std::shared_ptr<const Model>, ImportError> importModel(const std::filesystem::path &file,
+Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::path &file,
                                                               const ImportProgress &progress)
 {
     mesh_reader::ProgressReporter reporter(progress);
     ImportError error{ImportErrorCode::Malformed, file, {}, 0};
     try {
-        return std::shared_ptr<const Model>(std::make_shared<Model>(mesh_reader::import(file, reporter)));
+        return std::make_shared<Model>(mesh_reader::import(file, reporter));
     } catch (const mesh_reader::Failure &failure) {
         error.code = failure.code;
         error.detail = failure.detail;

@@ -43,7 +43,8 @@ using ImportProgress = std::function<bool(double share)>;
 ///
 /// Safe to call from any thread; several imports may run at once.
 /// @param progress  may be empty
-Result<std::shared_ptr<const Model>, ImportError> importModel(const std::filesystem::path &file,
+/// @return its textures are still encoded
+Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::path &file,
                                                               const ImportProgress &progress);
 
 } // namespace unprojector::mesh_import

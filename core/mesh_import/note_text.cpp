@@ -33,6 +33,9 @@ std::string noteText(const ModelNote &note)
     case ModelNote::Kind::TextureMissing:
         return "the picture " + quotedDetail(note)
                + " is not there or cannot be read: its surfaces are shown without it";
+    case ModelNote::Kind::TextureUnusable:
+        return "the picture " + quotedDetail(note)
+               + " is damaged, too large or neither PNG nor JPEG: its surfaces are shown without it";
     case ModelNote::Kind::TextureScaledDown:
         return "the picture " + quotedDetail(note) + " is too large and is shown with a width of "
                + counted(note.count, "pixel", "pixels");

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,10 +17,19 @@
 namespace unprojector::scene {
 using namespace geometry;
 
-/// A base-colour texture as the file holds it: still encoded (PNG, JPEG, …), decoded by whoever draws it.
+/// A picture: rows from the bottom up, four bytes a pixel: red, green, blue, opacity.
+struct Image {
+    int widthPixels = 0;
+    int heightPixels = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// A base-colour texture: as the file holds it (PNG, JPEG, …) until it is decoded for being drawn.
 struct Texture {
-    std::filesystem::path file;        ///< where it came from; for messages when embedded
-    std::vector<std::uint8_t> encoded; ///< the file's bytes; empty when the file could not be read
+    std::filesystem::path file; ///< where it came from; for messages when embedded
+    std::vector<std::uint8_t>
+        encoded; ///< the file's bytes; empty when the file could not be read, and once it is decoded
+    std::shared_ptr<const Image> image; ///< null before it is decoded, and where that failed
     bool wrapRepeat = true;
 };
 
@@ -52,6 +62,7 @@ struct Mesh {
 struct ModelNote {
     enum class Kind {
         TextureMissing,    ///< detail: the file that is not there or cannot be read
+        TextureUnusable,   ///< detail: its file, which is damaged, of a kind that is not known, or far too large
         TextureScaledDown, ///< detail: its file, count: its new width in pixels
         MaterialsMissing,  ///< detail: the file of materials that is not there or cannot be read
         MaterialUnknown,   ///< detail: a name that none of the file's materials has, count: how many such names

@@ -1,6 +1,7 @@
 #include "gui/document/model_loader.h"
 
 #include "gui/document/model_store.h"
+#include "gui/document/texture_decoding.h"
 #include "gui/text/error_text.h"
 
 #include <optional>
@@ -82,7 +83,9 @@ void ModelLoader::load(std::vector<std::filesystem::path> files)
                 errors.push_back(result.error());
                 continue;
             }
-            models.push_back({files[i], std::move(result).value()});
+            const std::shared_ptr<Model> model = std::move(result).value();
+            decodeTextures(*model, [&] { return !job->isCancelled; });
+            models.push_back({files[i], model});
             states.push_back(state);
         }
         report([this, models = std::move(models), states = std::move(states), errors = std::move(errors)] {

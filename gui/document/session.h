@@ -122,6 +122,8 @@ signals:
     void opened(const QString &example);
     /// What could not be opened or saved, in words.
     void failed(const QString &reason);
+    /// What of an opened file is not shown, or not as the file has it.
+    void warned(const QString &notes);
     /// What is good to know and needs no answer.
     void noticed(const QString &text);
     void loadingStarted();

@@ -8,6 +8,7 @@
 #include "gui/text/added_text.h"
 #include "gui/text/error_text.h"
 #include "gui/text/example_texts.h"
+#include "gui/text/note_text.h"
 
 #include <algorithm>
 #include <map>
@@ -138,12 +139,18 @@ void Session::takeLoaded(const std::vector<LoadedModel> &models, const std::vect
         takeModels(models, pending.use);
     else if (errors.empty())
         takeScene(std::move(pending), models);
-    if (!errors.empty()) {
-        QStringList reasons;
-        for (const ImportError &error : errors)
-            reasons << errorText(error);
-        emit failed(reasons.join(u'\n'));
+    // What is not as in a file stays to be read until it is closed, as reasons do.
+    QStringList reasons;
+    for (const ImportError &error : errors)
+        reasons << errorText(error);
+    for (const LoadedModel &loaded : models) {
+        if (const QString notes = notesText(pathText(loaded.file.filename()), loaded.model->notes); !notes.isEmpty())
+            reasons << notes;
     }
+    if (!errors.empty())
+        emit failed(reasons.join(u'\n'));
+    else if (!reasons.isEmpty())
+        emit warned(reasons.join(u'\n'));
     emit loadingEnded();
 }
 

@@ -3,8 +3,6 @@
 #include "gui/painters/gl_errors.h"
 #include "gui/painters/mesh_attributes.h"
 
-#include <QImage>
-
 #include <algorithm>
 #include <utility>
 
@@ -14,17 +12,16 @@ namespace {
 /// Copied in a few milliseconds.
 constexpr std::size_t kBytesAtOnce = std::size_t{8} << 20;
 
-std::unique_ptr<QOpenGLTexture> decoded(const Texture &texture)
+std::unique_ptr<QOpenGLTexture> uploaded(const Image &image, bool wrapRepeat)
 {
-    const QByteArray bytes = QByteArray::fromRawData(reinterpret_cast<const char *>(texture.encoded.data()),
-                                                     static_cast<qsizetype>(texture.encoded.size()));
-    const QImage image = QImage::fromData(bytes);
-    if (image.isNull())
-        return nullptr;
-    // Mesh::texcoords has its origin at the image's bottom-left, where OpenGL expects the first row.
-    auto result = std::make_unique<QOpenGLTexture>(image.mirrored(), QOpenGLTexture::GenerateMipMaps);
+    auto result = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
+    result->setFormat(QOpenGLTexture::RGBA8_UNorm);
+    result->setSize(image.widthPixels, image.heightPixels);
+    result->setMipLevels(result->maximumMipLevels());
+    result->allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::UInt8);
+    result->setData(QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, image.rgba.data());
     result->setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
-    result->setWrapMode(texture.wrapRepeat ? QOpenGLTexture::Repeat : QOpenGLTexture::ClampToEdge);
+    result->setWrapMode(wrapRepeat ? QOpenGLTexture::Repeat : QOpenGLTexture::ClampToEdge);
     return result;
 }
 
@@ -50,17 +47,11 @@ QStringList GpuModel::takeFailures()
     return std::exchange(m_failures, {});
 }
 
-void GpuModel::decodeTextures()
+void GpuModel::uploadTextures()
 {
-    for (const Texture &texture : m_source->textures) {
-        m_textures.push_back(decoded(texture));
-        if (!m_textures.back() && !texture.encoded.empty())
-            m_failures
-                << tr("A texture of %1 could not be decoded and is not shown. Convert it to PNG or JPEG, or make "
-                      "it smaller.")
-                       .arg(QString::fromStdString(m_source->name));
-    }
-    m_areTexturesDecoded = true;
+    for (const Texture &texture : m_source->textures)
+        m_textures.push_back(texture.image ? uploaded(*texture.image, texture.wrapRepeat) : nullptr);
+    m_areTexturesUploaded = true;
 }
 
 bool GpuModel::begin(const Mesh &mesh)
@@ -118,8 +109,8 @@ void GpuModel::copyOn(Copy &copy)
 
 bool GpuModel::uploadOn(const Deadline &deadline)
 {
-    if (!m_areTexturesDecoded)
-        decodeTextures();
+    if (!m_areTexturesUploaded)
+        uploadTextures();
     while (m_begun || m_next < m_source->meshes.size()) {
         if (!m_begun && !begin(m_source->meshes[m_next])) {
             m_failures << tr("The graphics memory does not hold %1, which is not drawn whole. Close other programs, or "

@@ -62,18 +62,18 @@ private:
         std::size_t done = 0;
     };
 
-    void decodeTextures();
+    void uploadTextures();
     /// @return whether the graphics memory holds it
     bool begin(const Mesh &mesh);
     void copyOn(Copy &copy);
 
     std::shared_ptr<const Model> m_source;
     std::vector<std::unique_ptr<GpuMesh>> m_meshes;
-    std::vector<std::unique_ptr<QOpenGLTexture>> m_textures; ///< null where the image could not be decoded
+    std::vector<std::unique_ptr<QOpenGLTexture>> m_textures; ///< null where there is no image
     std::unique_ptr<GpuMesh> m_begun;                        ///< the next of m_meshes
     std::vector<Copy> m_copies;                              ///< of it
     std::size_t m_next = 0;                                  ///< mesh of the source
-    bool m_areTexturesDecoded = false;
+    bool m_areTexturesUploaded = false;
     QStringList m_failures;
 };
 

@@ -89,6 +89,7 @@ void MainWindow::connectSession()
     connect(m_session, &Session::changed, this, &MainWindow::showName);
     connect(m_session, &Session::opened, this, &MainWindow::showOpened);
     connect(m_session, &Session::failed, this, &MainWindow::showFailure);
+    connect(m_session, &Session::warned, m_message, &MessageBar::showMessage);
     connect(m_session, &Session::progressed, m_message, &QWidget::hide);
     connect(m_session, &Session::noticed, this,
             [this](const QString &text) { statusBar()->showMessage(text, kNoticeMilliseconds); });

@@ -1300,10 +1300,6 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
 <context>
     <name>unprojector::gui::GpuModel</name>
     <message>
-        <source>A texture of %1 could not be decoded and is not shown. Convert it to PNG or JPEG, or make it smaller.</source>
-        <translation>%1 的一张纹理无法解码，未予显示。请把它转换为 PNG 或 JPEG，或将其缩小。</translation>
-    </message>
-    <message>
         <source>The graphics memory does not hold %1, which is not drawn whole. Close other programs, or open a smaller model.</source>
         <translation>显存容纳不下 %1，它没有被完整绘制。请关闭其他程序，或打开较小的模型。</translation>
     </message>
@@ -2214,6 +2210,65 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>Way</source>
         <translation>位移</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::NoteTexts</name>
+    <message>
+        <source>The picture %1 is not there or cannot be read: its surfaces are shown without it.</source>
+        <translation>图片 %1 不存在或无法读取：其表面不带图片显示。</translation>
+    </message>
+    <message>
+        <source>The picture %1 is damaged, too large or of a kind that is not known: its surfaces are shown without it. Convert it to PNG or JPEG, or make it smaller.</source>
+        <translation>图片 %1 已损坏、过大或格式未知：其表面不带图片显示。请将其转换为 PNG 或 JPEG，或将其缩小。</translation>
+    </message>
+    <message>
+        <source>The picture %1 is too large and is shown scaled down to a width of %2 pixels.</source>
+        <translation>图片 %1 过大，显示时缩小到宽 %2 像素。</translation>
+    </message>
+    <message>
+        <source>The materials %1 are not there or cannot be read: their surfaces are shown without colours and pictures.</source>
+        <translation>材质文件 %1 不存在或无法读取：其表面不带颜色和图片显示。</translation>
+    </message>
+    <message>
+        <source>No material is called %1: its surfaces are shown in grey.</source>
+        <translation>没有名为 %1 的材质：其表面以灰色显示。</translation>
+    </message>
+    <message>
+        <source>Lines and points that are not shown: %1.</source>
+        <translation>未显示的线和点：%1。</translation>
+    </message>
+    <message>
+        <source>Faces that refer to vertices which the file does not have, and are not shown: %1.</source>
+        <translation>引用了文件中不存在的顶点而未显示的面：%1。</translation>
+    </message>
+    <message>
+        <source>Faces that refer to texture coordinates which the file does not have, and are shown without a picture: %1.</source>
+        <translation>引用了文件中不存在的纹理坐标而不带图片显示的面：%1。</translation>
+    </message>
+    <message>
+        <source>Faces that refer to normals which the file does not have, and get computed ones: %1.</source>
+        <translation>引用了文件中不存在的法线而改用计算所得法线的面：%1。</translation>
+    </message>
+    <message>
+        <source>Vertices with words behind their coordinates that are not used: %1.</source>
+        <translation>坐标之后带有未使用内容的顶点：%1。</translation>
+    </message>
+    <message>
+        <source>Bytes behind all that the file declares, which are not used: %1.</source>
+        <translation>文件所声明内容之后未使用的字节：%1。</translation>
+    </message>
+    <message>
+        <source>Not shown: %1 (%2 times).</source>
+        <translation>未显示：%1（%2 次）。</translation>
+    </message>
+    <message>
+        <source>Not shown: %1.</source>
+        <translation>未显示：%1。</translation>
+    </message>
+    <message>
+        <source>Not used: %1.</source>
+        <translation>未使用：%1。</translation>
     </message>
 </context>
 <context>

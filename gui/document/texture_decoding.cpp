@@ -1,0 +1,80 @@
+#include "gui/document/texture_decoding.h"
+
+#include "gui/text/error_text.h"
+
+#include <QBuffer>
+#include <QByteArray>
+#include <QImage>
+#include <QImageReader>
+
+#include <cstring>
+#include <memory>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+/// What has more pixels is not even decoded to be scaled down: that would take gigabytes.
+constexpr qint64 kMostPixels = qint64{1} << 28;
+
+std::shared_ptr<const Image> imageFrom(const QImage &picture)
+{
+    // An image's first row is its bottom one, as texture coordinates and OpenGL count.
+    const QImage upright = picture.mirrored().convertToFormat(QImage::Format_RGBA8888);
+    auto image = std::make_shared<Image>();
+    image->widthPixels = upright.width();
+    image->heightPixels = upright.height();
+    const std::size_t rowBytes = 4 * static_cast<std::size_t>(upright.width());
+    image->rgba.resize(rowBytes * static_cast<std::size_t>(upright.height()));
+    for (int row = 0; row < upright.height(); ++row)
+        std::memcpy(image->rgba.data() + rowBytes * static_cast<std::size_t>(row), upright.constScanLine(row),
+                    rowBytes);
+    return image;
+}
+
+void decode(Texture &texture, std::vector<ModelNote> &notes)
+{
+    const std::string name = pathText(texture.file.filename()).toStdString();
+    QByteArray bytes = QByteArray::fromRawData(reinterpret_cast<const char *>(texture.encoded.data()),
+                                               static_cast<qsizetype>(texture.encoded.size()));
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::ReadOnly);
+    QImageReader reader(&buffer);
+    QSize size = reader.size();
+    const bool isTooLarge = qint64{size.width()} * size.height() > kMostPixels;
+    const bool isScaledDown = size.width() > kMostTexturePixels || size.height() > kMostTexturePixels;
+    if (isScaledDown) {
+        size.scale(kMostTexturePixels, kMostTexturePixels, Qt::KeepAspectRatio);
+        size = size.expandedTo(QSize(1, 1));
+        reader.setScaledSize(size);
+    }
+    QImage picture = isTooLarge ? QImage() : reader.read();
+    // A format that does not tell its size before it is read.
+    if (picture.width() > kMostTexturePixels || picture.height() > kMostTexturePixels)
+        picture = picture.scaled(kMostTexturePixels, kMostTexturePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    if (picture.isNull()) {
+        notes.push_back({ModelNote::Kind::TextureUnusable, 0, name});
+    } else {
+        texture.image = imageFrom(picture);
+        if (isScaledDown)
+            notes.push_back(
+                {ModelNote::Kind::TextureScaledDown, static_cast<std::size_t>(texture.image->widthPixels), name});
+    }
+    texture.encoded = {};
+}
+
+} // namespace
+
+void decodeTextures(Model &model, const std::function<bool()> &goOn)
+{
+    // Our own limit is another: 128 MB, Qt's, is a picture of 5,800 by 5,800 pixels.
+    QImageReader::setAllocationLimit(0);
+    for (Texture &texture : model.textures) {
+        if (!goOn())
+            return;
+        if (!texture.encoded.empty())
+            decode(texture, model.notes);
+    }
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,70 @@
+#include "gui/text/note_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace unprojector::gui {
+namespace {
+
+struct NoteTexts {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::NoteTexts)
+};
+
+} // namespace
+
+QString noteText(const ModelNote &note)
+{
+    const QString detail = QString::fromStdString(note.detail);
+    const QString count = QString::number(note.count);
+    switch (note.kind) {
+    case ModelNote::Kind::TextureMissing:
+        return NoteTexts::tr("The picture %1 is not there or cannot be read: its surfaces are shown without it.")
+            .arg(detail);
+    case ModelNote::Kind::TextureUnusable:
+        return NoteTexts::tr(
+                   "The picture %1 is damaged, too large or of a kind that is not known: its surfaces are shown "
+                   "without it. Convert it to PNG or JPEG, or make it smaller.")
+            .arg(detail);
+    case ModelNote::Kind::TextureScaledDown:
+        return NoteTexts::tr("The picture %1 is too large and is shown scaled down to a width of %2 pixels.")
+            .arg(detail, count);
+    case ModelNote::Kind::MaterialsMissing:
+        return NoteTexts::tr(
+                   "The materials %1 are not there or cannot be read: their surfaces are shown without colours "
+                   "and pictures.")
+            .arg(detail);
+    case ModelNote::Kind::MaterialUnknown:
+        return NoteTexts::tr("No material is called %1: its surfaces are shown in grey.").arg(detail);
+    case ModelNote::Kind::LinesLeftOut: return NoteTexts::tr("Lines and points that are not shown: %1.").arg(count);
+    case ModelNote::Kind::FacesLeftOut:
+        return NoteTexts::tr("Faces that refer to vertices which the file does not have, and are not shown: %1.")
+            .arg(count);
+    case ModelNote::Kind::TexcoordsLeftOut:
+        return NoteTexts::tr(
+                   "Faces that refer to texture coordinates which the file does not have, and are shown without "
+                   "a picture: %1.")
+            .arg(count);
+    case ModelNote::Kind::NormalsLeftOut:
+        return NoteTexts::tr("Faces that refer to normals which the file does not have, and get computed ones: %1.")
+            .arg(count);
+    case ModelNote::Kind::NumbersLeftOut:
+        return NoteTexts::tr("Vertices with words behind their coordinates that are not used: %1.").arg(count);
+    case ModelNote::Kind::BytesLeftOut:
+        return NoteTexts::tr("Bytes behind all that the file declares, which are not used: %1.").arg(count);
+    case ModelNote::Kind::PartLeftOut:
+        return note.count > 1 ? NoteTexts::tr("Not shown: %1 (%2 times).").arg(detail, count)
+                              : NoteTexts::tr("Not shown: %1.").arg(detail);
+    case ModelNote::Kind::PartUnusable: return NoteTexts::tr("Not used: %1.").arg(detail);
+    }
+    return {};
+}
+
+QString notesText(const QString &fileName, const std::vector<ModelNote> &notes)
+{
+    QStringList sentences;
+    for (const ModelNote &note : notes)
+        sentences << noteText(note);
+    return sentences.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(fileName, sentences.join(u' '));
+}
+
+} // namespace unprojector::gui

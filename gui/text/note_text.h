@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/scene/mesh.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace unprojector::gui {
+using namespace scene;
+
+/// The window's wording of what a model does not show as its file has it: a sentence.
+QString noteText(const ModelNote &note);
+/// The same of all of a model's notes, with the file's name before them; empty without any.
+QString notesText(const QString &fileName, const std::vector<ModelNote> &notes);
+
+} // namespace unprojector::gui
