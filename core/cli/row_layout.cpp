@@ -5,6 +5,25 @@
 #include <algorithm>
 
 namespace unprojector::cli {
+namespace {
+
+/// A key that no other column of the object has.
+std::string freeKey(const std::string &key, const std::vector<std::string> &names,
+                    const std::vector<std::string> &results)
+{
+    const auto isIn = [](const std::vector<std::string> &all, const std::string &name) {
+        return std::find(all.begin(), all.end(), name) != all.end();
+    };
+    std::string free = key;
+    for (int number = 2; isIn(names, free) || isIn(results, free); ++number) {
+        free = key;
+        free += '_';
+        free += std::to_string(number);
+    }
+    return free;
+}
+
+} // namespace
 
 RowLayout::RowLayout(const NumberColumns &columns, const std::vector<std::string> &results, RowFormat format)
 {
@@ -19,7 +38,9 @@ RowLayout::RowLayout(const NumberColumns &columns, const std::vector<std::string
         } else {
             m_columns.push_back(kPassed);
             const std::string key = jsonOfText(unquoted(head));
-            m_names.push_back(format == RowFormat::Csv ? passedCell(head) : key.substr(1, key.size() - 2));
+            // In an object each key stands once; a table's heads are passed as they are.
+            m_names.push_back(format == RowFormat::Csv ? passedCell(head)
+                                                       : freeKey(key.substr(1, key.size() - 2), m_names, results));
         }
     }
     m_isPlain = m_columns == std::vector<std::size_t>{0, 1, 2};

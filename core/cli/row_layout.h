@@ -11,7 +11,8 @@
 namespace unprojector::cli {
 
 /// The columns of the output: those of the input, each where it stood, then the results. A column of the input that has the
-/// name of a result is written anew, and only there.
+/// name of a result is written anew, and only there. In JSON
+/// lines a name that was there already gets a number behind it: "n", "n_2".
 class RowLayout {
 public:
     RowLayout(const NumberColumns &columns, const std::vector<std::string> &results, RowFormat format);
@@ -25,7 +26,9 @@ public:
     void writeBad(RowWriter &writer, const LineBlock &block, const NumberRows &rows, const BadRow &bad) const;
 
 private:
+    // Beside the three wanted columns, 0 to 2.
     static constexpr std::size_t kPassed = 3;
+    static constexpr std::size_t kDropped = 4;
 
     /// Calls `number` for the wanted columns, and writes the others.
     template <class Number>
@@ -34,8 +37,6 @@ private:
     std::vector<std::string> m_names;
     std::vector<std::size_t> m_columns; ///< of the input: which of the three, kPassed, or kDropped
     bool m_isPlain;                     ///< the three, in their order, and nothing else
-
-    static constexpr std::size_t kDropped = 4;
 };
 
 } // namespace unprojector::cli

@@ -16,6 +16,8 @@ private slots:
     void badRowsKeepTheirColumns();
     void asJson_data();
     void asJson();
+    void anObjectHasEachKeyOnce_data();
+    void anObjectHasEachKeyOnce();
     void projectTakesWhatPointsHasWritten();
     void projectPrefersPointsOfAPerson();
     void whatACommandWritesIsWrittenAnew();
@@ -145,6 +147,26 @@ void TestPassedColumns::asJson()
     QJsonParseError error{};
     QJsonDocument::fromJson(run.output, &error);
     QCOMPARE(error.error, QJsonParseError::NoError);
+}
+
+void TestPassedColumns::anObjectHasEachKeyOnce_data()
+{
+    QTest::addColumn<QByteArray>("head");
+    QTest::addColumn<QByteArray>("json"); // of cells 1, 2, 3
+    QTest::newRow("two") << QByteArray("n,n,m") << QByteArray(R"("n":1,"n_2":2,"m":3)");
+    QTest::newRow("three") << QByteArray("n,n,n") << QByteArray(R"("n":1,"n_2":2,"n_3":3)");
+    QTest::newRow("one with a number already") << QByteArray("n_2,n,n") << QByteArray(R"("n_2":1,"n":2,"n_3":3)");
+    QTest::newRow("quoted") << QByteArray("n,\"n\",m") << QByteArray(R"("n":1,"n_2":2,"m":3)");
+}
+
+void TestPassedColumns::anObjectHasEachKeyOnce()
+{
+    QFETCH(QByteArray, head);
+    QFETCH(QByteArray, json);
+    const Run run = points(head + ",px,py,depth\n1,2,3,400,300,0\n", {"--format", "jsonl"});
+    QCOMPARE(run.errors, QByteArray());
+    QCOMPARE(run.output,
+             '{' + json + R"(,"px":400,"py":300,"depth":0,"formula_x":0,"formula_y":0,"formula_z":4})" + '\n');
 }
 
 void TestPassedColumns::projectTakesWhatPointsHasWritten()
