@@ -216,9 +216,15 @@ private:
         };
         bool hasDigits = takeDigits();
         if (next() == '.' || next() == ',') {
+            const std::size_t point = m_at;
+            const bool isComma = next() == ',';
+            const bool isOfThousands = hasDigits && digits.size() <= 3 && digits.front() != '0';
             ++m_at;
             digits += '.';
+            const std::size_t before = digits.size();
             hasDigits = takeDigits() || hasDigits;
+            if (isComma && isOfThousands && digits.size() == before + 3 && next() != '.' && next() != ',')
+                return ExpressionError{Code::AmbiguousComma, point, m_at - point};
         }
         if (!hasDigits)
             return ExpressionError{Code::MissingNumber, start, 1};

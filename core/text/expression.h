@@ -13,6 +13,7 @@ enum class ExpressionErrorCode {
     Empty,         ///< nothing but blanks
     MissingNumber, ///< an operator, a parenthesis or a name with nothing to work on: the part that stands there instead
     MissingOperator,     ///< a number right after another one: the second
+    AmbiguousComma,      ///< "1,000", which may be 1 or a thousand: the comma and what follows
     SecondPoint,         ///< "1,234.5": the second decimal point or comma
     UnknownName,         ///< the name
     UnknownCharacter,    ///< the character
@@ -34,7 +35,8 @@ struct ExpressionError {
 /// The value of what a person types for a number, UTF-8: "1/3", "2*pi", "-0.5e3", "sqrt(2)".
 ///
 /// + - * / as in C, signs, parentheses; the typographic − × · ÷ as well; pi (π); sqrt(x), deg(x) and rad(x), which turn
-/// radians into degrees and back. A decimal comma is read like a point. A lone number is the nearest double.
+/// radians into degrees and back. A decimal comma is read like a point, unless it could as well
+/// stand between thousands: "1,000" is refused, "0,125" and "1,25" are not. A lone number is the nearest double.
 /// @return the value, always finite
 Result<double, ExpressionError> evaluate(std::string_view text);
 

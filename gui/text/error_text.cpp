@@ -147,6 +147,9 @@ QString errorText(const text::ExpressionError &error, const QString &typed)
         return Errors::tr("“%1”: a sign such as * or + is missing before “%2” (character %3).")
             .arg(all, shortened(part))
             .arg(place);
+    case Code::AmbiguousComma:
+        return Errors::tr("“%1” can be read in two ways: type %2 or %3.")
+            .arg(all, QString(typed).remove(u',').trimmed(), QString(typed).replace(u',', u'.').trimmed());
     case Code::SecondPoint:
         return Errors::tr("“%1” has a second decimal point (character %2); write thousands without a comma.")
             .arg(all)

@@ -64,10 +64,6 @@
         <translation>让视图占满整个窗口。</translation>
     </message>
     <message>
-        <source>Work place to start at: click (default) or pipeline.</source>
-        <translation>启动时的工作区：click（默认）或 pipeline。</translation>
-    </message>
-    <message>
         <source>Colours of the window: desktop (as the desktop has them; default), light or dark.</source>
         <translation>窗口的颜色：desktop（与桌面相同，默认）、light（浅色）或 dark（深色）。</translation>
     </message>
@@ -86,6 +82,10 @@
     <message>
         <source>--appearance is %1; give desktop, light or dark.</source>
         <translation>--appearance 是 %1；请给出 desktop、light 或 dark。</translation>
+    </message>
+    <message>
+        <source>Work place to start at: %1. Without it the first of them.</source>
+        <translation>启动时的工作区：%1。不给出时为其中第一个。</translation>
     </message>
 </context>
 <context>
@@ -344,6 +344,10 @@
     <message>
         <source>“%1” has too many parentheses inside each other.</source>
         <translation>“%1”的括号嵌套过多。</translation>
+    </message>
+    <message>
+        <source>“%1” can be read in two ways: type %2 or %3.</source>
+        <translation>“%1”有两种读法：请输入 %2 或 %3。</translation>
     </message>
 </context>
 <context>
@@ -1460,6 +1464,82 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>step the digit at the caret by one, by ten</source>
         <translation>将光标处的数位增减一、增减十</translation>
+    </message>
+    <message>
+        <source>stop opening the files that are on their way</source>
+        <translation>停止打开正在载入的文件</translation>
+    </message>
+    <message>
+        <source>View from Outside</source>
+        <translation>外部视图</translation>
+    </message>
+    <message>
+        <source>drag of a plane</source>
+        <translation>拖动一个平面</translation>
+    </message>
+    <message>
+        <source>move the near or the far plane</source>
+        <translation>移动近平面或远平面</translation>
+    </message>
+    <message>
+        <source>left drag, or arrows</source>
+        <translation>左键拖动，或方向键</translation>
+    </message>
+    <message>
+        <source>turn about the view volume</source>
+        <translation>绕视景体转动</translation>
+    </message>
+    <message>
+        <source>move sideways</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>wheel, or +, −</source>
+        <translation>滚轮，或 +、−</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>see all of it</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Keys in a table of numbers</source>
+        <translation>数值表中的按键</translation>
+    </message>
+    <message>
+        <source>copy the selected numbers, with all their digits</source>
+        <translation>复制所选数值的全部数字</translation>
+    </message>
+    <message>
+        <source>copy a point or a matrix as code</source>
+        <translation>把点或矩阵复制为代码</translation>
+    </message>
+    <message>
+        <source>Keys in a group of parameters</source>
+        <translation>参数组中的按键</translation>
+    </message>
+    <message>
+        <source>Enter, Left, Right</source>
+        <translation>Enter、左、右</translation>
+    </message>
+    <message>
+        <source>fold the group or open it</source>
+        <translation>折叠或展开该组</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>上、下</translation>
+    </message>
+    <message>
+        <source>go to the group above, below</source>
+        <translation>转到上一组、下一组</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,12 @@ void TestExpression::theValueIsComputed_data()
     QTest::newRow("whole") << "12" << 12.0;
     QTest::newRow("decimal-point") << "0.25" << 0.25;
     QTest::newRow("decimal-comma") << "0,25" << 0.25;
+    QTest::newRow("decimal-comma-behind-0") << "0,125" << 0.125;
+    QTest::newRow("decimal-comma-behind-nothing") << ",125" << 0.125;
+    QTest::newRow("two-decimals") << "1,25" << 1.25;
+    QTest::newRow("four-decimals") << "1,2345" << 1.2345;
+    QTest::newRow("no-thousands-have-four-digits") << "1234,567" << 1234.567;
+    QTest::newRow("a-point-is-a-point") << "1.000" << 1.0;
     QTest::newRow("no-leading-zero") << ".5" << 0.5;
     QTest::newRow("nothing-after-the-point") << "5." << 5.0;
     QTest::newRow("all-digits-count") << "0.1000000000000000055511151231257827" << 0.1;
@@ -94,6 +100,8 @@ void TestExpression::whatIsNoNumberIsRefusedWithItsPlace_data()
     QTest::newRow("number-and-name") << "2pi" << Code::MissingOperator << 1 << "pi";
     QTest::newRow("number-and-parenthesis") << "2(3)" << Code::MissingOperator << 1 << "(";
     QTest::newRow("in-a-parenthesis") << "(1 2)" << Code::MissingOperator << 3 << "2";
+    QTest::newRow("a-thousand-or-1") << "1,000" << Code::AmbiguousComma << 1 << ",000";
+    QTest::newRow("in-a-product") << "2*12,500" << Code::AmbiguousComma << 4 << ",500";
     QTest::newRow("thousands") << "1,234.5" << Code::SecondPoint << 5 << ".";
     QTest::newRow("two-commas") << "1,2,3" << Code::SecondPoint << 3 << ",";
     QTest::newRow("two-points") << "1..2" << Code::SecondPoint << 2 << ".";

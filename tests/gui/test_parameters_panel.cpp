@@ -54,6 +54,7 @@ const BadRow kBadRows[] = {
     {"near-behind-far-in-a-box", box, "nearDistance", "200", "Near is 200"},
     {"far-is-infinite", asIs, "farDistance", "1e999", "1e999 is too large or too small"},
     {"no-number", asIs, "nearDistance", "abc", "“abc” is not a number"},
+    {"a-thousand-or-1", asIs, "farDistance", "1,000", "“1,000” can be read in two ways: type 1000 or 1.000"},
     {"unfinished", asIs, "nearDistance", "2*", "“2*” ends where a number is wanted"},
     {"wrong-place", asIs, "nearDistance", "1//3", "“1//3”: a number is wanted before “/” (character 3)"},
     {"empty", asIs, "farDistance", "", "Far is empty"},
