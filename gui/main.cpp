@@ -3,6 +3,7 @@
 #include "gui/text/translation.h"
 #include "gui/window/appearance.h"
 #include "gui/window/main_window.h"
+#include "gui/window/place_ids.h"
 #include "gui/window/screenshot_run.h"
 #include "gui/window/work_places.h"
 
@@ -102,8 +103,12 @@ int main(int argc, char **argv)
                         "same clicks then mean the same pixels everywhere. Instead of --size."),
         QStringLiteral("WxH"));
     const QCommandLineOption noPanels(QStringLiteral("no-panels"), CommandLine::tr("Give the view the whole window."));
+    QStringList places;
+    for (const char *id : kPlaceIds)
+        places << QLatin1String(id);
     const QCommandLineOption place(QStringLiteral("place"),
-                                   CommandLine::tr("Work place to start at: click (default) or pipeline."),
+                                   CommandLine::tr("Work place to start at: %1. Without it the first of them.")
+                                       .arg(places.join(QStringLiteral(", "))),
                                    QStringLiteral("PLACE"));
     const QCommandLineOption appearance(QStringLiteral("appearance"),
                                         CommandLine::tr("Colours of the window: desktop (as the desktop has them; "
@@ -153,7 +158,6 @@ int main(int argc, char **argv)
         if (!sizeOfView)
             return sizeError(QStringLiteral("view-size"), parser.value(viewSize));
     }
-    const QStringList places{QStringLiteral("click"), QStringLiteral("pipeline")};
     if (parser.isSet(place) && !places.contains(parser.value(place)))
         return usageError(CommandLine::tr("--place is %1; give one of: %2.")
                               .arg(parser.value(place), places.join(QStringLiteral(", "))));

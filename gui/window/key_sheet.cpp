@@ -60,8 +60,22 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(tr("+, −, Page Up, Page Down"), tr("zoom at the crosshair"));
     rows += row(tr("Ctrl + arrows"), tr("move the crosshair by a pixel, with Shift by ten"));
     rows += row(tr("Enter"), tr("read the world coordinate at the crosshair"));
+    rows += row(tr("Esc"), tr("stop opening the files that are on their way"));
+    rows += heading(tr("View from Outside"));
+    rows += row(tr("drag of a plane"), tr("move the near or the far plane"));
+    rows += row(tr("left drag, or arrows"), tr("turn about the view volume"));
+    rows += row(tr("middle drag, or Shift + left drag"), tr("move sideways"));
+    rows += row(tr("wheel, or +, −"), tr("zoom"));
+    rows += row(tr("F"), tr("see all of it"));
     rows += heading(tr("Keys in the list of objects"));
     rows += row(tr("Space, Enter, Del"), tr("show or hide the object, rename it, remove it"));
+    rows += heading(tr("Keys in a table of numbers"));
+    rows += row(QKeySequence(QKeySequence::Copy).toString(QKeySequence::NativeText),
+                tr("copy the selected numbers, with all their digits"));
+    rows += row(tr("right click, or the menu key"), tr("copy a point or a matrix as code"));
+    rows += heading(tr("Keys in a group of parameters"));
+    rows += row(tr("Enter, Left, Right"), tr("fold the group or open it"));
+    rows += row(tr("Up, Down"), tr("go to the group above, below"));
     rows += heading(tr("Keys in a field"));
     rows += row(tr("Enter, Tab"), tr("apply the number or the expression, such as 1/3 or 2*pi"));
     rows += row(tr("Esc"), tr("restore what was there"));

@@ -12,6 +12,7 @@
 #include "gui/view/observer_view.h"
 #include "gui/window/example_note.h"
 #include "gui/window/observer_inset.h"
+#include "gui/window/place_ids.h"
 #include "gui/window/work_places.h"
 
 #include <QAction>
@@ -24,7 +25,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cstring>
 
 namespace unprojector::gui {
 namespace {
@@ -83,13 +83,15 @@ void MainWindow::createPanels()
         {kExample, tr("Example"), m_exampleNote, kLeft, {}, true},
     };
     std::vector<WorkPlaces::Place> places = {
-        {"click", tr("Click"), tr("The view and what a click gives"), Qt::Key_F5, {"comparison", "objects"}},
-        {"pipeline",
+        {kClickPlace, tr("Click"), tr("The view and what a click gives"), Qt::Key_F5, {"comparison", "objects"}},
+        {kPipelinePlace,
          tr("Pipeline"),
          tr("Every number and every matrix between an object and its pixel"),
          Qt::Key_F6,
          {"pipeline", "parameters", "inspector", "lifecycle"}},
     };
+    Q_ASSERT(std::equal(places.begin(), places.end(), kPlaceIds.begin(), kPlaceIds.end(),
+                        [](const WorkPlaces::Place &place, const char *id) { return qstrcmp(place.id, id) == 0; }));
     m_places = new WorkPlaces(*this, std::move(panels), std::move(places));
     connect(m_exampleNote, &ExampleNote::closeRequested, m_places->dock(kExample), &QWidget::close);
     connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
