@@ -3,16 +3,15 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_model.h"
 #include "gui/panels/comparison_table.h"
+#include "gui/panels/copy_menu.h"
+#include "gui/panels/elided_label.h"
 #include "gui/panels/formula_view.h"
-#include "gui/panels/parameters/elided_label.h"
 #include "gui/panels/since_click_text.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
 
-#include <QApplication>
 #include <QCheckBox>
-#include <QClipboard>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -149,7 +148,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
         m_table->setShowsFloat(shows);
         emit showsFloatChanged(shows);
     });
-    connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
+    connect(m_copy, &QPushButton::clicked, this, [this] { copyToClipboard(text()); });
     connect(m_again, &QPushButton::clicked, this, [this] {
         if (m_document.pick())
             emit pickRequested(m_document.pick()->widget);

@@ -3,12 +3,11 @@
 #include "gui/panels/certain_digits_delegate.h"
 #include "gui/panels/comparison_model.h"
 #include "gui/panels/copy_menu.h"
+#include "gui/panels/digits_font.h"
 #include "gui/text/number_text.h"
 
 #include <QApplication>
-#include <QClipboard>
 #include <QContextMenuEvent>
-#include <QFontDatabase>
 #include <QHeaderView>
 #include <QKeyEvent>
 
@@ -64,12 +63,8 @@ ComparisonTable::ComparisonTable(ComparisonModel *model, QWidget *parent) : QTab
 void ComparisonTable::useFonts()
 {
     const QFont text = QApplication::font(this);
-    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    digits.setPointSizeF(text.pointSizeF() * 0.88);
-    setFont(digits);
-    QFont heads = text; // in full, or the table's digits would be inherited
-    heads.setFamilies({QFontInfo(text).family()});
-    heads.setPointSizeF(text.pointSizeF());
+    setFont(digitsFont(text));
+    const QFont heads = headsFont(text);
     horizontalHeader()->setFont(heads);
     verticalHeader()->setFont(heads);
     verticalHeader()->setDefaultSectionSize(std::max(fontMetrics().height(), QFontMetrics(heads).height()) + 4);
@@ -149,7 +144,7 @@ void ComparisonTable::keyPressEvent(QKeyEvent *event)
 {
     if (event->matches(QKeySequence::Copy)) {
         if (const QString text = selectedText(); !text.isEmpty())
-            QApplication::clipboard()->setText(text);
+            copyToClipboard(text);
         return;
     }
     QTableView::keyPressEvent(event);

@@ -3,8 +3,6 @@
 #include "gui/panels/contrast.h"
 #include "gui/panels/copy_menu.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QMenu>
@@ -205,7 +203,7 @@ void FormulaView::keyPressEvent(QKeyEvent *event)
 
 void FormulaView::copyAll() const
 {
-    QApplication::clipboard()->setText(m_formulas.text() + u'\n');
+    copyToClipboard(m_formulas.text() + u'\n');
 }
 
 QSize FormulaView::sizeHint() const

@@ -1,18 +1,17 @@
 #include "gui/panels/lifecycle_panel.h"
 
+#include "gui/panels/copy_menu.h"
+#include "gui/panels/digits_font.h"
 #include "gui/view/lifecycle_log.h"
 
 #include <QAction>
-#include <QApplication>
-#include <QClipboard>
 #include <QEvent>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QTableView>
 #include <QTimer>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -34,44 +33,33 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_table->setWordWrap(true); // a call is shown whole
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
-    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    digits.setPointSizeF(font().pointSizeF() * 0.92);
-    m_table->setFont(digits);
-    const QFontMetrics metrics(digits);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + kRowMargin);
     QHeaderView *header = m_table->horizontalHeader();
-    QFont headerFont = font(); // in full, or the table's digits would be inherited
-    headerFont.setFamilies({fontInfo().family()});
-    headerFont.setPointSizeF(font().pointSizeF());
-    header->setFont(headerFont);
     header->setHighlightSections(false);
-    // The widths are those of the longest texts to expect, so that the columns stand still; the calls have the rest.
     header->setSectionResizeMode(QHeaderView::Fixed);
-    const auto reserve = [&](int column, const QString &widest) {
-        const int head = header->fontMetrics().horizontalAdvance(m_log.headerData(column, Qt::Horizontal).toString());
-        m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(widest), head) + kPadding);
-    };
-    reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"));
-    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8,"));
-    reserve(LifecycleLog::Took, QStringLiteral("888.88 ms,")); // and the mean in a second line
-    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,")) + kPadding;
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     // What is short stands before what may be long.
     header->moveSection(LifecycleLog::Took, LifecycleLog::Step);
     m_table->viewport()->installEventFilter(this);
 
-    m_copy = new QPushButton(tr("&Copy"));
+    // A style makes push buttons far wider than these short words; the calls need the room more.
+    m_copy = new QToolButton;
+    m_copy->setText(tr("&Copy"));
     m_copy->setToolTip(tr("Copy the selected steps, or all of them, as lines of text"));
-    m_clear = new QPushButton(tr("C&lear"));
+    m_clear = new QToolButton;
+    m_clear->setText(tr("C&lear"));
     m_clear->setToolTip(tr("Remove all steps from the log"));
+    for (QToolButton *button : {m_copy, m_clear}) {
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // both as wide as the wider
+    }
     auto *buttons = new QVBoxLayout;
     buttons->addWidget(m_copy);
     buttons->addWidget(m_clear);
     buttons->addStretch();
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(m_table, 1);
     layout->addLayout(buttons);
 
@@ -81,8 +69,8 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_table->addAction(copyKey);
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
     connect(copyKey, &QAction::triggered, this, &LifecyclePanel::copy);
-    connect(m_copy, &QPushButton::clicked, this, &LifecyclePanel::copy);
-    connect(m_clear, &QPushButton::clicked, this, [this] {
+    connect(m_copy, &QToolButton::clicked, this, &LifecyclePanel::copy);
+    connect(m_clear, &QToolButton::clicked, this, [this] {
         m_log.clear();
         m_follows = true;
     });
@@ -97,23 +85,53 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     connect(&m_log, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) { fitRow(first.row()); });
     connect(&m_log, &QAbstractItemModel::modelReset, this, &LifecyclePanel::enableButtons);
     enableButtons();
+    useFont();
+}
+
+void LifecyclePanel::useFont()
+{
+    const QFont digits = digitsFont(font());
+    const QFontMetrics metrics(digits);
+    m_table->setFont(digits);
+    m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + kRowMargin);
+    QHeaderView *header = m_table->horizontalHeader();
+    header->setFont(headsFont(font()));
+    // The widths are those of the longest texts to expect, so that the columns stand still; the calls have the rest.
+    const auto reserve = [&](int column, const QString &widest) {
+        const int head = header->fontMetrics().horizontalAdvance(m_log.headerData(column, Qt::Horizontal).toString());
+        m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(widest), head) + kPadding);
+    };
+    reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"));
+    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8,"));
+    reserve(LifecycleLog::Took, QStringLiteral("888.88 ms,")); // and the mean in a second line
+    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,")) + kPadding;
+    fitCalls();
+}
+
+void LifecyclePanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (m_table && (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange))
+        useFont();
+}
+
+bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize)
+        fitCalls();
+    return QWidget::eventFilter(watched, event);
 }
 
 /// The calls have the room that the other columns leave, and in a narrow panel enough to be read: then it scrolls.
-bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
+void LifecyclePanel::fitCalls()
 {
-    if (event->type() == QEvent::Resize) {
-        int others = 0;
-        for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
-            others += m_table->columnWidth(column);
-        const int calls = std::max(m_leastCallsWidth, m_table->viewport()->width() - others);
-        if (calls != m_table->columnWidth(LifecycleLog::StandsFor)) {
-            m_table->setColumnWidth(LifecycleLog::StandsFor, calls);
-            for (int row = 0; row < m_log.rowCount(); ++row)
-                fitRow(row);
-        }
-    }
-    return QWidget::eventFilter(watched, event);
+    int others = 0;
+    for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
+        others += m_table->columnWidth(column);
+    m_table->setColumnWidth(LifecycleLog::StandsFor,
+                            std::max(m_leastCallsWidth, m_table->viewport()->width() - others));
+    for (int row = 0; row < m_log.rowCount(); ++row)
+        fitRow(row);
 }
 
 /// As many lines as its longest text needs.
@@ -175,7 +193,7 @@ void LifecyclePanel::copy() const
     QString text;
     for (const QModelIndex &index : selected)
         text += m_log.text(index.row(), index.row());
-    QApplication::clipboard()->setText(selected.isEmpty() ? m_log.text(0, m_log.rowCount() - 1) : text);
+    copyToClipboard(selected.isEmpty() ? m_log.text(0, m_log.rowCount() - 1) : text);
 }
 
 } // namespace unprojector::gui

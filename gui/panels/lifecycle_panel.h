@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
-class QPushButton;
 class QTableView;
+class QToolButton;
 
 namespace unprojector::gui {
 
@@ -21,17 +21,20 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
+    void useFont();
+    void fitCalls();
     void fitRow(int row);
     void follow();
     void copy() const;
     void enableButtons();
 
     LifecycleLog &m_log;
-    QTableView *m_table;
-    QPushButton *m_copy;
-    QPushButton *m_clear;
+    QTableView *m_table = nullptr;
+    QToolButton *m_copy;
+    QToolButton *m_clear;
     int m_leastCallsWidth = 0;
     bool m_follows = true;
     bool m_willFollow = false; ///< the scroll to the end is under way

@@ -1,10 +1,9 @@
 #include "gui/panels/matrix_section.h"
 
+#include "gui/panels/copy_menu.h"
 #include "gui/panels/matrix_model.h"
 #include "gui/panels/number_grid.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -23,8 +22,7 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
 
     auto *menu = new QMenu(this);
     const auto add = [&](const QString &text, const QString &toolTip, MatrixSyntax syntax) {
-        QAction *action = menu->addAction(
-            text, this, [this, syntax] { QApplication::clipboard()->setText(m_model->copyText(syntax)); });
+        QAction *action = menu->addAction(text, this, [this, syntax] { copyToClipboard(m_model->copyText(syntax)); });
         action->setToolTip(toolTip);
     };
     menu->setToolTipsVisible(true);

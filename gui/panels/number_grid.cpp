@@ -1,12 +1,12 @@
 #include "gui/panels/number_grid.h"
 
 #include "gui/panels/contrast.h"
+#include "gui/panels/copy_menu.h"
+#include "gui/panels/digits_font.h"
 #include "gui/panels/number_grid_model.h"
 
 #include <QApplication>
-#include <QClipboard>
 #include <QContextMenuEvent>
-#include <QFontDatabase>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
@@ -51,9 +51,7 @@ NumberGrid::NumberGrid(NumberGridModel *model, QWidget *parent) : QTableView(par
 
 void NumberGrid::useFont()
 {
-    QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    digits.setPointSizeF(QApplication::font().pointSizeF() * 0.92);
-    setFont(digits);
+    setFont(digitsFont(QApplication::font()));
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 3);
     fit();
 }
@@ -171,7 +169,7 @@ void NumberGrid::keyPressEvent(QKeyEvent *event)
 {
     if (event->matches(QKeySequence::Copy)) {
         if (const QString text = selectedText(); !text.isEmpty())
-            QApplication::clipboard()->setText(text);
+            copyToClipboard(text);
         return;
     }
     QTableView::keyPressEvent(event);

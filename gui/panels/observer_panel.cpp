@@ -30,7 +30,8 @@ class Swatch : public QWidget {
 public:
     explicit Swatch(const glm::vec4 &color) : m_color(QColor::fromRgbF(color.r, color.g, color.b))
     {
-        setFixedSize(11, 11);
+        const int side = fontMetrics().ascent();
+        setFixedSize(side, side);
     }
 
 protected:

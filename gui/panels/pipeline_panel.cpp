@@ -1,14 +1,13 @@
 #include "gui/panels/pipeline_panel.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/panels/copy_menu.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/number_text.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -132,7 +131,7 @@ QWidget *PipelinePanel::createSwitches()
     second->addStretch();
     auto *copy = new QPushButton(tr("&Copy all"));
     copy->setToolTip(tr("Copy all points and matrices with all digits"));
-    connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model->text()); });
+    connect(copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_model->text()); });
     auto *third = new QHBoxLayout;
     third->addWidget(m_digitsSwitch);
     third->addStretch();

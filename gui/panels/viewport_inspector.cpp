@@ -4,15 +4,13 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/corners_model.h"
+#include "gui/panels/digits_font.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/steady_label.h"
 #include "gui/panels/viewport_drawing.h"
 #include "gui/text/number_text.h"
 
 #include <QAction>
-#include <QApplication>
-#include <QClipboard>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -31,22 +29,6 @@ constexpr int kSpacing = 16; ///< between drawing, proportions and table
 bool isSameWindow(const Picture &a, const Picture &b)
 {
     return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange && a.lens == b.lens;
-}
-
-/// The panel's own font, for headers inside a table that has another: every property is set, none inherited.
-QFont ownFont(const QWidget &widget)
-{
-    QFont font = widget.font();
-    font.setFamilies({widget.fontInfo().family()});
-    font.setPointSizeF(widget.font().pointSizeF());
-    return font;
-}
-
-QFont digitsFont(const QWidget &widget)
-{
-    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    font.setPointSizeF(widget.font().pointSizeF() * 0.92);
-    return font;
 }
 
 QString windowText(const Surface &surface)
@@ -143,7 +125,7 @@ QWidget *ViewportInspector::createProportions()
                  "x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner\n"
                  "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window"),
               {proportionLines(widest, WindowPoint(8888.5, 8888.5, 0.0))});
-    m_formulas->setFont(digitsFont(*this));
+    m_formulas->setFont(digitsFont(font()));
     m_circle = label(tr("Shape of a circle"), {}, {circleText(0.00123), circleText(1234.5), circleText(1.0)});
 
     auto *proportions = new QWidget;
@@ -161,7 +143,7 @@ void ViewportInspector::createTable()
     m_table = new QTableView;
     m_table->setModel(m_corners);
     m_table->setAccessibleName(tr("Corners and centre of the window"));
-    m_table->setFont(digitsFont(*this));
+    m_table->setFont(digitsFont(font()));
     m_table->setTabKeyNavigation(false);
     m_table->setWordWrap(false);
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -182,12 +164,12 @@ void ViewportInspector::fixColumns()
 {
     QHeaderView *rows = m_table->verticalHeader(), *columns = m_table->horizontalHeader();
     const QFontMetrics metrics(m_table->font());
-    rows->setFont(ownFont(*this));
+    rows->setFont(headsFont(font()));
     rows->setSectionResizeMode(QHeaderView::Fixed);
     rows->setMinimumSectionSize(0);
     rows->setDefaultSectionSize(std::max(metrics.height(), fontMetrics().height()) + 2);
     rows->setFixedWidth(rows->sizeHint().width() + 4);
-    columns->setFont(ownFont(*this));
+    columns->setFont(headsFont(font()));
     columns->setSectionResizeMode(QHeaderView::Fixed);
     columns->setMinimumSectionSize(0);
     columns->setFixedHeight(fontMetrics().height() + 6);
@@ -213,7 +195,7 @@ void ViewportInspector::addCopyAction()
     auto *copy = new QAction(tr("Copy all"), this);
     copy->setShortcut(QKeySequence::Copy);
     copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    connect(copy, &QAction::triggered, this, [this] { QApplication::clipboard()->setText(text()); });
+    connect(copy, &QAction::triggered, this, [this] { copyToClipboard(text()); });
     addAction(copy);
     setContextMenuPolicy(Qt::ActionsContextMenu);
 }

@@ -1,7 +1,8 @@
 #include "gui/window/about_dialog.h"
 
+#include "gui/panels/copy_menu.h"
+
 #include <QApplication>
-#include <QClipboard>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
@@ -36,7 +37,7 @@ AboutDialog::AboutDialog(const QString &openGL, const QString &note, QWidget *pa
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QPushButton *copy = buttons->addButton(tr("&Copy Versions"), QDialogButtonBox::ActionRole);
     copy->setToolTip(tr("Copy the versions, for a report"));
-    connect(copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_versions); });
+    connect(copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_versions); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
     constexpr int kDigits = 64;

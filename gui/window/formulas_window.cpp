@@ -79,7 +79,9 @@ FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Pa
 {
     setWindowTitle(tr("Formulas"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
-    resize(900, 700);
+    constexpr int kDigits = 128, kLines = 44;
+    resize(QSize(kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing())
+               .boundedTo(screen()->availableSize() * 9 / 10));
 
     m_page->setFrameShape(QFrame::NoFrame);
     m_page->setAutoFillBackground(true);

@@ -137,7 +137,8 @@ LoadingBar::LoadingBar(QWidget *parent)
     m_text->setTextFormat(Qt::PlainText);
     m_progress->setRange(0, 100);
     m_progress->setAccessibleName(tr("Opening"));
-    m_progress->setMinimumWidth(180);
+    constexpr int kDigits = 26;
+    m_progress->setMinimumWidth(kDigits * fontMetrics().horizontalAdvance(u'0'));
     auto *cancel = new QPushButton(tr("Cancel"));
     cancel->setShortcut(Qt::Key_Escape);
     cancel->setToolTip(tr("Stop opening and keep the scene as it is (Esc)"));

@@ -2,16 +2,18 @@
 
 #include "core/scene/bundled_scene.h"
 #include "gui/document/scene_document.h"
+#include "gui/panels/digits_font.h"
 #include "gui/panels/lifecycle_panel.h"
 #include "gui/view/lifecycle_log.h"
 #include "gui/view/scene_view.h"
 
 #include <QApplication>
 #include <QClipboard>
-#include <QPushButton>
+#include <QHeaderView>
 #include <QScrollBar>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 
 #include <memory>
 
@@ -63,6 +65,7 @@ private slots:
     void theOldestRowsGo();
     void thePanelFollowsUnlessScrolledUp();
     void thePanelCopiesAndClears();
+    void thePanelFollowsAFont();
     void theLifeOfAViewIsLogged_data();
     void theLifeOfAViewIsLogged();
 };
@@ -154,11 +157,11 @@ void TestLifecycleLog::thePanelCopiesAndClears()
     LifecycleLog log;
     LifecyclePanel panel(log);
     const auto button = [&panel](const QString &text) {
-        for (QPushButton *candidate : panel.findChildren<QPushButton *>()) {
+        for (QToolButton *candidate : panel.findChildren<QToolButton *>()) {
             if (candidate->text().remove(u'&') == text)
                 return candidate;
         }
-        return static_cast<QPushButton *>(nullptr);
+        return static_cast<QToolButton *>(nullptr);
     };
     QVERIFY(!button("Copy")->isEnabled());
     log.append(size(640));
@@ -173,6 +176,26 @@ void TestLifecycleLog::thePanelCopiesAndClears()
     button("Clear")->click();
     QCOMPARE(log.rowCount(), 0);
     QVERIFY(!button("Clear")->isEnabled());
+}
+
+/// The columns and the rows grow with it, and the digits are those of the other tables.
+void TestLifecycleLog::thePanelFollowsAFont()
+{
+    LifecycleLog log;
+    log.append(size(640));
+    LifecyclePanel panel(log);
+    panel.resize(900, 300);
+    panel.show();
+    const auto *table = panel.findChild<QTableView *>();
+    QCOMPARE(table->font().pointSizeF(), digitsFont(panel.font()).pointSizeF());
+    const int column = table->columnWidth(LifecycleLog::Step), row = table->rowHeight(0);
+    QFont larger = panel.font();
+    larger.setPointSizeF(larger.pointSizeF() * 2.0);
+    panel.setFont(larger);
+    QCOMPARE(table->font().pointSizeF(), digitsFont(larger).pointSizeF());
+    QVERIFY(table->columnWidth(LifecycleLog::Step) > column * 3 / 2);
+    QVERIFY(table->rowHeight(0) > row * 3 / 2);
+    QCOMPARE(table->horizontalHeader()->font().pointSizeF(), larger.pointSizeF());
 }
 
 void TestLifecycleLog::theLifeOfAViewIsLogged_data()

@@ -6,7 +6,7 @@
 #include "gui/panels/comparison_table.h"
 #include "gui/panels/lifecycle_panel.h"
 #include "gui/panels/number_grid.h"
-#include "gui/panels/parameters/elided_label.h"
+#include "gui/panels/elided_label.h"
 #include "gui/panels/pipeline_panel.h"
 #include "gui/panels/steady_label.h"
 #include "gui/panels/viewport_inspector.h"

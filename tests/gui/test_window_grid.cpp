@@ -13,6 +13,7 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QScrollBar>
+#include <QSet>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTest>
@@ -28,15 +29,17 @@ namespace {
 constexpr QSize kLeast(800, 600);
 
 /// What is wrong with the widgets of the window that are to be seen, each in words.
-QStringList faultsOf(const MainWindow &window)
+/// @param looked  the panels that were to be seen are put here
+QStringList faultsOf(MainWindow &window, QSet<QString> &looked)
 {
     // In the least window, panels may scroll.
     const bool hasRoom = window.width() > kLeast.width();
     QStringList faults;
-    for (const WorkPlaces::Panel &panel : const_cast<MainWindow &>(window).places().panels()) {
+    for (const WorkPlaces::Panel &panel : window.places().panels()) {
         const QDockWidget *dock = panel.dock;
-        if (!dock->isVisible() || dock->visibleRegion().isEmpty() || !hasRoom)
+        if (!hasRoom || !window.places().isFront(*dock))
             continue;
+        looked << QLatin1String(panel.id);
         for (const QString &text : cutTexts(*dock->widget()))
             faults << QStringLiteral("%1: %2").arg(QLatin1String(panel.id), text);
         for (const QScrollBar *bar : dock->findChildren<QScrollBar *>()) {
@@ -123,17 +126,35 @@ void TestWindowGrid::everythingFits()
                 window.places().enter(place);
                 window.places().reset(); // as it starts at this size
                 QTest::qWait(10);
+                QStringList shown;
+                for (const WorkPlaces::Panel &panel : window.places().panels()) {
+                    if (!panel.dock->isHidden())
+                        shown << QLatin1String(panel.id);
+                }
+                QVERIFY(shown.size() >= 2);
                 QCOMPARE(window.size(), size);
                 const QSize viewSize = window.view().size();
                 if (qstrcmp(place, "click") == 0 && size == QSize(1280, 800) && points <= 10)
                     QVERIFY(viewSize.width() * viewSize.height() >= 0.55 * size.width() * size.height());
-                QStringList faults = faultsOf(window);
+                QSet<QString> looked;
+                QStringList faults = faultsOf(window, looked);
                 for (const QPointF &share : {QPointF(0.5, 0.55), QPointF(0.01, 0.01)}) {
                     click(window.view(), QPointF(share.x() * viewSize.width(), share.y() * viewSize.height()));
                     QTest::qWait(1);
-                    faults += faultsOf(window);
+                    faults += faultsOf(window, looked);
                     QCOMPARE(window.view().size(), viewSize);
                 }
+                // And the tabs that stand behind others.
+                for (const WorkPlaces::Panel &panel : window.places().panels()) {
+                    if (panel.dock->isHidden() || window.places().isFront(*panel.dock))
+                        continue;
+                    window.places().show(panel.id);
+                    QTest::qWait(1);
+                    faults += faultsOf(window, looked);
+                    QCOMPARE(window.view().size(), viewSize);
+                }
+                if (size.width() > kLeast.width())
+                    QCOMPARE(looked, (QSet<QString>(shown.begin(), shown.end())));
                 faults.removeDuplicates();
                 for (const QString &fault : std::as_const(faults))
                     all << QStringLiteral("%1 x %2, %3").arg(size.width()).arg(size.height()).arg(fault);

@@ -1,4 +1,4 @@
-#include "gui/panels/parameters/elided_label.h"
+#include "gui/panels/elided_label.h"
 
 namespace unprojector::gui {
 

@@ -1,0 +1,29 @@
+#include "gui/panels/digits_font.h"
+
+#include <QFontDatabase>
+#include <QFontInfo>
+#include <QStringList>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr double kDigitsScale = 0.88; ///< fixed fonts are drawn larger than others of their size
+
+} // namespace
+
+QFont digitsFont(const QFont &text)
+{
+    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    font.setPointSizeF(text.pointSizeF() * kDigitsScale);
+    return font;
+}
+
+QFont headsFont(const QFont &text)
+{
+    QFont font = text;
+    font.setFamilies({QFontInfo(text).family()});
+    font.setPointSizeF(text.pointSizeF());
+    return font;
+}
+
+} // namespace unprojector::gui
