@@ -1,100 +1,17 @@
 // The pipeline panel: its numbers are read from its models, and compared with the originals' or with hand-made ones.
 
-#include "core/scene_file/scene_file.h"
-#include "gui/document/scene_document.h"
-#include "gui/panels/matrix_section.h"
+#include "pipeline_figures.h"
+
 #include "gui/panels/number_grid.h"
 #include "gui/panels/pipeline_panel.h"
 #include "tests/gui/depth_ranges.h"
 
-#include <QApplication>
-#include <QClipboard>
-#include <QComboBox>
 #include <QLabel>
 #include <QScrollBar>
-#include <QSignalSpy>
-#include <QTest>
-#include <QToolButton>
-#include <QWheelEvent>
-
-#include <cmath>
 
 using namespace unprojector;
 using namespace unprojector::gui;
-using namespace unprojector::scene_file;
-using Space = PointModel::Space;
-using Stage = PipelineStage;
-
-namespace {
-
-/// Coordinates of order 10 through the whole pipeline in double.
-constexpr double kRounding = 1e-11;
-
-SceneObject boxObject(const char *name, double halfSide, std::vector<TransformStep> transform)
-{
-    auto model = std::make_shared<Model>();
-    model->bounds.add(glm::dvec3(-halfSide));
-    model->bounds.add(glm::dvec3(halfSide));
-    SceneObject object;
-    object.name = name;
-    object.model = model;
-    object.transform = std::move(transform);
-    return object;
-}
-
-/// Figures 2.7 and 2.10 in a window of 50 x 50: from (0, 0, 5), glTranslate(0, 0, -3), glOrtho(-10, …, 10).
-void openFigures(SceneDocument &document)
-{
-    Scene scene;
-    scene.camera = scene.home = {WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
-    scene.projection = Ortho{-10, 10, -10, 10, -10, 10};
-    scene.projectionFollowsViewport = false;
-    scene.clipDistancesFitObjects = false;
-    scene.objects = {boxObject("small", 5, {Translate{{0, 0, -3}}}), boxObject("large", 9, {Scale{{2, 2, 2}}})};
-    document.setSurface(surfaceFromWidget(50, 50, 1.0));
-    QVERIFY(document.open(scene));
-}
-
-double value(const NumberGridModel *model, int row, int column)
-{
-    const QVariant value = model->index(row, column).data(NumberGridModel::kValueRole);
-    return value.isValid() ? value.toDouble() : std::nan("");
-}
-
-double coordinate(const PointModel *model, int which)
-{
-    const QVariant value = model->indexOf(which).data(NumberGridModel::kValueRole);
-    return value.isValid() ? value.toDouble() : std::nan("");
-}
-
-bool isPoint(const PointModel *model, std::initializer_list<double> expected)
-{
-    int column = 0;
-    for (const double number : expected) {
-        if (!(std::abs(coordinate(model, column) - number) <= kRounding)) {
-            qWarning("%s: %s", qPrintable(model->name()), qPrintable(model->fullText()));
-            return false;
-        }
-        ++column;
-    }
-    return true;
-}
-
-bool isBlank(const PipelineModel &model)
-{
-    for (int i = 0; i < PointModel::kSpaces; ++i) {
-        if (model.point(static_cast<Space>(i))->fullText() != QStringLiteral("–"))
-            return false;
-    }
-    return true;
-}
-
-QString cell(const NumberGridModel *model, int row, int column)
-{
-    return model->index(row, column).data().toString().replace(QChar::Nbsp, u' ').trimmed();
-}
-
-} // namespace
+using namespace pipelinetest;
 
 class TestPipelinePanel : public QObject {
     Q_OBJECT
@@ -114,18 +31,10 @@ private slots:
     void doublesShowAllTheirDigitsOnDemand();
     void aFilesMatrixIsShownAsGivenBesideItsConversion();
     void rowsAreColumnsTransposed();
-    void aTooltipNamesTheEntry();
     void theObjectIsThePickedOneUntilAnotherIsChosen();
     void undoAndRedoTakeTheNumbersAlong();
     void aRefusedChangeLeavesTheNumbers();
     void aPointInThePlaneOfTheEyeHasNoWindowPosition();
-    void hiddenItStandsStillAndCatchesUpWhenShown();
-    void numbersThatAreTooLongLoseDigitsNotPlaces();
-    void theHeadingOpensAndCloses();
-    void copyingTakesAllDigits();
-    void theWheelOverAMatrixIsLeftToThePanel();
-    void everyControlHasAName();
-    void itFitsADockOf420Pixels();
 };
 
 void TestPipelinePanel::beforeAPickThereAreMatricesAndDashes()
@@ -439,26 +348,6 @@ void TestPipelinePanel::rowsAreColumnsTransposed()
     QVERIFY(showsProduct(QStringLiteral("= Viewport⁻¹ · Projection⁻¹ · View⁻¹ · Model⁻¹")));
 }
 
-void TestPipelinePanel::aTooltipNamesTheEntry()
-{
-    SceneDocument document;
-    openFigures(document);
-    document.setProjection(Frustum{-1, 3, -2, 1, 2, 10});
-    PipelineModel model(document);
-    const MatrixModel *projection = model.matrix(Stage::ProjectionMatrix);
-    const auto tip = [&](int row, int column) {
-        return projection->index(row, column).data(Qt::ToolTipRole).toString();
-    };
-    QCOMPARE(tip(0, 2), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 1, column 3, m[8]"));
-    QCOMPARE(tip(3, 2), QStringLiteral("−1, always\nrow 4, column 3, m[11]"));
-    model.setView({MatrixLayout::Row, false, Digits::Double});
-    QCOMPARE(tip(2, 0), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 3, column 1, m[8]"));
-    model.setView({MatrixLayout::Row, true, Digits::Double});
-    QCOMPARE(tip(0, 1), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 3, column 1, m[8]"));
-    QCOMPARE(model.matrix(Stage::WholeMatrix)->index(7, 1).data(Qt::ToolTipRole).toString().section(u'\n', 1),
-             QStringLiteral("row 4, column 4, m[15]"));
-}
-
 void TestPipelinePanel::theObjectIsThePickedOneUntilAnotherIsChosen()
 {
     SceneDocument document;
@@ -546,134 +435,6 @@ void TestPipelinePanel::aPointInThePlaneOfTheEyeHasNoWindowPosition()
     QCOMPARE(model.point(Space::Ndc)->fullText(), QStringLiteral("–"));
     QCOMPARE(model.point(Space::Widget)->fullText(), QStringLiteral("–"));
     QVERIFY(model.status().contains(QStringLiteral("infinity")));
-}
-
-void TestPipelinePanel::hiddenItStandsStillAndCatchesUpWhenShown()
-{
-    SceneDocument document;
-    openFigures(document);
-    PipelinePanel panel(document);
-    const MatrixModel *view = panel.model().matrix(Stage::ViewMatrix);
-    QSignalSpy changed(view, &QAbstractItemModel::dataChanged);
-    document.setCamera({WorldPoint(0, 0, 7), WorldPoint(0, 0, 0), {0, 1, 0}});
-    QCOMPARE(value(view, 2, 3), -5.0);
-    QCOMPARE(changed.count(), 0);
-    panel.show();
-    QCOMPARE(value(view, 2, 3), -7.0);
-    document.setCamera({WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
-    QCOMPARE(value(view, 2, 3), -8.0);
-    panel.hide();
-    document.setCamera({WorldPoint(0, 0, 9), WorldPoint(0, 0, 0), {0, 1, 0}});
-    QCOMPARE(value(view, 2, 3), -8.0);
-}
-
-void TestPipelinePanel::numbersThatAreTooLongLoseDigitsNotPlaces()
-{
-    SceneDocument document;
-    openFigures(document);
-    PipelineModel model(document);
-    document.setCamera({WorldPoint(0, 0, 12345.678901), WorldPoint(0, 0, 0), {0, 1, 0}});
-    model.update();
-    MatrixModel *view = model.matrix(Stage::ViewMatrix);
-    view->setCapacity(12);
-    QCOMPARE(cell(view, 2, 3), QStringLiteral("-12345.6789"));
-    view->setCapacity(7);
-    QCOMPARE(cell(view, 2, 3), QStringLiteral("-12346"));
-    QCOMPARE(view->fullText(2, 3), QStringLiteral("-12345.678901"));
-    // Aligned: the decimal points of a column stand under each other.
-    view->setCapacity(12);
-    QCOMPARE(view->index(2, 3).data().toString().size(), view->index(0, 3).data().toString().size());
-}
-
-void TestPipelinePanel::theHeadingOpensAndCloses()
-{
-    SceneDocument document;
-    openFigures(document);
-    PipelinePanel panel(document);
-    panel.resize(420, 1500);
-    panel.show();
-    int open = 0;
-    const QList<MatrixSection *> sections = panel.findChildren<MatrixSection *>();
-    QCOMPARE(sections.size(), 7); // with that of a file's projection
-    for (const MatrixSection *section : sections)
-        open += section->isOpen() ? 1 : 0;
-    QCOMPARE(open, 5);
-    MatrixSection *first = sections.front();
-    const bool wasOpen = first->isOpen();
-    auto *heading = first->findChild<QToolButton *>();
-    heading->setFocus();
-    QTest::keyClick(heading, Qt::Key_Space);
-    QCOMPARE(first->isOpen(), !wasOpen);
-    QCOMPARE(first->findChild<NumberGrid *>()->isVisible(), !wasOpen);
-}
-
-void TestPipelinePanel::copyingTakesAllDigits()
-{
-    SceneDocument document;
-    openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
-    document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
-    PipelinePanel panel(document);
-    panel.show();
-    const MatrixModel *projection = panel.model().matrix(Stage::ProjectionMatrix);
-    QVERIFY(projection->copyText(MatrixSyntax::CArray)
-                .startsWith(QStringLiteral("const double clipFromEye[16] = {\n    0.3333333333333333, 0.0,")));
-    QVERIFY(projection->copyText(MatrixSyntax::NumPy).startsWith(QStringLiteral("clipFromEye = np.array(")));
-    const QString text = panel.model().text();
-    QVERIFY(text.contains(QStringLiteral("window\t(")));
-    QVERIFY(text.contains(QStringLiteral("0.3333333333333333")));
-
-    for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
-        if (grid->model() != projection)
-            continue;
-        grid->setFocus();
-        grid->setCurrentIndex(grid->model()->index(0, 0));
-        QCOMPARE(grid->selectedText(), QStringLiteral("0.3333333333333333"));
-        grid->selectAll();
-        QCOMPARE(grid->selectedText().count(u'\n'), 3);
-        QTest::keySequence(grid, QKeySequence::Copy);
-        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("0.3333333333333333\t0\t0\t0\n")));
-    }
-}
-
-void TestPipelinePanel::theWheelOverAMatrixIsLeftToThePanel()
-{
-    SceneDocument document;
-    openFigures(document);
-    PipelinePanel panel(document);
-    panel.resize(420, 400);
-    panel.show();
-    QWidget *target = panel.findChildren<MatrixSection *>().front()->findChild<NumberGrid *>()->viewport();
-    QWheelEvent wheel(QPointF(5, 5), target->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(target, &wheel);
-    QVERIFY(!wheel.isAccepted()); // Qt then asks the parents, up to the scroll area
-}
-
-void TestPipelinePanel::everyControlHasAName()
-{
-    SceneDocument document;
-    PipelinePanel panel(document);
-    for (const QToolButton *button : panel.findChildren<QToolButton *>()) {
-        if (!button->objectName().startsWith(QStringLiteral("qt_"))) {
-            QVERIFY(!button->accessibleName().isEmpty());
-            QVERIFY(!button->toolTip().isEmpty());
-        }
-    }
-    for (const NumberGrid *grid : panel.findChildren<NumberGrid *>())
-        QVERIFY(!grid->accessibleName().isEmpty());
-    QVERIFY(!panel.findChild<QComboBox *>()->accessibleName().isEmpty());
-}
-
-void TestPipelinePanel::itFitsADockOf420Pixels()
-{
-    SceneDocument document;
-    PipelinePanel panel(document);
-    QVERIFY2(panel.minimumSizeHint().width() <= 420, qPrintable(QString::number(panel.minimumSizeHint().width())));
-    panel.setDirection(PipelineDirection::Backward);
-    panel.setMatrixView({MatrixLayout::Row, true, Digits::Float});
-    QVERIFY(panel.minimumSizeHint().width() <= 420);
-    QVERIFY(panel.minimumSizeHint().height() <= 600);
 }
 
 QTEST_MAIN(TestPipelinePanel)

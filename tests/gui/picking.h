@@ -1,0 +1,53 @@
+#pragma once
+
+#include "gui/panels/comparison_panel.h"
+#include "gui_scene.h"
+
+#include <QLabel>
+
+#include <glm/geometric.hpp>
+
+/// What the tests of the mouse on the view share.
+namespace guitest {
+
+/// A pivot is read from the depth buffer and turned about in doubles: its place moves by roundings only.
+inline constexpr double kStillPixels = 1e-3;
+
+inline QString heading(MainWindow &window)
+{
+    for (const QLabel *label : window.comparison().findChildren<QLabel *>()) {
+        if (label->accessibleName() == QStringLiteral("What was clicked"))
+            return label->text();
+    }
+    return {};
+}
+
+/// The picked point by formula.
+inline glm::dvec3 picked(MainWindow &window)
+{
+    return window.document().pick()->point.world[Method::Formula]->coordinates();
+}
+
+inline bool isAt(const MainWindow &window, const glm::dvec3 &world, const glm::dvec2 &place, double tolerance)
+{
+    const glm::dvec2 is = placeOf(window, world);
+    if (glm::length(is - place) <= tolerance)
+        return true;
+    qWarning("at (%g, %g), not (%g, %g)", is.x, is.y, place.x, place.y);
+    return false;
+}
+
+/// Where a position's pixel has its centre, in window coordinates.
+inline glm::dvec2 centerUnder(const SceneView &view, const QPointF &local)
+{
+    return windowOf(view, pixelUnder(view, local));
+}
+
+inline void addProjections()
+{
+    QTest::addColumn<bool>("isOrtho");
+    QTest::newRow("perspective") << false;
+    QTest::newRow("orthographic") << true;
+}
+
+} // namespace guitest

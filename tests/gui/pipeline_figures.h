@@ -1,0 +1,88 @@
+#pragma once
+
+#include "core/scene_file/scene_file.h"
+#include "gui/document/scene_document.h"
+#include "gui/panels/pipeline_model.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <initializer_list>
+#include <memory>
+
+/// The pipeline of the originals' figures, and how its numbers are read.
+namespace pipelinetest {
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace unprojector::scene_file;
+using Space = PointModel::Space;
+using Stage = PipelineStage;
+
+/// Coordinates of order 10 through the whole pipeline in double.
+inline constexpr double kRounding = 1e-11;
+
+inline SceneObject boxObject(const char *name, double halfSide, std::vector<TransformStep> transform)
+{
+    auto model = std::make_shared<Model>();
+    model->bounds.add(glm::dvec3(-halfSide));
+    model->bounds.add(glm::dvec3(halfSide));
+    SceneObject object;
+    object.name = name;
+    object.model = model;
+    object.transform = std::move(transform);
+    return object;
+}
+
+/// Figures 2.7 and 2.10 in a window of 50 x 50: from (0, 0, 5), glTranslate(0, 0, -3), glOrtho(-10, …, 10).
+inline void openFigures(SceneDocument &document)
+{
+    Scene scene;
+    scene.camera = scene.home = {WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
+    scene.projection = Ortho{-10, 10, -10, 10, -10, 10};
+    scene.projectionFollowsViewport = false;
+    scene.clipDistancesFitObjects = false;
+    scene.objects = {boxObject("small", 5, {Translate{{0, 0, -3}}}), boxObject("large", 9, {Scale{{2, 2, 2}}})};
+    document.setSurface(surfaceFromWidget(50, 50, 1.0));
+    QVERIFY(document.open(scene));
+}
+
+inline double value(const NumberGridModel *model, int row, int column)
+{
+    const QVariant value = model->index(row, column).data(NumberGridModel::kValueRole);
+    return value.isValid() ? value.toDouble() : std::nan("");
+}
+
+inline double coordinate(const PointModel *model, int which)
+{
+    const QVariant value = model->indexOf(which).data(NumberGridModel::kValueRole);
+    return value.isValid() ? value.toDouble() : std::nan("");
+}
+
+inline bool isPoint(const PointModel *model, std::initializer_list<double> expected)
+{
+    int column = 0;
+    for (const double number : expected) {
+        if (!(std::abs(coordinate(model, column) - number) <= kRounding)) {
+            qWarning("%s: %s", qPrintable(model->name()), qPrintable(model->fullText()));
+            return false;
+        }
+        ++column;
+    }
+    return true;
+}
+
+inline bool isBlank(const PipelineModel &model)
+{
+    for (int i = 0; i < PointModel::kSpaces; ++i) {
+        if (model.point(static_cast<Space>(i))->fullText() != QStringLiteral("–"))
+            return false;
+    }
+    return true;
+}
+
+inline QString cell(const NumberGridModel *model, int row, int column)
+{
+    return model->index(row, column).data().toString().replace(QChar::Nbsp, u' ').trimmed();
+}
+
+} // namespace pipelinetest

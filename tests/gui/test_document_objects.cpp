@@ -1,0 +1,257 @@
+// The document's list of objects: what is done to it, what stays in sight, and what undoing brings back. No window.
+
+#include "told_changes.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace documenttest;
+
+class TestDocumentObjects : public QObject {
+    Q_OBJECT
+
+private slots:
+    void objectsComeAndGoUndoably();
+    void aPickGoesWithItsObject();
+    void objectsAreMovedInTheirList_data();
+    void objectsAreMovedInTheirList();
+    void hiddenObjectsAreOutOfSight();
+    void namesStayUnique_data();
+    void namesStayUnique();
+    void whatIsAddedIsInSight_data();
+    void whatIsAddedIsInSight();
+    void twoSizesCanBothBeSeen();
+};
+
+void TestDocumentObjects::objectsComeAndGoUndoably()
+{
+    SceneDocument document;
+    openScene(document);
+    const QStringList all = namesIn(document);
+    QVERIFY(document.removeObject(1));
+    QStringList others = all;
+    others.removeAt(1);
+    QCOMPARE(namesIn(document), others);
+    SceneObject another = bundledScene()[1];
+    another.name = "another";
+    QVERIFY(document.addObjects({another}));
+    QCOMPARE(namesIn(document), others + QStringList(QStringLiteral("another")));
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QCOMPARE(namesIn(document), all);
+    document.undoStack().redo();
+    document.undoStack().redo();
+    QCOMPARE(namesIn(document), others + QStringList(QStringLiteral("another")));
+    while (!document.objects().empty())
+        QVERIFY(document.removeObject(0));
+    QVERIFY(document.bounds().isEmpty());
+    document.undoStack().setIndex(0);
+    QCOMPARE(namesIn(document), all);
+    QVERIFY(!document.isEdited());
+}
+
+void TestDocumentObjects::aPickGoesWithItsObject()
+{
+    SceneDocument document;
+    openScene(document);
+    const auto place = [&document] { return document.pick() ? document.pick()->object : std::nullopt; };
+    using Place = std::optional<std::size_t>;
+    document.pickAt(WidgetPoint(400, 300), {0.5, 1, 24});
+    QCOMPARE(place(), Place(1));
+    QVERIFY(document.addObjects({bundledScene()[0]}));
+    QCOMPARE(place(), Place(1));
+    QVERIFY(document.removeObject(0));
+    QCOMPARE(place(), Place(0));
+    QVERIFY(document.moveObject(0, 2));
+    QCOMPARE(place(), Place(2));
+    QVERIFY(document.setObjectHidden(2, true));
+    QCOMPARE(document.renameObject(2, QStringLiteral("other")), NameFault::None);
+    QCOMPARE(place(), Place(2));
+    for (int k = 0; k < 4; ++k)
+        document.undoStack().undo();
+    QCOMPARE(place(), Place(1));
+    QVERIFY(!document.sinceClick().isObjectMoved);
+    QVERIFY(document.removeObject(1));
+    QVERIFY(!document.pick());
+    // One of the background is on no object.
+    document.pickAt(WidgetPoint(1, 1), {1.0, std::nullopt, 24});
+    QVERIFY(document.removeObject(0));
+    QVERIFY(document.pick());
+}
+
+void TestDocumentObjects::objectsAreMovedInTheirList_data()
+{
+    QTest::addColumn<int>("from");
+    QTest::addColumn<int>("to");
+    QTest::newRow("to the end") << 0 << 3;
+    QTest::newRow("to the start") << 3 << 0;
+    QTest::newRow("down by one") << 1 << 2;
+    QTest::newRow("up by one") << 2 << 1;
+}
+
+void TestDocumentObjects::objectsAreMovedInTheirList()
+{
+    QFETCH(int, from);
+    QFETCH(int, to);
+    SceneDocument document;
+    openScene(document);
+    QVERIFY(document.objects().size() >= 4);
+    QStringList names = namesIn(document);
+    QVERIFY(document.moveObject(static_cast<std::size_t>(from), static_cast<std::size_t>(to)));
+    names.move(from, to);
+    QCOMPARE(namesIn(document), names);
+    const int steps = document.undoStack().count();
+    QVERIFY(document.moveObject(static_cast<std::size_t>(to), static_cast<std::size_t>(to)));
+    QCOMPARE(document.undoStack().count(), steps); // it is there
+}
+
+void TestDocumentObjects::hiddenObjectsAreOutOfSight()
+{
+    SceneDocument document;
+    std::vector<SceneObject> objects = bundledScene();
+    objects.resize(2);
+    objects[1].transform = {Translate{{50.0, 0.0, 0.0}}};
+    document.setObjects(objects);
+    const Box both = document.bounds();
+    QVERIFY(document.setObjectHidden(1, true));
+    QVERIFY(document.bounds().highest.x < both.highest.x - 40.0);
+    document.fit();
+    const LookAt one = document.geometry().camera();
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QCOMPARE(document.bounds().highest.x, both.highest.x);
+    document.fit();
+    QVERIFY(distance(document.geometry().camera().eye, one.eye) > 10.0);
+    // A hidden one can be looked at all the same, and all can be hidden.
+    document.fitObject(0);
+    QVERIFY(distance(document.geometry().camera().eye, one.eye) < 1e-9);
+    QVERIFY(document.setObjectHidden(0, true) && document.setObjectHidden(1, true));
+    QVERIFY(document.bounds().isEmpty());
+    document.fit();
+    document.fitObject(1);
+    QVERIFY(std::abs(document.geometry().camera().center.x - both.highest.x) < 10.0);
+}
+
+void TestDocumentObjects::namesStayUnique_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("fault");
+    QTest::newRow("another") << "bunny" << int(NameFault::None);
+    QTest::newRow("beyond ASCII") << QString::fromUtf8("兔子") << int(NameFault::None);
+    QTest::newRow("its own") << "1" << int(NameFault::None);
+    QTest::newRow("that of another") << "0" << int(NameFault::Taken);
+    QTest::newRow("that of another, in blanks") << " 0 " << int(NameFault::Taken);
+    QTest::newRow("blanks") << "  " << int(NameFault::Empty);
+    QTest::newRow("nothing") << "" << int(NameFault::Empty);
+}
+
+void TestDocumentObjects::namesStayUnique()
+{
+    QFETCH(QString, name);
+    QFETCH(int, fault);
+    SceneDocument document;
+    std::vector<SceneObject> objects = bundledScene();
+    objects.resize(2);
+    objects[0].name = "0";
+    objects[1].name = "1";
+    document.setObjects(objects);
+    QCOMPARE(int(document.renameObject(1, name)), fault);
+    QCOMPARE(document.objects()[1].name, fault == int(NameFault::None) ? name.toStdString() : "1");
+    QCOMPARE(document.undoStack().count(), fault == int(NameFault::None) && name != QStringLiteral("1") ? 1 : 0);
+    // What is added gets a name of its own.
+    QVERIFY(document.addObjects({objects[0], objects[0]}));
+    QCOMPARE(namesIn(document).mid(2), QStringList({QStringLiteral("0 (2)"), QStringLiteral("0 (3)")}));
+}
+
+namespace {
+
+/// One of the bundled objects, so many times as large, with its middle there.
+SceneObject placed(const glm::dvec3 &middle, double scale)
+{
+    SceneObject object = bundledScene()[0];
+    object.name = "placed";
+    object.transform = {Translate{middle}, Scale{glm::dvec3(scale)}, Translate{-object.model->bounds.center()}};
+    return object;
+}
+
+/// Whether all of an object is in the picture; it covers so much of its width and height.
+bool isInSight(const SceneDocument &document, const SceneObject &object, glm::dvec2 *share = nullptr)
+{
+    glm::dvec2 lowest(1e300), highest(-1e300);
+    const glm::dmat4 clipFromObject = clipFromWorld(document.geometry()).value() * worldFromObject(object.transform);
+    for (const Mesh &mesh : object.model->meshes) {
+        for (std::size_t element = 0; element < mesh.elementCount(); ++element) {
+            const glm::dvec4 clip = clipFromObject * glm::dvec4(mesh.position(mesh.vertexAt(element)), 1.0);
+            if (!(clip.w > 0.0) || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w || std::abs(clip.z) > clip.w)
+                return false;
+            lowest = glm::min(lowest, glm::dvec2(clip) / clip.w);
+            highest = glm::max(highest, glm::dvec2(clip) / clip.w);
+        }
+    }
+    if (share)
+        *share = (highest - lowest) / 2.0;
+    return true;
+}
+
+} // namespace
+
+void TestDocumentObjects::whatIsAddedIsInSight_data()
+{
+    QTest::addColumn<glm::dvec3>("middle");
+    QTest::addColumn<double>("scale");
+    QTest::addColumn<bool>("fits"); // near and far are fitted
+    QTest::addColumn<bool>("moves");
+    const glm::dvec3 center(0.0, 0.5, 0.0);
+    QTest::newRow("in sight: the camera stays") << center << 0.1 << true << false;
+    QTest::newRow("beside") << glm::dvec3(40.0, 0.0, 0.0) << 1.0 << true << true;
+    QTest::newRow("behind the eye") << glm::dvec3(0.0, 0.0, 100.0) << 1.0 << true << true;
+    QTest::newRow("a thousand times as large") << center << 1000.0 << true << true;
+    QTest::newRow("far off, near and far typed") << glm::dvec3(300.0, 0.0, 0.0) << 1.0 << false << true;
+    QTest::newRow("in the picture, behind the typed far plane") << glm::dvec3(0.0, 0.0, -60.0) << 1.0 << false << false;
+}
+
+void TestDocumentObjects::whatIsAddedIsInSight()
+{
+    QFETCH(glm::dvec3, middle);
+    QFETCH(double, scale);
+    QFETCH(bool, fits);
+    QFETCH(bool, moves);
+    SceneDocument document;
+    document.setSurface({801, 601, 1.0});
+    document.setObjects({placed({0.0, 0.0, 0.0}, 1.0)},
+                        {WorldPoint(0.0, 0.0, 12.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    const Projection typed = withClipDistances(document.geometry().projection(), 1.0, 30.0);
+    if (!fits)
+        QVERIFY(document.editProjection({typed, true, false}, kDeed));
+    const Picture before = document.geometry();
+    const int steps = document.undoStack().count();
+    QVERIFY(document.addObjects({placed(middle, scale)}));
+    QCOMPARE(document.undoStack().count(), steps + 1);
+    QVERIFY(isInSight(document, document.objects()[0]));
+    QVERIFY(isInSight(document, document.objects()[1]));
+    QCOMPARE(document.geometry().camera() != before.camera(), moves);
+    QCOMPARE(document.scene().clipDistancesFitObjects, fits); // a rule stays what it is
+    document.undoStack().undo();
+    QVERIFY(document.geometry() == before);
+    QCOMPARE(document.objects().size(), std::size_t(1));
+}
+
+void TestDocumentObjects::twoSizesCanBothBeSeen()
+{
+    SceneDocument document;
+    document.setSurface({801, 601, 1.0});
+    document.setObjects({placed({0.0, 0.0, 0.0}, 1.0)});
+    QVERIFY(document.addObjects({placed({3.0, 0.0, 0.0}, 1e-4)}));
+    for (const std::size_t place : {std::size_t(1), std::size_t(0)}) {
+        document.fitObject(place);
+        glm::dvec2 share(0.0);
+        QVERIFY(isInSight(document, document.objects()[place], &share));
+        QVERIFY(std::abs(std::max(share.x, share.y) - Framing::kFilled) < 1e-4);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestDocumentObjects)
+#include "test_document_objects.moc"

@@ -1,0 +1,183 @@
+// The pipeline panel as a widget: what it copies, what fits, and what it does while nobody sees it.
+
+#include "pipeline_figures.h"
+
+#include "gui/panels/matrix_section.h"
+#include "gui/panels/number_grid.h"
+#include "gui/panels/pipeline_panel.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QWheelEvent>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace pipelinetest;
+
+class TestPipelineWidgets : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aTooltipNamesTheEntry();
+    void hiddenItStandsStillAndCatchesUpWhenShown();
+    void numbersThatAreTooLongLoseDigitsNotPlaces();
+    void theHeadingOpensAndCloses();
+    void copyingTakesAllDigits();
+    void theWheelOverAMatrixIsLeftToThePanel();
+    void everyControlHasAName();
+    void itFitsADockOf420Pixels();
+};
+
+void TestPipelineWidgets::aTooltipNamesTheEntry()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.setProjection(Frustum{-1, 3, -2, 1, 2, 10});
+    PipelineModel model(document);
+    const MatrixModel *projection = model.matrix(Stage::ProjectionMatrix);
+    const auto tip = [&](int row, int column) {
+        return projection->index(row, column).data(Qt::ToolTipRole).toString();
+    };
+    QCOMPARE(tip(0, 2), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 1, column 3, m[8]"));
+    QCOMPARE(tip(3, 2), QStringLiteral("−1, always\nrow 4, column 3, m[11]"));
+    model.setView({MatrixLayout::Row, false, Digits::Double});
+    QCOMPARE(tip(2, 0), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 3, column 1, m[8]"));
+    model.setView({MatrixLayout::Row, true, Digits::Double});
+    QCOMPARE(tip(0, 1), QStringLiteral("(r+l)/(r−l) = 0.5\nrow 3, column 1, m[8]"));
+    QCOMPARE(model.matrix(Stage::WholeMatrix)->index(7, 1).data(Qt::ToolTipRole).toString().section(u'\n', 1),
+             QStringLiteral("row 4, column 4, m[15]"));
+}
+
+void TestPipelineWidgets::hiddenItStandsStillAndCatchesUpWhenShown()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    const MatrixModel *view = panel.model().matrix(Stage::ViewMatrix);
+    QSignalSpy changed(view, &QAbstractItemModel::dataChanged);
+    document.setCamera({WorldPoint(0, 0, 7), WorldPoint(0, 0, 0), {0, 1, 0}});
+    QCOMPARE(value(view, 2, 3), -5.0);
+    QCOMPARE(changed.count(), 0);
+    panel.show();
+    QCOMPARE(value(view, 2, 3), -7.0);
+    document.setCamera({WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
+    QCOMPARE(value(view, 2, 3), -8.0);
+    panel.hide();
+    document.setCamera({WorldPoint(0, 0, 9), WorldPoint(0, 0, 0), {0, 1, 0}});
+    QCOMPARE(value(view, 2, 3), -8.0);
+}
+
+void TestPipelineWidgets::numbersThatAreTooLongLoseDigitsNotPlaces()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    document.setCamera({WorldPoint(0, 0, 12345.678901), WorldPoint(0, 0, 0), {0, 1, 0}});
+    model.update();
+    MatrixModel *view = model.matrix(Stage::ViewMatrix);
+    view->setCapacity(12);
+    QCOMPARE(cell(view, 2, 3), QStringLiteral("-12345.6789"));
+    view->setCapacity(7);
+    QCOMPARE(cell(view, 2, 3), QStringLiteral("-12346"));
+    QCOMPARE(view->fullText(2, 3), QStringLiteral("-12345.678901"));
+    // Aligned: the decimal points of a column stand under each other.
+    view->setCapacity(12);
+    QCOMPARE(view->index(2, 3).data().toString().size(), view->index(0, 3).data().toString().size());
+}
+
+void TestPipelineWidgets::theHeadingOpensAndCloses()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.resize(420, 1500);
+    panel.show();
+    int open = 0;
+    const QList<MatrixSection *> sections = panel.findChildren<MatrixSection *>();
+    QCOMPARE(sections.size(), 7); // with that of a file's projection
+    for (const MatrixSection *section : sections)
+        open += section->isOpen() ? 1 : 0;
+    QCOMPARE(open, 5);
+    MatrixSection *first = sections.front();
+    const bool wasOpen = first->isOpen();
+    auto *heading = first->findChild<QToolButton *>();
+    heading->setFocus();
+    QTest::keyClick(heading, Qt::Key_Space);
+    QCOMPARE(first->isOpen(), !wasOpen);
+    QCOMPARE(first->findChild<NumberGrid *>()->isVisible(), !wasOpen);
+}
+
+void TestPipelineWidgets::copyingTakesAllDigits()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
+    PipelinePanel panel(document);
+    panel.show();
+    const MatrixModel *projection = panel.model().matrix(Stage::ProjectionMatrix);
+    QVERIFY(projection->copyText(MatrixSyntax::CArray)
+                .startsWith(QStringLiteral("const double clipFromEye[16] = {\n    0.3333333333333333, 0.0,")));
+    QVERIFY(projection->copyText(MatrixSyntax::NumPy).startsWith(QStringLiteral("clipFromEye = np.array(")));
+    const QString text = panel.model().text();
+    QVERIFY(text.contains(QStringLiteral("window\t(")));
+    QVERIFY(text.contains(QStringLiteral("0.3333333333333333")));
+
+    for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+        if (grid->model() != projection)
+            continue;
+        grid->setFocus();
+        grid->setCurrentIndex(grid->model()->index(0, 0));
+        QCOMPARE(grid->selectedText(), QStringLiteral("0.3333333333333333"));
+        grid->selectAll();
+        QCOMPARE(grid->selectedText().count(u'\n'), 3);
+        QTest::keySequence(grid, QKeySequence::Copy);
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("0.3333333333333333\t0\t0\t0\n")));
+    }
+}
+
+void TestPipelineWidgets::theWheelOverAMatrixIsLeftToThePanel()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.resize(420, 400);
+    panel.show();
+    QWidget *target = panel.findChildren<MatrixSection *>().front()->findChild<NumberGrid *>()->viewport();
+    QWheelEvent wheel(QPointF(5, 5), target->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(target, &wheel);
+    QVERIFY(!wheel.isAccepted()); // Qt then asks the parents, up to the scroll area
+}
+
+void TestPipelineWidgets::everyControlHasAName()
+{
+    SceneDocument document;
+    PipelinePanel panel(document);
+    for (const QToolButton *button : panel.findChildren<QToolButton *>()) {
+        if (!button->objectName().startsWith(QStringLiteral("qt_"))) {
+            QVERIFY(!button->accessibleName().isEmpty());
+            QVERIFY(!button->toolTip().isEmpty());
+        }
+    }
+    for (const NumberGrid *grid : panel.findChildren<NumberGrid *>())
+        QVERIFY(!grid->accessibleName().isEmpty());
+    QVERIFY(!panel.findChild<QComboBox *>()->accessibleName().isEmpty());
+}
+
+void TestPipelineWidgets::itFitsADockOf420Pixels()
+{
+    SceneDocument document;
+    PipelinePanel panel(document);
+    QVERIFY2(panel.minimumSizeHint().width() <= 420, qPrintable(QString::number(panel.minimumSizeHint().width())));
+    panel.setDirection(PipelineDirection::Backward);
+    panel.setMatrixView({MatrixLayout::Row, true, Digits::Float});
+    QVERIFY(panel.minimumSizeHint().width() <= 420);
+    QVERIFY(panel.minimumSizeHint().height() <= 600);
+}
+
+QTEST_MAIN(TestPipelineWidgets)
+#include "test_pipeline_widgets.moc"
