@@ -7,7 +7,6 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 export seconds=${1:-60}
 shift $(($# > 0 ? 1 : 0))
 export build=$root/build/asan findings=$root/build/asan/findings
-export LSAN_OPTIONS="suppressions=$root/tests/fuzz/lsan_suppressions.txt:print_suppressions=0"
 mkdir -p "$findings"
 
 fuzzOne() {

@@ -7,9 +7,8 @@ packages=(
     cmake g++ ninja-build
     # The window (Qt's OpenGL module is only recommended by qt6-base-dev); lrelease for the translations
     qt6-base-dev libqt6opengl6-dev libgl-dev libopengl-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
-    # Vectors and matrices, model files (Assimp's package needs zlib's to link, and does not say so), rays on meshes, scene
-    # files, the command's options, extended precision
-    libglm-dev libassimp-dev zlib1g-dev libembree-dev nlohmann-json3-dev libcli11-dev libboost-dev
+    # Vectors and matrices, rays on meshes, JSON of scenes and glTF, the command's options, extended precision
+    libglm-dev libembree-dev nlohmann-json3-dev libcli11-dev libboost-dev
     # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none; the
     # texts of Qt's own buttons and dialogs, without which a Chinese window asks its questions with an English Save
     libgl1-mesa-dri fonts-dejavu-core xvfb xauth qt6-translations-l10n
@@ -19,7 +18,7 @@ packages=(
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     cat >&2 <<EOF
 This script installs packages on Debian and Ubuntu only. Elsewhere, install a C++20 compiler, CMake 3.25 or later,
-Ninja, Qt 6.4 or later (base and tools), GLM, Assimp, Embree, nlohmann-json, the Boost headers and Xvfb, then run
+Ninja, Qt 6.4 or later (base and tools), GLM, Embree, nlohmann-json, the Boost headers and Xvfb, then run
     cmake --workflow --preset release && build/release/gui/unprojector
 EOF
     exit 1

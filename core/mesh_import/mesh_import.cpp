@@ -158,7 +158,7 @@ Reader readerFor(const std::string &suffix)
     if (suffix == "obj")
         return readObj;
     if (suffix == "gltf" || suffix == "glb")
-        return readWithAssimp;
+        return readGltf;
     return nullptr;
 }
 

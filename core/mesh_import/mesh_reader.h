@@ -18,8 +18,7 @@ namespace unprojector::mesh_import::mesh_reader {
 using namespace files;
 using namespace scene;
 
-/// Thrown inside the import only; importModel turns it into an ImportError. A std::exception, so that it passes
-/// through assimp's own catch clauses.
+/// Thrown inside the import only; importModel turns it into an ImportError.
 struct Failure : std::exception {
     explicit Failure(ImportErrorCode failureCode, std::string failureDetail = {}, std::size_t failureIndex = 0)
         : code(failureCode), detail(std::move(failureDetail)), index(failureIndex)
@@ -74,11 +73,7 @@ Model readPly(const Source &source);
 Model readOff(const Source &source);
 Model readObj(const Source &source);
 /// glTF and GLB.
-Model readWithAssimp(const Source &source);
-
-/// A glTF or GLB file for assimp, without animations, skins and cameras. Throws Failure (Malformed) where buffers,
-/// accessors or the node tree would lead assimp beyond its memory.
-std::vector<std::uint8_t> checkedGltf(const Source &source);
+Model readGltf(const Source &source);
 
 /// The texture a model file refers to, read from disk; `encoded` stays empty when there is no such file.
 /// @param reference  UTF-8, as written in the file: relative to the model file's folder, either slash, perhaps with

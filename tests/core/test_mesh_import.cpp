@@ -233,13 +233,13 @@ void TestMeshImport::appliesNodeTransforms()
     QCOMPARE(result.value()->bounds.lowest.x, lowestX);
     QCOMPARE(result.value()->bounds.highest.x, highestX);
     const Mesh &mesh = result.value()->meshes.front();
-    const glm::vec3 middle(result.value()->bounds.center());
+    const glm::dvec3 middle(result.value()->bounds.center());
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::vec3 a = mesh.positions[mesh.indices[i]];
-        const glm::vec3 out =
-            glm::cross(mesh.positions[mesh.indices[i + 1]] - a, mesh.positions[mesh.indices[i + 2]] - a);
-        QVERIFY2(glm::dot(out, a - middle) > 0.0f, "the winding does not follow the mirror");
-        QVERIFY(glm::dot(mesh.normals[mesh.indices[i]], out) > 0.0f);
+        const glm::dvec3 a = mesh.position(mesh.indices[i]);
+        const glm::dvec3 out =
+            glm::cross(mesh.position(mesh.indices[i + 1]) - a, mesh.position(mesh.indices[i + 2]) - a);
+        QVERIFY2(glm::dot(out, a - middle) > 0.0, "the winding does not follow the mirror");
+        QVERIFY(glm::dot(glm::dvec3(mesh.normals[mesh.indices[i]]), out) > 0.0);
     }
 }
 
@@ -344,9 +344,7 @@ void TestMeshImport::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("gltf-strip-without-corners")
         << "bad.gltf"
         << gltfBox().replace(R"("indices":1)", R"("mode":5,"indices":1)").replace("\"count\":36", "\"count\":0")
-        << Malformed << "";
-    QTest::newRow("gltf-odd-media-type") << "bad.gltf" << gltfBox({}, R"("bufferView":3,"mimeType":"png")") << Malformed
-                                         << "slash";
+        << NoTriangles << "";
     QTest::newRow("gltf-circle") << "bad.gltf" << gltfBox(",\"children\":[0]") << Malformed << "circle";
     QTest::newRow("gltf-nested-deeply") << "bad.gltf" << QByteArray(100000, '[') << Malformed << "nested";
     QTest::newRow("gltf-version-1") << "bad.gltf" << QByteArray("{\"asset\":{\"version\":\"1.0\"}}") << Malformed

@@ -1,0 +1,248 @@
+#include "core/mesh_import/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace unprojector::mesh_import::mesh_reader {
+
+namespace {
+
+/// Deep enough for every honest file.
+constexpr std::size_t kDeepestJson = 256;
+
+constexpr std::uint32_t kGlbMagic = 0x46546c67;
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
+constexpr std::uint32_t kBinChunk = 0x004e4942;
+
+std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at)
+{
+    return std::uint32_t{bytes[at]} | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16
+           | std::uint32_t{bytes[at + 3]} << 24;
+}
+
+bool isGlb(const Source &source)
+{
+    return source.suffix == "glb" || (source.bytes.size() >= 20 && wordAt(source.bytes, 0) == kGlbMagic);
+}
+
+struct Chunks {
+    std::string_view json;
+    std::span<const std::uint8_t> binary;
+};
+
+Chunks chunksOfGlb(const Source &source)
+{
+    const std::span<const std::uint8_t> bytes = source.bytes;
+    if (bytes.size() < 20 || wordAt(bytes, 0) != kGlbMagic)
+        failMalformed("the file does not begin with a GLB header");
+    if (wordAt(bytes, 4) != 2)
+        failMalformed("the file is GLB version " + std::to_string(wordAt(bytes, 4)) + ", only version 2 can be read");
+    if (wordAt(bytes, 8) > bytes.size())
+        failMalformed("the header declares " + std::to_string(wordAt(bytes, 8)) + " bytes, the file has "
+                      + std::to_string(bytes.size()));
+    Chunks chunks;
+    for (std::size_t at = 12; at + 8 <= bytes.size();) {
+        const std::size_t length = wordAt(bytes, at);
+        const std::uint32_t kind = wordAt(bytes, at + 4);
+        if (length > bytes.size() - at - 8)
+            failMalformed("a chunk of " + std::to_string(length) + " bytes goes beyond the end of the file");
+        if (kind == kJsonChunk && chunks.json.empty())
+            chunks.json = source.text().substr(at + 8, length);
+        else if (kind == kBinChunk && chunks.binary.empty())
+            chunks.binary = bytes.subspan(at + 8, length);
+        at += 8 + length;
+        // A chunk ends at a multiple of four; some writers forget to fill it up.
+        const std::size_t padded = (at + 3) / 4 * 4;
+        const bool isUnpadded = at + 8 <= bytes.size() && wordAt(bytes, at + 4) == kBinChunk;
+        if (!isUnpadded)
+            at = padded;
+    }
+    return chunks;
+}
+
+/// Measures how deep JSON is nested: what reads it as a tree calls itself for each level.
+struct DepthMeter : nlohmann::json_sax<Json> {
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t &) override { return true; }
+    bool string(string_t &) override { return true; }
+    bool binary(binary_t &) override { return true; }
+    bool start_object(std::size_t) override { return ++depth <= kDeepestJson; }
+    bool key(string_t &) override { return true; }
+    bool end_object() override { return --depth <= kDeepestJson; }
+    bool start_array(std::size_t) override { return ++depth <= kDeepestJson; }
+    bool end_array() override { return --depth <= kDeepestJson; }
+    bool parse_error(std::size_t, const std::string &, const nlohmann::detail::exception &) override { return false; }
+
+    std::size_t depth = 0;
+};
+
+Json parsed(std::string_view text)
+{
+    // Some writers fill the chunk up with zeros instead of blanks.
+    while (!text.empty() && text.back() == '\0')
+        text.remove_suffix(1);
+    if (text.starts_with("\xef\xbb\xbf"))
+        text.remove_prefix(3);
+    DepthMeter meter;
+    if (!Json::sax_parse(text, &meter) && meter.depth > kDeepestJson)
+        failMalformed("the JSON is nested too deeply");
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error &error) {
+        const std::size_t end = std::min<std::size_t>(error.byte, text.size());
+        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+        failMalformed("line " + std::to_string(line) + ": the JSON is broken or ends too early");
+    }
+}
+
+/// The value of a digit of base64, or -1.
+int valueOf(char c)
+{
+    if (c >= 'A' && c <= 'Z')
+        return c - 'A';
+    if (c >= 'a' && c <= 'z')
+        return c - 'a' + 26;
+    if (c >= '0' && c <= '9')
+        return c - '0' + 52;
+    return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : -1;
+}
+
+std::vector<std::uint8_t> fromBase64(std::string_view text)
+{
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(text.size() / 4 * 3);
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        if (c == '=' || c == '\n' || c == '\r' || c == ' ')
+            continue;
+        const int value = valueOf(c);
+        if (value < 0)
+            failMalformed("embedded data is no base64");
+        bits = bits << 6 | static_cast<std::uint32_t>(value);
+        count += 6;
+        if (count >= 8) {
+            count -= 8;
+            bytes.push_back(static_cast<std::uint8_t>(bits >> count));
+        }
+    }
+    return bytes;
+}
+
+} // namespace
+
+std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri)
+{
+    if (!uri.starts_with("data:"))
+        return std::nullopt;
+    const std::size_t comma = uri.find(',');
+    if (comma == uri.npos || !uri.substr(0, comma).ends_with(";base64"))
+        failMalformed("embedded data is no base64");
+    return fromBase64(uri.substr(comma + 1));
+}
+
+GltfFile::GltfFile(const Source &source) : m_source(source)
+{
+    m_isGlb = isGlb(source);
+    const Chunks chunks = m_isGlb ? chunksOfGlb(source) : Chunks{source.text(), {}};
+    m_root = parsed(chunks.json);
+    m_binary = chunks.binary;
+    const Json *asset = find(m_root, "asset");
+    const Json *version = asset ? find(*asset, "version") : nullptr;
+    if (!version || !version->is_string() || !version->get_ref<const std::string &>().starts_with("2."))
+        failMalformed("the file is no glTF version 2");
+    m_buffers.resize(array("buffers").size());
+}
+
+const Json *GltfFile::find(const Json &object, const char *key)
+{
+    if (!object.is_object())
+        failMalformed("something else stands where a JSON object belongs");
+    const auto found = object.find(key);
+    return found == object.end() ? nullptr : &*found;
+}
+
+const Json &GltfFile::array(const Json &object, const char *key)
+{
+    static const Json kNone = Json::array();
+    const Json *found = find(object, key);
+    if (found && !found->is_array())
+        failMalformed(std::string("\"") + key + "\" is no array");
+    return found ? *found : kNone;
+}
+
+std::uint64_t GltfFile::number(const Json &object, const char *key, std::uint64_t otherwise)
+{
+    const Json *found = find(object, key);
+    if (!found)
+        return otherwise;
+    if (!found->is_number_unsigned() || found->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
+        failMalformed(std::string("\"") + key + "\" is no number of a fitting size");
+    return found->get<std::uint64_t>();
+}
+
+double GltfFile::real(const Json &value)
+{
+    if (!value.is_number())
+        failMalformed("something else stands where a number belongs");
+    return value.get<double>();
+}
+
+const Json &GltfFile::reference(const Json &object, const char *key, const char *target) const
+{
+    const std::uint64_t index = number(object, key, std::numeric_limits<std::uint64_t>::max());
+    const Json &objects = array(target);
+    if (index >= objects.size())
+        failMalformed(std::string("\"") + key + "\" refers to number " + std::to_string(index) + " of \"" + target
+                      + "\", the file has " + std::to_string(objects.size()));
+    return objects[static_cast<std::size_t>(index)];
+}
+
+std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
+{
+    const Json &described = array("buffers")[static_cast<std::size_t>(buffer)];
+    const Json *uri = find(described, "uri");
+    const std::uint64_t declared = number(described, "byteLength", 0);
+    if (!uri) {
+        if (!m_isGlb || buffer != 0)
+            failMalformed("buffer " + std::to_string(buffer) + " has no bytes");
+        if (declared > m_binary.size())
+            failMalformed("the binary chunk is shorter than the buffer");
+        return m_binary.first(static_cast<std::size_t>(declared));
+    }
+    if (!uri->is_string())
+        failMalformed("the address of a buffer is no text");
+    auto &slot = m_buffers[static_cast<std::size_t>(buffer)];
+    if (!slot) {
+        const auto &address = uri->get_ref<const std::string &>();
+        std::optional<std::vector<std::uint8_t>> bytes = dataFromUri(address);
+        if (!bytes) {
+            const std::filesystem::path file = resolveReference(m_source.file, address);
+            if (file.empty())
+                failMalformed("the file \"" + address + "\", which it needs, is not there");
+            bytes = readFile(file);
+        }
+        slot = std::make_unique<std::vector<std::uint8_t>>(std::move(*bytes));
+    }
+    if (declared > slot->size())
+        failMalformed("a buffer of " + std::to_string(slot->size()) + " bytes is declared as "
+                      + std::to_string(declared));
+    return *slot;
+}
+
+std::span<const std::uint8_t> GltfFile::viewBytes(const Json &object)
+{
+    const Json &view = reference(object, "bufferView", "bufferViews");
+    reference(view, "buffer", "buffers");
+    const std::span<const std::uint8_t> buffer = bufferBytes(number(view, "buffer", 0));
+    const std::uint64_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
+    if (offset + length > buffer.size())
+        failMalformed("a buffer view goes beyond its buffer of " + std::to_string(buffer.size()) + " bytes");
+    return buffer.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
+}
+
+} // namespace unprojector::mesh_import::mesh_reader

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/mesh_import/mesh_reader.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::mesh_import::mesh_reader {
+
+using Json = nlohmann::json;
+
+/// A glTF or GLB file: its JSON, and the bytes that it refers to. Whatever is asked of it throws Failure (Malformed) where
+/// the file is not as glTF 2.0 has it.
+class GltfFile {
+public:
+    /// Throws Failure (Malformed) for what is neither.
+    explicit GltfFile(const Source &source);
+
+    const Source &source() const { return m_source; }
+    const Json &root() const { return m_root; }
+
+    /// The value of an object's key, or null.
+    static const Json *find(const Json &object, const char *key);
+    /// An array of the file's, empty where it has none.
+    const Json &array(const char *key) const { return array(m_root, key); }
+    static const Json &array(const Json &object, const char *key);
+    /// A size or a number in a list; `otherwise` where there is none.
+    static std::uint64_t number(const Json &object, const char *key, std::uint64_t otherwise);
+    /// A number of any kind.
+    static double real(const Json &value);
+    /// The object that `key` refers to by its number in the array `target`.
+    const Json &reference(const Json &object, const char *key, const char *target) const;
+
+    /// The bytes of the buffer view that an object refers to.
+    std::span<const std::uint8_t> viewBytes(const Json &object);
+
+private:
+    std::span<const std::uint8_t> bufferBytes(std::uint64_t buffer);
+
+    const Source &m_source;
+    Json m_root;
+    bool m_isGlb = false;
+    std::span<const std::uint8_t> m_binary;                            ///< GLB's chunk
+    std::vector<std::unique_ptr<std::vector<std::uint8_t>>> m_buffers; ///< of those read so far
+};
+
+/// What a "data:" address holds; nothing where it is none.
+/// Throws Failure (Malformed) where it is broken.
+std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri);
+
+} // namespace unprojector::mesh_import::mesh_reader

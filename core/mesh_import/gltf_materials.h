@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/mesh_import/gltf_file.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace unprojector::mesh_import::mesh_reader {
+
+/// What a glTF material says of a surface's colour.
+struct GltfMaterial {
+    glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
+    bool hasBaseColor = false; ///< whether the file says so
+    int texture = -1;          ///< into Model::textures
+    std::uint64_t texcoordSet = 0;
+    glm::dmat3 textureFromTexcoord{1.0}; ///< KHR_texture_transform; of (u, v, 1), v down
+};
+
+/// The materials of a glTF file. Reads pictures and adds notes to the model.
+class GltfMaterials {
+public:
+    GltfMaterials(GltfFile &file, Model &model) : m_file(file), m_model(model) {}
+
+    /// Of a primitive of a mesh, which may have none.
+    GltfMaterial of(const Json &primitive);
+
+private:
+    void readTexture(const Json &textureInfo, GltfMaterial &material);
+    std::optional<int> textureNumber(const Json &texture);
+    Texture imageOf(const Json &image);
+
+    GltfFile &m_file;
+    Model &m_model;
+    std::map<std::uint64_t, GltfMaterial> m_materials;
+    std::map<std::pair<std::uint64_t, bool>, int> m_textures; ///< by image, and whether it repeats
+};
+
+} // namespace unprojector::mesh_import::mesh_reader

@@ -1,0 +1,397 @@
+#include "core/geometry/finite.h"
+#include "core/mesh_import/gltf_corners.h"
+#include "core/mesh_import/gltf_file.h"
+#include "core/mesh_import/gltf_materials.h"
+#include "core/mesh_import/gltf_nodes.h"
+#include "core/mesh_import/gltf_values.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace unprojector::mesh_import::mesh_reader {
+
+namespace {
+
+/// Nodes may show a mesh again and again: a small file could ask for any amount of memory.
+constexpr std::size_t kMostVertices = std::size_t{1} << 26;
+constexpr std::size_t kVerticesBetweenReports = 1 << 16;
+
+/// Extensions that a file may require: those that change nothing of what is shown, and those that are read.
+bool isSupported(std::string_view extension)
+{
+    constexpr std::array kSupported{
+        "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual", "KHR_xmp",
+        "KHR_xmp_json_ld",       "EXT_texture_webp",      "KHR_texture_basisu",  "MSFT_texture_dds"};
+    return extension.starts_with("KHR_materials_")
+           || std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
+}
+
+std::uint8_t byteFromShare(double share)
+{
+    // Written so that NaN becomes 0.
+    return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
+}
+
+/// What is gathered of one material, in double until all is known.
+struct Group {
+    Mesh mesh;
+    std::vector<glm::dvec3> positions;
+};
+
+class GltfReader {
+public:
+    explicit GltfReader(const Source &source) : m_file(source), m_materials(m_file, m_model) {}
+
+    Model read()
+    {
+        checkExtensions();
+        const GltfNodes nodes(m_file, m_model.notes);
+        if (m_file.array("meshes").empty())
+            throw Failure(ImportErrorCode::NoTriangles);
+        nodes.visit([this](const Json &node, const glm::dmat4 &) { m_totalVertices += vertexCountOf(node); });
+        if (m_totalVertices > kMostVertices)
+            failMalformed("the nodes show " + std::to_string(m_totalVertices) + " vertices, of which at most "
+                          + std::to_string(kMostVertices) + " can be read");
+        nodes.visit([this](const Json &node, const glm::dmat4 &worldFromNode) { addNode(node, worldFromNode); });
+        noteWhatIsLeftOut();
+        return finished();
+    }
+
+private:
+    /// Meshes of one material become one, where they carry the same kinds of attributes.
+    struct Key {
+        std::uint64_t material;
+        bool hasNormals, hasColors, hasTexcoords, arePoints;
+        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in what the compiler writes here
+        auto operator<=>(const Key &) const = default;
+    };
+
+    void checkExtensions() const
+    {
+        for (const Json &extension : m_file.array("extensionsRequired")) {
+            if (extension.is_string() && !isSupported(extension.get_ref<const std::string &>()))
+                failMalformed("the file needs the glTF extension " + extension.get<std::string>()
+                              + ", which is not supported; export it without");
+        }
+    }
+
+    const Json &primitivesOf(const Json &mesh) const
+    {
+        const Json *primitives = GltfFile::find(mesh, "primitives");
+        if (!primitives || !primitives->is_array())
+            failMalformed("a mesh has no primitives");
+        return *primitives;
+    }
+
+    std::size_t vertexCountOf(const Json &node) const
+    {
+        if (!GltfFile::find(node, "mesh"))
+            return 0;
+        std::size_t count = 0;
+        for (const Json &primitive : primitivesOf(m_file.reference(node, "mesh", "meshes"))) {
+            const Json *attributes = GltfFile::find(primitive, "attributes");
+            if (attributes && GltfFile::find(*attributes, "POSITION"))
+                count += static_cast<std::size_t>(
+                    GltfFile::number(m_file.reference(*attributes, "POSITION", "accessors"), "count", 0));
+            if (GltfFile::find(primitive, "indices"))
+                count += static_cast<std::size_t>(
+                    GltfFile::number(m_file.reference(primitive, "indices", "accessors"), "count", 0) / 3);
+        }
+        return count;
+    }
+
+    void addNode(const Json &node, const glm::dmat4 &worldFromNode)
+    {
+        if (!GltfFile::find(node, "mesh"))
+            return;
+        m_skinned += GltfFile::find(node, "skin") ? 1u : 0u;
+        if (const Json *extensions = GltfFile::find(node, "extensions"))
+            m_instanced += GltfFile::find(*extensions, "EXT_mesh_gpu_instancing") ? 1u : 0u;
+        const Json &mesh = m_file.reference(node, "mesh", "meshes");
+        const Json &weights =
+            GltfFile::find(node, "weights") ? GltfFile::array(node, "weights") : GltfFile::array(mesh, "weights");
+        for (const Json &primitive : primitivesOf(mesh))
+            addPrimitive(primitive, weights, worldFromNode);
+    }
+
+    /// An attribute of a primitive: as many values as it has positions.
+    std::optional<GltfValues> attribute(const Json &attributes, const char *name, std::size_t vertexCount)
+    {
+        if (!GltfFile::find(attributes, name))
+            return std::nullopt;
+        GltfValues values(m_file, m_file.reference(attributes, name, "accessors"));
+        if (values.count() != vertexCount)
+            failMalformed(std::string("the attribute ") + name + " of a mesh has " + std::to_string(values.count())
+                          + " values for " + std::to_string(vertexCount) + " vertices");
+        return values;
+    }
+
+    static glm::dvec3 vectorAt(const GltfValues &values, std::size_t element)
+    {
+        return {values.at(element, 0), values.at(element, 1), values.at(element, 2)};
+    }
+
+    /// Three numbers for each vertex, with what the morph targets add by their weights.
+    std::vector<glm::dvec3> vectors(const Json &primitive, const char *name, const GltfValues &values,
+                                    const Json &weights)
+    {
+        if (values.components() != 3)
+            failMalformed(std::string("the attribute ") + name + " of a mesh has not three numbers each");
+        std::vector<glm::dvec3> list(values.count());
+        for (std::size_t v = 0; v < list.size(); ++v)
+            list[v] = vectorAt(values, v);
+        const Json &targets = GltfFile::array(primitive, "targets");
+        for (std::size_t t = 0; t < std::min(targets.size(), weights.size()); ++t) {
+            const double weight = GltfFile::real(weights[t]);
+            const std::optional<GltfValues> moved =
+                weight == 0.0 ? std::nullopt : attribute(targets[t], name, list.size());
+            if (!moved)
+                continue;
+            if (moved->components() != 3)
+                failMalformed(std::string("the morph target ") + name + " of a mesh has not three numbers each");
+            for (std::size_t v = 0; v < list.size(); ++v)
+                list[v] += weight * vectorAt(*moved, v);
+        }
+        return list;
+    }
+
+    Group &groupFor(const Json &primitive, const GltfMaterial &material, const Key &key)
+    {
+        const auto [found, isNew] = m_groupNumbers.try_emplace(key, m_groups.size());
+        if (isNew) {
+            Mesh mesh;
+            mesh.kind = key.arePoints ? Mesh::Kind::Points : Mesh::Kind::Triangles;
+            mesh.texture = key.hasTexcoords ? material.texture : -1;
+            const bool isWhite = !GltfFile::find(primitive, "material") && key.hasColors;
+            mesh.baseColor = isWhite ? glm::vec4(1.0f) : material.baseColor;
+            m_groups.push_back({std::move(mesh), {}});
+        }
+        return m_groups[found->second];
+    }
+
+    void addPrimitive(const Json &primitive, const Json &weights, const glm::dmat4 &worldFromMesh)
+    {
+        const Json *attributes = GltfFile::find(primitive, "attributes");
+        if (!attributes || !attributes->is_object())
+            failMalformed("a mesh primitive has no attributes");
+        const std::uint64_t mode = GltfFile::number(primitive, "mode", GltfCorners::Triangles);
+        if (mode > GltfCorners::TriangleFan)
+            failMalformed("a mesh primitive has the mode " + std::to_string(mode) + ", which does not exist");
+        if (!GltfFile::find(*attributes, "POSITION")) {
+            m_model.notes.push_back({ModelNote::Kind::PartUnusable, 1, "a mesh primitive has no positions"});
+            return;
+        }
+        const GltfValues positions(m_file, m_file.reference(*attributes, "POSITION", "accessors"));
+        std::optional<GltfValues> indices;
+        if (GltfFile::find(primitive, "indices")) {
+            indices.emplace(m_file, m_file.reference(primitive, "indices", "accessors"));
+            if (!indices->areIntegers() || indices->components() != 1)
+                failMalformed("the indices of a mesh are no integers");
+        }
+        const GltfCorners corners(mode, indices ? indices->count() : positions.count());
+        const bool arePoints = mode == GltfCorners::Points;
+        if (!corners.areTriangles() && !arePoints) {
+            m_lineCount += corners.otherCount();
+            return;
+        }
+        const GltfMaterial material = m_materials.of(primitive);
+        const std::optional<GltfValues> normals = attribute(*attributes, "NORMAL", positions.count());
+        const std::optional<GltfValues> colors = attribute(*attributes, "COLOR_0", positions.count());
+        const std::string texcoordName = "TEXCOORD_" + std::to_string(material.texcoordSet);
+        const std::optional<GltfValues> texcoords =
+            material.texture < 0 ? std::nullopt : attribute(*attributes, texcoordName.c_str(), positions.count());
+        Group &group = groupFor(primitive, material,
+                                {GltfFile::number(primitive, "material", ~std::uint64_t{0}), normals.has_value(),
+                                 colors.has_value(), texcoords.has_value(), arePoints});
+
+        const std::size_t first = group.positions.size();
+        addPositions(vectors(primitive, "POSITION", positions, weights), worldFromMesh, group);
+        if (normals)
+            addNormals(vectors(primitive, "NORMAL", *normals, weights), worldFromMesh, group.mesh);
+        if (colors)
+            addColors(*colors, group.mesh);
+        if (texcoords)
+            addTexcoords(*texcoords, material, group.mesh);
+        const auto vertexOf = [&](std::size_t corner) {
+            return indices ? static_cast<std::uint64_t>(indices->integerAt(corner, 0)) : corner;
+        };
+        if (arePoints) {
+            for (std::size_t point = 0; point < corners.otherCount(); ++point)
+                addElement({vertexOf(point)}, first, positions.count(), group.mesh);
+            return;
+        }
+        const bool isMirrored = glm::determinant(glm::dmat3(worldFromMesh)) < 0.0;
+        for (std::size_t t = 0; t < corners.triangleCount(); ++t) {
+            const auto [a, b, c] = corners.ofTriangle(t);
+            const std::uint64_t last = vertexOf(isMirrored ? b : c), middle = vertexOf(isMirrored ? c : b);
+            addElement({vertexOf(a), middle, last}, first, positions.count(), group.mesh);
+        }
+    }
+
+    /// A triangle or a point, unless it refers to a vertex that there is none of.
+    void addElement(std::initializer_list<std::uint64_t> vertices, std::size_t first, std::size_t count, Mesh &mesh)
+    {
+        if (std::any_of(vertices.begin(), vertices.end(), [count](std::uint64_t vertex) { return vertex >= count; })) {
+            ++m_brokenCount;
+            return;
+        }
+        for (const std::uint64_t vertex : vertices)
+            mesh.indices.push_back(static_cast<std::uint32_t>(first + vertex));
+    }
+
+    void addPositions(const std::vector<glm::dvec3> &positions, const glm::dmat4 &worldFromMesh, Group &group)
+    {
+        const bool isIdentity = worldFromMesh == glm::dmat4(1.0);
+        for (std::size_t v = 0; v < positions.size(); ++v) {
+            if (v % kVerticesBetweenReports == 0)
+                m_file.source().progress.report(static_cast<double>(m_doneVertices + v)
+                                                / static_cast<double>(std::max<std::size_t>(m_totalVertices, 1)));
+            const glm::dvec3 placed =
+                isIdentity ? positions[v] : glm::dvec3(worldFromMesh * glm::dvec4(positions[v], 1.0));
+            if (!isFinite(placed))
+                throw Failure(ImportErrorCode::NotFinite, {}, m_doneVertices + v);
+            group.positions.push_back(placed);
+        }
+        m_doneVertices += positions.size();
+    }
+
+    static void addNormals(const std::vector<glm::dvec3> &normals, const glm::dmat4 &worldFromMesh, Mesh &mesh)
+    {
+        const glm::dmat3 linear(worldFromMesh);
+        // The cofactor matrix: inverse transpose times determinant, which a flat scale does not make infinite.
+        const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                                   glm::cross(linear[0], linear[1]));
+        const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
+        for (const glm::dvec3 &normal : normals) {
+            const glm::dvec3 turned = side * (cofactors * normal);
+            const double length = glm::length(turned);
+            mesh.normals.push_back(length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0f));
+        }
+    }
+
+    static void addColors(const GltfValues &colors, Mesh &mesh)
+    {
+        if (colors.components() < 3)
+            failMalformed("the colours of a mesh have not three or four numbers each");
+        for (std::size_t v = 0; v < colors.count(); ++v)
+            mesh.colors.emplace_back(byteFromShare(colors.at(v, 0)), byteFromShare(colors.at(v, 1)),
+                                     byteFromShare(colors.at(v, 2)),
+                                     colors.components() > 3 ? byteFromShare(colors.at(v, 3)) : std::uint8_t{255});
+    }
+
+    static void addTexcoords(const GltfValues &texcoords, const GltfMaterial &material, Mesh &mesh)
+    {
+        if (texcoords.components() != 2)
+            failMalformed("the texture coordinates of a mesh have not two numbers each");
+        for (std::size_t v = 0; v < texcoords.count(); ++v) {
+            const glm::dvec3 uv =
+                material.textureFromTexcoord * glm::dvec3(texcoords.at(v, 0), texcoords.at(v, 1), 1.0);
+            // glTF counts v from the top.
+            mesh.texcoords.emplace_back(static_cast<float>(uv.x), static_cast<float>(1.0 - uv.y));
+        }
+    }
+
+    void noteWhatIsLeftOut()
+    {
+        const auto note = [this](ModelNote::Kind kind, std::size_t count, const char *detail) {
+            if (count > 0)
+                m_model.notes.push_back({kind, count, detail});
+        };
+        note(ModelNote::Kind::FacesLeftOut, m_brokenCount, "");
+        note(ModelNote::Kind::PartLeftOut, m_skinned, "skin");
+        note(ModelNote::Kind::PartLeftOut, m_file.array("animations").size(), "animation");
+        note(ModelNote::Kind::PartLeftOut, m_instanced, "EXT_mesh_gpu_instancing");
+    }
+
+    /// As points are kept: each vertex one, in their order.
+    static void listPoints(Group &group)
+    {
+        const std::vector<std::uint32_t> vertices = std::exchange(group.mesh.indices, {});
+        const auto gather = [&vertices](auto &values) {
+            if (values.empty())
+                return;
+            std::remove_reference_t<decltype(values)> gathered;
+            gathered.reserve(vertices.size());
+            for (const std::uint32_t vertex : vertices)
+                gathered.push_back(values[vertex]);
+            values = std::move(gathered);
+        };
+        gather(group.positions);
+        gather(group.mesh.normals);
+        gather(group.mesh.colors);
+        gather(group.mesh.texcoords);
+    }
+
+    /// Points are shown where there are no triangles.
+    Model finished()
+    {
+        const bool hasTriangles = std::any_of(m_groups.begin(), m_groups.end(), [](const Group &group) {
+            return group.mesh.kind == Mesh::Kind::Triangles && !group.mesh.indices.empty();
+        });
+        Box all;
+        for (Group &group : m_groups) {
+            if (group.mesh.kind == Mesh::Kind::Points && hasTriangles) {
+                m_lineCount += group.mesh.indices.size();
+                group.mesh.indices.clear();
+            }
+            for (const std::uint32_t vertex : group.mesh.indices)
+                all.add(group.positions[vertex]);
+        }
+        if (m_lineCount > 0)
+            m_model.notes.push_back({ModelNote::Kind::LinesLeftOut, m_lineCount, {}});
+        for (Group &group : m_groups) {
+            if (group.mesh.indices.empty())
+                continue;
+            const glm::dvec3 origin = originOf(group, originFor(all));
+            if (group.mesh.kind == Mesh::Kind::Points)
+                listPoints(group);
+            setPositions(group.mesh, origin, group.positions);
+            m_model.meshes.push_back(std::move(group.mesh));
+        }
+        return std::move(m_model);
+    }
+
+    /// That of the whole model, but for a mesh so far from it that its digits would go.
+    static glm::dvec3 originOf(const Group &group, const glm::dvec3 &common)
+    {
+        constexpr double kFar = 1024.0;
+        Box box;
+        for (const std::uint32_t vertex : group.mesh.indices)
+            box.add(group.positions[vertex]);
+        const glm::dvec3 way = box.center() - common;
+        return glm::length(way) > kFar * box.diagonal() ? originFor(box) : common;
+    }
+
+    GltfFile m_file;
+    Model m_model;
+    GltfMaterials m_materials;
+    std::map<Key, std::size_t> m_groupNumbers;
+    std::vector<Group> m_groups;
+    std::size_t m_totalVertices = 0;
+    std::size_t m_doneVertices = 0;
+    std::size_t m_brokenCount = 0;
+    std::size_t m_lineCount = 0; ///< and points beside triangles
+    std::size_t m_skinned = 0;
+    std::size_t m_instanced = 0;
+};
+
+} // namespace
+
+Model readGltf(const Source &source)
+{
+    return GltfReader(source).read();
+}
+
+} // namespace unprojector::mesh_import::mesh_reader
