@@ -24,10 +24,10 @@ Result<glm::dvec3> pointOf(const Unprojected &click, Method method, const BatchS
 }
 
 /// What is given of a click and what is computed of it.
-std::vector<std::string> clickColumns(const std::vector<Method> &methods)
+std::vector<std::string> clickColumns(const PointsOptions &options)
 {
     std::vector<std::string> names(kClickColumns.begin(), kClickColumns.end());
-    for (std::string &name : pointColumns(methods))
+    for (std::string &name : pointColumns(options.methods, options.rows.space))
         names.push_back(std::move(name));
     return names;
 }
@@ -35,7 +35,7 @@ std::vector<std::string> clickColumns(const std::vector<Method> &methods)
 class ClickRows {
 public:
     ClickRows(const PointsOptions &options, std::size_t count)
-        : m_options(options), m_isOnly(count == 1), m_names(clickColumns(options.methods)),
+        : m_options(options), m_isOnly(count == 1), m_names(clickColumns(options)),
           m_writer(options.rows.format, m_names, m_text)
     {
         if (!options.rows.isHeaderless)

@@ -88,7 +88,7 @@ void addPoints(CLI::App &app, Run &run)
     addRowOptions(*command, options->rows,
                   "px,py,depth; - or nothing: standard input.\npx and py are device pixels from the top left corner, "
                   "the centre of the\nfirst pixel is 0.5,0.5; depth is in the depth range",
-                  "eye, world or object:NAME");
+                  "world, eye or object:NAME");
     addChoice<std::vector<Method>>(*command, "--method", options->methods,
                                    {{"all", {kMethods.begin(), kMethods.end()}},
                                     {"both", {Method::Formula, Method::Matrix}},
@@ -101,7 +101,10 @@ void addPoints(CLI::App &app, Run &run)
     command->footer(
         "Clicks that 'unprojector --screenshot' printed are taken as they are: instead of SCENE and POINTS give\n"
         "their file. Each is computed with its own scene, to the digits that were printed. A click on the\n"
-        "background has no point: its cells are empty, as those of a bad row.\n"
+        "background has no point: its cells are empty, as those of a bad row. With POINTS, - too, it is the rows\n"
+        "that are computed, with the scene of the clicks.\n"
+        "\n"
+        "Points in the world are formula_x and so on; the others name their space: formula_eye_x, formula_object_x.\n"
         "\n"
         "Examples:\n"
         "  unproject points scene.json clicks.csv > points.csv\n"
@@ -110,17 +113,20 @@ void addPoints(CLI::App &app, Run &run)
         "  unproject points --method formula --space eye --pixel --format jsonl scene.json pixels.csv\n"
         "  parallel -k --pipe --header : unproject points --no-header scene.json - < many.csv > rows.csv"
         + std::string(kBadRows));
-    command->callback([options, &run] { run = [options] { return runPoints(*options); }; });
+    command->callback([options, command, &run] {
+        options->rows.isInputGiven = command->get_option("POINTS")->count() > 0;
+        run = [options] { return runPoints(*options); };
+    });
 }
 
 void addProject(CLI::App &app, Run &run)
 {
     CLI::App *command = app.add_subcommand("project", "Points to the window, every stage on the way");
     auto options = std::make_shared<RowOptions>();
-    addRowOptions(
-        *command, *options,
-        "x,y,z, or formula_x,formula_y,formula_z as 'unproject points' writes them; - or\nnothing: standard input",
-        "world or object:NAME");
+    addRowOptions(*command, *options,
+                  "x,y,z, or formula_x,formula_y,formula_z as 'unproject points' writes them\n(formula_eye_x… or "
+                  "formula_object_x… with --space eye or object:NAME); - or\nnothing: standard input",
+                  "world, eye or object:NAME");
     command->footer(
         "The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical pixels\n"
         "from the top left corner); px,py,depth are what 'unproject points' takes.\n"

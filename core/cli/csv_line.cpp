@@ -97,13 +97,42 @@ std::size_t cellEnd(std::string_view line, std::size_t start)
     return std::min(line.find(',', start), line.size());
 }
 
-std::string_view lineAt(std::string_view text, std::size_t start)
+RowEnd rowEnd(std::string_view text, std::size_t start)
 {
-    std::string_view line = text.substr(start);
-    line = line.substr(0, std::min(line.find('\n'), line.size()));
-    if (!line.empty() && line.back() == '\r')
-        line.remove_suffix(1);
-    return line;
+    const std::size_t lineEnd = std::min(text.find('\n', start), text.size());
+    // Nearly all rows have no quotes, and end with their line.
+    if (text.substr(start, lineEnd - start).find('"') == std::string_view::npos)
+        return {lineEnd};
+    const auto behindBlanks = [text](std::size_t at) {
+        while (at < text.size() && isBlank(text[at]))
+            ++at;
+        return at;
+    };
+    for (std::size_t cell = 0;; ++cell) {
+        std::size_t at = behindBlanks(start);
+        if (at < text.size() && text[at] == '"') {
+            std::size_t quote = text.find('"', at + 1);
+            while (quote != std::string_view::npos && quote + 1 < text.size() && text[quote + 1] == '"')
+                quote = text.find('"', quote + 2);
+            if (quote == std::string_view::npos)
+                return {lineEnd, false, false, cell};
+            at = behindBlanks(quote + 1);
+            if (at < text.size() && text[at] != ',' && text[at] != '\n')
+                return {lineEnd, false, true, cell};
+        }
+        at = std::min(text.find_first_of(",\n", at), text.size());
+        if (at == text.size() || text[at] == '\n')
+            return {at};
+        start = at + 1;
+    }
+}
+
+std::string_view rowAt(std::string_view text, std::size_t start)
+{
+    std::string_view row = text.substr(start, rowEnd(text, start).end - start);
+    if (!row.empty() && row.back() == '\r')
+        row.remove_suffix(1);
+    return row;
 }
 
 std::string passedCell(std::string_view cell)

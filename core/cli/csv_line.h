@@ -6,7 +6,8 @@
 
 namespace unprojector::cli {
 
-// A line of comma-separated values, cell by cell. A comma in quotes separates nothing; two quotes in quotes are one.
+// A row of comma-separated values, cell by cell, as RFC 4180 has it: a comma or a line break in quotes separates nothing; two
+// quotes in quotes are one. Quotes are a cell's where it begins with one; whatever else it has of them is text.
 
 /// Without the blanks around it.
 std::string_view trimmed(std::string_view text);
@@ -16,8 +17,17 @@ std::string_view unquoted(std::string_view text);
 /// Where a cell ends: at the next comma that is in no quotes, or with its line.
 std::size_t cellEnd(std::string_view line, std::size_t start);
 
-/// The line that starts at a place of a text, its end left out.
-std::string_view lineAt(std::string_view text, std::size_t start);
+/// Where a row ends.
+struct RowEnd {
+    std::size_t end = 0;  ///< of its line break, or of the text
+    bool isClosed = true; ///< where it is not, a quote is open in it, and `end` is that of its first line
+    bool isKnown = true;  ///< where it is not, more text could close the quote
+    std::size_t cell = 0; ///< whose quote is open
+};
+RowEnd rowEnd(std::string_view text, std::size_t start);
+
+/// The row that starts at a place of a text, its end left out.
+std::string_view rowAt(std::string_view text, std::size_t start);
 
 /// A cell as another line can have it: as it is, or in quotes of its own where its quotes are not closed.
 std::string passedCell(std::string_view cell);

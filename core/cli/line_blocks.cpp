@@ -1,5 +1,7 @@
 #include "core/cli/line_blocks.h"
 
+#include "core/cli/csv_line.h"
+
 #include <algorithm>
 
 namespace unprojector::cli {
@@ -14,22 +16,42 @@ void LineBlocks::read()
     m_isAtEnd = count == 0;
 }
 
-/// Reads until there is a whole line.
-/// @return how many bytes the whole lines have: at the end, everything; 0 where a line is too long or nothing is left
-std::size_t LineBlocks::lineEnds()
+/// How many bytes of what was read are rows that have come to their end.
+std::size_t LineBlocks::wholeRows() const
 {
-    std::size_t end = m_pending.rfind('\n');
-    while (end == std::string::npos && !m_isAtEnd && m_pending.size() < kMostBytes) {
+    if (m_pending.find('"') == std::string::npos)
+        return m_pending.rfind('\n') + 1; // 0 where there is none
+    std::size_t whole = 0;
+    for (;;) {
+        const RowEnd row = rowEnd(m_pending, whole);
+        if (!row.isKnown || row.end == m_pending.size())
+            return whole;
+        whole = row.end + 1;
+    }
+}
+
+/// Reads until there is a whole row.
+/// @return how many bytes the whole rows have: at the end, everything; 0 where a line is too long or nothing is left
+std::size_t LineBlocks::rowsEnd()
+{
+    std::size_t end = wholeRows();
+    while (end == 0 && !m_isAtEnd && m_pending.size() < kMostBytes) {
         read();
-        end = m_pending.rfind('\n');
+        end = wholeRows();
     }
     if (!m_hasStarted && m_pending.starts_with("\xEF\xBB\xBF")) {
         m_pending.erase(0, 3);
-        end -= end == std::string::npos ? 0 : 3;
+        end -= std::min<std::size_t>(end, 3);
     }
     m_hasStarted = true;
-    if (end != std::string::npos)
-        return end + 1;
+    if (end > 0)
+        return end;
+    if (const RowEnd row = rowEnd(m_pending, 0); m_isAtEnd && row.isClosed)
+        return std::min(row.end + 1, m_pending.size());
+    // A quote that nothing closes is the fault of its own line.
+    const std::size_t lineEnd = m_pending.find('\n');
+    if (lineEnd != std::string::npos)
+        return lineEnd + 1;
     return m_isAtEnd ? m_pending.size() : 0;
 }
 
@@ -56,7 +78,7 @@ void LineBlocks::skipLine(LineBlock &block)
 
 bool LineBlocks::firstLine(LineBlock &line)
 {
-    if (lineEnds() > 0)
+    if (rowsEnd() > 0)
         take(line, std::min(m_pending.find('\n'), m_pending.size() - 1) + 1);
     else if (!m_pending.empty())
         skipLine(line);
@@ -67,7 +89,7 @@ bool LineBlocks::firstLine(LineBlock &line)
 
 bool LineBlocks::next(LineBlock &block)
 {
-    if (const std::size_t size = lineEnds(); size > 0)
+    if (const std::size_t size = rowsEnd(); size > 0)
         take(block, size);
     else if (!m_pending.empty())
         skipLine(block);

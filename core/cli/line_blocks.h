@@ -8,9 +8,9 @@
 
 namespace unprojector::cli {
 
-/// Whole lines of a text, some thousand at a time.
+/// Whole lines of a text, some thousand at a time. A row that has line breaks in quotes is in one block.
 struct LineBlock {
-    std::string text;          ///< ends with a line, its line end included but for a last line that has none
+    std::string text;          ///< ends with a row, its line end included but for a last one that has none
     std::size_t firstLine = 1; ///< number of the first one, counted from 1
     bool isOverlong = false;   ///< one line that is too long for a block; `text` is empty
 };
@@ -25,7 +25,7 @@ struct LineMessage {
 /// as soon as they are there: a slow stream comes in small blocks. A byte order mark at the start is skipped.
 class LineBlocks {
 public:
-    /// A longer line is passed over as a whole.
+    /// A longer line is passed over as a whole; of a longer row with a quote the first line stands alone.
     static constexpr std::size_t kMostBytes = std::size_t(128) * 1024;
 
     explicit LineBlocks(ByteSource &source) : m_source(source) {}
@@ -39,7 +39,8 @@ public:
 
 private:
     void read();
-    std::size_t lineEnds();
+    std::size_t wholeRows() const;
+    std::size_t rowsEnd();
     void take(LineBlock &block, std::size_t size);
     void skipLine(LineBlock &block);
 

@@ -71,6 +71,13 @@ std::string hintFor(std::string_view header, std::string_view column, const std:
                        + (*separator == ';' ? "semicolons" : "tabs");
         }
     }
+    // Points that 'unproject points' has written for another space.
+    for (const char *space : {"eye", "object"}) {
+        const std::string there = std::string("formula_") + space + "_x";
+        if (std::find(found.begin(), found.end(), there) != found.end())
+            return "; these points lie in " + (space + std::string(" space: give --space ")) + space
+                   + (std::string_view(space) == "object" ? ":NAME" : "");
+    }
     for (const std::string_view name : found) {
         if (std::equal(name.begin(), name.end(), column.begin(), column.end(),
                        [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; }))
@@ -99,6 +106,11 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
         return refuse(":1: the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes; it must be "
                       + wanted);
     const std::string_view header = std::string_view(first.text).substr(0, first.text.find_last_not_of("\r\n") + 1);
+    if (header.find('\r') != std::string_view::npos)
+        return refuse(":1: the lines end with CR alone, as on old Macs; save the file with LF or CRLF");
+    if (const RowEnd row = rowEnd(header, 0); !row.isClosed)
+        return refuse(":1:" + std::to_string(placeOf(header, row.cell) + 1)
+                      + ": the quote is not closed; the names of the columns stand on one line");
     NumberColumns columns;
     columns.heads.clear();
     std::vector<std::string_view> found;
@@ -137,7 +149,7 @@ void NumberReader::complainAt(const LineBlock &block, const RowPlace &place, std
 {
     std::string message = m_fileName + ':' + std::to_string(block.firstLine + place.line);
     if (cell != kNoColumn) {
-        message += ':' + std::to_string(placeOf(lineAt(block.text, place.start), cell) + 1);
+        message += ':' + std::to_string(placeOf(rowAt(block.text, place.start), cell) + 1);
     }
     message.append(": ").append(what);
     messages.push_back({place.line, std::move(message)});
@@ -187,15 +199,26 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, const 
         reason = "the row has " + std::to_string(surplus) + " cells, the header " + std::to_string(m_columns.count());
     }
     if (fault != kNoColumn) {
-        complainAt(block, place, fault, reason, messages);
-        BadRow bad{rows.count(), {}};
-        std::transform(cells.begin(), cells.end(), bad.cells.begin(),
-                       [](std::string_view text) { return std::string(trimmed(text)); });
-        rows.bad.push_back(std::move(bad));
-        numbers = {};
+        refuseRow(block, line, place, fault, reason, rows, messages);
+        return;
     }
     for (std::size_t k = 0; k < 3; ++k)
         rows.values[k].push_back(numbers[k]);
+    rows.places.push_back(place);
+}
+
+void NumberReader::refuseRow(const LineBlock &block, std::string_view line, const RowPlace &place, std::size_t cell,
+                             std::string_view what, NumberRows &rows, std::vector<LineMessage> &messages) const
+{
+    complainAt(block, place, cell, what, messages);
+    std::size_t surplus = 0;
+    const Cells cells = cellsOf(line, surplus);
+    BadRow bad{rows.count(), {}};
+    std::transform(cells.begin(), cells.end(), bad.cells.begin(),
+                   [](std::string_view text) { return std::string(trimmed(text)); });
+    rows.bad.push_back(std::move(bad));
+    for (auto &column : rows.values)
+        column.push_back(0.0);
     rows.places.push_back(place);
 }
 
@@ -215,13 +238,16 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
         return;
     }
     const std::string_view text = block.text;
+    const bool hasQuotes = text.find('"') != std::string_view::npos;
     std::uint32_t number = 0;
     std::size_t next = 0;
-    for (std::size_t start = 0; start < text.size(); start = next, ++number) {
-        const RowPlace place{number, static_cast<std::uint32_t>(start)};
-        const std::size_t end = std::min(text.find('\n', start), text.size());
-        std::string_view line = text.substr(start, end - start);
-        next = end + 1;
+    for (std::size_t start = 0; start < text.size(); start = next) {
+        const RowPlace place{number++, static_cast<std::uint32_t>(start)};
+        const RowEnd row = hasQuotes ? rowEnd(text, start) : RowEnd{std::min(text.find('\n', start), text.size())};
+        std::string_view line = text.substr(start, row.end - start);
+        next = row.end + 1;
+        if (hasQuotes)
+            number += static_cast<std::uint32_t>(std::count(line.begin(), line.end(), '\n'));
         if (!line.empty() && line.back() == '\r')
             line.remove_suffix(1);
         // Nearly all rows are three plain numbers and nothing else. What this cannot read, readRow can, or explains.
@@ -242,7 +268,10 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
                 continue;
             }
         }
-        if (!trimmed(line).empty())
+        if (!row.isClosed)
+            refuseRow(block, line, place, row.cell, "the quote is not closed; quotes in quotes are doubled", rows,
+                      messages);
+        else if (!trimmed(line).empty())
             readRow(block, line, place, rows, messages);
     }
 }

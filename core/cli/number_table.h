@@ -51,7 +51,8 @@ struct NumberRows {
 };
 
 /// Reads the rows of a block. Empty lines are passed over. Numbers may have quotes and blanks around them, a sign and an exponent;
-/// anything else, NaN, infinity and more cells than the header has make a row bad and are said in `messages`.
+/// anything else, NaN, infinity, more cells than the header has and a quote that is not closed make a row bad and are said in
+/// `messages`.
 class NumberReader {
 public:
     NumberReader(std::string fileName, NumberColumns columns)
@@ -74,6 +75,10 @@ private:
                     std::vector<LineMessage> &messages) const;
     void readRow(const LineBlock &block, std::string_view line, const RowPlace &place, NumberRows &rows,
                  std::vector<LineMessage> &messages) const;
+    /// Names the row in rows.bad and says why; its numbers are zeros.
+    /// @param cell  at fault, counted from the line's start
+    void refuseRow(const LineBlock &block, std::string_view line, const RowPlace &place, std::size_t cell,
+                   std::string_view what, NumberRows &rows, std::vector<LineMessage> &messages) const;
     /// @param surplus  how many cells there are if those are more than the header has, blank ones aside; else 0
     Cells cellsOf(std::string_view line, std::size_t &surplus) const;
 

@@ -171,12 +171,12 @@ private:
 
 } // namespace
 
-std::vector<std::string> pointColumns(const std::vector<Method> &methods)
+std::vector<std::string> pointColumns(const std::vector<Method> &methods, const std::string &space)
 {
     std::vector<std::string> names;
     for (const Method method : methods) {
-        for (const char *coordinate : {"_x", "_y", "_z"})
-            names.push_back(std::string(keyOf(method)) + coordinate);
+        for (const std::string &coordinate : pointColumnsOf(keyOf(method), space))
+            names.push_back(coordinate);
     }
     if (comparedPlaces(methods))
         names.emplace_back("difference");
@@ -214,13 +214,13 @@ ExitCode runPoints(const PointsOptions &options)
     const std::optional<SceneOrClicks> given = sceneOrClicks(options.rows.scene);
     if (!given)
         return ExitCode::UnusableInput;
-    if (const auto *clicks = std::get_if<std::vector<Click>>(&*given); clicks && options.rows.input == "-")
+    if (const auto *clicks = std::get_if<std::vector<Click>>(&*given); clicks && !options.rows.isInputGiven)
         return runClicks(options, *clicks);
     const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {kClickColumns});
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;
-    const std::vector<std::string> results = pointColumns(options.methods);
+    const std::vector<std::string> results = pointColumns(options.methods, options.rows.space);
     Task task{options, NumberReader(rows->source.name(), rows->columns),       geometry.depthRange,
               {},      RowLayout(rows->columns, results, options.rows.format), results.size()};
     bool isUsable = false;

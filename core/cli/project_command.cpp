@@ -14,9 +14,6 @@ namespace unprojector::cli {
 using namespace text;
 namespace {
 
-/// Of the points, the preferred ones first: as a person writes them, or as `unproject points` has written them.
-const std::vector<ColumnNames> kPointColumns{{"x", "y", "z"}, {"formula_x", "formula_y", "formula_z"}};
-
 const std::vector<std::string> kResults{"eye_x",    "eye_y",    "eye_z",    "clip_x", "clip_y",   "clip_z",
                                         "clip_w",   "ndc_x",    "ndc_y",    "ndc_z",  "window_x", "window_y",
                                         "window_z", "widget_x", "widget_y", "px",     "py",       "depth"};
@@ -149,14 +146,12 @@ private:
 
 ExitCode runProject(const RowOptions &options)
 {
-    if (options.space != "world" && !options.space.starts_with("object:")) {
-        complain("--space " + options.space + ": give world or object:NAME");
-        return ExitCode::UnusableInput;
-    }
     const std::optional<SceneOrClicks> given = sceneOrClicks(options.scene);
     if (!given)
         return ExitCode::UnusableInput;
-    const std::unique_ptr<RowStream> rows = openRows(options, *given, kPointColumns);
+    // The preferred ones first: as a person writes them, or as `unproject points` has written them for this space.
+    const std::unique_ptr<RowStream> rows =
+        openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula", options.space)});
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;
@@ -169,14 +164,15 @@ ExitCode runProject(const RowOptions &options)
     }
     // Of points in the world the identity.
     const glm::dmat4 &worldFromSource = rows->space.worldFromObject;
+    const bool isInEye = rows->space.kind == BatchSpace::Kind::Eye;
     const Task task{options.format,
                     NumberReader(rows->source.name(), rows->columns),
                     RowLayout(rows->columns, kResults, options.format),
                     geometry,
                     ndcDepthOf(geometry),
-                    *view * worldFromSource,
+                    isInEye ? glm::dmat4(1.0) : *view * worldFromSource,
                     *projection,
-                    viewMagnitudes(*view) * magnitudes(worldFromSource)};
+                    isInEye ? glm::dmat4(1.0) : viewMagnitudes(*view) * magnitudes(worldFromSource)};
     return runRows(*rows, options, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
 }
 

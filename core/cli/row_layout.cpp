@@ -72,13 +72,13 @@ void RowLayout::writeInput(RowWriter &writer, const LineBlock &block, const Numb
             writer.number(column[row]);
         return;
     }
-    writeCells(writer, lineAt(block.text, rows.places[row].start),
+    writeCells(writer, rowAt(block.text, rows.places[row].start),
                [&](std::size_t column) { writer.number(rows.values[column][row]); });
 }
 
 void RowLayout::writeBad(RowWriter &writer, const LineBlock &block, const NumberRows &rows, const BadRow &bad) const
 {
-    writeCells(writer, lineAt(block.text, rows.places[bad.row].start),
+    writeCells(writer, rowAt(block.text, rows.places[bad.row].start),
                [&](std::size_t column) { writer.asWritten(bad.cells[column]); });
 }
 

@@ -10,6 +10,13 @@ RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const st
 {
 }
 
+ColumnNames pointColumnsOf(const std::string &method, const std::string &space)
+{
+    std::string name = method;
+    name += space == "eye" ? "_eye_" : space.starts_with("object:") ? "_object_" : "_";
+    return {name + 'x', name + 'y', name + 'z'};
+}
+
 std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClicks &given,
                                     const std::vector<ColumnNames> &columns)
 {

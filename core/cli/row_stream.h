@@ -17,11 +17,17 @@ namespace unprojector::cli {
 struct RowOptions {
     std::string scene;           ///< a scene file, or clicks; "-" for stdin
     std::string input = "-";     ///< a CSV file, "-" for stdin
+    bool isInputGiven = false;   ///< by name; else clicks are rows themselves
     std::string space = "world"; ///< of the points: "eye", "world" or "object:NAME"
     RowFormat format = RowFormat::Csv;
     bool isHeaderless = false; ///< no header is written, so that results can be put behind each other
     unsigned threads = 2;
 };
+
+/// The columns of a point, as a command writes them and another reads them: "formula_x" to "formula_z" in the world, and with
+/// the space in their names elsewhere, so that no coordinates pass for others: "formula_eye_x", "formula_object_x".
+/// @param space  as RowOptions has it
+ColumnNames pointColumnsOf(const std::string &method, const std::string &space);
 
 /// The scene, the space in it, and the rows behind a header that has the columns.
 struct RowStream {

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace unprojector::cli {
 using namespace scene_file;
@@ -90,10 +92,20 @@ std::optional<SceneInput> sceneInput(const std::string &file)
 
 const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name)
 {
-    const auto found = std::find_if(scene.objects.begin(), scene.objects.end(),
-                                    [&](const PlacedObject &object) { return object.name == name; });
-    if (found != scene.objects.end())
-        return &*found;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (scene.objects[i].name == name)
+            places.push_back(i);
+    }
+    if (places.size() == 1)
+        return &scene.objects[places[0]];
+    if (!places.empty()) {
+        std::string alike;
+        for (const std::size_t place : places)
+            alike += (alike.empty() ? "objects[" : ", objects[") + std::to_string(place) + ']';
+        complain("the scene has several objects called \"" + name + "\": " + alike + "; give each a name of its own");
+        return nullptr;
+    }
     std::string names;
     for (const PlacedObject &object : scene.objects)
         names += (names.empty() ? "" : ", ") + object.name;
@@ -109,7 +121,7 @@ std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput 
     if (space == "world")
         return BatchSpace{};
     if (!space.starts_with(object)) {
-        complain("--space " + space + ": give eye, world or object:NAME");
+        complain("--space " + space + ": give world, eye or object:NAME");
         return std::nullopt;
     }
     const PlacedObject *placed = objectNamed(scene, space.substr(object.size()));

@@ -34,7 +34,7 @@ SceneInput sceneInput(const SceneFile &scene);
 std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file);
 std::optional<SceneInput> sceneInput(const std::string &file);
 
-/// The first object of a name; where there is none, stderr says which there are.
+/// The object of a name; where there is none, stderr says which there are, and where there are several, which those are.
 const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name);
 
 /// What --space says: eye, world or object:NAME. What is wrong with it is said on stderr.

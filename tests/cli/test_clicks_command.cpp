@@ -100,7 +100,10 @@ void TestClicksCommand::theSamePointsToTheLastDigit()
     QCOMPARE(run.exitCode, 0);
     const auto lines = run.lines();
     QCOMPARE(lines.size(), 3);
-    QCOMPARE(lines[0], QByteArray("px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference"));
+    const QByteArray named = space == "world" ? QByteArray() : space.section(':', 0, 0).toUtf8() + '_';
+    QCOMPARE(lines[0], QByteArray("px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference")
+                           .replace("formula_", "formula_" + named)
+                           .replace("matrix_", "matrix_" + named));
     for (int i = 0; i < 2; ++i) {
         const Click &click = clicks[std::size_t(i)];
         const ClickPoint &point = space == "eye"     ? click.eye.surface
@@ -121,7 +124,7 @@ void TestClicksCommand::theSamePointsToTheLastDigit()
     QCOMPARE(one.lines(), QList<QByteArray>{lines[2].split(',').mid(0, 6).join(',')});
     const Run json = runCommand({"points", "--format", "jsonl", "--space", space, file});
     QCOMPARE(json.lines().size(), 2);
-    QVERIFY(json.output.startsWith("{\"px\":500.5,\"py\":375.5,\"depth\":0.0123456789,\"formula_x\":"));
+    QVERIFY(json.output.startsWith("{\"px\":500.5,\"py\":375.5,\"depth\":0.0123456789,\"formula_" + named + "x\":"));
 }
 
 void TestClicksCommand::aClickOnTheBackgroundHasEmptyCells()
@@ -187,6 +190,9 @@ void TestClicksCommand::aTableGoesThroughTheClicksScene()
     QCOMPARE(run.lines().size(), 1);
     const QList<double> row = numbersOf(run.lines().at(0));
     QVERIFY(std::abs(row[3] - (*click.world.surface[kFormula]).x) < 1e-12);
+    // By standard input as well.
+    const Run piped = runCommand({"points", "--no-header", clicks, "-"}, "px,py,depth\n500.5,375.5,0.01\n");
+    QCOMPARE(piped.output, run.output);
 }
 
 void TestClicksCommand::mistakesAreTold_data()

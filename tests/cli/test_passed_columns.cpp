@@ -20,6 +20,8 @@ private slots:
     void anObjectHasEachKeyOnce();
     void projectTakesWhatPointsHasWritten();
     void projectPrefersPointsOfAPerson();
+    void pointsOfAnotherSpaceSaySo_data();
+    void pointsOfAnotherSpaceSaySo();
     void whatACommandWritesIsWrittenAnew();
     void thereAndBackAndThereAgain();
     void manyRowsKeepTheirOwn();
@@ -53,8 +55,8 @@ void TestPassedColumns::otherColumnsStayWhereTheyStood_data()
         "\"name, first\",px,py,depth,formula_x,formula_y,formula_z\n\"a, b\",400,300,0,0,0,4\n");
     row("quotes in quotes", "px,py,depth,name\n400,300,0,\"a \"\"b\"\"\"\n",
         "px,py,depth,name,formula_x,formula_y,formula_z\n400,300,0,\"a \"\"b\"\"\",0,0,4\n");
-    row("a quote that is not closed", "px,py,depth,name\n400,300,0,\"a\n",
-        "px,py,depth,name,formula_x,formula_y,formula_z\n400,300,0,\"\"\"a\",0,0,4\n");
+    row("a line break in quotes", "px,py,depth,name\n400,300,0,\"a\nb, \"\"c\"\"\"\n",
+        "px,py,depth,name,formula_x,formula_y,formula_z\n400,300,0,\"a\nb, \"\"c\"\"\",0,0,4\n");
     row("blanks", "px,py,depth, name \n 400 ,300,0,  a b \n",
         "px,py,depth, name ,formula_x,formula_y,formula_z\n400,300,0,  a b ,0,0,4\n");
     row("CRLF", "px,py,depth,name\r\n400,300,0,a\r\n",
@@ -129,7 +131,7 @@ void TestPassedColumns::asJson_data()
     row("empty", "", "null");
     row("a quoted number is text", "\"7\"", "\"7\"");
     row("quotes in quotes", "\"a \"\"b\"\", c\"", R"("a \"b\", c")");
-    row("an open quote", "\"a", R"("\"a")");
+    row("a line break", "\"a\nb\"", R"("a\nb")");
     row("a backslash", "a\\b", R"("a\\b")");
     row("a tab", "\"a\tb\"", R"("a\tb")");
     row("beyond ASCII", "Gr\xC3\xBCn", "\"Gr\xC3\xBCn\"");
@@ -206,6 +208,42 @@ void TestPassedColumns::projectPrefersPointsOfAPerson()
     QCOMPARE(twice.errors, QByteArray("stdin:1:31: the header names the column formula_y twice\n"));
 }
 
+void TestPassedColumns::pointsOfAnotherSpaceSaySo_data()
+{
+    QTest::addColumn<QString>("space");
+    QTest::addColumn<QByteArray>("column");
+    QTest::addColumn<QByteArray>("reason");
+    QTest::newRow("eye") << "eye" << QByteArray("formula_eye_x")
+                         << QByteArray("; these points lie in eye space: give --space eye");
+    QTest::newRow("object") << "object:face" << QByteArray("formula_object_x")
+                            << QByteArray("; these points lie in object space: give --space object:NAME");
+}
+
+/// Coordinates of one space never pass for those of another.
+void TestPassedColumns::pointsOfAnotherSpaceSaySo()
+{
+    QFETCH(QString, space);
+    QFETCH(QByteArray, column);
+    QFETCH(QByteArray, reason);
+    const QByteArray row("120.5,33.25,0.75");
+    const Run there = points("px,py,depth\n" + row + '\n', {"--space", space});
+    QCOMPARE(there.errors, QByteArray());
+    QCOMPARE(there.lines().at(0).split(',').at(3), column);
+    const Run refused = project(there.output);
+    QCOMPARE(refused.exitCode, 2);
+    QCOMPARE(refused.output, QByteArray());
+    QVERIFY2(refused.errors.endsWith(reason + '\n'), refused.errors.constData());
+
+    const Run back = runCommand({"project", "--space", space, m_scene}, there.output);
+    QCOMPARE(back.errors, QByteArray());
+    const QList<QByteArray> cells = back.lines().at(1).split(',');
+    for (int k = 0; k < 3; ++k)
+        QVERIFY(std::abs(cells[cells.size() - 3 + k].toDouble() - row.split(',').at(k).toDouble()) < 1e-9);
+    // And those of the world not for any other's.
+    const Run world = points("px,py,depth\n" + row + '\n');
+    QCOMPARE(runCommand({"project", "--space", space, m_scene}, world.output).exitCode, 2);
+}
+
 void TestPassedColumns::whatACommandWritesIsWrittenAnew()
 {
     const Run run = points("formula_x,px,note,py,depth,\"formula_z\"\n9,400,a,300,0,9\n");
@@ -232,12 +270,13 @@ void TestPassedColumns::manyRowsKeepTheirOwn()
     constexpr int kRows = 50000;
     QByteArray input("id,px,py,depth,name\n");
     for (int i = 0; i < kRows; ++i)
-        input += QByteArray::number(i) + ",400,300,0,\"n, " + QByteArray::number(i) + "\"\n";
+        input += QByteArray::number(i) + ",400,300,0,\"n, " + QByteArray::number(i) + "\n1,2,0,\"\n";
     const QList<QByteArray> lines = points(input, {"--threads", "3"}).lines();
-    QCOMPARE(lines.size(), kRows + 1);
+    QCOMPARE(lines.size(), 2 * kRows + 1);
     for (int i = 0; i < kRows; ++i) {
         const QByteArray id = QByteArray::number(i);
-        QCOMPARE(lines[i + 1], id + ",400,300,0,\"n, " + id + "\",0,0,4");
+        QCOMPARE(lines[2 * i + 1], id + ",400,300,0,\"n, " + id);
+        QCOMPARE(lines[2 * i + 2], "1,2,0,\",0,0,4");
     }
 }
 

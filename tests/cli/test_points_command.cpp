@@ -239,8 +239,17 @@ void TestPointsCommand::unusableInput_data()
                                     << QByteArray("names the column px twice");
     QTest::newRow("no such object") << QStringList{"points", "--space", "object:nose", m_scene, "-"} << good
                                     << QByteArray("face");
+    QTest::newRow("two objects of one name")
+        << QStringList{"points", "--space", "object:face",
+                       m_folder.write("alike.json",
+                                      QByteArray(kFrustumScene)
+                                          .replace("\"objects\": [",
+                                                   "\"objects\": [{\"name\": \"face\", \"file\": "
+                                                   "\"a.obj\"}, {\"name\": \"b\", \"file\": \"a.obj\"}, ")),
+                       "-"}
+        << good << QByteArray("several objects called \"face\": objects[0], objects[2]; give each a name of its own");
     QTest::newRow("no such space") << QStringList{"points", "--space", "clip", m_scene, "-"} << good
-                                   << QByteArray("eye, world or object:NAME");
+                                   << QByteArray("world, eye or object:NAME");
     QTest::newRow("no such method") << QStringList{"points", "--method", "guess", m_scene, "-"} << good
                                     << QByteArray("both, formula, matrix");
     QTest::newRow("no such option") << QStringList{"points", "--colour", m_scene, "-"} << good
