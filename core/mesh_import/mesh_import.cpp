@@ -1,6 +1,7 @@
 #include "core/mesh_import/mesh_import.h"
 
 #include "core/geometry/finite.h"
+#include "core/mesh_import/file_bytes.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
 #include "core/mesh_import/parallel.h"
@@ -11,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -50,22 +52,42 @@ bool hasUsableNormals(const Mesh &mesh)
 
 /// Checks what every reader must keep, so that drawing and ray casting need not.
 /// @param firstVertex  of the mesh in the model, for messages
-void checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(double)> &report)
+/// @return the box of what is shown of it
+Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(double)> &report)
 {
     const std::size_t vertexCount = mesh.positions.size();
-    inParallelRanges(vertexCount, kElementsInTask, report, [&](std::size_t begin, std::size_t end) {
+    Box bounds;
+    std::mutex mutex;
+    const auto add = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
+        const std::lock_guard lock(mutex);
+        bounds.add(mesh.origin + glm::dvec3(lowest));
+        bounds.add(mesh.origin + glm::dvec3(highest));
+    };
+    constexpr float kMost = std::numeric_limits<float>::max();
+    const auto half = [&report](double from) { return [&report, from](double share) { report(from + share / 2.0); }; };
+    inParallelRanges(vertexCount, kElementsInTask, half(0.0), [&](std::size_t begin, std::size_t end) {
+        glm::vec3 lowest(kMost), highest(-kMost);
         for (std::size_t v = begin; v < end; ++v) {
             const glm::vec3 &position = mesh.positions[v];
-            if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
+            lowest = glm::min(lowest, position);
+            highest = glm::max(highest, position);
+            // The sum of what is finite may overflow, but rarely does.
+            if (!std::isfinite(position.x + position.y + position.z) && !isFinite(position))
                 throw Failure(ImportErrorCode::NotFinite, {}, firstVertex + v);
         }
+        if (mesh.indices.empty())
+            add(lowest, highest);
     });
-    inParallelRanges(mesh.indices.size(), kElementsInTask, {}, [&](std::size_t begin, std::size_t end) {
+    inParallelRanges(mesh.indices.size(), kElementsInTask, half(0.5), [&](std::size_t begin, std::size_t end) {
+        glm::vec3 lowest(kMost), highest(-kMost);
         for (std::size_t i = begin; i < end; ++i) {
             if (mesh.indices[i] >= vertexCount)
                 failMalformed("a face refers to vertex " + std::to_string(mesh.indices[i]) + ", the mesh has "
                               + std::to_string(vertexCount));
+            lowest = glm::min(lowest, mesh.positions[mesh.indices[i]]);
+            highest = glm::max(highest, mesh.positions[mesh.indices[i]]);
         }
+        add(lowest, highest);
     });
     if (mesh.colors.size() != vertexCount)
         mesh.colors.clear();
@@ -75,6 +97,7 @@ void checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(dou
         if (!isFinite(texcoord))
             texcoord = glm::vec2(0.0f);
     }
+    return bounds;
 }
 
 /// Keeps normals that can be used, makes those that are missing where that pays.
@@ -85,28 +108,6 @@ void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
     mesh.normals = {};
     if (mesh.kind == Mesh::Kind::Triangles && !mesh.indices.empty() && mesh.triangleCount() <= kMostTrianglesToSmooth)
         makeNormals(mesh, 0.5f, report);
-}
-
-/// The box of Model::bounds, by all cores.
-Box boundsInParallel(const std::vector<Mesh> &meshes)
-{
-    Box bounds;
-    std::mutex mutex;
-    for (const Mesh &mesh : meshes) {
-        inParallelRanges(mesh.elementCount(), kElementsInTask, {}, [&](std::size_t begin, std::size_t end) {
-            glm::vec3 lowest = mesh.positions[mesh.vertexAt(begin)];
-            glm::vec3 highest = lowest;
-            for (std::size_t element = begin + 1; element < end; ++element) {
-                const glm::vec3 &position = mesh.positions[mesh.vertexAt(element)];
-                lowest = glm::min(lowest, position);
-                highest = glm::max(highest, position);
-            }
-            const std::lock_guard lock(mutex);
-            bounds.add(mesh.origin + glm::dvec3(lowest));
-            bounds.add(mesh.origin + glm::dvec3(highest));
-        });
-    }
-    return bounds;
 }
 
 void finishModel(Model &model, ProgressReporter &progress)
@@ -127,12 +128,11 @@ void finishModel(Model &model, ProgressReporter &progress)
             };
         };
         const std::size_t elements = mesh.elementCount();
-        checkMesh(mesh, firstVertex, reporting(0.0, 0.1));
+        model.bounds.add(checkMesh(mesh, firstVertex, reporting(0.0, 0.1)));
         firstVertex += mesh.positions.size();
         finishNormals(mesh, reporting(0.1, 1.0));
         done += elements;
     }
-    model.bounds = boundsInParallel(model.meshes);
 }
 
 std::string lowerCaseSuffix(const std::filesystem::path &file)
@@ -176,11 +176,11 @@ Model import(const std::filesystem::path &file, ProgressReporter &progress)
         throw Failure(ImportErrorCode::UnknownFormat, suffix);
 
     progress.beginStage(0.0, 0.1);
-    const std::vector<std::uint8_t> bytes = readFile(file, &progress);
-    if (bytes.empty())
+    const FileBytes contents(file, progress);
+    if (contents.bytes().empty())
         throw Failure(ImportErrorCode::EmptyFile);
     progress.beginStage(0.1, 0.7);
-    Model model = reader(Source{file, suffix, bytes, progress});
+    Model model = reader(Source{file, suffix, contents.bytes(), progress});
     progress.beginStage(0.7, 1.0);
     finishModel(model, progress);
     model.name = utf8FromPath(file.stem());
@@ -204,6 +204,14 @@ void ProgressReporter::report(double share)
         m_cancelled = !m_callback(std::min(m_last, 1.0));
     if (m_cancelled)
         throw Failure(ImportErrorCode::Cancelled);
+}
+
+std::size_t bytesThatMean(std::span<const std::uint8_t> bytes)
+{
+    const bool isFilling = std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) {
+        return byte == 0 || byte == ' ' || byte == '\n' || byte == '\r' || byte == '\t' || byte == 0x1a;
+    });
+    return isFilling ? 0 : bytes.size();
 }
 
 std::vector<std::uint8_t> readFile(const std::filesystem::path &file, ProgressReporter *progress)

@@ -189,6 +189,10 @@ void mergeEqualVertices(Mesh &mesh)
                && (!hasTexcoords || mesh.texcoords[a] == mesh.texcoords[b]);
     };
 
+    if (mesh.indices.empty()) {
+        mesh.indices.resize(mesh.positions.size());
+        std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+    }
     std::vector<std::uint32_t> slots(slotCountFor(mesh.positions.size()), kEmpty);
     std::vector<std::uint32_t> mergedFromOld(mesh.positions.size(), kEmpty);
     std::vector<std::uint32_t> oldFromMerged;

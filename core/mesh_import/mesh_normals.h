@@ -26,7 +26,7 @@ private:
 };
 
 /// Merges vertices that agree in position, normal, colour and texture coordinate, in order of first use, and drops
-/// those that no triangle uses.
+/// those that no triangle uses. The mesh has indices then.
 void mergeEqualVertices(Mesh &mesh);
 
 /// Replaces the mesh's normals by smooth ones: the area-weighted mean of the faces around a position, shared by all

@@ -75,6 +75,9 @@ Model readObj(const Source &source);
 /// glTF and GLB.
 Model readGltf(const Source &source);
 
+/// How many bytes there are behind all that a binary file declares, 0 where they only fill it up: zeros or blanks.
+std::size_t bytesThatMean(std::span<const std::uint8_t> bytes);
+
 /// The texture a model file refers to, read from disk; `encoded` stays empty when there is no such file.
 /// @param reference  UTF-8, as written in the file: relative to the model file's folder, either slash, perhaps with
 ///                   %20 for a blank

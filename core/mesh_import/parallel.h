@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace unprojector::mesh_import {
 
@@ -17,5 +19,24 @@ void inParallel(std::size_t count, const std::function<void(double)> &report,
 /// The same over ranges of at most `size` of `count` elements: range(begin, end).
 void inParallelRanges(std::size_t count, std::size_t size, const std::function<void(double)> &report,
                       const std::function<void(std::size_t, std::size_t)> &range);
+
+/// Makes an array as long as `count` and fills it: fill(begin, end) sets these elements. In steps, since the memory of a
+/// long array takes a long time to come.
+template <class T>
+void fillInParallel(std::vector<T> &values, std::size_t count, const std::function<void(double)> &report,
+                    const std::function<void(std::size_t, std::size_t)> &fill)
+{
+    constexpr std::size_t kStep = 1 << 21;
+    constexpr std::size_t kTask = 1 << 16;
+    values.reserve(count);
+    while (values.size() < count) {
+        const std::size_t begin = values.size();
+        const std::size_t size = std::min(kStep, count - begin);
+        values.resize(begin + size);
+        inParallelRanges(size, kTask, {}, [&](std::size_t from, std::size_t to) { fill(begin + from, begin + to); });
+        if (report)
+            report(static_cast<double>(values.size()) / static_cast<double>(count));
+    }
+}
 
 } // namespace unprojector::mesh_import

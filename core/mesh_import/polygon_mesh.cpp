@@ -7,11 +7,16 @@
 
 namespace unprojector::mesh_import::mesh_reader {
 
+void PolygonMesh::failAt(std::int64_t vertex, const char *what, std::size_t number) const
+{
+    failMalformed(std::string(what) + ' ' + std::to_string(number) + " refers to vertex " + std::to_string(vertex)
+                  + ", the file has " + std::to_string(m_vertexCount) + " (counted from 0)");
+}
+
 std::uint32_t PolygonMesh::checked(std::int64_t vertex, const char *what, std::size_t number) const
 {
     if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= m_vertexCount)
-        failMalformed(std::string(what) + ' ' + std::to_string(number) + " refers to vertex " + std::to_string(vertex)
-                      + ", the file has " + std::to_string(m_vertexCount) + " (counted from 0)");
+        failAt(vertex, what, number);
     return static_cast<std::uint32_t>(vertex);
 }
 
@@ -21,13 +26,13 @@ void PolygonMesh::addPolygon(std::span<const std::int64_t> vertices, std::size_t
     for (const std::int64_t vertex : vertices)
         checked(vertex, "face", face);
     m_localTriangles.clear();
+    m_lineCount += vertices.size() < 3 ? 1u : 0u;
     if (vertices.size() == 3) {
         m_localTriangles.assign({0, 1, 2});
     } else if (vertices.size() > 3) {
         m_corners.clear();
         for (const std::int64_t vertex : vertices)
-            m_corners.push_back(mesh.positions.empty() ? glm::vec3(0.0f)
-                                                       : mesh.positions[static_cast<std::size_t>(vertex)]);
+            m_corners.push_back(mesh.positions[static_cast<std::size_t>(vertex)]);
         m_triangulator.triangulate(m_corners, m_localTriangles);
     }
     for (const std::uint32_t corner : m_localTriangles)
@@ -81,6 +86,7 @@ Mesh PolygonMesh::take()
     Mesh split;
     split.baseColor = mesh.baseColor;
     split.texture = mesh.texture;
+    split.origin = mesh.origin;
     const auto gather = [this](auto &target, const auto &ofVertex) {
         if (ofVertex.empty())
             return;

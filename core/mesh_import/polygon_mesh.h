@@ -17,13 +17,18 @@ class PolygonMesh {
 public:
     explicit PolygonMesh(std::size_t vertexCount) : m_vertexCount(vertexCount) {}
 
-    /// The vertices; colours and texture coordinates either for all or for none. Before the first polygon, or else
-    /// concave polygons become fans.
+    /// The vertices, before the first polygon; colours and texture coordinates either for all or for none.
     Mesh mesh;
+
+    std::size_t vertexCount() const { return m_vertexCount; }
+    /// The polygons so far of fewer than three corners.
+    std::size_t lineCount() const { return m_lineCount; }
 
     /// @param face  the face's number in the file, for messages
     /// Throws Failure (Malformed) for a vertex the file does not have.
     void addPolygon(std::span<const std::int64_t> vertices, std::size_t face);
+    /// Says so where a face refers to a vertex that the file does not have.
+    [[noreturn]] void failAtVertex(std::int64_t vertex, std::size_t face) const { failAt(vertex, "face", face); }
     /// Sets the corners of the polygon added last, and so of all: those never set are white or (0, 0).
     void setFaceColor(const glm::u8vec4 &color);
     void setCornerTexcoords(std::span<const glm::vec2> texcoords);
@@ -34,9 +39,11 @@ public:
     Mesh take();
 
 private:
+    [[noreturn]] void failAt(std::int64_t vertex, const char *what, std::size_t number) const;
     std::uint32_t checked(std::int64_t vertex, const char *what, std::size_t number) const;
 
     std::size_t m_vertexCount;
+    std::size_t m_lineCount = 0;
     std::size_t m_polygonBegin = 0;              ///< where the last polygon starts in mesh.indices
     std::vector<std::uint32_t> m_localTriangles; ///< the last polygon's triangles, as corners of the polygon
     PolygonTriangulator m_triangulator;

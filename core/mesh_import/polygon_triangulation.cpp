@@ -150,6 +150,7 @@ void PolygonTriangulator::clip(std::vector<std::uint32_t> &triangles)
     m_isLeft.assign(count, true);
     m_isCandidate.assign(count, true);
     m_waiting.assign(count, kNone);
+    m_isNextToCut.assign(count, false);
     m_waits.clear();
     if (count > kFewCorners)
         sortIntoCells();
@@ -165,18 +166,19 @@ void PolygonTriangulator::clip(std::vector<std::uint32_t> &triangles)
     };
     std::uint32_t left = count;
     std::uint32_t last = 0;
-    // Along the outline first: then what is convex becomes a fan.
-    std::uint32_t along = kNone;
-    while (left > 3 && (along != kNone || !m_candidates.empty())) {
-        std::uint32_t corner = along;
-        if (along == kNone) {
-            corner = m_candidates.front();
-            m_candidates.pop_front();
-            if (!m_isLeft[corner])
-                continue;
-            m_isCandidate[corner] = false;
+    while (left > 3 && !m_candidates.empty()) {
+        const std::uint32_t corner = m_candidates.front();
+        m_candidates.pop_front();
+        if (!m_isLeft[corner])
+            continue;
+        // A neighbour has just gone. Others first, or all ears along the outline would end in one far corner: long
+        // triangles, with many corners to look at.
+        if (m_isNextToCut[corner]) {
+            m_isNextToCut[corner] = false;
+            m_candidates.push_back(corner);
+            continue;
         }
-        along = kNone;
+        m_isCandidate[corner] = false;
         const std::uint32_t blocker = blockerOf(corner);
         if (blocker == corner)
             continue;
@@ -193,10 +195,12 @@ void PolygonTriangulator::clip(std::vector<std::uint32_t> &triangles)
         m_isLeft[corner] = false;
         --left;
         last = before;
-        lookAgainAt(before);
+        for (const std::uint32_t neighbour : {before, after}) {
+            m_isNextToCut[neighbour] = m_isCandidate[neighbour];
+            lookAgainAt(neighbour);
+        }
         for (std::uint32_t wait = m_waiting[corner]; wait != kNone; wait = m_waits[wait].next)
             lookAgainAt(m_waits[wait].corner);
-        along = after;
     }
     // The last triangle; or what has no ear.
     const std::uint32_t first = left == count ? 0 : last;

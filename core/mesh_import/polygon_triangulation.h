@@ -42,6 +42,7 @@ private:
     std::vector<Wait> m_waits;
     std::deque<std::uint32_t> m_candidates;
     std::vector<bool> m_isCandidate;
+    std::vector<bool> m_isNextToCut;
 
     glm::dvec2 m_lowest{0.0}, m_cellSize{0.0};
     std::size_t m_cellsAlong = 1;

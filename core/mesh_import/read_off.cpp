@@ -9,6 +9,7 @@
 #include <optional>
 
 namespace unprojector::mesh_import::mesh_reader {
+using namespace geometry;
 
 namespace {
 
@@ -63,12 +64,12 @@ public:
         return *value;
     }
 
-    float real(const char *what)
+    double real(const char *what)
     {
         if (m_isBinary)
-            return std::bit_cast<float>(bits(what));
+            return static_cast<double>(std::bit_cast<float>(bits(what)));
         const std::string_view word = nextWord(what);
-        const std::optional<float> value = floatFromWord(word);
+        const std::optional<double> value = doubleFromWord(word);
         if (!value)
             failWord(word, what);
         return *value;
@@ -82,7 +83,7 @@ public:
         if (m_isBinary) {
             const std::int64_t count = integer("face colour");
             for (std::int64_t i = 0; i < count; ++i) {
-                const float value = real("face colour");
+                const auto value = static_cast<float>(real("face colour"));
                 if (values.size() < 4)
                     values.push_back(value);
             }
@@ -108,7 +109,7 @@ public:
             return faceColor();
         std::vector<float> values(4);
         for (float &value : values)
-            value = real("vertex colour");
+            value = static_cast<float>(real("vertex colour"));
         m_areColorsIntegers = false;
         for (const float value : values)
             m_areColorsIntegers = m_areColorsIntegers || value > 1.0f;
@@ -116,6 +117,23 @@ public:
     }
 
     bool areColorsIntegers() const { return m_areColorsIntegers; }
+
+    /// After the last face. In text only comments may follow.
+    /// @return the bytes that follow in a binary file, 0 where they are blank
+    std::size_t end()
+    {
+        if (m_isBinary)
+            return bytesThatMean(m_bytes.subspan(m_at));
+        std::string_view word = m_scanner.nextWord();
+        while (!word.empty() && word.front() == '#') {
+            m_scanner.skipLine();
+            word = m_scanner.nextWord();
+        }
+        if (!word.empty())
+            failMalformed("line " + std::to_string(m_scanner.line()) + ": " + quoted(word)
+                          + " follows all that the header declares; correct its numbers of vertices and faces");
+        return 0;
+    }
 
 private:
     std::uint32_t bits(const char *what)
@@ -179,18 +197,21 @@ std::size_t checkedCount(std::int64_t count, std::size_t numbersEach, const OffN
 
 void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, Mesh &mesh, ProgressReporter &progress)
 {
-    mesh.positions.reserve(count);
+    std::vector<glm::dvec3> positions;
+    positions.reserve(count);
+    Box box;
     for (std::size_t v = 0; v < count; ++v) {
         if (v % kElementsBetweenReports == 0)
             progress.report(0.5 * static_cast<double>(v) / static_cast<double>(count));
-        const float x = numbers.real("vertex");
-        const float y = numbers.real("vertex");
-        const float z = numbers.real("vertex");
-        const float w = kind.hasW ? numbers.real("vertex") : 1.0f;
-        mesh.positions.push_back(glm::vec3(x, y, z) / w);
+        const double x = numbers.real("vertex");
+        const double y = numbers.real("vertex");
+        const double z = numbers.real("vertex");
+        const double w = kind.hasW ? numbers.real("vertex") : 1.0;
+        positions.push_back(glm::dvec3(x, y, z) / w);
+        box.add(positions.back());
         if (kind.hasNormals) {
-            const float nx = numbers.real("normal");
-            const float ny = numbers.real("normal");
+            const double nx = numbers.real("normal");
+            const double ny = numbers.real("normal");
             mesh.normals.emplace_back(nx, ny, numbers.real("normal"));
         }
         if (kind.hasColors) {
@@ -198,10 +219,11 @@ void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, M
             mesh.colors.push_back(colorFromNumbers(values, numbers.areColorsIntegers()));
         }
         if (kind.hasTexcoords) {
-            const float u = numbers.real("texture coordinate");
+            const double u = numbers.real("texture coordinate");
             mesh.texcoords.emplace_back(u, numbers.real("texture coordinate"));
         }
     }
+    setPositions(mesh, originFor(box), positions);
 }
 
 } // namespace
@@ -257,6 +279,10 @@ Model readOff(const Source &source)
     }
 
     Model model;
+    if (const std::size_t more = numbers.end(); more > 0)
+        model.notes.push_back({ModelNote::Kind::BytesLeftOut, more, {}});
+    if (polygons.lineCount() > 0)
+        model.notes.push_back({ModelNote::Kind::LinesLeftOut, polygons.lineCount(), {}});
     model.meshes.push_back(polygons.take());
     if (!model.meshes.back().colors.empty())
         model.meshes.back().baseColor = glm::vec4(1.0f);

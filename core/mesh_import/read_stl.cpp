@@ -1,15 +1,20 @@
 #include "core/geometry/finite.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
+#include "core/mesh_import/parallel.h"
 #include "core/mesh_import/text_scanner.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <limits>
+#include <mutex>
 #include <optional>
 
 namespace unprojector::mesh_import::mesh_reader {
+using namespace geometry;
 
 namespace {
 
@@ -17,6 +22,8 @@ constexpr std::size_t kHeaderBytes = 80;
 constexpr std::size_t kBytesBeforeTriangles = kHeaderBytes + 4;
 constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kTrianglesBetweenReports = 1 << 15;
+/// Some milliseconds of work.
+constexpr std::size_t kTrianglesInTask = 1 << 17;
 constexpr std::uint16_t kColorBit = 0x8000;
 
 std::uint32_t littleEndian32(const std::uint8_t *bytes)
@@ -31,31 +38,24 @@ glm::vec3 vectorAt(const std::uint8_t *bytes)
             std::bit_cast<float>(littleEndian32(bytes + 8))};
 }
 
-/// STL repeats each vertex in every triangle around it: equal positions become one vertex. The facet normals are
-/// left out, they say nothing that the corners don't.
-class StlMesh {
-public:
-    explicit StlMesh(std::size_t expectedTriangles) : m_positions(expectedTriangles / 2)
-    {
-        m_mesh.indices.reserve(3 * expectedTriangles);
-    }
-    void add(const glm::vec3 &position)
-    {
-        if (!isFinite(position))
-            throw Failure(ImportErrorCode::NotFinite, {}, m_mesh.indices.size());
-        m_mesh.indices.push_back(m_positions.add(position));
-    }
-    std::size_t cornerCount() const { return m_mesh.indices.size(); }
-    Mesh take()
-    {
-        m_mesh.positions = m_positions.takePositions();
-        return std::move(m_mesh);
-    }
+/// Beyond this many triangles their corners stay as they are, without neighbours and drawn flat: finding the equal ones
+/// would take longer than everything else.
+constexpr std::size_t kMostTrianglesToWeld = 300000;
 
-private:
-    PositionIndex m_positions;
-    Mesh m_mesh;
-};
+/// STL repeats each vertex in every triangle around it: equal positions become one vertex.
+void weld(Mesh &mesh)
+{
+    PositionIndex index(mesh.positions.size() / 6);
+    mesh.indices.reserve(mesh.positions.size());
+    for (const glm::vec3 &position : mesh.positions)
+        mesh.indices.push_back(index.add(position));
+    mesh.positions = index.takePositions();
+}
+
+[[noreturn]] void failAtCorner(std::size_t corner)
+{
+    throw Failure(ImportErrorCode::NotFinite, {}, corner);
+}
 
 glm::u8vec4 colorFromBits(std::uint16_t bits, bool isMagics)
 {
@@ -65,53 +65,114 @@ glm::u8vec4 colorFromBits(std::uint16_t bits, bool isMagics)
                     : glm::u8vec4(channel(10), channel(5), channel(0), 255);
 }
 
-/// Gives each triangle its colour: a vertex with several colours around it is split.
-void colorTriangles(Mesh &mesh, const Source &source, const std::optional<glm::u8vec4> &magicsDefault)
-{
-    Mesh colored;
-    for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
-        const std::uint8_t *triangle = source.bytes.data() + kBytesBeforeTriangles + corner / 3 * kTriangleBytes;
-        const auto bits = static_cast<std::uint16_t>(triangle[48] | triangle[49] << 8);
-        // Magics sets the bit where the whole object's colour applies, the others where the triangle's does.
-        const bool hasOwnColor = ((bits & kColorBit) != 0) != magicsDefault.has_value();
-        colored.positions.push_back(mesh.positions[mesh.indices[corner]]);
-        colored.colors.push_back(hasOwnColor ? colorFromBits(bits, magicsDefault.has_value())
-                                             : magicsDefault.value_or(glm::u8vec4(204, 204, 204, 255)));
-        colored.indices.push_back(static_cast<std::uint32_t>(corner));
+/// The triangles of a binary file, where they lie.
+class StlRecords {
+public:
+    explicit StlRecords(const Source &source) : m_source(source)
+    {
+        m_count = littleEndian32(source.bytes.data() + kHeaderBytes);
+        const std::size_t present = (source.bytes.size() - kBytesBeforeTriangles) / kTriangleBytes;
+        if (m_count > present)
+            failMalformed("the header declares " + std::to_string(m_count) + " triangles, the file ends after "
+                          + std::to_string(present));
+        m_bytesBehind = bytesThatMean(source.bytes.subspan(kBytesBeforeTriangles + m_count * kTriangleBytes));
+        if (m_bytesBehind >= kTriangleBytes)
+            failMalformed("the header declares " + std::to_string(m_count) + " triangles, the file has room for "
+                          + std::to_string(present) + "; correct the number in bytes 80 to 83 of the file");
     }
-    colored.baseColor = glm::vec4(1.0f);
-    mesh = std::move(colored);
-    mergeEqualVertices(mesh);
+
+    std::size_t count() const { return m_count; }
+    /// Behind the triangles.
+    std::size_t bytesBehind() const { return m_bytesBehind; }
+    glm::vec3 corner(std::size_t triangle, std::size_t corner) const
+    {
+        return vectorAt(record(triangle) + 12 + 12 * corner);
+    }
+    std::uint16_t attribute(std::size_t triangle) const
+    {
+        return static_cast<std::uint16_t>(record(triangle)[48] | record(triangle)[49] << 8);
+    }
+    /// Materialise Magics' colour of the whole object.
+    std::optional<glm::u8vec4> magicsColor() const
+    {
+        const std::string_view header = m_source.text().substr(0, kHeaderBytes);
+        const std::size_t at = header.find("COLOR=");
+        if (at == header.npos || at + 10 > header.size())
+            return std::nullopt;
+        const std::uint8_t *rgba = m_source.bytes.data() + at + 6;
+        return glm::u8vec4(rgba[0], rgba[1], rgba[2], 255);
+    }
+
+private:
+    const std::uint8_t *record(std::size_t triangle) const
+    {
+        return m_source.bytes.data() + kBytesBeforeTriangles + triangle * kTriangleBytes;
+    }
+
+    const Source &m_source;
+    std::size_t m_count = 0;
+    std::size_t m_bytesBehind = 0;
+};
+
+/// Three colours a triangle, or none where no triangle has one.
+std::vector<glm::u8vec4> cornerColors(const StlRecords &records, bool hasColorBits)
+{
+    const std::optional<glm::u8vec4> ofObject = records.magicsColor();
+    std::vector<glm::u8vec4> colors;
+    if (!ofObject && !hasColorBits)
+        return colors;
+    colors.reserve(3 * records.count());
+    for (std::size_t t = 0; t < records.count(); ++t) {
+        const std::uint16_t bits = records.attribute(t);
+        // Magics sets the bit where the whole object's colour applies, the others where the triangle's does.
+        const bool hasOwnColor = ((bits & kColorBit) != 0) != ofObject.has_value();
+        colors.insert(colors.end(), 3,
+                      hasOwnColor ? colorFromBits(bits, ofObject.has_value())
+                                  : ofObject.value_or(glm::u8vec4(204, 204, 204, 255)));
+    }
+    return colors;
 }
 
-Mesh readBinary(const Source &source)
+Mesh readBinary(const Source &source, std::vector<ModelNote> &notes)
 {
-    const std::size_t declared = littleEndian32(source.bytes.data() + kHeaderBytes);
-    const std::size_t present = (source.bytes.size() - kBytesBeforeTriangles) / kTriangleBytes;
-    if (declared > present)
-        failMalformed("the header declares " + std::to_string(declared) + " triangles, the file ends after "
-                      + std::to_string(present));
-
-    StlMesh stl(declared);
+    const StlRecords records(source);
+    if (records.bytesBehind() > 0)
+        notes.push_back({ModelNote::Kind::BytesLeftOut, records.bytesBehind(), {}});
+    const auto reporting = [&source](double from, double to) {
+        return [&source, from, to](double share) { source.progress.report(from + (to - from) * share); };
+    };
+    Box box;
     bool hasColorBits = false;
-    for (std::size_t t = 0; t < declared; ++t) {
-        if (t % kTrianglesBetweenReports == 0)
-            source.progress.report(static_cast<double>(t) / static_cast<double>(declared));
-        const std::uint8_t *triangle = source.bytes.data() + kBytesBeforeTriangles + t * kTriangleBytes;
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            stl.add(vectorAt(triangle + 12 + 12 * corner));
-        hasColorBits = hasColorBits || (triangle[49] & 0x80) != 0;
-    }
+    std::mutex mutex;
+    inParallelRanges(records.count(), kTrianglesInTask, reporting(0.0, 0.4), [&](std::size_t begin, std::size_t end) {
+        constexpr float kMost = std::numeric_limits<float>::max();
+        glm::vec3 lowest(kMost), highest(-kMost);
+        std::uint16_t bits = 0;
+        for (std::size_t t = begin; t < end; ++t) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const glm::vec3 position = records.corner(t, c);
+                lowest = glm::min(lowest, position);
+                highest = glm::max(highest, position);
+                if (!std::isfinite(position.x + position.y + position.z) && !isFinite(position))
+                    failAtCorner(3 * t + c);
+            }
+            bits |= records.attribute(t);
+        }
+        const std::lock_guard lock(mutex);
+        box.add(glm::dvec3(lowest));
+        box.add(glm::dvec3(highest));
+        hasColorBits = hasColorBits || (bits & kColorBit) != 0;
+    });
 
-    Mesh mesh = stl.take();
-    const std::string_view header = source.text().substr(0, kHeaderBytes);
-    const std::size_t colorAt = header.find("COLOR=");
-    if (colorAt != header.npos && colorAt + 10 <= header.size()) {
-        const std::uint8_t *rgba = source.bytes.data() + colorAt + 6;
-        colorTriangles(mesh, source, glm::u8vec4(rgba[0], rgba[1], rgba[2], 255));
-    } else if (hasColorBits) {
-        colorTriangles(mesh, source, std::nullopt);
-    }
+    Mesh mesh;
+    mesh.origin = originFor(box);
+    fillInParallel(mesh.positions, 3 * records.count(), reporting(0.4, 0.8), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t corner = begin; corner < end; ++corner)
+            mesh.positions[corner] = glm::vec3(glm::dvec3(records.corner(corner / 3, corner % 3)) - mesh.origin);
+    });
+    mesh.colors = cornerColors(records, hasColorBits);
+    if (!mesh.colors.empty())
+        mesh.baseColor = glm::vec4(1.0f);
     return mesh;
 }
 
@@ -130,7 +191,9 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lowerCase)
 Mesh readAscii(const Source &source)
 {
     // A facet takes about 250 bytes as most programs write it.
-    StlMesh stl(source.bytes.size() / 250);
+    std::vector<glm::dvec3> positions;
+    positions.reserve(source.bytes.size() / 80);
+    Box box;
     TextScanner scanner(source.text());
     bool isInSolid = false;
     std::size_t cornersOfFacet = 0;
@@ -139,16 +202,19 @@ Mesh readAscii(const Source &source)
         if (++words % (kTrianglesBetweenReports * 4) == 0)
             source.progress.report(static_cast<double>(scanner.offset()) / static_cast<double>(source.bytes.size()));
         if (equalsIgnoringCase(word, "vertex")) {
-            glm::vec3 position;
+            glm::dvec3 position;
             for (int axis = 0; axis < 3; ++axis) {
                 const std::string_view number = scanner.nextWordInLine();
-                const std::optional<float> value = floatFromWord(number);
+                const std::optional<double> value = doubleFromWord(number);
                 if (!value)
                     failAtLine(scanner.line(), number.empty() ? "a vertex needs three numbers"
                                                               : "a vertex needs three numbers, not " + quoted(number));
                 position[axis] = *value;
             }
-            stl.add(position);
+            if (!isFinite(position))
+                failAtCorner(positions.size());
+            positions.push_back(position);
+            box.add(position);
             ++cornersOfFacet;
         } else if (equalsIgnoringCase(word, "endfacet")) {
             if (cornersOfFacet != 3)
@@ -171,7 +237,9 @@ Mesh readAscii(const Source &source)
     }
     if (cornersOfFacet != 0 || isInSolid)
         failMalformed("the file ends in line " + std::to_string(scanner.line()) + " without \"endsolid\"");
-    return stl.take();
+    Mesh mesh;
+    setPositions(mesh, originFor(box), positions);
+    return mesh;
 }
 
 bool isAscii(const Source &source)
@@ -196,13 +264,22 @@ bool isAscii(const Source &source)
 Model readStl(const Source &source)
 {
     Model model;
+    Mesh mesh;
     if (isAscii(source)) {
-        model.meshes.push_back(readAscii(source));
+        mesh = readAscii(source);
     } else {
         if (source.bytes.size() < kBytesBeforeTriangles)
             failMalformed("the file ends within the header");
-        model.meshes.push_back(readBinary(source));
+        mesh = readBinary(source, model.notes);
     }
+    // The facets' normals are left out: they say nothing that the corners don't.
+    if (mesh.triangleCount() <= kMostTrianglesToWeld) {
+        if (mesh.colors.empty())
+            weld(mesh);
+        else
+            mergeEqualVertices(mesh);
+    }
+    model.meshes.push_back(std::move(mesh));
     return model;
 }
 

@@ -57,6 +57,16 @@ void TextScanner::skipLine()
         skipLineEnd();
 }
 
+void TextScanner::skipBlankLines()
+{
+    while (m_offset < m_text.size() && (isBlank(m_text[m_offset]) || isLineEnd(m_text[m_offset]))) {
+        if (isBlank(m_text[m_offset]))
+            ++m_offset;
+        else
+            skipLineEnd();
+    }
+}
+
 std::string_view TextScanner::restOfLine()
 {
     while (m_offset < m_text.size() && isBlank(m_text[m_offset]))

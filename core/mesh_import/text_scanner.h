@@ -21,6 +21,8 @@ public:
     std::string_view nextWordInLine();
     /// Moves to the start of the next line.
     void skipLine();
+    /// Moves to the first word of a line that has one, over empty lines and the rest of this one where it is empty.
+    void skipBlankLines();
     /// The rest of the line without blanks at its ends; moves to the start of the next line.
     std::string_view restOfLine();
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/mesh_import/mesh_import.h"
+#include "core/mesh_import/note_text.h"
 #include "model_files.h"
 
 #include <QTest>
 
+#include <QByteArrayList>
 #include <QTemporaryDir>
 
 #include <glm/geometric.hpp>
@@ -34,6 +36,15 @@ public:
 private:
     QTemporaryDir m_folder;
 };
+
+/// The model's notes as commands print them.
+inline QByteArray notesOf(const unprojector::scene::Model &model)
+{
+    QByteArrayList texts;
+    for (const unprojector::scene::ModelNote &note : model.notes)
+        texts.append(QByteArray::fromStdString(unprojector::mesh_import::noteText(note)));
+    return texts.join("; ");
+}
 
 /// The triangles' area in object space.
 inline double areaOf(const unprojector::scene::Mesh &mesh)
@@ -93,4 +104,19 @@ inline bool hasSurveyDetail(const unprojector::scene::Mesh &mesh, double toleran
 
 } // namespace model_files
 
+Q_DECLARE_METATYPE(unprojector::mesh_import::ImportErrorCode)
+
 #define REQUIRE_MODEL(result) QVERIFY2((result).hasValue(), (result).hasValue() ? "" : (result).error().detail.c_str())
+
+/// That a file is refused as it should be.
+/// @param detail  a part of the message; the vertex where the code is NotFinite
+#define VERIFY_REFUSED(result, expectedCode, detail_)                                                                  \
+    do {                                                                                                               \
+        QVERIFY(!(result).hasValue());                                                                                 \
+        QCOMPARE(int((result).error().code), int(expectedCode));                                                       \
+        if ((expectedCode) == ImportErrorCode::NotFinite)                                                              \
+            QCOMPARE((result).error().index, std::size_t((detail_).toULongLong()));                                    \
+        else                                                                                                           \
+            QVERIFY2(QString::fromStdString((result).error().detail).contains(detail_),                                \
+                     (result).error().detail.c_str());                                                                 \
+    } while (false)

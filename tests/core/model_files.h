@@ -35,6 +35,10 @@ inline QByteArray little(float value)
 {
     return little(std::bit_cast<quint32>(value));
 }
+inline QByteArray little(double value)
+{
+    return little(std::bit_cast<quint64>(value));
+}
 
 inline QByteArray big(quint32 value)
 {
@@ -44,6 +48,12 @@ inline QByteArray big(quint32 value)
 inline QByteArray big(float value)
 {
     return big(std::bit_cast<quint32>(value));
+}
+
+inline QByteArray big(double value)
+{
+    const quint64 bits = qToBigEndian(std::bit_cast<quint64>(value));
+    return bytesOf(&bits, sizeof bits);
 }
 
 inline QByteArray corner(int i, char separator = ' ')

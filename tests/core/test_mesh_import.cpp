@@ -13,8 +13,6 @@
 #include <utility>
 #include <vector>
 
-Q_DECLARE_METATYPE(unprojector::mesh_import::ImportErrorCode)
-
 using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::mesh_import;
@@ -308,33 +306,6 @@ void TestMeshImport::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("empty") << "bad.obj" << QByteArray() << EmptyFile << "";
     QTest::newRow("unknown-suffix") << "bad.txt" << objBox() << UnknownFormat << "txt";
     QTest::newRow("no-suffix") << "bad" << objBox() << UnknownFormat << "";
-    QTest::newRow("stl-binary-truncated")
-        << "bad.stl" << stlBinary().chopped(51) << Malformed << "declares 12 triangles, the file ends after 10";
-    QTest::newRow("stl-four-billion") << "bad.stl" << stlBinary(0xffffffff) << Malformed << "declares 4294967295";
-    QTest::newRow("stl-no-triangles") << "bad.stl" << QByteArray(84, '\0') << NoTriangles << "";
-    QTest::newRow("stl-ascii-truncated") << "bad.stl" << stlText().left(900) << Malformed << "line";
-    QTest::newRow("stl-ascii-no-end") << "bad.stl" << stlText().chopped(13) << Malformed << "endsolid";
-    QTest::newRow("stl-ascii-nan") << "bad.stl" << stlText().replace("vertex 2 1 2", "vertex nan 1 2") << NotFinite
-                                   << "";
-    QTest::newRow("stl-infinity") << "bad.stl" << stlBinary(-1, 0, INFINITY) << NotFinite << "0";
-    QTest::newRow("stl-garbage") << "bad.stl" << QByteArray("garbage") << Malformed << "";
-    QTest::newRow("ply-ascii-truncated") << "bad.ply" << plyText().chopped(5) << Malformed << "ends within face 5 of 6";
-    QTest::newRow("ply-binary-truncated")
-        << "bad.ply" << plyLittle().chopped(1) << Malformed << "ends within face 5 of 6";
-    QTest::newRow("ply-four-billion") << "bad.ply" << plyText().replace("vertex 8", "vertex 4294967295") << Malformed
-                                      << "4294967295";
-    QTest::newRow("ply-index-too-large") << "bad.ply" << plyText().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed
-                                         << "face 5 refers to vertex 8";
-    QTest::newRow("ply-nan") << "bad.ply" << plyText().replace("\n2 1 2\n", "\n2 nan 2\n") << NotFinite << "6";
-    QTest::newRow("ply-word") << "bad.ply" << plyText().replace("\n2 1 2\n", "\n2 oops 2\n") << Malformed
-                              << "line 16: \"oops\"";
-    QTest::newRow("ply-no-end-of-header")
-        << "bad.ply" << QByteArray("ply\nformat ascii 1.0\n") << Malformed << "end_header";
-    QTest::newRow("off-index-too-large") << "bad.off" << offBox().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed
-                                         << "face 5 refers to vertex 8";
-    QTest::newRow("off-truncated") << "bad.off" << offBox().chopped(4) << Malformed << "too short";
-    QTest::newRow("off-nan") << "bad.off" << offBox().replace("\n2 1 2\n", "\n2 inf 2\n") << NotFinite << "6";
-    QTest::newRow("off-garbage") << "bad.off" << QByteArray("garbage") << Malformed << "OFF";
     QTest::newRow("gltf-truncated") << "bad.gltf" << gltfBox().chopped(9) << Malformed << "JSON";
     QTest::newRow("gltf-buffer-missing") << "bad.gltf" << gltfJson("nowhere.bin") << Malformed << "nowhere.bin";
     QTest::newRow("gltf-accessor-too-long")

@@ -1,0 +1,144 @@
+#include "core/mesh_import/ply_body.h"
+
+#include <bit>
+#include <optional>
+
+namespace unprojector::mesh_import::mesh_reader {
+
+namespace {
+
+constexpr std::size_t kElementsBetweenReports = 1 << 14;
+
+} // namespace
+
+double plyValue(const std::uint8_t *bytes, PlyType type, PlyFormat format)
+{
+    const std::size_t count = byteCount(type);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t shift = format == PlyFormat::LittleEndian ? i : count - 1 - i;
+        bits |= std::uint64_t{bytes[i]} << (8 * shift);
+    }
+    switch (type) {
+    case PlyType::Int8: return static_cast<std::int8_t>(bits);
+    case PlyType::Int16: return static_cast<std::int16_t>(bits);
+    case PlyType::Int32: return static_cast<std::int32_t>(bits);
+    case PlyType::Uint8:
+    case PlyType::Uint16:
+    case PlyType::Uint32: return static_cast<double>(bits);
+    case PlyType::Float32: return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    case PlyType::Float64: return std::bit_cast<double>(bits);
+    }
+    return 0.0;
+}
+
+PlyBody::PlyBody(const Source &source, const PlyHeader &header)
+    : m_source(source), m_format(header.format), m_bytes(source.bytes), m_at(header.bodyOffset),
+      m_scanner(source.text(), header.bodyOffset, header.bodyLine)
+{
+}
+
+void PlyBody::failTruncated() const
+{
+    failMalformed("the file ends within " + where() + " of " + std::to_string(m_element->count));
+}
+
+void PlyBody::failAtLine(const std::string &what) const
+{
+    failMalformed("line " + std::to_string(m_scanner.line()) + ": " + what);
+}
+
+void PlyBody::beginElement(const PlyElement &element, std::size_t number)
+{
+    m_element = &element;
+    m_number = number;
+    if (number % kElementsBetweenReports == 0)
+        m_source.progress.report(static_cast<double>(offset()) / static_cast<double>(m_bytes.size()));
+    if (m_format == PlyFormat::Ascii)
+        m_scanner.skipBlankLines();
+}
+
+void PlyBody::endElement()
+{
+    if (m_format != PlyFormat::Ascii)
+        return;
+    if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
+        failAtLine(quoted(word) + " follows all that the header declares for " + where());
+}
+
+double PlyBody::value(PlyType type)
+{
+    if (m_format == PlyFormat::Ascii)
+        return asciiValue(type);
+    return plyValue(take(byteCount(type)), type, m_format);
+}
+
+const std::uint8_t *PlyBody::take(std::size_t size)
+{
+    if (m_bytes.size() - m_at < size)
+        failTruncated();
+    const std::uint8_t *begin = m_bytes.data() + m_at;
+    m_at += size;
+    return begin;
+}
+
+double PlyBody::asciiValue(PlyType type)
+{
+    const std::string_view word = m_scanner.nextWordInLine();
+    if (word.empty()) {
+        if (m_scanner.isAtEnd())
+            failTruncated();
+        failAtLine("the line ends before all that the header declares for " + where());
+    }
+    if (!isFloating(type)) {
+        if (const std::optional<long long> integer = integerFromWord(word))
+            return static_cast<double>(*integer);
+    }
+    const std::optional<double> number = doubleFromWord(word);
+    if (!number)
+        failAtLine(quoted(word) + " is no number");
+    return *number;
+}
+
+std::size_t PlyBody::listLength(const PlyProperty &list)
+{
+    const double length = value(list.countType);
+    const std::size_t bytesEach = m_format == PlyFormat::Ascii ? 2 : byteCount(list.type);
+    if (!(length >= 0.0))
+        failMalformed(where() + " has a list of negative length");
+    if (length > static_cast<double>((bytesLeft() + 1) / bytesEach))
+        failTruncated();
+    return static_cast<std::size_t>(length);
+}
+
+void PlyBody::skip(const PlyProperty &property)
+{
+    const std::size_t count = property.isList ? listLength(property) : 1;
+    for (std::size_t i = 0; i < count; ++i)
+        value(property.type);
+}
+
+void PlyBody::skipAll(const PlyElement &element)
+{
+    // What has no properties is not in the file.
+    for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+        beginElement(element, i);
+        for (const PlyProperty &property : element.properties)
+            skip(property);
+        endElement();
+    }
+}
+
+std::size_t PlyBody::end()
+{
+    if (m_format == PlyFormat::Ascii) {
+        m_scanner.skipBlankLines();
+        if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
+            failAtLine(quoted(word)
+                       + " follows all elements that the header declares; correct their numbers in the header");
+        return 0;
+    }
+    return bytesThatMean(m_bytes.subspan(m_at));
+}
+
+} // namespace unprojector::mesh_import::mesh_reader

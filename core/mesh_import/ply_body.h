@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/mesh_import/mesh_reader.h"
+#include "core/mesh_import/ply_header.h"
+#include "core/mesh_import/text_scanner.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace unprojector::mesh_import::mesh_reader {
+
+/// A value as it lies in a binary file.
+double plyValue(const std::uint8_t *bytes, PlyType type, PlyFormat format);
+
+/// Reads the values after a PLY header one by one. Every function throws Failure (Malformed) where the file ends, or holds
+/// something else.
+class PlyBody {
+public:
+    PlyBody(const Source &source, const PlyHeader &header);
+
+    /// Before an element's values; in text it begins a line.
+    void beginElement(const PlyElement &element, std::size_t number);
+    double value(PlyType type);
+    /// A list's length, checked against what is left of the file.
+    std::size_t listLength(const PlyProperty &list);
+    void skip(const PlyProperty &property);
+    /// After an element's values; in text its line ends with them.
+    void endElement();
+    /// Skips all of an element's instances.
+    void skipAll(const PlyElement &element);
+    /// After the last element. In text only blanks may follow.
+    /// @return the bytes that follow in a binary file, 0 where they are blank
+    std::size_t end();
+
+    /// Where the next values of a binary file are.
+    const std::uint8_t *next() const { return m_bytes.data() + m_at; }
+    /// The same, and moves on.
+    const std::uint8_t *take(std::size_t size);
+    std::size_t bytesLeft() const { return m_bytes.size() - offset(); }
+
+private:
+    std::size_t offset() const { return m_format == PlyFormat::Ascii ? m_scanner.offset() : m_at; }
+    std::string where() const { return m_element->name + ' ' + std::to_string(m_number); }
+    [[noreturn]] void failTruncated() const;
+    [[noreturn]] void failAtLine(const std::string &what) const;
+    double asciiValue(PlyType type);
+
+    const Source &m_source;
+    PlyFormat m_format;
+    std::span<const std::uint8_t> m_bytes;
+    std::size_t m_at;
+    TextScanner m_scanner;
+    const PlyElement *m_element = nullptr;
+    std::size_t m_number = 0;
+};
+
+} // namespace unprojector::mesh_import::mesh_reader
