@@ -1,5 +1,6 @@
 #include "core/geometry/projection.h"
 
+#include "core/geometry/angle.h"
 #include "core/geometry/finite.h"
 
 #include <algorithm>
@@ -7,6 +8,9 @@
 
 namespace unprojector::geometry {
 namespace {
+
+/// Of both angles of an oblique projection that another kind turns into.
+constexpr double kFirstShearRadians = kPi / 4.0;
 
 Check checkWindow(const ProjectionWindow &w)
 {
@@ -214,8 +218,13 @@ Projection converted(const Projection &projection, ProjectionKind kind, double d
     }
     if (kind == ProjectionKind::Ortho)
         return box;
-    if (kind == ProjectionKind::Oblique)
-        return Oblique{box};
+    if (kind == ProjectionKind::Oblique) {
+        // A shear that is to be seen; 45 degrees moves a point by as much as it lies deep.
+        const double shift = cotangent(kFirstShearRadians) * distance;
+        box = {box.left - shift, box.right - shift, box.bottom - shift,
+               box.top - shift,  box.nearDistance,  box.farDistance};
+        return Oblique{box, kFirstShearRadians, kFirstShearRadians};
+    }
 
     Frustum frustum{w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance};
     if (!wasPerspective) {

@@ -72,7 +72,8 @@ ProjectionKind kindOf(const Projection &projection);
 
 /// The projection of another kind whose picture is as close as it can be: a frustum and a perspective exchange exactly
 /// (an off-centre frustum is centred, with its height); between frustum and box, and where a shear is dropped, what lies
-/// at `distance` in front of the eye keeps its place. The angles of a new oblique are 90 degrees: no shear.
+/// at `distance` in front of the eye keeps its place. The angles of a new oblique are 45 degrees, so that
+/// the shear is seen.
 /// @param distance  > 0, eye units
 /// @pre the projection is valid
 Projection converted(const Projection &projection, ProjectionKind kind, double distance);

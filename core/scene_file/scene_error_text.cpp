@@ -58,7 +58,7 @@ std::string causeText(const Error &error)
     case ErrorCode::BottomEqualsTop: return value + " must differ from top";
     case ErrorCode::FieldOfViewOutOfRange:
     case ErrorCode::ShearAngleOutOfRange:
-        return shortestText(degreesFromRadians(error.value)) + " must lie between 0 and 180 degrees";
+        return shortestText(degreesFromRadians(error.value)) + " must lie between 0 and 180 degrees, both excluded";
     case ErrorCode::AspectNotPositive:
     case ErrorCode::PixelRatioNotPositive: return value + " must be greater than 0";
     case ErrorCode::EyeEqualsCenter: return "must be another point than the eye";

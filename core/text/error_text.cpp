@@ -19,11 +19,11 @@ std::string errorText(const Error &error)
     case ErrorCode::BottomEqualsTop: return "bottom and top are both " + value + "; they must differ";
     case ErrorCode::FieldOfViewOutOfRange:
         return "the vertical field of view is " + shortestText(degreesFromRadians(error.value))
-               + " degrees; it must lie between 0 and 180";
+               + " degrees; it must lie between 0 and 180, both excluded";
     case ErrorCode::AspectNotPositive: return "the aspect is " + value + "; it must be greater than 0";
     case ErrorCode::ShearAngleOutOfRange:
         return "the angle is " + shortestText(degreesFromRadians(error.value))
-               + " degrees; it must lie between 0 and 180";
+               + " degrees; it must lie between 0 and 180, both excluded";
     case ErrorCode::EyeEqualsCenter: return "eye and center are the same point; move one of them";
     case ErrorCode::UpIsZero: return "up is (0, 0, 0); give it a length";
     case ErrorCode::UpParallelToView: return "up points along the view direction; choose another one";

@@ -60,7 +60,7 @@ private:
 
     void skipBlanks()
     {
-        while (next() == ' ' || next() == '\t')
+        while (next() == ' ' || next() == '\t' || next() == '\n' || next() == '\r') // pasted with its line end
             ++m_at;
     }
 

@@ -272,7 +272,7 @@ void TestSceneInput::brokenFiles_data()
     row("near 0", QByteArray(kPerspectiveScene).replace("\"near\": 1", "\"near\": 0"),
         ": projection.near: 0 must be greater than 0\n");
     row("an angle of 200.1 degrees", changed("45", "200.1"),
-        ": projection.theta: 200.1 must lie between 0 and 180 degrees\n");
+        ": projection.theta: 200.1 must lie between 0 and 180 degrees, both excluded\n");
     row("comment", "// a scene\n" + kScene, ":1:1: ");
     row("comma at the end", changed("[0, 1],", "[0, 1,],"), ":4:");
     row("two scenes", kScene + kScene, ":8:31: ");

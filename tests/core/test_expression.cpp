@@ -46,6 +46,8 @@ void TestExpression::theValueIsComputed_data()
     QTest::newRow("positive-exponent") << "1e+3" << 1000.0;
     QTest::newRow("smallest") << "5e-324" << 5e-324;
     QTest::newRow("blanks") << "  7 " << 7.0;
+    QTest::newRow("with-its-line-end") << "7\n" << 7.0;
+    QTest::newRow("with-its-line-end-crlf") << " 7\r\n" << 7.0;
     QTest::newRow("blanks-between") << " 1 / 4 " << 0.25;
     QTest::newRow("plus-sign") << "+3" << 3.0;
     QTest::newRow("two-signs") << "--3" << 3.0;

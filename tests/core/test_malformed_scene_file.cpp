@@ -102,13 +102,13 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
         ": projection.near: 100 must be smaller than far (100)");
     row("left equals right", changed("\"left\": -1", "\"left\": 1"), ": projection.left: 1 must differ from right");
     row("fovy 180", withProjection(R"({"type": "perspective", "fovy": 180, "near": 1, "far": 9})"),
-        ": projection.fovy: 180 must lie between 0 and 180 degrees");
+        ": projection.fovy: 180 must lie between 0 and 180 degrees, both excluded");
     row("aspect negative", withProjection(R"({"type": "perspective", "fovy": 18, "aspect": -1, "near": 1, "far": 9})"),
         ": projection.aspect: -1 must be greater than 0");
     row("phi 0",
         withProjection(
             R"({"type": "oblique", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "theta": 45, "phi": 0})"),
-        ": projection.phi: 0 must lie between 0 and 180 degrees");
+        ": projection.phi: 0 must lie between 0 and 180 degrees, both excluded");
     row("matrix of 15", withProjection(R"({"type": "matrix", "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0]})"),
         ": projection.matrix: has 15 elements; it must have 16");
     row("matrix in rows", withProjection(R"({"type": "matrix", "matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})"),

@@ -33,6 +33,7 @@ private slots:
     void aDragIsOneStep();
     void keysOnASliderAreOneStep();
     void nearAndFarDoNotPassEachOtherBySlider();
+    void nearOfABoxGoesBelowZeroBySlider();
     void aSliderShowsTheNumber();
     void theWheelOnlyScrollsPastASlider();
     void theKeyboardStaysWhereItIsAfterAClick_data();
@@ -227,6 +228,31 @@ void TestParametersColumn::nearAndFarDoNotPassEachOtherBySlider()
     type(QStringLiteral("nearDistance"), QStringLiteral("50"));
     farSlider->setValue(farSlider->minimum());
     QVERIFY(frustumOf(scene()).farDistance > 50.0 && frustumOf(scene()).farDistance < 60.0);
+}
+
+/// A box may begin behind the eye.
+void TestParametersColumn::nearOfABoxGoesBelowZeroBySlider()
+{
+    Scene prepared = startScene();
+    box(prepared);
+    open(prepared);
+    NumberSlider *nearSlider = slider(QStringLiteral("Near"));
+    const auto nearDistance = [this] { return projectionWindow(scene().projection).nearDistance; };
+    nearSlider->setValue(nearSlider->minimum());
+    QVERIFY(nearDistance() <= -10.0);
+    type(QStringLiteral("nearDistance"), QStringLiteral("-10"));
+    const int atTen = nearSlider->value();
+    QVERIFY(atTen > nearSlider->minimum() || nearDistance() == -10.0);
+    QTest::keyClick(nearSlider, Qt::Key_Right);
+    QVERIFY(nearDistance() > -10.0 && nearDistance() < -9.0);
+    NumberSlider *farSlider = slider(QStringLiteral("Far"));
+    farSlider->setValue(farSlider->minimum());
+    QVERIFY(projectionWindow(scene().projection).farDistance > nearDistance());
+    QVERIFY(projectionWindow(scene().projection).farDistance < 0.0);
+    // In a perspective it is above zero again.
+    choose(QStringLiteral("projectionKind"), QStringLiteral("Perspective"));
+    nearSlider->setValue(nearSlider->minimum());
+    QVERIFY(nearDistance() > 0.0);
 }
 
 void TestParametersColumn::aSliderShowsTheNumber()

@@ -136,6 +136,8 @@ void TestParametersGroups::onlyTheNumbersOfTheKindAreShown()
     QCOMPARE(shown(), QStringLiteral("aspect farDistance fovy nearDistance"));
     choose(QStringLiteral("projectionKind"), QStringLiteral("Oblique"));
     QCOMPARE(shown(), QStringLiteral("bottom farDistance left nearDistance phi right theta top"));
+    for (const char *angle : {"theta", "phi"}) // a shear that is seen
+        QVERIFY(std::abs(field(QLatin1String(angle))->value() - 45.0) < 1e-12);
 }
 
 void TestParametersGroups::anEditSwitchesOffWhatWouldTakeItBack_data()

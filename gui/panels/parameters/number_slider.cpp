@@ -27,12 +27,13 @@ NumberSlider::NumberSlider(const QString &name, const QString &help, Scale scale
     connect(this, &QSlider::valueChanged, this, [this](int position) { emit moved(numberAt(position)); });
 }
 
-void NumberSlider::setNumbers(double lowest, double highest)
+void NumberSlider::setNumbers(double lowest, double highest, double step)
 {
     const QSignalBlocker blocker(this);
     m_lowest = lowest;
+    m_step = step;
     setRange(0, m_scale == Scale::Linear
-                    ? static_cast<int>(highest - lowest)
+                    ? static_cast<int>(std::lround((highest - lowest) / step))
                     : static_cast<int>(std::lround(std::log10(highest / lowest) * kStepsOfDecade)));
     setPageStep(10);
 }
@@ -47,8 +48,10 @@ void NumberSlider::setNumber(double number)
 
 double NumberSlider::numberAt(int position) const
 {
-    if (m_scale == Scale::Linear)
-        return m_lowest + position;
+    if (m_scale == Scale::Linear) {
+        const double number = m_lowest + position * m_step;
+        return QString::number(std::abs(number) < 0.5 * m_step ? 0.0 : number, 'g', kDigits + 1).toDouble();
+    }
     const double number = m_lowest * std::pow(10.0, static_cast<double>(position) / kStepsOfDecade);
     return QString::number(number, 'g', kDigits).toDouble();
 }
@@ -58,7 +61,7 @@ int NumberSlider::positionOf(double number) const
     if (m_scale == Scale::Logarithmic && number <= m_lowest)
         return minimum();
     const double position =
-        m_scale == Scale::Linear ? number - m_lowest : std::log10(number / m_lowest) * kStepsOfDecade;
+        m_scale == Scale::Linear ? (number - m_lowest) / m_step : std::log10(number / m_lowest) * kStepsOfDecade;
     return static_cast<int>(std::lround(std::clamp(position, 0.0, static_cast<double>(maximum()))));
 }
 

@@ -4,15 +4,18 @@
 
 namespace unprojector::gui {
 
-/// A slider for a double, to try numbers with: evenly spaced whole numbers, or so many steps in each power of ten.
+/// A slider for a double, to try numbers with: evenly spaced ones, or so many steps in each power of ten.
 class NumberSlider : public QSlider {
     Q_OBJECT
 public:
     enum class Scale { Linear, Logarithmic };
     NumberSlider(const QString &name, const QString &help, Scale scale, QWidget *parent = nullptr);
 
+    /// @param step  between two numbers where they are evenly spaced
     /// @pre lowest < highest; both above 0 where it is logarithmic
-    void setNumbers(double lowest, double highest);
+    void setNumbers(double lowest, double highest, double step = 1.0);
+    /// To be followed by setNumbers.
+    void setScale(Scale scale) { m_scale = scale; }
     /// Shows a number, at an end where it lies beyond. Not while the slider is held.
     void setNumber(double number);
     /// Each drag has a number of its own, and so have the keys in between: it is undone as one.
@@ -32,6 +35,7 @@ private:
 
     Scale m_scale;
     double m_lowest = 0.0;
+    double m_step = 1.0;
     quint64 m_session = 0;
 };
 

@@ -23,9 +23,9 @@ ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("projectionKind"));
     m_kind->setAccessibleName(tr("Kind of projection"));
-    m_kind->setToolTip(
-        tr("Another kind shows the same picture as nearly as it can: what lies at the picked point's distance, "
-           "else at the center's, keeps its place"));
+    m_kind->setToolTip(tr(
+        "Another kind shows the same picture as nearly as it can: what lies at the center's distance keeps its place "
+        "and its size"));
     m_kind->addItem(tr("Frustum (glFrustum)"), static_cast<int>(ProjectionKind::Frustum));
     m_kind->addItem(tr("Perspective (gluPerspective)"), static_cast<int>(ProjectionKind::Perspective));
     m_kind->addItem(tr("Orthographic (glOrtho)"), static_cast<int>(ProjectionKind::Ortho));
@@ -51,10 +51,14 @@ ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
                  "perspective"));
     addNumber(Number::Far, tr("Far"), QStringLiteral("farDistance"),
               tr("Distance of the far plane in front of the eye, eye units; greater than near"));
-    addNumber(Number::Theta, tr("θ"), QStringLiteral("theta"),
-              tr("Angle of the shear in x, degrees between 0 and 180: x grows by cot θ · z. 90 is no shear"));
-    addNumber(Number::Phi, tr("φ"), QStringLiteral("phi"),
-              tr("Angle of the shear in y, degrees between 0 and 180: y grows by cot φ · z. 90 is no shear"));
+    addNumber(
+        Number::Theta, tr("θ"), QStringLiteral("theta"),
+        tr("Angle of the shear in x, degrees, more than 0 and less than 180: x grows by cot θ · z. 45 moves a point as "
+           "far to the side as it lies deep, 90 is no shear"));
+    addNumber(
+        Number::Phi, tr("φ"), QStringLiteral("phi"),
+        tr("Angle of the shear in y, degrees, more than 0 and less than 180: y grows by cot φ · z. 45 moves a point as "
+           "far down as it lies deep, 90 is no shear"));
 
     m_followsViewport = new QCheckBox;
     m_followsViewport->setObjectName(QStringLiteral("followsViewport"));
@@ -171,7 +175,7 @@ QString ProjectionGroup::unitOf(Number number)
 NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)
 {
     using Scale = NumberSlider::Scale;
-    constexpr double kApart = 1.01; // what a slider leaves between near and far
+    constexpr double kApart = 0.01; // of one of them, what a slider leaves between near and far
     switch (number) {
     case Number::Fovy: {
         NumberSlider *slider = addSlider(row, Scale::Linear, [](const Scene &, double fovy) { return fovy; });
@@ -181,11 +185,12 @@ NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)
     case Number::Near:
         return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
             const double farDistance = projectionWindow(scene.projection).farDistance;
-            return farDistance > 0.0 ? std::min(distance, farDistance / kApart) : distance;
+            return std::min(distance, farDistance - kApart * std::abs(farDistance));
         });
     case Number::Far:
         return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
-            return std::max(distance, projectionWindow(scene.projection).nearDistance * kApart);
+            const double nearDistance = projectionWindow(scene.projection).nearDistance;
+            return std::max(distance, nearDistance + kApart * std::abs(nearDistance));
         });
     case Number::Left:
     case Number::Right:
@@ -204,13 +209,19 @@ void ProjectionGroup::rangeSliders()
     const Box &bounds = document().bounds();
     const double size = bounds.diagonal();
     const double unit = size > 0.0 && std::isfinite(size) ? std::pow(10.0, std::round(std::log10(size))) : 1.0;
-    if (std::exchange(m_sliderUnit, unit) == unit)
+    const bool isBox = !isPerspective(document().scene().projection);
+    const bool isSameUnit = std::exchange(m_sliderUnit, unit) == unit;
+    if (std::exchange(m_areBoxSliders, isBox) == isBox && isSameUnit)
         return;
     for (const Row &row : m_rows) {
-        if (row.number == Number::Near)
-            row.slider->setNumbers(1e-3 * unit, 10.0 * unit);
-        else if (row.number == Number::Far)
-            row.slider->setNumbers(0.1 * unit, 1000.0 * unit);
+        if (row.number != Number::Near && row.number != Number::Far)
+            continue;
+        const bool isNear = row.number == Number::Near;
+        row.slider->setScale(isBox ? NumberSlider::Scale::Linear : NumberSlider::Scale::Logarithmic);
+        if (isBox) // which may begin, and even end, behind the eye
+            row.slider->setNumbers(-10.0 * unit, (isNear ? 10.0 : 30.0) * unit, 0.05 * unit);
+        else
+            row.slider->setNumbers((isNear ? 1e-3 : 0.1) * unit, (isNear ? 10.0 : 1000.0) * unit);
     }
 }
 
@@ -220,7 +231,7 @@ void ProjectionGroup::choose(ProjectionKind kind)
     if (kindOf(next.projection) == kind)
         return;
     restoreFields(); // a refused number of one kind means nothing to another
-    next.projection = converted(next.projection, kind, document().pivotDistance());
+    next.projection = converted(next.projection, kind, document().centerDistance());
     change(next, m_kind->currentText());
 }
 

@@ -39,6 +39,7 @@ private:
     QComboBox *m_kind;
     std::vector<Row> m_rows;
     double m_sliderUnit = 0.0;
+    bool m_areBoxSliders = false; ///< whose near and far may be anything
     QCheckBox *m_followsViewport;
     QCheckBox *m_fitsObjects;
     std::optional<ProjectionKind> m_shownKind;
