@@ -23,14 +23,15 @@ struct CommandLine {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
-/// "1280x800"
-std::optional<QSize> parsedSize(const QString &text)
+constexpr QSize kLeastSize(200, 150), kMostSize(16384, 16384);
+
+/// "1280x800", with any of x, X and ×
+std::optional<QSize> parsedSize(QString text)
 {
-    const QStringList parts = text.split(u'x');
+    const QStringList parts = text.replace(u'×', u'x').split(u'x', Qt::KeepEmptyParts, Qt::CaseInsensitive);
     bool isWidth = false, isHeight = false;
     const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(&isWidth), parts[1].toInt(&isHeight)) : QSize();
-    const bool isSensible = isWidth && isHeight && size.width() >= 200 && size.height() >= 150 && size.width() <= 16384
-                            && size.height() <= 16384;
+    const bool isSensible = isWidth && isHeight && size == size.expandedTo(kLeastSize).boundedTo(kMostSize);
     return isSensible ? std::optional(size) : std::nullopt;
 }
 
@@ -145,7 +146,12 @@ int main(int argc, char **argv)
 #endif
     const auto sizeError = [](const QString &option, const QString &value) {
         return usageError(
-            CommandLine::tr("--%1 is %2; give width x height in pixels, such as 1280x800.").arg(option, value));
+            CommandLine::tr("--%1 is %2; give width x height in pixels, such as 1280x800, from %3x%4 to %5x%6.")
+                .arg(option, value)
+                .arg(kLeastSize.width())
+                .arg(kLeastSize.height())
+                .arg(kMostSize.width())
+                .arg(kMostSize.height()));
     };
     const std::optional<QSize> windowSize = parsedSize(parser.value(size));
     if (!windowSize)

@@ -15,6 +15,13 @@ NameFault faultOf(const std::string &name, std::size_t place, const std::vector<
     return NameFault::None;
 }
 
+QString shownName(const std::string &name)
+{
+    constexpr qsizetype kMost = 200;
+    const QString shown = QString::fromStdString(name).simplified();
+    return shown.size() > kMost ? shown.left(kMost) + u'…' : shown;
+}
+
 std::string freeName(const std::string &name, const std::vector<SceneObject> &objects)
 {
     std::string free = name;

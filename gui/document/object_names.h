@@ -2,6 +2,8 @@
 
 #include "core/scene/scene.h"
 
+#include <QString>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,6 +18,9 @@ enum class NameFault { None, Empty, Taken };
 
 /// @param place  of the object that is to have the name
 NameFault faultOf(const std::string &name, std::size_t place, const std::vector<SceneObject> &objects);
+
+/// As a line of the window has it: one line, and not as long as a file may make it.
+QString shownName(const std::string &name);
 
 /// The name, or the name with the first number behind it that makes it another one than those of the objects: "cube (2)".
 std::string freeName(const std::string &name, const std::vector<SceneObject> &objects);

@@ -58,11 +58,13 @@ int ObjectsModel::columnCount(const QModelIndex &parent) const
 QString ObjectsModel::toolTip(const SceneObject &object) const
 {
     const QString file = QString::fromStdU16String(object.file.u16string());
-    QStringList lines{QString::fromStdString(object.name)};
+    QStringList lines{shownName(object.name)};
     lines << (file.isEmpty() ? tr("comes with the program") : QDir::toNativeSeparators(file));
     if (object.isHidden)
         lines << tr("hidden: neither drawn nor clicked");
-    return lines.join(u'\n');
+    // A name may look like a page of HTML: it is shown as it is written.
+    return QStringLiteral("<p style='white-space:pre-wrap'>%1</p>")
+        .arg(lines.join(u'\n').toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
 }
 
 QVariant ObjectsModel::data(const QModelIndex &index, int role) const
@@ -74,7 +76,7 @@ QVariant ObjectsModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         if (index.column() == Triangles)
             return QLocale().toString(static_cast<qulonglong>(object.model->triangleCount()));
-        return QString::fromStdString(object.name);
+        return shownName(object.name);
     case Qt::EditRole:
         return index.column() == Name ? QVariant(QString::fromStdString(object.name))
                                       : QVariant(static_cast<qulonglong>(object.model->triangleCount()));

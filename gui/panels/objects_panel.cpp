@@ -3,11 +3,13 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/objects_model.h"
 
+#include <QAbstractItemDelegate>
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
 #include <QTreeView>
@@ -130,6 +132,17 @@ void ObjectsPanel::renameCurrent()
 {
     if (current() >= 0)
         m_list->edit(m_model->index(current(), ObjectsModel::Name));
+}
+
+void ObjectsPanel::applyTyped()
+{
+    auto *editor = m_list->viewport()->findChild<QLineEdit *>();
+    if (!editor)
+        return;
+    // Slots that the list keeps for its own editors.
+    QMetaObject::invokeMethod(m_list, "commitData", Q_ARG(QWidget *, editor));
+    QMetaObject::invokeMethod(m_list, "closeEditor", Q_ARG(QWidget *, editor),
+                              Q_ARG(QAbstractItemDelegate::EndEditHint, QAbstractItemDelegate::NoHint));
 }
 
 void ObjectsPanel::showMenu(const QPoint &place)

@@ -17,6 +17,9 @@ class ObjectsPanel : public QWidget {
 public:
     explicit ObjectsPanel(SceneDocument &document, QWidget *parent = nullptr);
 
+    /// The name that is being typed counts, as if Enter were pressed.
+    void applyTyped();
+
     QSize minimumSizeHint() const override;
 
 protected:

@@ -14,7 +14,9 @@ inline std::string print(std::string_view text)
 {
     errno = 0;
     const bool isWritten = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-    return isWritten ? std::string() : std::generic_category().message(errno);
+    if (isWritten)
+        return {};
+    return errno == EBADF || errno == EINVAL ? "it is closed" : std::generic_category().message(errno);
 }
 
 } // namespace unprojector::gui

@@ -142,7 +142,12 @@ bool ObserverView::event(QEvent *event)
         event->accept();
         return true;
     }
-    return QOpenGLWidget::event(event);
+    const bool isHandled = QOpenGLWidget::event(event);
+    // Shown in another place of the window it has got a new, empty framebuffer, and Qt paints what lies over the window's
+    // own picture only when it is asked to.
+    if (event->type() == QEvent::Show)
+        update();
+    return isHandled;
 }
 
 void ObserverView::mousePressEvent(QMouseEvent *event)

@@ -138,7 +138,12 @@ void SceneView::keyPressEvent(QKeyEvent *event)
         update();
         return;
     case KeyDeed::Kind::Zoom: zoomAt(position, deed->notches, QStringLiteral("zoom by keys")); return;
-    case KeyDeed::Kind::Pick: onLButtonDown(position); return;
+    case KeyDeed::Kind::Pick:
+        onLButtonDown(position);
+        // Told like what is under the mouse: the panel with the numbers may be behind another.
+        m_hovered = position;
+        requestHover();
+        return;
     }
 }
 

@@ -47,12 +47,16 @@ void SceneView::showMenu(const WidgetPoint &position, const QPoint &global)
             putCrosshair(position);
             onLButtonDown(position);
         });
-    const std::optional<Pick> &pick = m_document.pick();
-    const bool hasPoint = pick && pick->hit() && pick->point.world[Method::Formula];
-    add("copyPoint", tr("Copy Point"), {},
-        hasPoint ? tr("Copy the picked world coordinate, all its digits") : tr("Nothing is picked yet"), hasPoint,
-        [this] {
-            const WorldPoint &point = *m_document.pick()->point.world[Method::Formula];
+    add("copyPoint", tr("Pick and Copy Point"), {},
+        surface ? tr("Read the world coordinate of this pixel and copy it, all its digits")
+                : tr("Background: no surface here"),
+        surface.has_value(), [this, position] {
+            putCrosshair(position);
+            onLButtonDown(position);
+            const std::optional<Pick> &pick = m_document.pick();
+            if (!pick || !pick->hit() || !pick->point.world[Method::Formula])
+                return;
+            const WorldPoint &point = *pick->point.world[Method::Formula];
             QGuiApplication::clipboard()->setText(
                 QStringLiteral("%1, %2, %3").arg(shortestText(point.x), shortestText(point.y), shortestText(point.z)));
         });

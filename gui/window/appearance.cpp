@@ -1,9 +1,12 @@
 #include "gui/window/appearance.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 
 #include <array>
 #include <utility>
@@ -19,6 +22,30 @@ Appearance &current()
     static Appearance appearance = Appearance::Desktop;
     return appearance;
 }
+
+/// Fusion draws the edge of a check box darker than the window: on a dark one nobody sees it.
+class DarkFusion : public QProxyStyle {
+public:
+    DarkFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
+                       const QWidget *widget) const override
+    {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton)
+            return;
+        painter->save();
+        painter->setPen(option->palette.color(QPalette::PlaceholderText));
+        painter->setBrush(Qt::NoBrush);
+        if (element == PE_IndicatorCheckBox) {
+            painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        } else {
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->drawEllipse(QRectF(option->rect).adjusted(1.0, 1.0, -1.0, -1.0));
+        }
+        painter->restore();
+    }
+};
 
 QPalette paletteOf(const QColor &window, const QColor &base, const QColor &alternate, const QColor &button,
                    const QColor &text, const QColor &link, const QColor &highlight, const QColor &faint)
@@ -73,7 +100,8 @@ void setAppearance(Appearance appearance)
         return;
     }
     // The one style that draws every control in any colours.
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(appearance == Appearance::Dark ? new DarkFusion
+                                                          : QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(
         appearance == Appearance::Dark
             ? paletteOf(QColor(0x2b, 0x2d, 0x30), QColor(0x1f, 0x20, 0x23), QColor(0x26, 0x28, 0x2b),

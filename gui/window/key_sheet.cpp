@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -17,8 +18,15 @@ QString row(const QString &keys, const QString &does)
 
 QString heading(const QString &text)
 {
-    return QStringLiteral("<tr><td colspan='2'><p style='margin-top:10px'><i>%1</i></p></td></tr>")
+    return QStringLiteral("<tr><td colspan='2'><p style='margin-top:16px; margin-bottom:4px'><b>%1</b></p></td></tr>")
         .arg(text.toHtmlEscaped());
+}
+
+/// "&File" is "File", and "文件(&F)" is "文件".
+QString withoutMnemonic(QString title)
+{
+    static const QRegularExpression keyInParentheses(QStringLiteral("\\(&.\\)"));
+    return title.remove(keyInParentheses).remove(u'&');
 }
 
 QString keysOf(const QAction &action)
@@ -83,7 +91,7 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     for (const QAction *action : menus.actions()) {
         const QString keys = rowsOf(*action->menu());
         if (!keys.isEmpty())
-            rows += heading(action->menu()->title().remove(u'&')) + keys;
+            rows += heading(withoutMnemonic(action->menu()->title())) + keys;
     }
     auto *page = new QTextBrowser;
     page->setFrameShape(QFrame::NoFrame);

@@ -12,6 +12,7 @@
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/overlay_bars.h"
+#include "gui/window/picture_note.h"
 #include "gui/window/window_questions.h"
 #include "gui/window/work_places.h"
 
@@ -136,6 +137,9 @@ void MainWindow::createView()
     m_overlays->addStretch();
     m_center->addLayout(m_overlays, 0, 0);
     m_center->addWidget(m_loading, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
+    auto *note = new PictureNote(*m_document, m_viewFrame);
+    m_center->addWidget(note, 0, 0, Qt::AlignCenter);
+    note->raise();
     for (QWidget *bar :
          {static_cast<QWidget *>(m_recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_loading)})
         bar->raise();

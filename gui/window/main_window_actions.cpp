@@ -190,8 +190,9 @@ void MainWindow::createViewMenu(QToolBar &bar)
     m_projectionAction->setCheckable(true);
     onBar(bar, m_projectionAction, Drawing::Perspective);
 
-    m_observerAction = addAction(menu, tr("&View from Outside"), Qt::Key_0,
-                                 tr("Show the camera and its view volume from outside, in a corner of the view"), {});
+    m_observerAction =
+        addAction(menu, tr("&View from Outside"), Qt::Key_0,
+                  tr("Show the camera and its view volume from outside, in a corner of the view or in a panel"), {});
     m_observerAction->setCheckable(true);
     connect(m_observerAction, &QAction::toggled, this, &MainWindow::showObserver);
     onBar(bar, m_observerAction, Drawing::FromOutside);
@@ -275,8 +276,10 @@ void MainWindow::showFirstSteps(bool isShown)
         line->addStretch();
         m_overlays->insertLayout(m_overlays->count() - 1, line); // below the messages
         connect(m_firstSteps, &FirstSteps::closeRequested, this, [this] { showFirstSteps(false); });
-        connect(m_firstSteps, &FirstSteps::exampleRequested, this,
-                [this] { m_session->openExample(examples().front().id); });
+        connect(m_firstSteps, &FirstSteps::exampleRequested, this, [this] {
+            showFirstSteps(false);
+            m_session->openExample(examples().front().id);
+        });
     }
     if (!m_firstSteps)
         return;

@@ -11,6 +11,7 @@
 #include "gui/panels/viewport_inspector.h"
 #include "gui/view/observer_view.h"
 #include "gui/window/example_note.h"
+#include "gui/window/kept_bytes.h"
 #include "gui/window/observer_inset.h"
 #include "gui/window/place_ids.h"
 #include "gui/window/work_places.h"
@@ -31,6 +32,7 @@ namespace {
 
 constexpr char kExample[] = "example";
 constexpr char kObserver[] = "observer";
+constexpr char kGeometryKey[] = "window/geometry", kParametersKey[] = "parameters/state";
 
 /// On a small window the panel scrolls, instead of holding the window open; a bar beside it takes nothing of its width.
 class PanelScroll : public QScrollArea {
@@ -71,14 +73,18 @@ void MainWindow::createPanels()
     m_observerHome->setLayout(new QVBoxLayout);
     m_observerHome->layout()->setContentsMargins(0, 0, 0, 0);
     constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea, kBottom = Qt::BottomDockWidgetArea;
+    auto *objects = new ObjectsPanel(*m_document);
+    connect(m_session, &Session::aboutToSaveOrLeave, objects, &ObjectsPanel::applyTyped);
+    auto *pipeline = new PipelinePanel(*m_document);
+    pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself
     const auto scrolled = [](QWidget *panel) { return new PanelScroll(panel); };
     std::vector<WorkPlaces::Panel> panels = {
         {"comparison", tr("Comparison"), scrolled(m_comparison), kRight, Qt::ALT | Qt::Key_1},
-        {"pipeline", tr("Pipeline"), new PipelinePanel(*m_document), kRight, Qt::ALT | Qt::Key_2},
+        {"pipeline", tr("Pipeline"), scrolled(pipeline), kRight, Qt::ALT | Qt::Key_2},
         {"parameters", tr("Parameters"), m_parameters, kLeft, Qt::ALT | Qt::Key_3},
         {"inspector", tr("Viewport"), scrolled(m_inspector), kBottom, Qt::ALT | Qt::Key_4},
         {"lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle), kBottom, Qt::ALT | Qt::Key_5},
-        {"objects", tr("Objects"), new ObjectsPanel(*m_document), kRight, Qt::ALT | Qt::Key_6},
+        {"objects", tr("Objects"), objects, kRight, Qt::ALT | Qt::Key_6},
         {kObserver, tr("View from Outside"), m_observerHome, kRight, {}, true},
         {kExample, tr("Example"), m_exampleNote, kLeft, {}, true},
     };
@@ -124,8 +130,9 @@ QMenu *MainWindow::createPopupMenu()
 
 void MainWindow::createPlaceActions(QMenu &menu)
 {
+    QMenu *places = menu.addMenu(tr("&Work Place")); // two panels have the names of places
     for (const WorkPlaces::Place &place : m_places->places())
-        menu.addAction(place.action);
+        places->addAction(place.action);
     menu.addSeparator();
     for (const WorkPlaces::Panel &panel : m_places->panels()) {
         if (!panel.standsAlone) // the others have actions of their own
@@ -202,8 +209,9 @@ void MainWindow::restoreLayout()
         return;
     const QSettings settings;
     m_comparison->setShowsFloat(settings.value(QStringLiteral("comparison/showsFloat"), false).toBool());
-    m_parameters->restoreState(settings.value(QStringLiteral("parameters/state")).toByteArray());
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    const auto kept = [&settings](const char *key) { return unsealed(settings.value(QLatin1String(key)), key); };
+    m_parameters->restoreState(kept(kParametersKey));
+    restoreGeometry(kept(kGeometryKey));
     m_places->restore(settings);
     m_insetShare = settings.value(QStringLiteral("observer/share")).toSizeF();
     m_observerAction->setChecked(settings.value(QStringLiteral("observer/isShown"), false).toBool());
@@ -214,8 +222,8 @@ void MainWindow::keepLayout() const
     if (!m_options.remembers)
         return;
     QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("parameters/state"), m_parameters->saveState());
+    settings.setValue(QLatin1String(kGeometryKey), sealed(saveGeometry(), kGeometryKey));
+    settings.setValue(QLatin1String(kParametersKey), sealed(m_parameters->saveState(), kParametersKey));
     settings.setValue(QStringLiteral("comparison/showsFloat"), m_comparison->showsFloat());
     m_places->keep(settings);
     settings.setValue(QStringLiteral("observer/share"), m_inset ? m_inset->share() : m_insetShare);

@@ -1,5 +1,7 @@
 #include "gui/window/work_places.h"
 
+#include "gui/window/kept_bytes.h"
+
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
@@ -27,6 +29,8 @@ constexpr int kHighWindow = 40;
 constexpr int kLeftDigits = 34;
 constexpr int kNoteDigits = 44; // on the left, where only a text is read there
 constexpr int kRightDigits = 54;
+/// Of a panel, pixels: more comes of a damaged file.
+constexpr int kMostKeptSize = 1 << 14;
 constexpr int kBottomLines = 16;
 /// What the panels of both sides, or those above and below, may take of the
 /// window together, and one side at first.
@@ -71,6 +75,10 @@ WorkPlaces::WorkPlaces(QMainWindow &window, std::vector<Panel> panels, std::vect
         connect(panel.dock, &QDockWidget::topLevelChanged, this, &WorkPlaces::settle, Qt::QueuedConnection);
         connect(panel.dock, &QDockWidget::dockLocationChanged, this, &WorkPlaces::settle, Qt::QueuedConnection);
         connect(panel.dock->toggleViewAction(), &QAction::toggled, this, &WorkPlaces::settle, Qt::QueuedConnection);
+        connect(panel.dock->toggleViewAction(), &QAction::triggered, panel.dock, [dock = panel.dock](bool isShown) {
+            if (isShown)
+                dock->raise(); // whoever asks for a panel does not want a tab behind another
+        });
     }
     auto *group = new QActionGroup(this);
     for (Place &place : m_places) {
@@ -333,12 +341,13 @@ void WorkPlaces::setTitleBars()
 bool WorkPlaces::restore(const QSettings &settings)
 {
     for (const Place &place : m_places) {
-        const QByteArray layout = settings.value(settingOf("places", place.id)).toByteArray();
+        const QString key = settingOf("places", place.id);
+        const QByteArray layout = unsealed(settings.value(key), key.toLatin1());
         if (!layout.isEmpty())
             m_layouts[place.id] = layout;
         const QVariantMap sizes = settings.value(settingOf("sizes", place.id)).toMap();
         for (const AreaName &area : kAreaNames) {
-            if (const int size = sizes.value(QLatin1String(area.name)).toInt(); size > 0)
+            if (const int size = sizes.value(QLatin1String(area.name)).toInt(); size > 0 && size < kMostKeptSize)
                 m_wanted[place.id][area.area] = size;
         }
     }
@@ -367,7 +376,8 @@ void WorkPlaces::keep(QSettings &settings)
     leave();
     settings.setValue(QStringLiteral("window/place"), QByteArray(current()));
     for (auto layout = m_layouts.cbegin(); layout != m_layouts.cend(); ++layout)
-        settings.setValue(settingOf("places", layout.key()), *layout);
+        settings.setValue(settingOf("places", layout.key()),
+                          sealed(*layout, settingOf("places", layout.key()).toLatin1()));
     for (auto sizes = m_wanted.cbegin(); sizes != m_wanted.cend(); ++sizes) {
         QVariantMap named;
         for (const AreaName &area : kAreaNames) {

@@ -34,6 +34,8 @@ private slots:
     void initTestCase() { redirectSettings(); }
     void theViewHasMostOfTheWindowAtFirst();
     void eachPlaceShowsItsPanels();
+    void aPanelAskedForComesToTheFront();
+    void aPlaceCanBeMadeNarrow();
     void theViewKeepsItsHalfOfASmallWindow();
     void theViewCanHaveTheWholeWindow();
     void eachPlaceKeepsItsLayoutAndCanBeReset();
@@ -82,6 +84,34 @@ void TestMainWindow::eachPlaceShowsItsPanels()
     actionOf(*window, QStringLiteral("Click"))->trigger();
     QTRY_VERIFY(isSeen(*window, "comparison"));
     QVERIFY(dockOf(*window, "parameters")->isHidden());
+}
+
+void TestMainWindow::aPanelAskedForComesToTheFront()
+{
+    const auto window = windowOfSize({1280, 800});
+    QTRY_VERIFY(isSeen(*window, "comparison"));
+    for (const char *name : {"pipeline", "objects", "comparison"}) {
+        QDockWidget *dock = dockOf(*window, name);
+        if (!dock->isHidden())
+            dock->toggleViewAction()->trigger();
+        QVERIFY(dock->isHidden());
+        dock->toggleViewAction()->trigger();
+        QTRY_VERIFY2(isSeen(*window, name), name);
+    }
+}
+
+void TestMainWindow::aPlaceCanBeMadeNarrow()
+{
+    for (const char *place : {"click", "pipeline"}) {
+        const auto window = windowOfSize({1280, 800});
+        window->places().enter(place);
+        QTest::qWait(50);
+        QVERIFY2(window->minimumSizeHint().width() <= 800 && window->minimumSizeHint().height() <= 600,
+                 qPrintable(QStringLiteral("%1: %2 x %3")
+                                .arg(QLatin1String(place))
+                                .arg(window->minimumSizeHint().width())
+                                .arg(window->minimumSizeHint().height())));
+    }
 }
 
 void TestMainWindow::theViewKeepsItsHalfOfASmallWindow()

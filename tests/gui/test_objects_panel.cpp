@@ -25,6 +25,8 @@ class TestObjectsPanel : public QObject {
 private slots:
     void init();
     void aRowTellsItsObject();
+    void aNameOfAnyKindIsShownAsItIsWritten_data();
+    void aNameOfAnyKindIsShownAsItIsWritten();
     void theCheckBoxHidesAndShows();
     void namesAreEditedInPlace_data();
     void namesAreEditedInPlace();
@@ -114,6 +116,30 @@ void TestObjectsPanel::aRowTellsItsObject()
     QCOMPARE(m_list->model()->rowCount(), 4);
     QVERIFY(at(3).data(Qt::ToolTipRole).toString().contains(QStringLiteral("more.obj")));
     QCOMPARE(at(3).data().toString(), QStringLiteral("more"));
+}
+
+void TestObjectsPanel::aNameOfAnyKindIsShownAsItIsWritten_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("shown");
+    QTest::newRow("HTML") << "<h1>big</h1>"
+                          << "<h1>big</h1>";
+    QTest::newRow("line breaks") << "two\nlines\r\nthree"
+                                 << "two lines three";
+    QTest::newRow("very long") << QString(100000, u'a') << QString(200, u'a') + u'…';
+}
+
+void TestObjectsPanel::aNameOfAnyKindIsShownAsItIsWritten()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, shown);
+    std::vector<SceneObject> objects = m_document->objects();
+    objects[0].name = name.toStdString();
+    m_document->setObjects(objects);
+    QCOMPARE(at(0).data().toString(), shown);
+    const QString toolTip = at(0).data(Qt::ToolTipRole).toString();
+    QVERIFY2(toolTip.contains(shown.toHtmlEscaped()), qPrintable(toolTip));
+    QVERIFY(!toolTip.contains(QStringLiteral("<h1>")) && toolTip.size() < 600);
 }
 
 void TestObjectsPanel::theCheckBoxHidesAndShows()

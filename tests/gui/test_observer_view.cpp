@@ -9,17 +9,21 @@
 #include "tests/gui/gui_scene.h"
 
 #include <QApplication>
+#include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QVBoxLayout>
 
 #include <glm/geometric.hpp>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -68,6 +72,7 @@ private slots:
     void aNewSceneIsFitted();
     void keysTurnAndZoom();
     void aPictureThatCannotBeDrawnIsToldOnce();
+    void itIsDrawnWhereverItIsMoved();
 
 private:
     static void addProjections();
@@ -330,6 +335,37 @@ void TestObserverView::aPictureThatCannotBeDrawnIsToldOnce()
     QTRY_COMPARE(wide.size(), QSize(300, 200));
     (void)wide.grabFramebuffer();
     QCOMPARE(failed.size(), 2);
+}
+
+/// Between two places of one window, as between the view's corner and a dock. What is on the screen counts: whoever grabs the
+/// framebuffer has it painted.
+void TestObserverView::itIsDrawnWhereverItIsMoved()
+{
+    QWidget window;
+    auto *homes = new QHBoxLayout(&window);
+    std::array<QWidget *, 2> home;
+    for (std::size_t i = 0; i < home.size(); ++i) {
+        home[i] = new QWidget;
+        new QVBoxLayout(home[i]);
+        homes->addWidget(home[i], i == 0 ? 1 : 2); // of different sizes
+        home[i]->hide();
+    }
+    window.resize(900, 500);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const auto isDrawn = [&] {
+        const QPoint middle = view().mapTo(&window, view().rect().center());
+        const QImage shown = window.screen()->grabWindow(window.winId()).toImage();
+        return shown.pixelColor(middle).lightness() > 40;
+    };
+    for (const std::size_t i : {0, 1, 0}) {
+        home[1 - i]->hide();
+        home[i]->layout()->addWidget(m_panel.get());
+        home[i]->show();
+        m_panel->show();
+        QTRY_VERIFY_WITH_TIMEOUT(isDrawn(), 3000);
+    }
+    m_panel->setParent(nullptr);
 }
 
 QTEST_MAIN(TestObserverView)

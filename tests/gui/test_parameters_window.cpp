@@ -3,6 +3,7 @@
 #include "gui_scene.h"
 
 #include "core/scene/examples.h"
+#include "gui/panels/objects_panel.h"
 #include "gui/panels/parameters/number_field.h"
 #include "gui/panels/parameters/parameter_group.h"
 #include "gui/panels/parameters_panel.h"
@@ -10,10 +11,12 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeView>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -27,6 +30,7 @@ private slots:
 
     void whatIsFoldedIsKeptWithTheLayout();
     void savingSavesWhatIsTyped();
+    void savingSavesTheNameThatIsTyped();
     void whatIsTypedCountsBeforeAnotherSceneIsOpened_data();
     void whatIsTypedCountsBeforeAnotherSceneIsOpened();
     void theProjectionIsCalledByItsName_data();
@@ -111,6 +115,31 @@ void TestParametersWindow::whatIsTypedCountsBeforeAnotherSceneIsOpened()
     QVERIFY(opened != 0.12345);
     window->findChild<ParametersPanel *>()->applyTyped();
     QCOMPARE(nearNow(), opened);
+}
+
+void TestParametersWindow::savingSavesTheNameThatIsTyped()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("named.json"));
+    const auto window = shownWindow(false, {1100, 800}, true);
+    window->session().openBundledScene();
+    QVERIFY(window->session().saveScene(file.toStdString()));
+    window->places().show("objects");
+    auto *list = window->findChild<ObjectsPanel *>()->findChild<QTreeView *>();
+    list->setFocus();
+    list->edit(list->model()->index(0, 0));
+    auto *editor = list->viewport()->findChild<QLineEdit *>();
+    QVERIFY(editor);
+    editor->setText(QStringLiteral("typed name"));
+    for (QAction *action : window->findChildren<QAction *>()) {
+        if (action->shortcut() == QKeySequence(QKeySequence::Save))
+            action->trigger();
+    }
+    QCOMPARE(window->document().objects()[0].name, std::string("typed name"));
+    QFile saved(file);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(saved.readAll().contains("typed name"));
+    QTRY_VERIFY(!list->viewport()->findChild<QLineEdit *>());
 }
 
 void TestParametersWindow::theProjectionIsCalledByItsName_data()

@@ -2,8 +2,11 @@
 
 #include "tests/gui/gui_scene.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QShortcut>
+#include <QSignalSpy>
+#include <QStatusBar>
 
 #include <glm/geometric.hpp>
 
@@ -57,6 +60,7 @@ private slots:
     void arrowsTurnAboutThePointAtTheCrosshair_data();
     void arrowsTurnAboutThePointAtTheCrosshair();
     void shiftAndArrowsMove_data() { addArrows(); }
+    void whatEnterPicksIsTold();
     void shiftAndArrowsMove();
     void plusAndMinusZoomToTheCrosshair_data();
     void plusAndMinusZoomToTheCrosshair();
@@ -176,6 +180,24 @@ void TestViewKeys::arrowsTurnAboutThePointAtTheCrosshair()
     const double yaw = std::atan2(before.z * after.x - before.x * after.z, before.x * after.x + before.z * after.z);
     QVERIFY(std::abs(yaw + way.x() * kTenDegrees) < 1e-9);
     QVERIFY(std::abs(std::asin(after.y) - std::asin(before.y) + way.y() * kTenDegrees) < 1e-9);
+}
+
+/// As of a click by the mouse: the number stands in the status bar, whatever panel is in front.
+void TestViewKeys::whatEnterPicksIsTold()
+{
+    const auto window = activeCubeWindow();
+    QSignalSpy told(&window->view(), &SceneView::hovered);
+    QTest::keyClick(&window->view(), Qt::Key_Return);
+    QVERIFY(window->document().pick() && window->document().pick()->hit());
+    QTRY_COMPARE(told.count(), 1);
+    const auto position = told[0][0].value<WidgetPoint>();
+    const Surface &surface = window->document().geometry().surface;
+    QCOMPARE(*devicePixelFromWidget(surface, position), window->document().pick()->devicePixel);
+    const QString x = QStringLiteral("world (");
+    bool isShown = false;
+    for (const QLabel *label : window->statusBar()->findChildren<QLabel *>())
+        isShown = isShown || label->text().contains(x);
+    QVERIFY(isShown);
 }
 
 void TestViewKeys::shiftAndArrowsMove()

@@ -152,7 +152,7 @@ void TestViewMenu::whatNeedsASurfaceIsGreyedWithoutOne()
         QCOMPARE(actionIn(view, name)->isEnabled(), onSurface);
     for (const char *name : {"pickHere", "fit"})
         QVERIFY(actionIn(view, name)->isEnabled());
-    QCOMPARE(actionIn(view, "copyPoint")->isEnabled(), isPicked);
+    QCOMPARE(actionIn(view, "copyPoint")->isEnabled(), onSurface);
     QVERIFY(!actionIn(view, "showAll")->isEnabled());
     for (const QAction *action : openMenu(view)->actions())
         QVERIFY(action->isSeparator() || !action->toolTip().isEmpty());
@@ -178,9 +178,11 @@ void TestViewMenu::theCopiedPointHasAllDigits()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1)));
+    click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.5, 0.4))); // something else than what is copied
+    const QPointF local = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
+    choose(view, local, "copyPoint");
+    QCOMPARE(window->document().pick()->devicePixel, pixelUnder(view, local));
     const WorldPoint point = *window->document().pick()->point.world[Method::Formula];
-    choose(view, QPointF(5.0, 6.0), "copyPoint"); // what is picked, wherever the menu is
     const QStringList numbers = QApplication::clipboard()->text().split(QStringLiteral(", "));
     QCOMPARE(numbers.size(), 3);
     QCOMPARE(numbers[0].toDouble(), point.x);

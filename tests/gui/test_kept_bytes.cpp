@@ -1,0 +1,111 @@
+// What is kept of the window from one run to the next, and read back only where it is what was written.
+
+#include "gui/window/kept_bytes.h"
+#include "gui/window/work_places.h"
+#include "tests/gui/gui_scene.h"
+
+#include <QDockWidget>
+#include <QSettings>
+
+#include <functional>
+
+using namespace guitest;
+
+namespace {
+
+using Damage = std::function<QVariant(const QByteArray &)>;
+
+const QByteArray kPurpose = "window/places/click";
+
+} // namespace
+
+Q_DECLARE_METATYPE(Damage)
+
+class TestKeptBytes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void whatWasSealedComesBack_data();
+    void whatWasSealedComesBack();
+    void nothingElseDoes_data();
+    void nothingElseDoes();
+    void aDamagedLayoutIsNotTaken_data() { nothingElseDoes_data(); }
+    void aDamagedLayoutIsNotTaken();
+};
+
+void TestKeptBytes::whatWasSealedComesBack_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("a layout") << QByteArray("\0\0\0\xFFlayout", 10);
+    QTest::newRow("one byte") << QByteArray("x");
+}
+
+void TestKeptBytes::whatWasSealedComesBack()
+{
+    QFETCH(QByteArray, bytes);
+    QCOMPARE(unsealed(sealed(bytes, kPurpose), kPurpose), bytes);
+    QCOMPARE(unsealed(sealed(bytes, kPurpose), "window/places/pipeline"), QByteArray());
+}
+
+void TestKeptBytes::nothingElseDoes_data()
+{
+    QTest::addColumn<Damage>("damage");
+    const auto row = [](const char *name, const Damage &damage) { QTest::newRow(name) << damage; };
+    row("cut off", [](const QByteArray &kept) { return kept.chopped(1); });
+    row("half of it", [](const QByteArray &kept) { return kept.left(kept.size() / 2); });
+    row("shorter than its check sum", [](const QByteArray &kept) { return kept.left(7); });
+    row("with more behind it", [](const QByteArray &kept) { return kept + '\0'; });
+    row("one bit other", [](const QByteArray &kept) {
+        QByteArray other = kept;
+        other[other.size() - 1] = static_cast<char>(other.back() ^ 1);
+        return other;
+    });
+    row("another check sum", [](const QByteArray &kept) {
+        QByteArray other = kept;
+        other[0] = static_cast<char>(other.front() ^ 1);
+        return other;
+    });
+    row("without a check sum", [](const QByteArray &kept) { return kept.mid(32); });
+    row("nothing", [](const QByteArray &) { return QByteArray(); });
+    row("a text", [](const QByteArray &) { return QStringLiteral("layout"); });
+    row("a list", [](const QByteArray &kept) { return QVariantList{kept}; });
+}
+
+void TestKeptBytes::nothingElseDoes()
+{
+    QFETCH(Damage, damage);
+    QCOMPARE(unsealed(damage(sealed("a layout", kPurpose)), kPurpose), QByteArray());
+}
+
+/// As if nothing had been kept.
+void TestKeptBytes::aDamagedLayoutIsNotTaken()
+{
+    QFETCH(Damage, damage);
+    QSettings().clear();
+    const auto start = [] {
+        MainWindow::Options options;
+        options.autosave = {};
+        auto window = std::make_unique<MainWindow>(options);
+        window->show();
+        return window;
+    };
+    const auto isObjectsShown = [](MainWindow &window) { return !window.places().dock("objects")->isHidden(); };
+    {
+        const auto first = start();
+        QVERIFY(isObjectsShown(*first));
+        first->places().dock("objects")->close();
+        first->close();
+    }
+    QVERIFY(!isObjectsShown(*start())); // what was kept is taken
+    QSettings settings;
+    for (const QString &key : settings.allKeys()) {
+        if (settings.value(key).typeId() == QMetaType::QByteArray && key != QStringLiteral("window/place"))
+            settings.setValue(key, damage(settings.value(key).toByteArray()));
+    }
+    settings.sync();
+    QVERIFY(isObjectsShown(*start()));
+}
+
+QTEST_MAIN(TestKeptBytes)
+#include "test_kept_bytes.moc"
