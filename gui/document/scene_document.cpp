@@ -116,22 +116,39 @@ Result<Changes> SceneDocument::take(const SceneState &state)
     changes |= changesBetween(m_state.settings, m_scene);
     if (hasOtherObjects)
         changes |= changesBetween(*m_state.objects, m_scene.objects);
-    // A pick knows its object by its place in the list, and goes with it.
-    if (changes.testFlag(Change::Objects) && m_pick && m_pick->object && *m_pick->object < m_state.objects->size()) {
-        const auto place = placeAfter(*m_state.objects, *m_pick->object, m_scene.objects);
-        if (place != m_pick->object)
-            changes |= Change::Pick;
-        if (place)
-            m_pick->object = place;
-        else
-            m_pick.reset();
-    }
+    if (changes.testFlag(Change::Objects) && followObjects(m_state.objects))
+        changes |= Change::Pick;
     m_unprojector = unprojector.value();
     m_bounds = bounds;
     m_ground = ground;
     m_state = state;
     m_state.settings.projection = m_scene.projection;
     return changes;
+}
+
+bool SceneDocument::followObjects(const std::shared_ptr<const std::vector<SceneObject>> &before)
+{
+    if (m_pick && m_pick->object && *m_pick->object < before->size()) {
+        const auto place = placeAfter(*before, *m_pick->object, m_scene.objects);
+        if (place == m_pick->object)
+            return false;
+        if (!place) {
+            m_lostPick = std::exchange(m_pick, std::nullopt);
+            m_lostPickObjects = before;
+        } else {
+            m_pick->object = place;
+        }
+        return true;
+    }
+    if (m_pick || !m_lostPick)
+        return false;
+    const auto place = placeAfter(*m_lostPickObjects, *m_lostPick->object, m_scene.objects);
+    if (!place)
+        return false;
+    m_pick = std::exchange(m_lostPick, std::nullopt);
+    m_pick->object = place;
+    m_lostPickObjects.reset();
+    return true;
 }
 
 Check SceneDocument::open(Scene scene)
@@ -333,8 +350,21 @@ void SceneDocument::setView(const LookAt &camera, const Projection &projection, 
 
 void SceneDocument::fit()
 {
-    const Picture fitted = framed(geometry(), objects());
-    setView(fitted.camera(), fitted.projection());
+    showFramed(framed(geometry(), objects()), m_bounds);
+}
+
+void SceneDocument::showFramed(Picture picture, const Box &bounds)
+{
+    // Near and far that were typed stay while they cut nothing off.
+    if (!m_scene.clipDistancesFitObjects && !bounds.isEmpty()) {
+        const Projection fitted = withFittedClipDistances(picture, bounds, {});
+        const ProjectionWindow own = projectionWindow(picture.projection()), tight = projectionWindow(fitted);
+        if (own.nearDistance > tight.nearDistance || own.farDistance < tight.farDistance)
+            picture.projection() =
+                withClipDistances(picture.projection(), std::min(own.nearDistance, tight.nearDistance),
+                                  std::max(own.farDistance, tight.farDistance));
+    }
+    setView(picture.camera(), picture.projection());
 }
 
 void SceneDocument::fitObject(std::size_t place)
@@ -342,8 +372,7 @@ void SceneDocument::fitObject(std::size_t place)
     Q_ASSERT(place < objects().size());
     Framing framing(geometry());
     add(framing, objects()[place]);
-    const Picture fitted = framing.picture();
-    setView(fitted.camera(), fitted.projection());
+    showFramed(framing.picture(), boundsOf(objects()[place]));
 }
 
 void SceneDocument::goHome()
@@ -355,14 +384,8 @@ void SceneDocument::goHome()
     look(std::move(settings), {tr("Home")});
 }
 
-double SceneDocument::pivotDistance() const
+double SceneDocument::centerDistance() const
 {
-    const Result<EyeFrame> frame = eyeFrame(m_scene.camera);
-    if (frame && m_pick && m_pick->hit() && m_pick->point.world[Method::Formula]) {
-        const double distance = -eyeFromWorld(*frame, *m_pick->point.world[Method::Formula]).z;
-        if (distance > 0.0)
-            return distance;
-    }
     return distance(m_scene.camera.center, m_scene.camera.eye);
 }
 
@@ -370,8 +393,8 @@ void SceneDocument::switchProjection()
 {
     const bool perspective = isPerspective(m_scene.projection);
     SceneSettings settings = m_state.settings;
-    settings.projection = converted(settings.projection,
-                                    perspective ? ProjectionKind::Ortho : ProjectionKind::Perspective, pivotDistance());
+    settings.projection = converted(
+        settings.projection, perspective ? ProjectionKind::Ortho : ProjectionKind::Perspective, centerDistance());
     look(std::move(settings), {perspective ? tr("Orthographic") : tr("Perspective")});
 }
 
@@ -387,6 +410,8 @@ void SceneDocument::setPick(const Result<Pick> &pick)
         return;
     }
     m_pick = *pick;
+    m_lostPick.reset();
+    m_lostPickObjects.reset();
     m_pickedPlacement = placementOf(*m_pick);
     tell(Change::Pick);
 }
@@ -401,11 +426,28 @@ SinceClick SceneDocument::sinceClick() const
 {
     if (!m_pick)
         return {};
-    return {m_pick->geometry != geometry(), placementOf(*m_pick) != m_pickedPlacement};
+    const bool isHidden = m_pick->object && *m_pick->object < objects().size() && objects()[*m_pick->object].isHidden;
+    return {m_pick->geometry != geometry(), placementOf(*m_pick) != m_pickedPlacement, isHidden, isCutAway(*m_pick)};
+}
+
+bool SceneDocument::isCutAway(const Pick &pick) const
+{
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
+    if (!pick.hit() || !world)
+        return false;
+    // A point of the cut itself lies on either side of the plane, by as much as is uncertain of it.
+    const Components<3> &uncertainty = pick.uncertainty.world;
+    return std::any_of(m_scene.clipPlanes.begin(), m_scene.clipPlanes.end(), [&](const glm::dvec4 &plane) {
+        const double doubt =
+            std::abs(plane.x) * uncertainty.x + std::abs(plane.y) * uncertainty.y + std::abs(plane.z) * uncertainty.z;
+        return glm::dot(plane, glm::dvec4(world->coordinates(), 1.0)) < -doubt;
+    });
 }
 
 void SceneDocument::putBack(const KeptPick &kept)
 {
+    m_lostPick.reset();
+    m_lostPickObjects.reset();
     if (!m_pick && !kept.pick)
         return;
     m_pick = kept.pick;

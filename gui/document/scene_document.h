@@ -12,6 +12,7 @@
 #include <QUndoStack>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct ProjectionRule {
 struct SinceClick {
     bool isOtherPicture = false; ///< camera, projection, viewport, depth range or the window's size
     bool isObjectMoved = false;  ///< the object that was hit: the point is where its surface was
+    bool isObjectHidden = false; ///< the object that was hit
+    bool isCutAway = false;      ///< the point lies on the side of a clip plane where nothing is drawn
+
+    bool isAnything() const { return isOtherPicture || isObjectMoved || isObjectHidden || isCutAway; }
 };
 
 /// What is picked at a moment, to come back to.
@@ -59,7 +64,8 @@ public:
     const Picture &geometry() const { return m_unprojector->picture(); }
     /// The same, prepared for clicks.
     const Unprojector &unprojector() const { return *m_unprojector; }
-    /// The picked surface or background; nothing before the first click, in another scene, and once objects went.
+    /// The picked surface or background; nothing before the first click, in another scene, and while the object that was
+    /// hit is not in it.
     const std::optional<Pick> &pick() const { return m_pick; }
     SinceClick sinceClick() const;
     QUndoStack &undoStack() { return m_undoStack; }
@@ -130,11 +136,12 @@ public:
     /// The same of one object, hidden or not. @pre place < objects().size()
     void fitObject(std::size_t place);
     void goHome();
-    /// From a perspective to glOrtho and back, the picture equal at `pivotDistance`.
+    /// From a perspective to glOrtho and back, the picture equal at `centerDistance`.
     void switchProjection();
 
-    /// Distance in front of the eye where two projections are to agree: the picked point's, else the centre's.
-    double pivotDistance() const;
+    /// Distance in front of the eye where two projections are to agree: that of the camera's centre, about which the picture
+    /// is made. A picked point that is nearer would make everything behind it larger than the view.
+    double centerDistance() const;
 
     /// Unprojects a click or the pointer's position. It is not kept.
     Result<Pick> unprojected(const WidgetPoint &position, const DepthSample &sample) const;
@@ -172,6 +179,7 @@ private:
     static Ground groundUnder(const Box &bounds);
 
     void tell(Changes changes);
+    bool isCutAway(const Pick &pick) const;
     /// worldFromObject of the object of a pick, the identity where it has none.
     glm::dmat4 placementOf(const Pick &pick) const;
     /// The state as it is now, with other settings.
@@ -181,11 +189,17 @@ private:
     Result<Changes> take(const SceneState &state);
     /// Takes a state undoably, if it is another one.
     Check record(const SceneState &state, const Deed &deed);
+    /// A pick knows its object by its place in the list, goes with it and comes back with it.
+    /// @param before  the objects that the pick's place is of
+    /// @return whether it is another pick now
+    bool followObjects(const std::shared_ptr<const std::vector<SceneObject>> &before);
     /// The settings that show all of these, of which the last `added` are new.
     SceneSettings showing(const std::vector<SceneObject> &objects, std::size_t added) const;
     Check edit(SceneSettings settings, const Deed &deed);
     Check edit(std::vector<SceneObject> objects, const Deed &deed);
     void look(SceneSettings settings, const Deed &deed);
+    /// Takes camera and projection of a picture, its near and far planes where nothing within these bounds is cut off.
+    void showFramed(Picture picture, const Box &bounds);
     /// For undo and redo; told when the stack has come to its new place.
     void restore(const SceneState &state);
 
@@ -194,6 +208,9 @@ private:
     Surface m_surface{1, 1, 1.0};
     std::optional<Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
     std::optional<Pick> m_pick;
+    /// The pick whose object was taken out, and the objects before that: with the object it comes back.
+    std::optional<Pick> m_lostPick;
+    std::shared_ptr<const std::vector<SceneObject>> m_lostPickObjects;
     glm::dmat4 m_pickedPlacement{1.0}; ///< worldFromObject of the object that was hit, at the click
     Box m_bounds;
     Ground m_ground;

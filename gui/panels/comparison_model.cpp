@@ -20,9 +20,15 @@ QString ulpsText(double ulps)
 }
 
 /// With fewer digits where all that are certain would not fit; they are no less certain for it.
-QString fittingText(double value, double uncertainty)
+/// @param lastPlace  that the columns beside it have room for
+QString fittingText(double value, double uncertainty, int lastPlace)
 {
     QString text = certainText(value, uncertainty);
+    constexpr double kBelowThePower = 0.999; // of ten, so that its logarithm does not round up
+    if (const double shown = kBelowThePower * std::pow(10.0, lastPlace); uncertainty < shown) {
+        if (const QString rounded = certainText(value, shown); rounded.size() < text.size())
+            text = rounded;
+    }
     for (int digits = ComparisonModel::kCertainRoom - 1; text.size() > ComparisonModel::kCertainRoom && digits > 0;
          --digits)
         text = significantText(value, digits);
@@ -127,7 +133,7 @@ std::optional<double> ComparisonModel::value(const Row &row, int column) const
     switch (column) {
     case Certain: {
         const std::optional<double> formula = by(Method::Formula, row);
-        return formula ? std::optional(fittingText(*formula, row.uncertainty).toDouble()) : std::nullopt;
+        return formula ? std::optional(certainText(*formula, row.uncertainty).toDouble()) : std::nullopt;
     }
     case Formula: return by(Method::Formula, row);
     case Matrix: return by(Method::Matrix, row);
@@ -154,7 +160,10 @@ QString ComparisonModel::toolTip(const Row &row, int column) const
         return tr("%1 ± %2\nRounded to what the depth and the pixel leave certain of this coordinate")
             .arg(certainText(*by(Method::Formula, row), row.uncertainty), readableText(row.uncertainty));
     if (isCoordinate(column))
-        return tr("%1\nDigits in grey are below what the depth buffer and the pixel can tell.").arg(number);
+        return tr("%1\nGrey digits are below the last certain place, where the depth buffer and the pixel tell "
+                  "nothing. "
+                  "Rounded to that place, the number is the one under Certain.")
+            .arg(number);
     return number;
 }
 
@@ -170,7 +179,8 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
         if (!v)
             return by(Method::Formula, row) || by(Method::Matrix, row) ? tr("none") : QStringLiteral("–");
         if (column == Certain)
-            return fittingText(*by(Method::Formula, row), row.uncertainty);
+            return fittingText(*by(Method::Formula, row), row.uncertainty,
+                               notation(row, Formula).lastPlace(*by(Method::Formula, row)));
         if (isCoordinate(column))
             return notation(row, column).text(*v);
         if (column == Ulps)
@@ -226,8 +236,8 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
         case Matrix: return tr("Matrix");
         case Difference: return tr("Difference");
         case Ulps: return tr("ulp");
-        case MatrixInFloat: return tr("Matrix in float");
-        case FloatDifference: return tr("Float off by");
+        case MatrixInFloat: return tr("In float");
+        case FloatDifference: return tr("Off by");
         default: return {};
         }
     }

@@ -12,7 +12,7 @@
 #include "gui/text/number_text.h"
 
 #include <QCheckBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -79,8 +79,8 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     m_heading->setAccessibleName(tr("What was clicked"));
     m_sinceClick = new SteadyLabel(longestSinceClickTexts());
     m_sinceClick->setAccessibleName(tr("Since the click"));
-    m_again = new QPushButton(tr("Compute a&gain"));
-    m_again->setToolTip(tr("Pick the same position of the view anew, as the view is now"));
+    m_again = new QPushButton(tr("Pick this pixel a&gain"));
+    m_again->setToolTip(tr("Pick what is now under the pixel of this click"));
     auto *headingLine = new QHBoxLayout;
     headingLine->addWidget(m_heading, 1);
     headingLine->addWidget(m_again);
@@ -97,22 +97,26 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     m_depth = steadyLabel(
         tr("Depth"), tr("From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane"),
         {depthText(0.888888888, true), depthText(0.8, false)});
-    auto *chain = new QFormLayout;
-    chain->setContentsMargins(0, 0, 0, 0);
+    auto *chain = new QGridLayout; // names and values begin on one line, however many the value takes
     chain->setVerticalSpacing(2);
-    chain->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    chain->setRowWrapPolicy(QFormLayout::DontWrapRows);
-    chain->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
-    chain->addRow(tr("Widget position:"), m_widget);
-    chain->addRow(tr("Device pixel:"), m_devicePixel);
-    chain->addRow(tr("Window position:"), m_window);
-    chain->addRow(tr("Depth:"), m_depth);
+    chain->setColumnStretch(1, 1);
+    const auto addLink = [chain](const QString &name, SteadyLabel *value) {
+        const int row = chain->rowCount();
+        chain->addWidget(new QLabel(name), row, 0, Qt::AlignLeft | Qt::AlignTop);
+        chain->addWidget(value, row, 1, Qt::AlignTop);
+    };
+    addLink(tr("Widget position:"), m_widget);
+    addLink(tr("Device pixel:"), m_devicePixel);
+    addLink(tr("Window position:"), m_window);
+    addLink(tr("Depth:"), m_depth);
 
     m_table = new ComparisonTable(m_model);
     m_table->setAccessibleName(tr("Coordinates by both methods"));
 
     m_showsFloat = new QCheckBox(tr("Show what &float would give"));
-    m_showsFloat->setToolTip(tr("The matrix inverse done in single precision, as most programs do it"));
+    m_showsFloat->setToolTip(
+        tr("The matrix inverse done in single precision, as most programs do it, in the place of the "
+           "difference between the two methods in double"));
     m_copy = new QPushButton(tr("&Copy all"));
     m_copy->setToolTip(tr("Copy the chain, the table with all digits and the formula"));
     auto *tools = new QHBoxLayout;
@@ -127,9 +131,10 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     m_formula->setAccessibleName(tr("Formula with its numbers"));
     m_formula->setPlaceholderText(tr("The formulas appear here with the numbers of the click."));
 
-    // As wide as the chain of a click gets; labels that set it by themselves would move it from click to click.
+    // As the chain of a click needs, in two lines at the most; labels that set it by themselves would move it from click to
+    // click.
     // Counted in digits: the average character of a font for Chinese is as wide as an ideograph.
-    constexpr int kLeastDigits = 45;
+    constexpr int kLeastDigits = 30;
     setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
 
     auto *layout = new QVBoxLayout(this);
@@ -156,7 +161,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & (Change::Pick | Change::Names))
             showPick();
-        else if (changes & (Change::Picture | Change::Placement))
+        else if (changes & (Change::Picture | Change::Placement | Change::Visibility | Change::ClipPlanes))
             showSinceClick();
     });
     showPick();
@@ -165,8 +170,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
 /// Marked while the numbers are not those of the view as it is.
 void ComparisonPanel::showSinceClick()
 {
-    const SinceClick since = m_document.sinceClick();
-    const bool isStale = since.isOtherPicture || since.isObjectMoved;
+    const bool isStale = m_document.sinceClick().isAnything();
     m_sinceClick->setText(sinceClickText(m_document));
     m_sinceClick->setToolTip(m_sinceClick->text());
     m_sinceClick->setBackgroundRole(isStale ? QPalette::ToolTipBase : QPalette::Window);
@@ -189,6 +193,7 @@ void ComparisonPanel::showPick()
             label->setValue({});
         }
         m_certainty->clear();
+        m_certainty->setValue({});
         m_cause->clear();
         m_formula->setFormulas({});
         m_copy->setEnabled(false);
@@ -198,7 +203,7 @@ void ComparisonPanel::showPick()
     const std::vector<SceneObject> &objects = m_document.objects();
     m_heading->setFullText(!pick->hit() ? tr("Background: no surface here")
                            : *pick->object < objects.size() && !objects[*pick->object].name.empty()
-                               ? tr("A point on %1").arg(QString::fromStdString(objects[*pick->object].name))
+                               ? tr("A point on %1").arg(shownName(objects[*pick->object].name))
                                : tr("A point on the surface"));
     m_widget->setText(widgetText(pick->widget));
     m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->geometry.surface));
@@ -211,6 +216,10 @@ void ComparisonPanel::showPick()
     m_depth->setValue({QStringLiteral("depth"), {pick->window.z}});
     m_cause->setText(differenceCauseText(*pick));
     m_certainty->setText(certaintyText(*pick));
+    const Components<3> &uncertainty = pick->uncertainty.world;
+    m_certainty->setValue(
+        pick->hit() ? Copyable{QStringLiteral("worldUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}}
+                    : Copyable{});
     m_formula->setFormulas(formulasOf(*pick));
 }
 

@@ -21,6 +21,7 @@ constexpr int kPadding = 8; ///< of a cell, both sides
 /// Of the methods' columns: "-1.23456" and all that a double has.
 constexpr int kLeastCharacters = 8;
 constexpr int kMostCharacters = 19;
+constexpr int kMostInFloat = 10; // "-0.0000000"
 
 /// Room for the longest texts to expect, so that the columns stand still from click to click. The methods' columns take
 /// what is left.
@@ -28,15 +29,15 @@ int charactersIn(int column)
 {
     switch (column) {
     case ComparisonModel::Certain: return ComparisonModel::kCertainRoom;
-    case ComparisonModel::Ulps: return 6;           // "-88888"
-    case ComparisonModel::MatrixInFloat: return 10; // "-0.0000000"
-    default: return 8;                              // "-8.8e-16"
+    case ComparisonModel::Ulps: return 6; // "-88888"
+    default: return 8;                    // "-8.8e-16"
     }
 }
 
 bool isElastic(int column)
 {
-    return column == ComparisonModel::Formula || column == ComparisonModel::Matrix;
+    return column == ComparisonModel::Formula || column == ComparisonModel::Matrix
+           || column == ComparisonModel::MatrixInFloat;
 }
 
 } // namespace
@@ -83,6 +84,10 @@ bool ComparisonTable::showsFloat() const
 
 void ComparisonTable::setShowsFloat(bool shows)
 {
+    // In the place of the difference between the methods, which is nothing beside what float is off by: there is room for
+    // one of them, without a scroll bar.
+    setColumnHidden(ComparisonModel::Difference, shows);
+    setColumnHidden(ComparisonModel::Ulps, shows);
     setColumnHidden(ComparisonModel::MatrixInFloat, !shows);
     setColumnHidden(ComparisonModel::FloatDifference, !shows);
     fitColumns();
@@ -105,6 +110,13 @@ void ComparisonTable::fitColumns()
         const int fitting = columnWidthFor(column, charactersIn(column));
         setColumnWidth(column, fitting);
         others += isColumnHidden(column) ? 0 : fitting;
+    }
+    if (showsFloat()) { // it has fewer digits to show than the others, and never more room
+        const int inFloat =
+            std::clamp((available - others) / 3, columnWidthFor(ComparisonModel::MatrixInFloat, kLeastCharacters),
+                       columnWidthFor(ComparisonModel::MatrixInFloat, kMostInFloat));
+        setColumnWidth(ComparisonModel::MatrixInFloat, inFloat);
+        others += inFloat;
     }
     int characters = kMostCharacters;
     for (const int column : {ComparisonModel::Formula, ComparisonModel::Matrix}) {

@@ -10,16 +10,22 @@ namespace {
 
 using Space = PointModel::Space;
 
+QString movedForwardText()
+{
+    return PipelineModel::tr(
+        "The view has changed since this click: the point on its way through the view as it is now.");
+}
+
 QString movedBackText()
 {
-    return PipelineModel::tr("The view has changed since the click: back from where the point is now.");
+    return PipelineModel::tr("The view has changed since this click: back from where the point is now.");
 }
 
 } // namespace
 
 QStringList PipelineModel::longestStatusTexts()
 {
-    return longestSinceClickTexts() << movedBackText();
+    return longestSinceClickTexts() << movedForwardText() << movedBackText();
 }
 
 PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent)
@@ -146,9 +152,14 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     } else {
         m_status = tr("The picked point on its way to the window.");
     }
+    // What has changed since the click is said in the words of the comparison; only that the numbers of the other view are
+    // shown here, and not those of the click, is the pipeline's own.
     const SinceClick since = m_document.sinceClick();
-    if (since.isObjectMoved || (since.isOtherPicture && points.clip && !isInsideViewVolume(*points.clip)))
+    const bool isOutside = since.isOtherPicture && points.clip && !isInsideViewVolume(*points.clip);
+    if (since.isObjectMoved || since.isObjectHidden || since.isCutAway || isOutside)
         m_status = sinceClickText(m_document);
+    else if (since.isOtherPicture && m_direction == PipelineDirection::Forward)
+        m_status = movedForwardText();
     point(Space::Object)->setPoint(points.object);
     point(Space::World)->setPoint(points.world);
     point(Space::Eye)->setPoint(points.eye);

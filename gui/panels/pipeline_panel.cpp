@@ -84,7 +84,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_scrollArea, 1);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (Change::Objects | Change::Names | Change::Placement | Change::Picture | Change::Pick))
+        if (changes & (kSeen | Change::Names | Change::Pick))
             refresh();
     });
     arrange();
@@ -215,6 +215,8 @@ void PipelinePanel::createStages()
     m_scrollArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scrollArea->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     m_scrollArea->setWidget(content);
+    m_scrollArea->setSizePolicy(QSizePolicy::Expanding,
+                                QSizePolicy::Ignored); // it takes what is left, and asks for nothing
 }
 
 void PipelinePanel::arrange()
@@ -330,15 +332,14 @@ void PipelinePanel::showObjects()
         m_object->addItem(tr("None (identity)"));
         for (const SceneObject &object : objects) {
             m_objectNames.push_back(object.name);
-            m_object->addItem(QString::fromStdString(object.name));
+            m_object->addItem(shownName(object.name));
         }
     }
     const std::optional<std::size_t> shown = m_model->shownObject();
     const bool isAutomatic = m_model->object() == PipelineModel::kAutomaticObject;
-    const QString automatic = isAutomatic && shown
-                                  ? tr("Automatic: %1").arg(QString::fromStdString(objects[*shown].name))
-                              : isAutomatic ? tr("None (identity)")
-                                            : tr("Automatic");
+    const QString automatic = isAutomatic && shown ? tr("Automatic: %1").arg(shownName(objects[*shown].name))
+                              : isAutomatic        ? tr("None (identity)")
+                                                   : tr("Automatic");
     if (m_object->itemText(kAutomaticItem) != automatic)
         m_object->setItemText(kAutomaticItem, automatic);
     const int item = isAutomatic || !shown ? (isAutomatic ? kAutomaticItem : kNoneItem)

@@ -43,6 +43,16 @@ QString movedText()
     return SinceClickTexts::tr("The object was moved since this click; the point is where its surface was.");
 }
 
+QString hiddenText()
+{
+    return SinceClickTexts::tr("The object of this click is hidden now.");
+}
+
+QString cutAwayText()
+{
+    return SinceClickTexts::tr("A clip plane cuts the point of this click away now.");
+}
+
 } // namespace
 
 QString clipTestText(const ClipPoint &point)
@@ -59,8 +69,12 @@ QString sinceClickText(const SceneDocument &document)
     if (!pick)
         return {};
     const SinceClick since = document.sinceClick();
+    if (since.isObjectHidden)
+        return hiddenText();
     if (since.isObjectMoved)
         return movedText();
+    if (since.isCutAway)
+        return cutAwayText();
     if (!since.isOtherPicture)
         return SinceClickTexts::tr("The view is as it was at the click.");
     const Result<WorldPoint> &world = pick->point.world[Method::Formula];
@@ -75,7 +89,7 @@ QString sinceClickText(const SceneDocument &document)
 
 QStringList longestSinceClickTexts()
 {
-    return {movedText(), otherViewText(),
+    return {movedText(), otherViewText(), hiddenText(), cutAwayText(),
             outsideText(QStringList{inWords(Outside::Right), inWords(Outside::Bottom), inWords(Outside::Near)}.join(
                 QStringLiteral(", ")))};
 }

@@ -83,11 +83,12 @@ QString errorText(const Error &error)
     case ErrorCode::LeftEqualsRight: return Errors::tr("Left and right are both %1; they must differ.").arg(value);
     case ErrorCode::BottomEqualsTop: return Errors::tr("Bottom and top are both %1; they must differ.").arg(value);
     case ErrorCode::FieldOfViewOutOfRange:
-        return Errors::tr("The vertical field of view is %1°; it must lie between 0° and 180°.")
+        return Errors::tr("The vertical field of view is %1°; it must lie between 0° and 180°, both excluded.")
             .arg(degrees(error.value));
     case ErrorCode::AspectNotPositive: return Errors::tr("The aspect is %1; it must be greater than 0.").arg(value);
     case ErrorCode::ShearAngleOutOfRange:
-        return Errors::tr("The angle is %1°; it must lie between 0° and 180°.").arg(degrees(error.value));
+        return Errors::tr("The angle is %1°; it must lie between 0° and 180°, both excluded.")
+            .arg(degrees(error.value));
     case ErrorCode::EyeEqualsCenter: return Errors::tr("Eye and center are the same point; move one of them.");
     case ErrorCode::UpIsZero: return Errors::tr("Up is (0, 0, 0); give it a length.");
     case ErrorCode::UpParallelToView: return Errors::tr("Up points along the view direction; choose another one.");

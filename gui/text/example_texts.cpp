@@ -142,7 +142,8 @@ constexpr std::array kEntries{
     Entry{"parallel-oblique", QT_TRANSLATE_NOOP("Examples", "Parallel Projection 2: Oblique"),
           QT_TRANSLATE_NOOP(
               "Examples",
-              "<p>A box from z = −3 to −4.5, sheared by θ = φ = 0.78 and then projected by glOrtho(−10, 10, −10, "
+              "<p>A box from z = −3 to −4.5, sheared by θ = φ = 0.78 radians (44.69°) and then projected by "
+              "glOrtho(−10, 10, −10, "
               "10, 2, 9). Parallel edges stay parallel, and two sides can be seen beside the front.</p>"
               "<p><b>Click the front and a side.</b> The formula first finds the point of the sheared box by (11) "
               "and (12), then takes the <a href='formulas:oblique-back'>shear</a> off: x += cot θ · z.</p>"

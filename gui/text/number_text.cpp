@@ -142,21 +142,18 @@ qsizetype Notation::certainLength(double value, double uncertainty) const
     const qsizetype power = isScientific ? whole.indexOf(u'e') : whole.size();
     const qsizetype point = whole.indexOf(u'.') < 0 ? power : whole.indexOf(u'.');
     const int unit = isScientific ? whole.mid(power + 1).toInt() : 0; // the place of the digit before the point
-    const bool isNegative = whole.startsWith(u'-');
-    for (int last = std::max(place, unit - decimals);; ++last) {
-        const qsizetype length = last >= unit ? point - (last - unit) : point + 1 + (unit - last);
-        if (length <= (isNegative ? 1 : 0))
-            return 0;
-        // What these digits say, against the value rounded to the last of them.
-        QString said = whole.left(std::min(length, power));
-        if (last > unit)
-            said += QString(last - unit, u'0');
-        const QString right = isScientific ? scientificText(value, std::max(0, unit - last)).section(u'e', 0, 0)
-                              : last > 0   ? fixedText(roundedTo(value, last), 0)
-                                           : fixedText(value, -last);
-        if (said == right)
-            return std::min(length, power);
-    }
+    const int last = std::max(place, unit - decimals);
+    const qsizetype length = last >= unit ? point - (last - unit) : point + 1 + (unit - last);
+    const qsizetype sign = whole.startsWith(u'-') ? 1 : 0;
+    if (length > sign)
+        return std::min(length, power);
+    // No digit stands at the certain place or before it: one that rounds up to it is seen by its first.
+    return std::abs(value) >= 0.5 * std::pow(10.0, last) ? sign + 1 : 0;
+}
+
+int Notation::lastPlace(double value) const
+{
+    return (isScientific && value != 0.0 && std::isfinite(value) ? exponentOf(value) : 0) - decimals;
 }
 
 Notation notationOf(const Components<3> &point, int digits, int characters)

@@ -42,10 +42,13 @@ struct Notation {
     int decimals = 15;         ///< of the mantissa where it has a power of ten
     bool isScientific = false; ///< "-1.234e-09"
     QString text(double value) const;
-    /// Characters of text(value) up to the last digit that is right by itself: rounded there, the value is what they say.
-    /// -2.9999994 that may be off by 0.05 has none: it is -3.0, and not -2.9.
+    /// Characters of text(value) down to the certain place, as far as they reach: "1.98" of 1.9890016 that may be off by 0.008.
+    /// Rounded there, the value is what certainText says, 1.99. Where all its digits stand below that place and it rounds up
+    /// to it, the first digit; 0 where it rounds to nothing.
     /// @param uncertainty  of the value
     qsizetype certainLength(double value, double uncertainty) const;
+    /// The place of the last digit of text(value), as certainPlace counts.
+    int lastPlace(double value) const;
 };
 
 /// The most digits of a point's coordinates that a column has room for, up to `digits` significant ones of the largest.

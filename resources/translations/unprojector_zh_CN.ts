@@ -68,10 +68,6 @@
         <translation>窗口的颜色：desktop（与桌面相同，默认）、light（浅色）或 dark（深色）。</translation>
     </message>
     <message>
-        <source>--%1 is %2; give width x height in pixels, such as 1280x800.</source>
-        <translation>--%1 是 %2；请给出以像素为单位的宽 x 高，例如 1280x800。</translation>
-    </message>
-    <message>
         <source>Give --size or --view-size, not both.</source>
         <translation>--size 和 --view-size 只能给一个。</translation>
     </message>
@@ -86,6 +82,10 @@
     <message>
         <source>Work place to start at: %1. Without it the first of them.</source>
         <translation>启动时的工作区：%1。不给出时为其中第一个。</translation>
+    </message>
+    <message>
+        <source>--%1 is %2; give width x height in pixels, such as 1280x800, from %3x%4 to %5x%6.</source>
+        <translation>--%1 是 %2；请给出以像素为单位的宽 x 高，例如 1280x800，范围从 %3x%4 到 %5x%6。</translation>
     </message>
 </context>
 <context>
@@ -166,16 +166,8 @@
         <translation>bottom 与 top 都是 %1；二者必须不同。</translation>
     </message>
     <message>
-        <source>The vertical field of view is %1°; it must lie between 0° and 180°.</source>
-        <translation>垂直视场角为 %1°；它必须在 0° 与 180° 之间。</translation>
-    </message>
-    <message>
         <source>The aspect is %1; it must be greater than 0.</source>
         <translation>宽高比为 %1；它必须大于 0。</translation>
-    </message>
-    <message>
-        <source>The angle is %1°; it must lie between 0° and 180°.</source>
-        <translation>角度为 %1°；它必须在 0° 与 180° 之间。</translation>
     </message>
     <message>
         <source>Eye and center are the same point; move one of them.</source>
@@ -349,6 +341,14 @@
         <source>“%1” can be read in two ways: type %2 or %3.</source>
         <translation>“%1”有两种读法：请输入 %2 或 %3。</translation>
     </message>
+    <message>
+        <source>The vertical field of view is %1°; it must lie between 0° and 180°, both excluded.</source>
+        <translation>垂直视角为 %1°；必须在 0° 与 180° 之间，不含两端。</translation>
+    </message>
+    <message>
+        <source>The angle is %1°; it must lie between 0° and 180°, both excluded.</source>
+        <translation>角度为 %1°；必须在 0° 与 180° 之间，不含两端。</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -489,10 +489,6 @@
         <translation>平行投影 2：斜投影</translation>
     </message>
     <message>
-        <source>&lt;p&gt;A box from z = −3 to −4.5, sheared by θ = φ = 0.78 and then projected by glOrtho(−10, 10, −10, 10, 2, 9). Parallel edges stay parallel, and two sides can be seen beside the front.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the front and a side.&lt;/b&gt; The formula first finds the point of the sheared box by (11) and (12), then takes the &lt;a href=&apos;formulas:oblique-back&apos;&gt;shear&lt;/a&gt; off: x += cot θ · z.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the program means π/4, whose cotangent is 1. cot 0.78 is 1.01086.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;从 z = −3 到 −4.5 的长方体，以 θ = φ = 0.78 错切，再由 glOrtho(−10, 10, −10, 10, 2, 9) 投影。平行的棱仍然平行，除正面外还能看到两个侧面。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击正面和一个侧面。&lt;/b&gt;公式先由 (11) 和 (12) 求出错切后长方体上的点，再去掉&lt;a href=&apos;formulas:oblique-back&apos;&gt;错切&lt;/a&gt;：x += cot θ · z。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;程序的本意是 π/4，其余切为 1。cot 0.78 为 1.01086。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>parallel-projection, second program</source>
         <translation>《OpenGL 中的平行投影》，第二个程序</translation>
     </message>
@@ -511,6 +507,10 @@
     <message>
         <source>Parallel Projection</source>
         <translation>平行投影</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;A box from z = −3 to −4.5, sheared by θ = φ = 0.78 radians (44.69°) and then projected by glOrtho(−10, 10, −10, 10, 2, 9). Parallel edges stay parallel, and two sides can be seen beside the front.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the front and a side.&lt;/b&gt; The formula first finds the point of the sheared box by (11) and (12), then takes the &lt;a href=&apos;formulas:oblique-back&apos;&gt;shear&lt;/a&gt; off: x += cot θ · z.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the program means π/4, whose cotangent is 1. cot 0.78 is 1.01086.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;从 z = −3 到 −4.5 的长方体，以 θ = φ = 0.78 弧度（44.69°）错切，再由 glOrtho(−10, 10, −10, 10, 2, 9) 投影。平行的棱仍然平行，除正面外还能看到两个侧面。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击正面和一个侧面。&lt;/b&gt;公式先由 (11) 和 (12) 求出错切后长方体上的点，再去掉&lt;a href=&apos;formulas:oblique-back&apos;&gt;错切&lt;/a&gt;：x += cot θ · z。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;程序的本意是 π/4，其余切为 1。cot 0.78 为 1.01086。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -713,6 +713,14 @@
         <source>The view is as it was at the click.</source>
         <translation>视图与点击时相同。</translation>
     </message>
+    <message>
+        <source>The object of this click is hidden now.</source>
+        <translation>这次点击的对象现已隐藏。</translation>
+    </message>
+    <message>
+        <source>A clip plane cuts the point of this click away now.</source>
+        <translation>这次点击的点现已被裁剪平面切去。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::AboutDialog</name>
@@ -895,12 +903,6 @@
         <translation>无</translation>
     </message>
     <message>
-        <source>%1
-Digits in grey are below what the depth buffer and the pixel can tell.</source>
-        <translation>%1
-灰色的数位低于深度缓冲和像素所能分辨的精度。</translation>
-    </message>
-    <message>
         <source>Formula</source>
         <translation>公式</translation>
     </message>
@@ -911,14 +913,6 @@ Digits in grey are below what the depth buffer and the pixel can tell.</source>
     <message>
         <source>ulp</source>
         <translation>ulp</translation>
-    </message>
-    <message>
-        <source>Matrix in float</source>
-        <translation>float 矩阵</translation>
-    </message>
-    <message>
-        <source>Float off by</source>
-        <translation>float 误差</translation>
     </message>
     <message>
         <source>By the closed-form formulas (9) to (12), in double; world units</source>
@@ -961,6 +955,20 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>Rounded to what the depth and the pixel leave certain, each coordinate by itself; world units</source>
         <translation>舍入到深度和像素所能确定的位数，各坐标分别计；世界单位</translation>
+    </message>
+    <message>
+        <source>%1
+Grey digits are below the last certain place, where the depth buffer and the pixel tell nothing. Rounded to that place, the number is the one under Certain.</source>
+        <translation>%1
+灰色数字位于最后一个确定数位之下，深度缓冲区和像素对其一无所知。舍入到该位即为“确定”一栏的数。</translation>
+    </message>
+    <message>
+        <source>In float</source>
+        <translation>单精度</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>偏差</translation>
     </message>
 </context>
 <context>
@@ -1016,10 +1024,6 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>Show what &amp;float would give</source>
         <translation>显示 &amp;float 的结果</translation>
-    </message>
-    <message>
-        <source>The matrix inverse done in single precision, as most programs do it</source>
-        <translation>用单精度求逆矩阵，多数程序都是这样做的</translation>
     </message>
     <message>
         <source>&amp;Copy all</source>
@@ -1086,14 +1090,6 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <translation>点击之后</translation>
     </message>
     <message>
-        <source>Compute a&amp;gain</source>
-        <translation>重新计算(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Pick the same position of the view anew, as the view is now</source>
-        <translation>按视图现在的状态，重新拾取同一位置</translation>
-    </message>
-    <message>
         <source>From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane</source>
         <translation>来自深度缓冲，在深度范围内：默认 0 为近裁剪面，1 为远裁剪面</translation>
     </message>
@@ -1108,6 +1104,18 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>No point yet</source>
         <translation>还没有点</translation>
+    </message>
+    <message>
+        <source>Pick this pixel a&amp;gain</source>
+        <translation>重新拾取此像素(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Pick what is now under the pixel of this click</source>
+        <translation>拾取这次点击的像素下现在的内容</translation>
+    </message>
+    <message>
+        <source>The matrix inverse done in single precision, as most programs do it, in the place of the difference between the two methods in double</source>
+        <translation>以单精度求逆矩阵，如多数程序所做；代替两种双精度方法之差显示</translation>
     </message>
 </context>
 <context>
@@ -1942,10 +1950,6 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <translation>添加到场景(&amp;D)…</translation>
     </message>
     <message>
-        <source>Show the camera and its view volume from outside, in a corner of the view</source>
-        <translation>在视图的一角从外部显示相机及其视景体</translation>
-    </message>
-    <message>
         <source>Co&amp;lours</source>
         <translation>颜色(&amp;L)</translation>
     </message>
@@ -2012,6 +2016,14 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
     <message>
         <source>Objects</source>
         <translation>物体</translation>
+    </message>
+    <message>
+        <source>Show the camera and its view volume from outside, in a corner of the view or in a panel</source>
+        <translation>在视图的一角或面板中，从外部显示相机及其视景体</translation>
+    </message>
+    <message>
+        <source>&amp;Work Place</source>
+        <translation>工作区(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -2609,6 +2621,25 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
+    <name>unprojector::gui::PictureNote</name>
+    <message>
+        <source>All objects are hidden. The Objects panel shows them again.</source>
+        <translation>所有对象均已隐藏。可在“对象”面板中重新显示。</translation>
+    </message>
+    <message>
+        <source>Nothing lies between near, %1, and far, %2: the objects begin at %3 and end at %4.</source>
+        <translation>近平面 %1 与远平面 %2 之间没有任何内容：对象从 %3 开始，到 %4 结束。</translation>
+    </message>
+    <message>
+        <source>Far is %1 times near: the depth buffer cannot hold that, and surfaces are taken for background. Give near a larger distance.</source>
+        <translation>远平面距离是近平面的 %1 倍：深度缓冲区无法容纳，表面被当作背景。请增大近平面距离。</translation>
+    </message>
+    <message>
+        <source>Why nothing is seen</source>
+        <translation>为何看不到任何内容</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::PipelineModel</name>
     <message>
         <source>Press the left button on the model: its point appears at every stage.</source>
@@ -2625,10 +2656,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>The picked point on its way to the window.</source>
         <translation>所拾取的点，从物体到窗口。</translation>
-    </message>
-    <message>
-        <source>The view has changed since the click: back from where the point is now.</source>
-        <translation>点击之后视图已改变：从该点现在的位置反算。</translation>
     </message>
     <message>
         <source>z of NDC from 0 to 1</source>
@@ -2649,6 +2676,14 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>As the file gives it: %1. Clip and NDC are those of its conversion, OpenGL&apos;s matrix of the same view volume, which follows.</source>
         <translation>文件中给出的矩阵：%1。裁剪坐标和 NDC 属于其转换结果，即同一视景体的 OpenGL 矩阵，列于其后。</translation>
+    </message>
+    <message>
+        <source>The view has changed since this click: the point on its way through the view as it is now.</source>
+        <translation>视图在这次点击之后已改变：该点在当前视图中的变换过程。</translation>
+    </message>
+    <message>
+        <source>The view has changed since this click: back from where the point is now.</source>
+        <translation>视图在这次点击之后已改变：从该点现在的位置返回。</translation>
     </message>
 </context>
 <context>
@@ -2942,10 +2977,6 @@ of a point that needs no division</source>
         <translation>投影的种类</translation>
     </message>
     <message>
-        <source>Another kind shows the same picture as nearly as it can: what lies at the picked point&apos;s distance, else at the center&apos;s, keeps its place</source>
-        <translation>换一种投影时，画面尽可能保持不变：位于拾取点（没有时为目标点）距离处的物体保持原位</translation>
-    </message>
-    <message>
         <source>Frustum (glFrustum)</source>
         <translation>视景体 (glFrustum)</translation>
     </message>
@@ -3030,16 +3061,8 @@ of a point that needs no division</source>
         <translation>θ</translation>
     </message>
     <message>
-        <source>Angle of the shear in x, degrees between 0 and 180: x grows by cot θ · z. 90 is no shear</source>
-        <translation>x 方向的错切角，以度计，在 0 与 180 之间：x 增加 cot θ · z。90 为无错切</translation>
-    </message>
-    <message>
         <source>φ</source>
         <translation>φ</translation>
-    </message>
-    <message>
-        <source>Angle of the shear in y, degrees between 0 and 180: y grows by cot φ · z. 90 is no shear</source>
-        <translation>y 方向的错切角，以度计，在 0 与 180 之间：y 增加 cot φ · z。90 为无错切</translation>
     </message>
     <message>
         <source>The width is always that of the viewport for this height, so that a circle stays a circle. Typing left, right or the aspect switches this off</source>
@@ -3072,6 +3095,18 @@ of a point that needs no division</source>
     <message>
         <source>A perspective of 45°, its aspect the viewport&apos;s, near and far around the objects</source>
         <translation>45° 的透视投影，宽高比随视口，近、远裁剪面包围物体</translation>
+    </message>
+    <message>
+        <source>Another kind shows the same picture as nearly as it can: what lies at the center&apos;s distance keeps its place and its size</source>
+        <translation>换一种投影时画面尽可能相同：位于观察中心距离处的内容保持位置和大小</translation>
+    </message>
+    <message>
+        <source>Angle of the shear in x, degrees, more than 0 and less than 180: x grows by cot θ · z. 45 moves a point as far to the side as it lies deep, 90 is no shear</source>
+        <translation>x 方向的剪切角，度，大于 0 且小于 180：x 增加 cot θ · z。45 使点的横移等于其深度，90 为无剪切</translation>
+    </message>
+    <message>
+        <source>Angle of the shear in y, degrees, more than 0 and less than 180: y grows by cot φ · z. 45 moves a point as far down as it lies deep, 90 is no shear</source>
+        <translation>y 方向的剪切角，度，大于 0 且小于 180：y 增加 cot φ · z。45 使点的下移等于其深度，90 为无剪切</translation>
     </message>
 </context>
 <context>
@@ -3205,18 +3240,6 @@ of a point that needs no division</source>
         <translation>读取该像素的世界坐标</translation>
     </message>
     <message>
-        <source>Copy Point</source>
-        <translation>复制该点</translation>
-    </message>
-    <message>
-        <source>Copy the picked world coordinate, all its digits</source>
-        <translation>复制所拾取的世界坐标，含全部数字</translation>
-    </message>
-    <message>
-        <source>Nothing is picked yet</source>
-        <translation>尚未拾取任何点</translation>
-    </message>
-    <message>
         <source>Look at This Point</source>
         <translation>看向该点</translation>
     </message>
@@ -3259,6 +3282,18 @@ of a point that needs no division</source>
     <message>
         <source>glDrawArrays: the objects are as they were drawn before</source>
         <translation>glDrawArrays：物体沿用上一次的绘制结果</translation>
+    </message>
+    <message>
+        <source>Pick and Copy Point</source>
+        <translation>拾取并复制点</translation>
+    </message>
+    <message>
+        <source>Read the world coordinate of this pixel and copy it, all its digits</source>
+        <translation>读取此像素的世界坐标并复制其全部数字</translation>
+    </message>
+    <message>
+        <source>Background: no surface here</source>
+        <translation>背景：此处没有表面</translation>
     </message>
 </context>
 <context>

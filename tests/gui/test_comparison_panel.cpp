@@ -16,6 +16,7 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -61,7 +62,7 @@ private slots:
     void differencesAreCountedInUlpsOfTheLargestComponent();
     void certainDigitsAreRoundedThenGrey_data();
     void certainDigitsAreRoundedThenGrey();
-    void whateverIsBlackIsARoundingOfTheValue();
+    void whatIsBlackAgreesWithWhatIsCertain();
     void eachAxisHasItsOwnUncertainty();
     void greyDigitsCanBeRead_data();
     void greyDigitsCanBeRead();
@@ -170,10 +171,12 @@ void TestComparisonPanel::certainDigitsAreRoundedThenGrey_data()
     row("to a hundredth", 1.25, 0.004, "1.25", "1.250000000000000", "1.25");
     row("exactly a hundredth", 1.25, 0.01, "1.25", "1.250000000000000", "1.25");
     row("to a tenth", 1.23, 0.05, "1.2", "1.230000000000000", "1.2");
-    // What is cut off would round the digit before it up: that digit is not one to be read.
-    row("nearly -3", -2.9999994, 0.05, "-3.0", "-2.999999400000000", "");
-    row("rounded up", 1.27, 0.05, "1.3", "1.270000000000000", "1");
-    row("rounded up in the next place too", 1.97, 0.05, "2.0", "1.970000000000000", "");
+    // Black down to the certain place, whether or not what follows rounds its digit up.
+    row("nearly -3", -2.9999994, 0.05, "-3.0", "-2.999999400000000", "-2.9");
+    row("rounded up", 1.27, 0.05, "1.3", "1.270000000000000", "1.2");
+    row("rounded up in the next place too", 1.97, 0.05, "2.0", "1.970000000000000", "1.9");
+    row("rounded up to the place before its digits", 7.25, 5.0, "10", "7.250000000000000", "7");
+    row("the same of a negative", -7.25, 5.0, "-10", "-7.250000000000000", "-7");
     row("less than its uncertainty", 1.25, 1.5, "0", "1.250000000000000", "");
     row("nothing but the uncertainty", 0.004, 0.05, "0.0", "0.004000000000000", "0.0");
     row("negative", -3.5, 0.004, "-3.50", "-3.500000000000000", "-3.50");
@@ -181,10 +184,10 @@ void TestComparisonPanel::certainDigitsAreRoundedThenGrey_data()
     row("finer than a double", 1.25, 1e-25, "1.25", "1.250000000000000", "1.250000000000000");
     row("thousands", 1234.5, 0.04, "1234.5", "1234.500000000000", "1234.5");
     row("hundreds that may be off", 1234.5, 30.0, "1200", "1234.500000000000", "12");
-    row("hundreds, rounded up", 1274.5, 30.0, "1300", "1274.500000000000", "1");
+    row("hundreds, rounded up", 1274.5, 30.0, "1300", "1274.500000000000", "12");
     row("small", 0.00121, 0.00004, "0.0012", "0.001210000000000", "0.0012");
     row("tiny", 1.234e-12, 3e-15, "1.23e-12", "1.23400000000e-12", "1.23");
-    row("tiny, rounded up", -1.237e-12, 3e-15, "-1.24e-12", "-1.23700000000e-12", "-1.2");
+    row("tiny, rounded up", -1.237e-12, 3e-15, "-1.24e-12", "-1.23700000000e-12", "-1.23");
     row("huge", 1.25e20, 1e12, "1.25e+20", "1.25000000000e+20", "1.25000000");
 }
 
@@ -210,9 +213,9 @@ void TestComparisonPanel::certainDigitsAreRoundedThenGrey()
             <= inFloat.size());
 }
 
-void TestComparisonPanel::whateverIsBlackIsARoundingOfTheValue()
+void TestComparisonPanel::whatIsBlackAgreesWithWhatIsCertain()
 {
-    // In every room that a column may have, what is read in black is the value rounded to its last digit.
+    // In every room that a column may have: black ends at the place that the certain number is rounded to.
     ComparisonModel model;
     for (const double x : {-2.9999994, 0.034999, 1.0 / 3.0, 99.96, 1999.9, 12345.678, -0.00099996, 4.5e-9}) {
         for (const double uncertainty : {std::abs(x) * 1e-6, std::abs(x) * 2e-3, std::abs(x) * 0.04}) {
@@ -223,14 +226,10 @@ void TestComparisonPanel::whateverIsBlackIsARoundingOfTheValue()
                 QVERIFY2(text.size() <= capacity, qPrintable(text));
                 const int length =
                     cell(model, 0, ComparisonModel::Formula, ComparisonModel::kCertainLengthRole).toInt();
-                if (length == 0)
-                    continue;
-                // The rest is as many zeros: half a unit of the last black digit is the most that it can be off.
-                QString black = text.left(length);
+                const QString certain = cell(model, 0, ComparisonModel::Certain).toString();
+                QVERIFY2(length > 0, qPrintable(certain)); // all of these round to something
                 const QString power = text.contains(u'e') ? text.mid(text.indexOf(u'e')) : QString();
                 const qsizetype mantissa = text.size() - power.size();
-                for (qsizetype i = length; i < mantissa; ++i)
-                    black += text[i] == u'.' ? u'.' : u'0';
                 qsizetype last = length - 1;
                 while (!text[last].isDigit())
                     --last;
@@ -239,9 +238,12 @@ void TestComparisonPanel::whateverIsBlackIsARoundingOfTheValue()
                     if (unit[i].isDigit())
                         unit[i] = i == last ? u'1' : u'0';
                 }
-                const double off = std::abs((black + power).toDouble() - x);
-                QVERIFY2(off <= std::abs((unit + power).toDouble()) * 0.500001,
-                         qPrintable(QStringLiteral("%1 of %2 for %3").arg(text.left(length), text).arg(x)));
+                const double place = std::abs((unit + power).toDouble());
+                const QString context = QStringLiteral("%1 of %2, certain %3").arg(text.left(length), text, certain);
+                // No more digits are certain than stand beside; fewer where its own column is narrow.
+                const double off = std::abs(certain.toDouble() - std::round(x / place) * place);
+                QVERIFY2(off <= (certain.size() < ComparisonModel::kCertainRoom ? 1e-6 * place : 1e-7 * std::abs(x)),
+                         qPrintable(context));
             }
         }
     }
@@ -291,8 +293,8 @@ void TestComparisonPanel::greyDigitsCanBeRead()
         colors.setColor(role, base);
     panel.setPalette(colors);
     panel.resize(460, 760);
-    panel.setPick(pickWith({-2.9999994, 1.27, 1.23456}, {1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}, 0.05));
-    static_cast<void>(panel.grab()); // laid out
+    panel.setPick(pickWith({-2.9999994, 1.27, 1.23456}, {1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}, 8.0)); // nothing is certain
+    static_cast<void>(panel.grab());                                                             // laid out
     auto *table = panel.findChild<QTableView *>();
     const QRect rect = table->visualRect(table->model()->index(0, ComparisonModel::Formula));
     const QImage cellPicture = table->viewport()->grab(rect.adjusted(2, 2, -3, -3)).toImage();
@@ -362,6 +364,11 @@ void TestComparisonPanel::theFloatColumnsAreShownOnRequest()
             && !table->isColumnHidden(ComparisonModel::FloatDifference));
     panel.setPick(picked(frustumGeometry(), 412.0, 299.0, 0.75)); // and stay shown
     QVERIFY(!table->isColumnHidden(ComparisonModel::MatrixInFloat));
+    // All of it in the width that the panel has at first, without a scroll bar.
+    constexpr int kDigits = 54;
+    panel.resize(kDigits * panel.fontMetrics().horizontalAdvance(u'0'), 700);
+    static_cast<void>(panel.grab()); // laid out
+    QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
     panel.setShowsFloat(false);
     QVERIFY(areHidden());
     QCOMPARE(changes.count(), 2);

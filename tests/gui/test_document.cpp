@@ -21,6 +21,9 @@ private slots:
     void everyVerbTellsItsKindOnceAndIsUndone_data();
     void everyVerbTellsItsKindOnceAndIsUndone();
     void lookingAtNothingIsNoChange_data();
+    void fittingCutsNothingOff_data();
+    void fittingCutsNothingOff();
+    void theOtherProjectionHasTheSameHeightAtTheCenter();
     void lookingAtNothingIsNoChange();
     void aRefusedVerbChangesNothing_data();
     void aRefusedVerbChangesNothing();
@@ -131,6 +134,64 @@ void TestDocument::lookingAtNothingIsNoChange_data()
     });
     row("the same viewport", nothing,
         [](SceneDocument &d) { QVERIFY(d.editViewport(d.scene().viewport, d.scene().depthRange, kDeed)); });
+}
+
+void TestDocument::fittingCutsNothingOff_data()
+{
+    QTest::addColumn<bool>("isBox");
+    QTest::addColumn<double>("nearDistance");
+    QTest::addColumn<double>("farDistance");
+    QTest::addColumn<bool>("isKept");
+    QTest::newRow("near in the objects") << false << 15.0 << 1000.0 << false;
+    QTest::newRow("far before them") << false << 0.01 << 0.1 << false;
+    QTest::newRow("far in a box") << true << -1000.0 << 1.0 << false;
+    QTest::newRow("wide enough") << false << 0.01 << 1000.0 << true;
+    QTest::newRow("wide enough, a box") << true << -1000.0 << 1000.0 << true;
+}
+
+/// Near and far that were typed stay where they hold everything.
+void TestDocument::fittingCutsNothingOff()
+{
+    QFETCH(bool, isBox);
+    QFETCH(double, nearDistance);
+    QFETCH(double, farDistance);
+    QFETCH(bool, isKept);
+    for (const bool isObject : {false, true}) {
+        SceneDocument document;
+        openScene(document);
+        if (isBox)
+            document.switchProjection();
+        Projection typed = withClipDistances(document.geometry().projection(), nearDistance, farDistance);
+        QVERIFY(document.editProjection({typed, true, false}, kDeed));
+        if (isObject)
+            document.fitObject(1);
+        else
+            document.fit();
+        const ProjectionWindow window = projectionWindow(document.geometry().projection());
+        const EyeFrame frame = *eyeFrame(document.geometry().camera());
+        const Box bounds = isObject ? boundsOf(document.objects()[1]) : document.bounds();
+        for (const glm::dvec3 &corner : {bounds.lowest, bounds.highest}) {
+            const double distance = -eyeFromWorld(frame, WorldPoint(corner)).z;
+            QVERIFY(distance > window.nearDistance && distance < window.farDistance);
+        }
+        QCOMPARE(window.nearDistance == nearDistance && window.farDistance == farDistance, isKept);
+        QVERIFY(!document.scene().clipDistancesFitObjects);
+    }
+}
+
+/// A picked point that is near makes the box no smaller.
+void TestDocument::theOtherProjectionHasTheSameHeightAtTheCenter()
+{
+    SceneDocument document;
+    openScene(document);
+    document.pickAt(WidgetPoint(400.0, 300.0), {0.01, 0, 24});
+    QVERIFY(document.pick() && document.pick()->hit());
+    const ProjectionWindow before = projectionWindow(document.geometry().projection());
+    const LookAt &camera = document.geometry().camera();
+    const double height = (before.top - before.bottom) / before.nearDistance * distance(camera.center, camera.eye);
+    document.switchProjection();
+    const ProjectionWindow after = projectionWindow(document.geometry().projection());
+    QVERIFY(std::abs((after.top - after.bottom) - height) < 1e-9 * height);
 }
 
 void TestDocument::lookingAtNothingIsNoChange()

@@ -21,7 +21,7 @@ using Happening = std::function<void(SceneDocument &)>;
 QPushButton *againButton(const QWidget &panel)
 {
     for (QPushButton *button : panel.findChildren<QPushButton *>()) {
-        if (button->text() == QStringLiteral("Compute a&gain"))
+        if (button->text() == QStringLiteral("Pick this pixel a&gain"))
             return button;
     }
     return nullptr;
@@ -111,6 +111,42 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid_data()
         },
         changed, outside);
     row(
+        "near and far",
+        [](SceneDocument &document) {
+            QVERIFY(document.editProjection({Frustum{-1, 1, -1, 1, 1, 10}, false, false}, {QStringLiteral("Near")}));
+        },
+        changed, outside);
+    row(
+        "the object hidden", [](SceneDocument &document) { QVERIFY(document.setObjectHidden(0, true)); },
+        {QStringLiteral("The object of this click is hidden now")}, changed + outside);
+    row(
+        "the object hidden and shown",
+        [](SceneDocument &document) {
+            QVERIFY(document.setObjectHidden(0, true));
+            QVERIFY(document.setObjectHidden(0, false));
+        },
+        {QStringLiteral("as it was")}, changed + outside, false);
+    row(
+        "the point cut away",
+        [](SceneDocument &document) {
+            QVERIFY(document.editClipPlanes({{0, 0, -1, -0.5}}, {}, {QStringLiteral("Cut")}));
+        },
+        {QStringLiteral("A clip plane cuts the point of this click away now")}, changed + outside);
+    row(
+        "cut along the point",
+        [](SceneDocument &document) {
+            QVERIFY(document.editClipPlanes({{0, 0, -1, 0}, {0, 0, 1, 0}}, {}, {QStringLiteral("Cut")}));
+        },
+        {QStringLiteral("as it was")}, changed + outside, false);
+    row(
+        "the object taken out and put back",
+        [](SceneDocument &document) {
+            QVERIFY(document.removeObject(0));
+            QVERIFY(!document.pick());
+            document.undoStack().undo();
+        },
+        {QStringLiteral("as it was")}, changed + outside, false);
+    row(
         "the object moved",
         [](SceneDocument &document) {
             QVERIFY(document.editTransform(0, {Translate{{1000, 0, 0}}}, {QStringLiteral("Move")}));
@@ -140,13 +176,16 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid()
     const QString text = labelText(panel, "Since the click");
     for (const QString &part : said)
         QVERIFY2(text.contains(part), qPrintable(text));
+    if (canCompute) // in the same words
+        QVERIFY2(pipeline.model().status().contains(said.first()), qPrintable(pipeline.model().status()));
     for (const QString &part : notSaid) {
         QVERIFY2(!text.contains(part), qPrintable(text));
         QVERIFY2(!pipeline.model().status().contains(part), qPrintable(pipeline.model().status()));
     }
     QCOMPARE(againButton(panel)->isEnabled(), canCompute);
-    // Another click is of the view as it is.
-    document.pickAt(WidgetPoint(200.0, 150.0), {0.75, 0, 24});
+    // Another click is of the view as it is. What is not drawn is not clicked.
+    const bool isDrawn = !document.objects()[0].isHidden && document.scene().clipPlanes.empty();
+    document.pickAt(WidgetPoint(200.0, 150.0), isDrawn ? DepthSample{0.75, 0, 24} : DepthSample{1.0, {}, 24});
     QVERIFY(labelText(panel, "Since the click").contains(QStringLiteral("as it was")));
     QVERIFY(!againButton(panel)->isEnabled());
 }
