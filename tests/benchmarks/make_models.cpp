@@ -1,7 +1,9 @@
-// Writes a large model as a file of each format: a sphere out of a cube's grid, its surface in waves, closed, its
-// vertices shared. For the benchmarks of loading, and for whoever wants to try a large file.
+// Writes a large model as a file of each format: a sphere with hills, closed, its vertices shared. For the benchmarks of
+// loading, and for whoever wants to try a large file.
 //
 //   make_models FOLDER 913       # 12 · 913² = 10,002,828 triangles: sphere913.stl, .ply, .obj, .glb
+
+#include "tests/support/cube_sphere.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +13,6 @@
 
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -21,91 +22,23 @@
 #include <string_view>
 #include <vector>
 
+using namespace unprojector::scene;
+
 namespace {
 
-/// The points of a cube's surface on a grid of whole numbers from 0 to `divisions`, numbered layer by layer.
-class CubeGrid {
-public:
-    explicit CubeGrid(std::uint32_t divisions) : m_n(divisions) {}
-
-    std::uint32_t pointCount() const { return 6 * m_n * m_n + 2; }
-    std::uint32_t numberOf(std::uint32_t i, std::uint32_t j, std::uint32_t k) const
-    {
-        const std::uint32_t square = (m_n + 1) * (m_n + 1);
-        if (k == 0)
-            return j * (m_n + 1) + i;
-        if (k == m_n)
-            return square + (m_n - 1) * 4 * m_n + j * (m_n + 1) + i;
-        const std::uint32_t layer = square + (k - 1) * 4 * m_n;
-        if (j == 0)
-            return layer + i;
-        if (i == m_n)
-            return layer + m_n + j;
-        if (j == m_n)
-            return layer + 3 * m_n - i;
-        return layer + 4 * m_n - j;
-    }
-
-private:
-    std::uint32_t m_n;
-};
-
-struct Sphere {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;
-    std::vector<std::uint32_t> indices;
-};
-
-glm::vec3 pointAt(const glm::dvec3 &cube)
+std::vector<glm::vec3> normalsOf(const Mesh &mesh)
 {
-    const glm::dvec3 direction = glm::normalize(cube);
-    const double wave = 0.04 * std::sin(9.0 * direction.x) * std::sin(11.0 * direction.y) * std::sin(13.0 * direction.z)
-                        + 0.004 * std::sin(90.0 * direction.x + 70.0 * direction.y);
-    return glm::vec3(direction * (1.0 + wave));
-}
-
-Sphere sphereOf(std::uint32_t divisions)
-{
-    const CubeGrid grid(divisions);
-    Sphere sphere;
-    sphere.positions.resize(grid.pointCount());
-    sphere.normals.assign(grid.pointCount(), glm::vec3(0.0f));
-    sphere.indices.reserve(36 * std::size_t{divisions} * divisions);
-    for (int face = 0; face < 6; ++face) {
-        const int axis = face / 2;
-        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const bool isHigh = face % 2 != 0;
-        const auto numberAt = [&](std::uint32_t a, std::uint32_t b) {
-            std::uint32_t at[3];
-            at[axis] = isHigh ? divisions : 0;
-            at[u] = a;
-            at[v] = b;
-            const std::uint32_t number = grid.numberOf(at[0], at[1], at[2]);
-            const glm::dvec3 cube(at[0], at[1], at[2]);
-            sphere.positions[number] = pointAt(2.0 * cube / double(divisions) - 1.0);
-            return number;
-        };
-        for (std::uint32_t b = 0; b < divisions; ++b) {
-            for (std::uint32_t a = 0; a < divisions; ++a) {
-                const std::uint32_t p = numberAt(a, b), q = numberAt(a + 1, b), r = numberAt(a + 1, b + 1),
-                                    s = numberAt(a, b + 1);
-                if (isHigh)
-                    sphere.indices.insert(sphere.indices.end(), {p, q, r, p, r, s});
-                else
-                    sphere.indices.insert(sphere.indices.end(), {p, r, q, p, s, r});
-            }
-        }
-    }
-    for (std::size_t i = 0; i < sphere.indices.size(); i += 3) {
-        const glm::vec3 a = sphere.positions[sphere.indices[i]];
+    std::vector<glm::vec3> normals(mesh.positions.size(), glm::vec3(0.0f));
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::vec3 a = mesh.positions[mesh.indices[i]];
         const glm::vec3 normal =
-            glm::cross(sphere.positions[sphere.indices[i + 1]] - a, sphere.positions[sphere.indices[i + 2]] - a);
+            glm::cross(mesh.positions[mesh.indices[i + 1]] - a, mesh.positions[mesh.indices[i + 2]] - a);
         for (std::size_t c = 0; c < 3; ++c)
-            sphere.normals[sphere.indices[i + c]] += normal;
+            normals[mesh.indices[i + c]] += normal;
     }
-    for (glm::vec3 &normal : sphere.normals)
+    for (glm::vec3 &normal : normals)
         normal = glm::normalize(normal);
-    return sphere;
+    return normals;
 }
 
 /// A file written through a buffer; numbers in little-endian order, as these machines have them.
@@ -150,7 +83,7 @@ private:
     std::string m_buffer;
 };
 
-void writeStl(const Sphere &sphere, const std::filesystem::path &file)
+void writeStl(const Mesh &sphere, const std::filesystem::path &file)
 {
     Output output(file);
     output.text(std::string(80, ' '));
@@ -163,7 +96,7 @@ void writeStl(const Sphere &sphere, const std::filesystem::path &file)
     }
 }
 
-void writePly(const Sphere &sphere, const std::filesystem::path &file)
+void writePly(const Mesh &sphere, const std::filesystem::path &file)
 {
     Output output(file);
     output.text("ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(sphere.positions.size())
@@ -178,7 +111,7 @@ void writePly(const Sphere &sphere, const std::filesystem::path &file)
     }
 }
 
-void writeObj(const Sphere &sphere, const std::filesystem::path &file)
+void writeObj(const Mesh &sphere, const std::filesystem::path &file)
 {
     Output output(file);
     for (const glm::vec3 &position : sphere.positions) {
@@ -199,7 +132,7 @@ void writeObj(const Sphere &sphere, const std::filesystem::path &file)
     }
 }
 
-void writeGlb(const Sphere &sphere, const std::filesystem::path &file)
+void writeGlb(const Mesh &sphere, const std::filesystem::path &file)
 {
     const std::size_t vertexBytes = 12 * sphere.positions.size();
     const std::size_t indexBytes = 4 * sphere.indices.size();
@@ -246,7 +179,7 @@ void writeGlb(const Sphere &sphere, const std::filesystem::path &file)
     output.text(std::string_view("BIN\0", 4));
     for (const glm::vec3 &position : sphere.positions)
         output.bytes(position);
-    for (const glm::vec3 &normal : sphere.normals)
+    for (const glm::vec3 &normal : normalsOf(sphere))
         output.bytes(normal);
     for (const std::uint32_t index : sphere.indices)
         output.bytes(index);
@@ -262,7 +195,8 @@ int main(int argumentCount, char **arguments)
         std::cerr << "Usage: make_models FOLDER DIVISIONS, for 12 * DIVISIONS^2 triangles\n";
         return 2;
     }
-    const Sphere sphere = sphereOf(static_cast<std::uint32_t>(divisions));
+    const auto model = cubeSphere(static_cast<std::uint32_t>(divisions));
+    const Mesh &sphere = model->meshes.front();
     const std::filesystem::path folder(arguments[1]);
     std::filesystem::create_directories(folder);
     const std::string name = "sphere" + std::to_string(divisions);
