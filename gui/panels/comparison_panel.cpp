@@ -134,7 +134,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     // As the chain of a click needs, in two lines at the most; labels that set it by themselves would move it from click to
     // click.
     // Counted in digits: the average character of a font for Chinese is as wide as an ideograph.
-    constexpr int kLeastDigits = 30;
+    constexpr int kLeastDigits = 48;
     setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
 
     auto *layout = new QVBoxLayout(this);

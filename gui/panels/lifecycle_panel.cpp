@@ -103,7 +103,7 @@ void LifecyclePanel::useFont()
     };
     reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"));
     reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8,"));
-    reserve(LifecycleLog::Took, QStringLiteral("mean 888.88 ms")); // in a second line
+    reserve(LifecycleLog::Took, QStringLiteral("888.88 ms,")); // and the mean in a second line
     m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,")) + kPadding;
     fitCalls();
 }
