@@ -22,6 +22,7 @@ private slots:
     void showsVerticesWithoutFacesAsPoints_data();
     void showsVerticesWithoutFacesAsPoints();
     void readsLargeFiles();
+    void leavesVeryLargeMeshesFlat();
     void saysWhatIsLeftOut_data();
     void saysWhatIsLeftOut();
     void saysWhyAFileCannotBeOpened_data();
@@ -214,6 +215,21 @@ void TestImportPly::readsLargeFiles()
     const auto refused = m_folder.imported("grid.ply", wrong);
     VERIFY_REFUSED(refused, ImportErrorCode::Malformed,
                    QString("face 397601 refers to vertex 200000, the file has 200000"));
+}
+
+void TestImportPly::leavesVeryLargeMeshesFlat()
+{
+    const int faces = 3000001;
+    QByteArray bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                       "property float z\nelement face "
+                       + QByteArray::number(faces) + "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const float value : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f})
+        bytes += little(value);
+    bytes += ('\3' + little(quint32(0)) + little(quint32(1)) + little(quint32(2))).repeated(faces);
+    const auto result = m_folder.imported("many.ply", bytes);
+    REQUIRE_MODEL(result);
+    QCOMPARE(result.value()->triangleCount(), std::size_t(faces));
+    QVERIFY(result.value()->meshes.front().normals.empty());
 }
 
 void TestImportPly::saysWhatIsLeftOut_data()
