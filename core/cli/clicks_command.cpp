@@ -27,7 +27,7 @@ Result<glm::dvec3> pointOf(const Unprojected &click, Method method, const BatchS
 std::vector<std::string> clickColumns(const PointsOptions &options)
 {
     std::vector<std::string> names(kClickColumns.begin(), kClickColumns.end());
-    for (std::string &name : pointColumns(options.methods, options.rows.space))
+    for (std::string &name : pointColumns(options.methods))
         names.push_back(std::move(name));
     return names;
 }

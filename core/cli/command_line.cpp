@@ -104,7 +104,7 @@ void addPoints(CLI::App &app, Run &run)
         "background has no point: its cells are empty, as those of a bad row. With POINTS, - too, it is the rows\n"
         "that are computed, with the scene of the clicks.\n"
         "\n"
-        "Points in the world are formula_x and so on; the others name their space: formula_eye_x, formula_object_x.\n"
+        "The columns have the same names in every space: give 'unproject project' the same --space.\n"
         "\n"
         "Examples:\n"
         "  unproject points scene.json clicks.csv > points.csv\n"
@@ -124,8 +124,8 @@ void addProject(CLI::App &app, Run &run)
     CLI::App *command = app.add_subcommand("project", "Points to the window, every stage on the way");
     auto options = std::make_shared<RowOptions>();
     addRowOptions(*command, *options,
-                  "x,y,z, or formula_x,formula_y,formula_z as 'unproject points' writes them\n(formula_eye_x… or "
-                  "formula_object_x… with --space eye or object:NAME); - or\nnothing: standard input",
+                  "x,y,z, or formula_x,formula_y,formula_z as 'unproject points' writes them; - or\nnothing: standard "
+                  "input. They lie in the space that --space names",
                   "world, eye or object:NAME");
     command->footer(
         "The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical pixels\n"

@@ -71,13 +71,6 @@ std::string hintFor(std::string_view header, std::string_view column, const std:
                        + (*separator == ';' ? "semicolons" : "tabs");
         }
     }
-    // Points that 'unproject points' has written for another space.
-    for (const char *space : {"eye", "object"}) {
-        const std::string there = std::string("formula_") + space + "_x";
-        if (std::find(found.begin(), found.end(), there) != found.end())
-            return "; these points lie in " + (space + std::string(" space: give --space ")) + space
-                   + (std::string_view(space) == "object" ? ":NAME" : "");
-    }
     for (const std::string_view name : found) {
         if (std::equal(name.begin(), name.end(), column.begin(), column.end(),
                        [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; }))

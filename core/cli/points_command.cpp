@@ -171,11 +171,11 @@ private:
 
 } // namespace
 
-std::vector<std::string> pointColumns(const std::vector<Method> &methods, const std::string &space)
+std::vector<std::string> pointColumns(const std::vector<Method> &methods)
 {
     std::vector<std::string> names;
     for (const Method method : methods) {
-        for (const std::string &coordinate : pointColumnsOf(keyOf(method), space))
+        for (const std::string &coordinate : pointColumnsOf(keyOf(method)))
             names.push_back(coordinate);
     }
     if (comparedPlaces(methods))
@@ -220,7 +220,7 @@ ExitCode runPoints(const PointsOptions &options)
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;
-    const std::vector<std::string> results = pointColumns(options.methods, options.rows.space);
+    const std::vector<std::string> results = pointColumns(options.methods);
     Task task{options, NumberReader(rows->source.name(), rows->columns),       geometry.depthRange,
               {},      RowLayout(rows->columns, results, options.rows.format), results.size()};
     bool isUsable = false;

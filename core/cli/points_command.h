@@ -23,9 +23,7 @@ struct PointsOptions {
 /// What is given of a click.
 inline const ColumnNames kClickColumns{"px", "py", "depth"};
 /// The names of the columns that are computed: three for each method, and "difference" with both the formulas and the matrix.
-/// Where the points are not in the world the names say so: "formula_eye_x", "formula_object_x".
-/// @param space  as RowOptions has it
-std::vector<std::string> pointColumns(const std::vector<Method> &methods, const std::string &space);
+std::vector<std::string> pointColumns(const std::vector<Method> &methods);
 
 /// Writes the cells of a point by each of the methods, and of the difference; empty where there is no number.
 /// @param points  in the order of `methods`; nothing where a method has none

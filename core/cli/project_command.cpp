@@ -149,9 +149,8 @@ ExitCode runProject(const RowOptions &options)
     const std::optional<SceneOrClicks> given = sceneOrClicks(options.scene);
     if (!given)
         return ExitCode::UnusableInput;
-    // The preferred ones first: as a person writes them, or as `unproject points` has written them for this space.
-    const std::unique_ptr<RowStream> rows =
-        openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula", options.space)});
+    // The preferred ones first: as a person writes them, or as `unproject points` has written them.
+    const std::unique_ptr<RowStream> rows = openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula")});
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;

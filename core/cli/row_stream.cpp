@@ -10,11 +10,9 @@ RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const st
 {
 }
 
-ColumnNames pointColumnsOf(const std::string &method, const std::string &space)
+ColumnNames pointColumnsOf(const std::string &method)
 {
-    std::string name = method;
-    name += space == "eye" ? "_eye_" : space.starts_with("object:") ? "_object_" : "_";
-    return {name + 'x', name + 'y', name + 'z'};
+    return {method + "_x", method + "_y", method + "_z"};
 }
 
 std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClicks &given,

@@ -24,10 +24,8 @@ struct RowOptions {
     unsigned threads = 2;
 };
 
-/// The columns of a point, as a command writes them and another reads them: "formula_x" to "formula_z" in the world, and with
-/// the space in their names elsewhere, so that no coordinates pass for others: "formula_eye_x", "formula_object_x".
-/// @param space  as RowOptions has it
-ColumnNames pointColumnsOf(const std::string &method, const std::string &space);
+/// The columns of a point, as a command writes them and another reads them: "formula_x" to "formula_z", in whatever space.
+ColumnNames pointColumnsOf(const std::string &method);
 
 /// The scene, the space in it, and the rows behind a header that has the columns.
 struct RowStream {

@@ -240,7 +240,7 @@ std::vector<std::uint8_t> readFile(const std::filesystem::path &file, ProgressRe
 } // namespace mesh_reader
 
 Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::path &file,
-                                                              const ImportProgress &progress)
+                                                        const ImportProgress &progress)
 {
     mesh_reader::ProgressReporter reporter(progress);
     ImportError error{ImportErrorCode::Malformed, file, {}, 0};

@@ -45,6 +45,6 @@ using ImportProgress = std::function<bool(double share)>;
 /// @param progress  may be empty
 /// @return its textures are still encoded
 Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::path &file,
-                                                              const ImportProgress &progress);
+                                                        const ImportProgress &progress);
 
 } // namespace unprojector::mesh_import

@@ -100,10 +100,7 @@ void TestClicksCommand::theSamePointsToTheLastDigit()
     QCOMPARE(run.exitCode, 0);
     const auto lines = run.lines();
     QCOMPARE(lines.size(), 3);
-    const QByteArray named = space == "world" ? QByteArray() : space.section(':', 0, 0).toUtf8() + '_';
-    QCOMPARE(lines[0], QByteArray("px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference")
-                           .replace("formula_", "formula_" + named)
-                           .replace("matrix_", "matrix_" + named));
+    QCOMPARE(lines[0], QByteArray("px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference"));
     for (int i = 0; i < 2; ++i) {
         const Click &click = clicks[std::size_t(i)];
         const ClickPoint &point = space == "eye"     ? click.eye.surface
@@ -124,7 +121,7 @@ void TestClicksCommand::theSamePointsToTheLastDigit()
     QCOMPARE(one.lines(), QList<QByteArray>{lines[2].split(',').mid(0, 6).join(',')});
     const Run json = runCommand({"points", "--format", "jsonl", "--space", space, file});
     QCOMPARE(json.lines().size(), 2);
-    QVERIFY(json.output.startsWith("{\"px\":500.5,\"py\":375.5,\"depth\":0.0123456789,\"formula_" + named + "x\":"));
+    QVERIFY(json.output.startsWith("{\"px\":500.5,\"py\":375.5,\"depth\":0.0123456789,\"formula_x\":"));
 }
 
 void TestClicksCommand::aClickOnTheBackgroundHasEmptyCells()

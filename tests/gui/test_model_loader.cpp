@@ -125,7 +125,7 @@ void TestModelLoader::aLoaderMayGoWhileItLoads()
 {
     for (int i = 0; i < 5; ++i) {
         ModelStore store;
-    ModelLoader loader(store);
+        ModelLoader loader(store);
         loader.load({m_large, m_small});
         QTest::qWait(i);
     }
