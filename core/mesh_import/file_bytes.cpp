@@ -1,71 +1,51 @@
 #include "core/mesh_import/file_bytes.h"
 
-// On Windows paths are of wchar_t, which Boost.Interprocess takes since 1.77 only: there files are read.
-#ifndef _WIN32
-#include <boost/interprocess/file_mapping.hpp>
-#include <boost/interprocess/mapped_region.hpp>
-#endif
+#include "core/threads/parallel.h"
 
+#include <fstream>
+#include <functional>
 #include <system_error>
 
 namespace unprojector::mesh_import::mesh_reader {
 
-#ifdef _WIN32
-
-struct FileBytes::Mapping {};
-
-FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter &progress) : m_read(readFile(file, &progress))
-{
-}
-
-std::span<const std::uint8_t> FileBytes::bytes() const
-{
-    return m_read;
-}
-
-#else
-
 namespace {
 
-/// Below this, reading is as fast, and a file that someone shortens meanwhile does no harm.
-constexpr std::uintmax_t kLeastMappedBytes = 4 << 20;
+/// Some milliseconds of work.
+constexpr std::size_t kBytesInTask = 4 << 20;
 
 } // namespace
 
-struct FileBytes::Mapping {
-    explicit Mapping(const std::filesystem::path &file)
-        : mapping(file.c_str(), boost::interprocess::read_only), region(mapping, boost::interprocess::read_only)
-    {
-    }
-
-    boost::interprocess::file_mapping mapping;
-    boost::interprocess::mapped_region region;
-};
-
-FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter &progress)
+FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progress)
 {
     std::error_code error;
-    if (std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) >= kLeastMappedBytes
-        && !error) {
-        try {
-            m_mapping = std::make_unique<Mapping>(file);
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (error)
+        throw Failure(ImportErrorCode::NotReadable, error.message());
+    // A pipe or a device has no size and may never end.
+    if (!std::filesystem::is_regular_file(status))
+        throw Failure(ImportErrorCode::NotReadable, "it is a pipe or a device");
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error || !std::ifstream(file, std::ios::binary))
+        throw Failure(ImportErrorCode::NotReadable);
+    m_size = static_cast<std::size_t>(size);
+    m_bytes = std::make_unique_for_overwrite<std::uint8_t[]>(m_size);
+
+    std::function<void(double)> report;
+    if (progress)
+        report = [progress](double share) { progress->report(share); };
+    threads::inParallelRanges(m_size, kBytesInTask, report, [&](std::size_t begin, std::size_t end) {
+        std::ifstream stream;
+        stream.rdbuf()->pubsetbuf(nullptr, 0); // the bytes go where they belong at once
+        stream.open(file, std::ios::binary);
+        stream.seekg(static_cast<std::streamoff>(begin));
+        if (!stream)
+            throw Failure(ImportErrorCode::NotReadable);
+        if (stream.read(reinterpret_cast<char *>(m_bytes.get() + begin), static_cast<std::streamsize>(end - begin)))
             return;
-        } catch (const boost::interprocess::interprocess_exception &) {
-            // Some file systems cannot map; reading says what is wrong, if anything is.
-        }
-    }
-    m_read = readFile(file, &progress);
+        if (stream.eof())
+            failMalformed("another program has made it shorter while it was read; open it again once that is done");
+        throw Failure(ImportErrorCode::NotReadable);
+    });
 }
-
-std::span<const std::uint8_t> FileBytes::bytes() const
-{
-    if (!m_mapping)
-        return m_read;
-    return {static_cast<const std::uint8_t *>(m_mapping->region.get_address()), m_mapping->region.get_size()};
-}
-
-#endif
-
-FileBytes::~FileBytes() = default;
 
 } // namespace unprojector::mesh_import::mesh_reader

@@ -2,30 +2,25 @@
 
 #include "core/mesh_import/mesh_reader.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace unprojector::mesh_import::mesh_reader {
 
-/// A regular file's bytes: mapped into memory where it is large and the system can, else read.
+/// A regular file's bytes, read by all cores. Not mapped: a program that shortens a mapped file ends those that look at it.
 class FileBytes {
 public:
-    /// Throws Failure (NotReadable, Cancelled).
-    FileBytes(const std::filesystem::path &file, ProgressReporter &progress);
-    ~FileBytes();
-    FileBytes(const FileBytes &) = delete;
-    FileBytes &operator=(const FileBytes &) = delete;
+    /// Throws Failure (NotReadable; Malformed where the file becomes shorter meanwhile; Cancelled).
+    explicit FileBytes(const std::filesystem::path &file, ProgressReporter *progress = nullptr);
 
-    std::span<const std::uint8_t> bytes() const;
+    std::span<const std::uint8_t> bytes() const { return {m_bytes.get(), m_size}; }
 
 private:
-    struct Mapping;
-
-    std::unique_ptr<Mapping> m_mapping;
-    std::vector<std::uint8_t> m_read;
+    std::size_t m_size = 0;
+    std::unique_ptr<std::uint8_t[]> m_bytes;
 };
 
 } // namespace unprojector::mesh_import::mesh_reader

@@ -34,8 +34,10 @@ struct Chunks {
 Chunks chunksOfGlb(const Source &source)
 {
     const std::span<const std::uint8_t> bytes = source.bytes;
-    if (bytes.size() < 20 || wordAt(bytes, 0) != kGlbMagic)
+    if (bytes.size() < 4 || wordAt(bytes, 0) != kGlbMagic)
         failMalformed("the file does not begin with a GLB header");
+    if (bytes.size() < 20)
+        failMalformed("the file ends within the header");
     if (wordAt(bytes, 4) != 2)
         failMalformed("the file is GLB version " + std::to_string(wordAt(bytes, 4)) + ", only version 2 can be read");
     if (wordAt(bytes, 8) > bytes.size())
@@ -202,6 +204,24 @@ const Json &GltfFile::reference(const Json &object, const char *key, const char 
     return objects[static_cast<std::size_t>(index)];
 }
 
+GltfFile::Buffer GltfFile::readBuffer(const std::string &address) const
+{
+    Buffer buffer;
+    if (std::optional<std::vector<std::uint8_t>> embedded = dataFromUri(address)) {
+        buffer.embedded = std::move(*embedded);
+        return buffer;
+    }
+    const std::filesystem::path file = resolveReference(m_source.file, address);
+    if (file.empty())
+        failMalformed("the file \"" + address + "\", which it needs, is not there");
+    try {
+        buffer.file = std::make_unique<FileBytes>(file);
+    } catch (const Failure &) {
+        failMalformed("the file \"" + address + "\", which it needs, cannot be read; look at its permissions");
+    }
+    return buffer;
+}
+
 std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
 {
     const Json &described = array("buffers")[static_cast<std::size_t>(buffer)];
@@ -217,21 +237,12 @@ std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
     if (!uri->is_string())
         failMalformed("the address of a buffer is no text");
     auto &slot = m_buffers[static_cast<std::size_t>(buffer)];
-    if (!slot) {
-        const auto &address = uri->get_ref<const std::string &>();
-        std::optional<std::vector<std::uint8_t>> bytes = dataFromUri(address);
-        if (!bytes) {
-            const std::filesystem::path file = resolveReference(m_source.file, address);
-            if (file.empty())
-                failMalformed("the file \"" + address + "\", which it needs, is not there");
-            bytes = readFile(file);
-        }
-        slot = std::make_unique<std::vector<std::uint8_t>>(std::move(*bytes));
-    }
-    if (declared > slot->size())
-        failMalformed("a buffer of " + std::to_string(slot->size()) + " bytes is declared as "
+    if (!slot)
+        slot = std::make_unique<Buffer>(readBuffer(uri->get_ref<const std::string &>()));
+    if (declared > slot->bytes().size())
+        failMalformed("a buffer of " + std::to_string(slot->bytes().size()) + " bytes is declared as "
                       + std::to_string(declared));
-    return *slot;
+    return slot->bytes();
 }
 
 std::span<const std::uint8_t> GltfFile::viewBytes(const Json &object)

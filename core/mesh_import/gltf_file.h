@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh_import/file_bytes.h"
 #include "core/mesh_import/mesh_reader.h"
 
 #include <nlohmann/json.hpp>
@@ -42,13 +43,20 @@ public:
     std::span<const std::uint8_t> viewBytes(const Json &object);
 
 private:
+    /// What stands in the JSON, or in a file of its own.
+    struct Buffer {
+        std::vector<std::uint8_t> embedded;
+        std::unique_ptr<FileBytes> file;
+        std::span<const std::uint8_t> bytes() const { return file ? file->bytes() : embedded; }
+    };
+    Buffer readBuffer(const std::string &address) const;
     std::span<const std::uint8_t> bufferBytes(std::uint64_t buffer);
 
     const Source &m_source;
     Json m_root;
     bool m_isGlb = false;
-    std::span<const std::uint8_t> m_binary;                            ///< GLB's chunk
-    std::vector<std::unique_ptr<std::vector<std::uint8_t>>> m_buffers; ///< of those read so far
+    std::span<const std::uint8_t> m_binary;         ///< GLB's chunk
+    std::vector<std::unique_ptr<Buffer>> m_buffers; ///< of those read so far
 };
 
 /// What a "data:" address holds; nothing where it is none.

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/mesh_import/gltf_file.h"
+#include "core/mesh_import/material.h"
 
 #include <glm/mat3x3.hpp>
-#include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <map>
@@ -12,11 +12,8 @@
 
 namespace unprojector::mesh_import::mesh_reader {
 
-/// What a glTF material says of a surface's colour.
-struct GltfMaterial {
-    glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
-    bool hasBaseColor = false; ///< whether the file says so
-    int texture = -1;          ///< into Model::textures
+/// A glTF material, and where on its texture a vertex lies.
+struct GltfMaterial : Material {
     std::uint64_t texcoordSet = 0;
     glm::dmat3 textureFromTexcoord{1.0}; ///< KHR_texture_transform; of (u, v, 1), v down
 };

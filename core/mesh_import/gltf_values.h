@@ -2,6 +2,8 @@
 
 #include "core/mesh_import/gltf_file.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,6 +25,9 @@ public:
 
     /// A number of an element; integers that stand for shares of one are turned into them.
     double at(std::size_t element, std::size_t component) const;
+    /// The numbers of an element of three.
+    /// @pre components() is 3
+    glm::dvec3 vectorAt(std::size_t element) const { return {at(element, 0), at(element, 1), at(element, 2)}; }
     /// An integer of an element, as it is in the file.
     /// @pre areIntegers()
     std::int64_t integerAt(std::size_t element, std::size_t component) const;

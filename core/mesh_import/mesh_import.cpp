@@ -2,11 +2,14 @@
 
 #include "core/geometry/finite.h"
 #include "core/mesh_import/file_bytes.h"
+#include "core/mesh_import/file_contents.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
-#include "core/mesh_import/parallel.h"
+#include "core/text/number_text.h"
+#include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -19,13 +22,12 @@
 #include <system_error>
 
 namespace unprojector::mesh_import {
+using namespace threads;
 using namespace geometry;
 
 namespace mesh_reader {
 
 namespace {
-
-constexpr std::size_t kReadChunkBytes = 1 << 20;
 
 /// Elements looked at in a task of some milliseconds.
 constexpr std::size_t kElementsInTask = 1 << 18;
@@ -100,6 +102,46 @@ Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(doub
     return bounds;
 }
 
+/// Those whose corners are equal or on one line. Differences of singles are exact or nearly so in double, and so is what
+/// is made of them here: only what has no area is counted.
+std::size_t flatTriangles(const Mesh &mesh)
+{
+    std::atomic<std::size_t> count = 0;
+    inParallelRanges(mesh.triangleCount(), kElementsInTask / 3, {}, [&](std::size_t begin, std::size_t end) {
+        std::size_t own = 0;
+        for (std::size_t triangle = begin; triangle < end; ++triangle) {
+            const auto corner = [&](std::size_t k) {
+                return glm::dvec3(mesh.positions[mesh.vertexAt(3 * triangle + k)]);
+            };
+            const glm::dvec3 a = corner(0), u = corner(1) - a, v = corner(2) - a;
+            own += glm::cross(u, v) == glm::dvec3(0.0) ? 1U : 0U;
+        }
+        count += own;
+    });
+    return count;
+}
+
+/// Says what of a model that is right can be neither seen nor clicked.
+void noteWhatIsNotSeen(Model &model)
+{
+    std::size_t flat = 0;
+    for (const Mesh &mesh : model.meshes)
+        flat += flatTriangles(mesh);
+    if (flat > 0)
+        model.notes.push_back({ModelNote::Kind::PartUnusable, 0,
+                               (flat == 1 ? "1 triangle without an area, whose"
+                                          : std::to_string(flat) + " triangles without an area, whose")
+                                   + std::string(" corners are equal or on one line in single precision")});
+    // Graphics cards take what is below 1.2e-38 as 0; so much more keeps the digits of singles.
+    constexpr double kLeastDrawn = 1e-30;
+    const glm::dvec3 size = model.bounds.highest - model.bounds.lowest;
+    const double largest = std::max({size.x, size.y, size.z});
+    if (largest > 0.0 && largest < kLeastDrawn)
+        model.notes.push_back({ModelNote::Kind::PartUnusable, 0,
+                               "drawing, since graphics cards round " + text::shortestText(largest)
+                                   + ", which the model measures, to 0 or to few digits; scale it up"});
+}
+
 /// Keeps normals that can be used, makes those that are missing where that pays.
 void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
 {
@@ -116,8 +158,11 @@ void finishModel(Model &model, ProgressReporter &progress)
     if (model.meshes.empty())
         throw Failure(ImportErrorCode::NoTriangles);
     std::size_t total = 0;
-    for (const Mesh &mesh : model.meshes)
+    bool isSoup = false;
+    for (const Mesh &mesh : model.meshes) {
         total += mesh.elementCount();
+        isSoup = isSoup || (mesh.kind == Mesh::Kind::Triangles && mesh.indices.empty());
+    }
     std::size_t firstVertex = 0;
     std::size_t done = 0;
     for (Mesh &mesh : model.meshes) {
@@ -133,6 +178,9 @@ void finishModel(Model &model, ProgressReporter &progress)
         finishNormals(mesh, reporting(0.1, 1.0));
         done += elements;
     }
+    if (model.fileVertices == 0 && !isSoup)
+        model.fileVertices = firstVertex;
+    noteWhatIsNotSeen(model);
 }
 
 std::string lowerCaseSuffix(const std::filesystem::path &file)
@@ -162,6 +210,34 @@ Reader readerFor(const std::string &suffix)
     return nullptr;
 }
 
+constexpr std::size_t kStartBytes = 512;
+
+std::string startOf(const std::filesystem::path &file)
+{
+    std::error_code error;
+    std::string start;
+    if (!std::filesystem::is_regular_file(file, error))
+        return start;
+    start.resize(kStartBytes);
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(stream.gcount()));
+    return start;
+}
+
+/// Throws also where the contents are of another kind than the name says; then it says so.
+Model readAs(Reader reader, const Source &source)
+{
+    try {
+        return reader(source);
+    } catch (Failure &failure) {
+        const std::string advice = adviceByContents(source.text().substr(0, kStartBytes), source.suffix);
+        if (failure.code == ImportErrorCode::Malformed && !advice.empty())
+            failure.detail += "; " + advice;
+        throw;
+    }
+}
+
 Model import(const std::filesystem::path &file, ProgressReporter &progress)
 {
     std::error_code error;
@@ -173,14 +249,14 @@ Model import(const std::filesystem::path &file, ProgressReporter &progress)
     const std::string suffix = lowerCaseSuffix(file);
     const Reader reader = readerFor(suffix);
     if (!reader)
-        throw Failure(ImportErrorCode::UnknownFormat, suffix);
+        throw Failure(ImportErrorCode::UnknownFormat, adviceByContents(startOf(file), suffix));
 
     progress.beginStage(0.0, 0.1);
-    const FileBytes contents(file, progress);
+    const FileBytes contents(file, &progress);
     if (contents.bytes().empty())
         throw Failure(ImportErrorCode::EmptyFile);
     progress.beginStage(0.1, 0.7);
-    Model model = reader(Source{file, suffix, contents.bytes(), progress});
+    Model model = readAs(reader, Source{file, suffix, contents.bytes(), progress});
     progress.beginStage(0.7, 1.0);
     finishModel(model, progress);
     model.name = utf8FromPath(file.stem());
@@ -212,29 +288,6 @@ std::size_t bytesThatMean(std::span<const std::uint8_t> bytes)
         return byte == 0 || byte == ' ' || byte == '\n' || byte == '\r' || byte == '\t' || byte == 0x1a;
     });
     return isFilling ? 0 : bytes.size();
-}
-
-std::vector<std::uint8_t> readFile(const std::filesystem::path &file, ProgressReporter *progress)
-{
-    std::error_code error;
-    // A pipe or a device has no size and may never end.
-    if (!std::filesystem::is_regular_file(file, error))
-        throw Failure(ImportErrorCode::NotReadable);
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    std::ifstream stream(file, std::ios::binary);
-    if (error || !stream)
-        throw Failure(ImportErrorCode::NotReadable);
-
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-    for (std::size_t done = 0; done < bytes.size();) {
-        const std::size_t chunk = std::min(kReadChunkBytes, bytes.size() - done);
-        if (!stream.read(reinterpret_cast<char *>(bytes.data() + done), static_cast<std::streamsize>(chunk)))
-            throw Failure(ImportErrorCode::NotReadable);
-        done += chunk;
-        if (progress)
-            progress->report(static_cast<double>(done) / static_cast<double>(bytes.size()));
-    }
-    return bytes;
 }
 
 } // namespace mesh_reader

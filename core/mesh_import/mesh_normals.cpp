@@ -1,20 +1,27 @@
 #include "core/mesh_import/mesh_normals.h"
 
+#include "core/threads/parallel.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <mutex>
 #include <numeric>
+#include <thread>
 #include <utility>
 
 namespace unprojector::mesh_import {
+using namespace threads;
 
 namespace {
 
 constexpr std::uint32_t kEmpty = 0xffffffffu;
 constexpr std::size_t kTrianglesBetweenReports = 1 << 16;
+/// Some milliseconds of work.
+constexpr std::size_t kTrianglesInTask = 1 << 15;
 
 std::uint64_t mixed(std::uint64_t hash, std::uint32_t word)
 {
@@ -41,6 +48,13 @@ struct FaceNormal {
     float weight = 0.0f;
 };
 
+glm::vec3 normalizedOrUp(const glm::vec3 &sum)
+{
+    // The square of a tiny area's normal underflows in single precision.
+    const double length = glm::length(glm::dvec3(sum));
+    return length > 0.0 ? glm::vec3(glm::dvec3(sum) / length) : glm::vec3(0.0f, 0.0f, 1.0f);
+}
+
 std::vector<FaceNormal> faceNormalsOf(const Mesh &mesh, const std::function<void(double)> &report)
 {
     Box box;
@@ -49,18 +63,67 @@ std::vector<FaceNormal> faceNormalsOf(const Mesh &mesh, const std::function<void
     const double scale = box.diagonal() > 0.0 ? 1.0 / box.diagonal() : 1.0;
 
     std::vector<FaceNormal> faces(mesh.triangleCount());
-    for (std::size_t t = 0; t < faces.size(); ++t) {
-        if (t % kTrianglesBetweenReports == 0 && report)
-            report(0.4 * static_cast<double>(t) / static_cast<double>(faces.size()));
-        const glm::dvec3 a(mesh.positions[mesh.indices[3 * t]]);
-        const glm::dvec3 b(mesh.positions[mesh.indices[3 * t + 1]]);
-        const glm::dvec3 c(mesh.positions[mesh.indices[3 * t + 2]]);
-        const glm::dvec3 normal = glm::cross((b - a) * scale, (c - a) * scale);
-        const double area = glm::length(normal);
-        if (area > 0.0)
-            faces[t] = {glm::vec3(normal / area), static_cast<float>(area)};
-    }
+    std::function<void(double)> telling;
+    if (report)
+        telling = [&report](double share) { report(0.4 * share); };
+    inParallelRanges(faces.size(), kTrianglesInTask, telling, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const glm::dvec3 a(mesh.positions[mesh.indices[3 * t]]);
+            const glm::dvec3 b(mesh.positions[mesh.indices[3 * t + 1]]);
+            const glm::dvec3 c(mesh.positions[mesh.indices[3 * t + 2]]);
+            const glm::dvec3 normal = glm::cross((b - a) * scale, (c - a) * scale);
+            const double area = glm::length(normal);
+            if (area > 0.0)
+                faces[t] = {glm::vec3(normal / area), static_cast<float>(area)};
+        }
+    });
     return faces;
+}
+
+/// The sum of the faces' normals around each position, which are added in the order of the faces however many cores do it:
+/// each adds those of its own positions.
+std::vector<glm::vec3> normalSums(const Mesh &mesh, const std::vector<FaceNormal> &faces,
+                                  const std::vector<std::uint32_t> &positionOfVertex, std::size_t positionCount)
+{
+    std::vector<glm::vec3> sums(positionCount, glm::vec3(0.0f));
+    // All of them look at all corners: more would gain little.
+    constexpr std::size_t kMostTasks = 4;
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t tasks = mesh.indices.size() < 3 * kTrianglesInTask ? 1 : std::min(cores, kMostTasks);
+    inParallel(tasks, {}, [&](std::size_t task) {
+        const std::size_t begin = positionCount * task / tasks, end = positionCount * (task + 1) / tasks;
+        for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+            const std::size_t position = positionOfVertex[mesh.indices[c]];
+            if (position >= begin && position < end)
+                sums[position] += faces[c / 3].direction * faces[c / 3].weight;
+        }
+    });
+    inParallelRanges(positionCount, kTrianglesInTask, {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t position = begin; position < end; ++position)
+            sums[position] = normalizedOrUp(sums[position]);
+    });
+    return sums;
+}
+
+/// Of the positions, those around which a face turns from their mean by more than an angle.
+std::vector<std::uint32_t> creasedPositions(const Mesh &mesh, const std::vector<FaceNormal> &faces,
+                                            const std::vector<std::uint32_t> &positionOfVertex,
+                                            const std::vector<glm::vec3> &means, float cosine)
+{
+    std::vector<std::uint32_t> creased;
+    std::mutex mutex;
+    inParallelRanges(mesh.indices.size(), 3 * kTrianglesInTask, {}, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> own;
+        for (std::size_t c = begin; c < end; ++c) {
+            const FaceNormal &face = faces[c / 3];
+            const std::uint32_t position = positionOfVertex[mesh.indices[c]];
+            if (face.weight > 0.0f && !(glm::dot(face.direction, means[position]) >= cosine))
+                own.push_back(position);
+        }
+        const std::lock_guard lock(mutex);
+        creased.insert(creased.end(), own.begin(), own.end());
+    });
+    return creased;
 }
 
 /// The corners around each creased position, sorted by position, in compressed rows.
@@ -124,13 +187,6 @@ private:
     std::vector<std::uint32_t> m_parents;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;
 };
-
-glm::vec3 normalizedOrUp(const glm::vec3 &sum)
-{
-    // The square of a tiny area's normal underflows in single precision.
-    const double length = glm::length(glm::dvec3(sum));
-    return length > 0.0 ? glm::vec3(glm::dvec3(sum) / length) : glm::vec3(0.0f, 0.0f, 1.0f);
-}
 
 std::uint32_t appendCopy(Mesh &mesh, std::uint32_t vertex)
 {
@@ -239,29 +295,23 @@ void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(doub
     std::vector<std::uint32_t> positionOfVertex(mesh.positions.size());
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
         positionOfVertex[v] = positionIndex.add(mesh.positions[v]);
-    std::vector<glm::vec3> sums(positionIndex.size(), glm::vec3(0.0f));
-    for (std::size_t c = 0; c < mesh.indices.size(); ++c)
-        sums[positionOfVertex[mesh.indices[c]]] += faces[c / 3].direction * faces[c / 3].weight;
-    for (glm::vec3 &sum : sums)
-        sum = normalizedOrUp(sum);
+    const std::vector<glm::vec3> means = normalSums(mesh, faces, positionOfVertex, positionIndex.size());
     if (report)
         report(0.6);
 
-    mesh.normals.resize(mesh.positions.size());
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        mesh.normals[v] = sums[positionOfVertex[v]];
+    mesh.normals.clear();
+    fillInParallel(mesh.normals, mesh.positions.size(), {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            mesh.normals[v] = means[positionOfVertex[v]];
+    });
 
     // Faces within half the crease angle of their mean are within the crease angle of each other: nearly all
     // positions of a scan are settled by that, and only the rest is worth looking at edge by edge.
     const float cosineOfHalfCrease = std::sqrt((1.0f + cosineOfCrease) / 2.0f);
     std::vector<std::uint32_t> creasedNumber(positionIndex.size(), kEmpty);
     CornerRows rows;
-    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
-        const FaceNormal &face = faces[c / 3];
-        const std::uint32_t position = positionOfVertex[mesh.indices[c]];
-        if (face.weight > 0.0f && !(glm::dot(face.direction, sums[position]) >= cosineOfHalfCrease))
-            creasedNumber[position] = 0;
-    }
+    for (const std::uint32_t position : creasedPositions(mesh, faces, positionOfVertex, means, cosineOfHalfCrease))
+        creasedNumber[position] = 0;
     std::uint32_t creasedCount = 0;
     for (std::uint32_t &number : creasedNumber) {
         if (number != kEmpty)

@@ -87,7 +87,5 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
 int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference);
 /// The file that such a reference means, or an empty path.
 std::filesystem::path resolveReference(const std::filesystem::path &modelFile, const std::string &reference);
-/// A regular file's bytes. Throws Failure (NotReadable).
-std::vector<std::uint8_t> readFile(const std::filesystem::path &file, ProgressReporter *progress = nullptr);
 
 } // namespace unprojector::mesh_import::mesh_reader

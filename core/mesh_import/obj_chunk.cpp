@@ -118,9 +118,9 @@ void ObjChunk::readVector(ObjCursor &cursor, const char *what, int least, int mo
 bool ObjChunk::readCorner(ObjCursor &cursor, Corner &corner)
 {
     corner = {};
-    if (!cursor.readInteger(corner.numbers[kObjVertex]))
+    if (!cursor.readInteger(corner.numbers[ObjVertex]))
         return false;
-    for (std::size_t kind = kObjTexcoord; kind < kObjKinds && cursor.readIf('/'); ++kind)
+    for (std::size_t kind = ObjTexcoord; kind < kObjKinds && cursor.readIf('/'); ++kind)
         cursor.readInteger(corner.numbers[kind]);
     return cursor.isAtWordEnd();
 }
@@ -129,8 +129,8 @@ void ObjChunk::addCorner(ObjKind kind, std::int64_t number, bool isNamed)
 {
     constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
     std::vector<std::int32_t> &ofKind = corners[kind];
-    const std::size_t at = corners[kObjVertex].size() - (kind == kObjVertex ? 0 : 1);
-    if (kind != kObjVertex) {
+    const std::size_t at = corners[ObjVertex].size() - (kind == ObjVertex ? 0 : 1);
+    if (kind != ObjVertex) {
         if (ofKind.empty() && !isNamed)
             return;
         ofKind.resize(at, -1);
@@ -165,7 +165,7 @@ void ObjChunk::addFace(ObjRun face)
 
 void ObjChunk::readFace(ObjCursor &cursor)
 {
-    const std::size_t first = corners[kObjVertex].size();
+    const std::size_t first = corners[ObjVertex].size();
     ObjRun face{0, 1, m_material, true, true};
     bool namesTexcoords = false;
     while (!cursor.isAtStatementEnd()) {
@@ -175,12 +175,12 @@ void ObjChunk::readFace(ObjCursor &cursor)
             fail(cursor, quoted(word.word()) + " is no corner of a face");
             return;
         }
-        addCorner(kObjVertex, corner.numbers[kObjVertex], true);
-        addCorner(kObjTexcoord, corner.numbers[kObjTexcoord], corner.numbers[kObjTexcoord] != 0);
-        addCorner(kObjNormal, corner.numbers[kObjNormal], corner.numbers[kObjNormal] != 0);
-        namesTexcoords = namesTexcoords || corner.numbers[kObjTexcoord] != 0;
-        face.hasTexcoords = face.hasTexcoords && corner.numbers[kObjTexcoord] != 0;
-        face.hasNormals = face.hasNormals && corner.numbers[kObjNormal] != 0;
+        addCorner(ObjVertex, corner.numbers[ObjVertex], true);
+        addCorner(ObjTexcoord, corner.numbers[ObjTexcoord], corner.numbers[ObjTexcoord] != 0);
+        addCorner(ObjNormal, corner.numbers[ObjNormal], corner.numbers[ObjNormal] != 0);
+        namesTexcoords = namesTexcoords || corner.numbers[ObjTexcoord] != 0;
+        face.hasTexcoords = face.hasTexcoords && corner.numbers[ObjTexcoord] != 0;
+        face.hasNormals = face.hasNormals && corner.numbers[ObjNormal] != 0;
         ++face.cornersEach;
     }
     if (face.cornersEach < 3) {
@@ -220,11 +220,11 @@ void ObjChunk::resolve(const ObjCounts &before, const ObjCounts &total, std::siz
         for (const std::size_t at : m_countedBack[kind])
             corners[kind][at] += static_cast<std::int32_t>(before[kind]);
         m_countedBack[kind] = {};
-        if (kind != kObjVertex && !corners[kind].empty())
-            corners[kind].resize(corners[kObjVertex].size(), -1);
+        if (kind != ObjVertex && !corners[kind].empty())
+            corners[kind].resize(corners[ObjVertex].size(), -1);
     }
-    const std::vector<std::int32_t> &vertices = corners[kObjVertex];
-    const auto vertexCount = static_cast<std::uint32_t>(total[kObjVertex]);
+    const std::vector<std::int32_t> &vertices = corners[ObjVertex];
+    const auto vertexCount = static_cast<std::uint32_t>(total[ObjVertex]);
     const auto missing = std::find_if(vertices.begin(), vertices.end(), [vertexCount](std::int32_t vertex) {
         return static_cast<std::uint32_t>(vertex) >= vertexCount;
     });
@@ -242,7 +242,7 @@ void ObjChunk::resolve(const ObjCounts &before, const ObjCounts &total, std::siz
         }
         failAtFace(face, before, total, linesBefore);
     }
-    if (!corners[kObjTexcoord].empty() || !corners[kObjNormal].empty())
+    if (!corners[ObjTexcoord].empty() || !corners[ObjNormal].empty())
         checkParts(total);
 }
 
@@ -259,8 +259,8 @@ void ObjChunk::checkParts(const ObjCounts &total)
         for (std::uint32_t f = 0; f < run.faces; ++f) {
             ObjRun face = run;
             for (std::uint32_t c = 0; c < run.cornersEach; ++c, ++corner) {
-                face.hasTexcoords = face.hasTexcoords && !isMissing(kObjTexcoord, corner);
-                face.hasNormals = face.hasNormals && !isMissing(kObjNormal, corner);
+                face.hasTexcoords = face.hasTexcoords && !isMissing(ObjTexcoord, corner);
+                face.hasNormals = face.hasNormals && !isMissing(ObjNormal, corner);
             }
             facesWithoutTexcoords += run.hasTexcoords && !face.hasTexcoords ? 1 : 0;
             facesWithoutNormals += run.hasNormals && !face.hasNormals ? 1 : 0;
@@ -277,7 +277,7 @@ void ObjChunk::failAtFace(std::size_t face, const ObjCounts &before, const ObjCo
     ObjCounts soFar = before;
     for (std::size_t faces = 0; !cursor.isAtEnd(); cursor.skipStatement()) {
         const std::string_view keyword = cursor.word();
-        soFar[kObjVertex] += keyword == "v" ? 1 : 0;
+        soFar[ObjVertex] += keyword == "v" ? 1 : 0;
         if (keyword != "f" && keyword != "fo")
             continue;
         ObjCursor ahead = cursor;
@@ -288,12 +288,12 @@ void ObjChunk::failAtFace(std::size_t face, const ObjCounts &before, const ObjCo
             continue;
         Corner corner;
         while (!cursor.isAtStatementEnd() && readCorner(cursor, corner)) {
-            const std::int64_t number = corner.numbers[kObjVertex];
-            const bool exists = number > 0 ? number <= total[kObjVertex] : number < 0 && number >= -soFar[kObjVertex];
+            const std::int64_t number = corner.numbers[ObjVertex];
+            const bool exists = number > 0 ? number <= total[ObjVertex] : number < 0 && number >= -soFar[ObjVertex];
             if (!exists)
                 failMalformed("line " + std::to_string(linesBefore + cursor.linesBefore() + 1)
                               + ": a face refers to vertex " + std::to_string(number) + ", the file has "
-                              + std::to_string(total[kObjVertex]));
+                              + std::to_string(total[ObjVertex]));
         }
     }
     failMalformed("a face refers to a vertex that the file does not have");

@@ -22,7 +22,7 @@ using namespace geometry;
 class ObjCursor;
 
 /// What a corner of a face refers to, in the order of "1/2/3"; also where that is counted or kept by kind.
-enum ObjKind : std::size_t { kObjVertex, kObjTexcoord, kObjNormal };
+enum ObjKind : std::size_t { ObjVertex, ObjTexcoord, ObjNormal };
 inline constexpr std::size_t kObjKinds = 3;
 using ObjCounts = std::array<std::int64_t, kObjKinds>;
 

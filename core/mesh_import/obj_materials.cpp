@@ -1,5 +1,6 @@
 #include "core/mesh_import/obj_materials.h"
 
+#include "core/mesh_import/file_bytes.h"
 #include "core/mesh_import/text_scanner.h"
 
 #include <algorithm>
@@ -83,8 +84,8 @@ bool ObjMaterials::readLibrary(const std::string &name)
     if (file.empty())
         return false;
     try {
-        const std::vector<std::uint8_t> bytes = readFile(file);
-        parse({reinterpret_cast<const char *>(bytes.data()), bytes.size()});
+        const FileBytes contents(file);
+        parse({reinterpret_cast<const char *>(contents.bytes().data()), contents.bytes().size()});
     } catch (const Failure &) {
         return false;
     }
@@ -140,7 +141,7 @@ int ObjMaterials::textureNumber(const Written &written)
     return known->second;
 }
 
-std::optional<ObjMaterial> ObjMaterials::find(std::string_view name)
+std::optional<Material> ObjMaterials::find(std::string_view name)
 {
     auto found = m_written.find(name);
     if (found == m_written.end()) {
@@ -154,7 +155,7 @@ std::optional<ObjMaterial> ObjMaterials::find(std::string_view name)
         return std::nullopt;
     const Written &written = found->second;
     const glm::vec3 diffuse = written.diffuse.value_or(kDiffuseByDefault);
-    ObjMaterial material;
+    Material material;
     material.baseColor = glm::vec4(diffuse, written.opacity);
     material.hasBaseColor = true;
     if (!written.picture.empty()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh_import/material.h"
 #include "core/mesh_import/mesh_reader.h"
 
 #include <glm/vec4.hpp>
@@ -12,13 +13,6 @@
 
 namespace unprojector::mesh_import::mesh_reader {
 
-/// A material of an OBJ file: its colour is multiplied with the texture's and the vertices'.
-struct ObjMaterial {
-    glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
-    bool hasBaseColor = false; ///< whether a library says so
-    int texture = -1;          ///< into Model::textures
-};
-
 /// The materials of an OBJ file's libraries. Reads pictures and adds notes to the model.
 class ObjMaterials {
 public:
@@ -27,7 +21,7 @@ public:
     /// Reads what follows "mtllib": one file whose name may hold blanks, or several files.
     void readLibraries(std::string_view names);
     /// The material after "usemtl", or nothing where no library has it.
-    std::optional<ObjMaterial> find(std::string_view name);
+    std::optional<Material> find(std::string_view name);
 
 private:
     /// As written.

@@ -37,7 +37,7 @@ std::size_t ObjVertices::slotOf(const Vertex &vertex) const
 
 std::uint32_t ObjVertices::add(const Vertex &vertex)
 {
-    const auto position = static_cast<std::size_t>(vertex[kObjVertex]);
+    const auto position = static_cast<std::size_t>(vertex[ObjVertex]);
     if (position < m_kept) {
         if (!m_isUsed[position]) {
             m_isUsed[position] = true;

@@ -1,13 +1,21 @@
 #include "core/mesh_import/ply_body.h"
 
+#include "core/mesh_import/line_ranges.h"
+#include "core/threads/parallel.h"
+
+#include <algorithm>
 #include <bit>
 #include <optional>
+#include <vector>
 
 namespace unprojector::mesh_import::mesh_reader {
+using namespace threads;
 
 namespace {
 
 constexpr std::size_t kElementsBetweenReports = 1 << 14;
+/// Some milliseconds of work.
+constexpr std::size_t kBytesInTask = 1 << 20;
 
 } // namespace
 
@@ -52,7 +60,7 @@ void PlyBody::beginElement(const PlyElement &element, std::size_t number)
 {
     m_element = &element;
     m_number = number;
-    if (number % kElementsBetweenReports == 0)
+    if (!m_isPart && number % kElementsBetweenReports == 0)
         m_source.progress.report(static_cast<double>(offset()) / static_cast<double>(m_bytes.size()));
     if (m_format == PlyFormat::Ascii)
         m_scanner.skipBlankLines();
@@ -127,6 +135,50 @@ void PlyBody::skipAll(const PlyElement &element)
             skip(property);
         endElement();
     }
+}
+
+bool PlyBody::readLines(const PlyElement &element,
+                        const std::function<void(PlyBody &part, std::size_t first, std::size_t count)> &read)
+{
+    if (m_format != PlyFormat::Ascii || element.properties.empty() || element.count == 0
+        || bytesLeft() < 2 * kBytesInTask)
+        return false;
+    const std::string_view text = m_source.text();
+    const std::size_t begin = offset();
+    const auto share = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(text.size()); };
+    const auto reporting = [&](double from, double to) {
+        return [this, from, to](double done) { m_source.progress.report(from + (to - from) * done); };
+    };
+    std::vector<LineRange> ranges = lineRanges(text, begin, kBytesInTask);
+    inParallel(ranges.size(), {}, [&](std::size_t i) { countLines(text, ranges[i]); });
+    std::size_t first = 0, line = m_scanner.line(), used = 0;
+    for (; used < ranges.size() && first < element.count; ++used) {
+        LineRange &range = ranges[used];
+        range.line = line;
+        range.first = first;
+        range.count = std::min(range.filledLines, element.count - first);
+        line += range.lines;
+        first += range.count;
+    }
+    if (first < element.count)
+        return false;
+    std::vector<PlyBody> parts(used, *this);
+    try {
+        inParallel(used, reporting(share(begin), share(ranges[used - 1].end)), [&](std::size_t i) {
+            const LineRange &range = ranges[i];
+            PlyBody &part = parts[i];
+            part.m_isPart = true;
+            part.m_bytes = m_bytes.first(range.end);
+            part.m_scanner = TextScanner(text.substr(0, range.end), range.begin, range.line);
+            read(part, range.first, range.count);
+        });
+    } catch (const Failure &failure) {
+        if (failure.code == ImportErrorCode::Cancelled)
+            throw;
+        return false;
+    }
+    m_scanner = TextScanner(text, parts.back().m_scanner.offset(), parts.back().m_scanner.line());
+    return true;
 }
 
 std::size_t PlyBody::end()

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -34,6 +35,13 @@ public:
     /// @return the bytes that follow in a binary file, 0 where they are blank
     std::size_t end();
 
+    /// Reads all of an element's instances, each a line of a long text, by all cores; moves on behind them.
+    /// @param read  called at once from several threads, each with a body of its own that stands before the first of them
+    /// @return false where that is not worth while, or something is not as it should be: then nothing is read, and one by one
+    ///         will say what. What `read` has stored by then is to be stored anew
+    bool readLines(const PlyElement &element,
+                   const std::function<void(PlyBody &part, std::size_t first, std::size_t count)> &read);
+
     /// Where the next values of a binary file are.
     const std::uint8_t *next() const { return m_bytes.data() + m_at; }
     /// The same, and moves on.
@@ -52,6 +60,7 @@ private:
     std::span<const std::uint8_t> m_bytes;
     std::size_t m_at;
     TextScanner m_scanner;
+    bool m_isPart = false; ///< read beside others: it reports nothing
     const PlyElement *m_element = nullptr;
     std::size_t m_number = 0;
 };

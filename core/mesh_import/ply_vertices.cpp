@@ -1,6 +1,6 @@
 #include "core/mesh_import/ply_vertices.h"
 
-#include "core/mesh_import/parallel.h"
+#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <string_view>
 
 namespace unprojector::mesh_import::mesh_reader {
+using namespace threads;
 using namespace geometry;
 
 namespace {
@@ -86,26 +87,35 @@ struct VertexLayout {
     bool hasTexcoords = false;
 };
 
-/// One by one, from text or where lists make vertices of different sizes.
+/// One by one, from text or where lists make vertices of different sizes; from a long text by all cores.
 void readOneByOne(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
 {
     const PlyElement &element = layout.element;
-    std::vector<glm::dvec3> positions;
-    positions.reserve(element.count);
+    std::vector<glm::dvec3> positions(element.count);
     Box box;
-    std::vector<double> values(element.properties.size());
-    for (std::size_t v = 0; v < element.count; ++v) {
-        body.beginElement(element, v);
-        for (std::size_t p = 0; p < values.size(); ++p) {
-            if (element.properties[p].isList)
-                body.skip(element.properties[p]);
-            else
-                values[p] = body.value(element.properties[p].type);
+    std::mutex mutex;
+    const auto read = [&](PlyBody &part, std::size_t first, std::size_t count) {
+        Box own;
+        std::vector<double> values(element.properties.size());
+        for (std::size_t v = first; v < first + count; ++v) {
+            part.beginElement(element, v);
+            for (std::size_t p = 0; p < values.size(); ++p) {
+                if (element.properties[p].isList)
+                    part.skip(element.properties[p]);
+                else
+                    values[p] = part.value(element.properties[p].type);
+            }
+            part.endElement();
+            positions[v] = layout.positionIn(values);
+            own.add(positions[v]);
+            layout.set(mesh, v, values);
         }
-        body.endElement();
-        positions.push_back(layout.positionIn(values));
-        box.add(positions.back());
-        layout.set(mesh, v, values);
+        const std::lock_guard lock(mutex);
+        box.add(own);
+    };
+    if (!body.readLines(element, read)) {
+        box = {};
+        read(body, 0, element.count);
     }
     setPositions(mesh, originFor(box), positions);
 }

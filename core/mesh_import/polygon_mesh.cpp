@@ -1,5 +1,6 @@
 #include "core/mesh_import/polygon_mesh.h"
 
+#include "core/mesh_import/material.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
 
@@ -76,8 +77,10 @@ void PolygonMesh::addStrip(std::span<const std::int64_t> vertices, std::size_t s
 
 Mesh PolygonMesh::take()
 {
-    if (mesh.indices.empty())
+    if (mesh.indices.empty()) {
         mesh.kind = Mesh::Kind::Points;
+        mesh.baseColor = Material{}.baseColorOf(mesh.kind, !mesh.colors.empty());
+    }
     if (m_cornerColors.empty() && m_cornerTexcoords.empty())
         return std::move(mesh);
 

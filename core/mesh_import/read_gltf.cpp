@@ -4,13 +4,16 @@
 #include "core/mesh_import/gltf_materials.h"
 #include "core/mesh_import/gltf_nodes.h"
 #include "core/mesh_import/gltf_values.h"
+#include "core/threads/parallel.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -21,12 +24,13 @@
 #include <vector>
 
 namespace unprojector::mesh_import::mesh_reader {
+using namespace threads;
 
 namespace {
 
 /// Nodes may show a mesh again and again: a small file could ask for any amount of memory.
 constexpr std::size_t kMostVertices = std::size_t{1} << 26;
-constexpr std::size_t kVerticesBetweenReports = 1 << 16;
+constexpr std::size_t kVerticesInTask = 1 << 16;
 
 /// Extensions that a file may require: those that change nothing of what is shown, and those that are read.
 bool isSupported(std::string_view extension)
@@ -48,6 +52,22 @@ std::uint8_t byteFromShare(double share)
 struct Group {
     Mesh mesh;
     std::vector<glm::dvec3> positions;
+
+    /// Around the vertices that are used.
+    Box box() const
+    {
+        if (mesh.indices.empty())
+            return {};
+        glm::dvec3 lowest = positions[mesh.indices.front()], highest = lowest;
+        for (const std::uint32_t vertex : mesh.indices) {
+            lowest = glm::min(lowest, positions[vertex]);
+            highest = glm::max(highest, positions[vertex]);
+        }
+        Box box;
+        box.add(lowest);
+        box.add(highest);
+        return box;
+    }
 };
 
 class GltfReader {
@@ -138,20 +158,17 @@ private:
         return values;
     }
 
-    static glm::dvec3 vectorAt(const GltfValues &values, std::size_t element)
-    {
-        return {values.at(element, 0), values.at(element, 1), values.at(element, 2)};
-    }
-
     /// Three numbers for each vertex, with what the morph targets add by their weights.
     std::vector<glm::dvec3> vectors(const Json &primitive, const char *name, const GltfValues &values,
                                     const Json &weights)
     {
         if (values.components() != 3)
             failMalformed(std::string("the attribute ") + name + " of a mesh has not three numbers each");
-        std::vector<glm::dvec3> list(values.count());
-        for (std::size_t v = 0; v < list.size(); ++v)
-            list[v] = vectorAt(values, v);
+        std::vector<glm::dvec3> list;
+        fillInParallel(list, values.count(), {}, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v)
+                list[v] = values.vectorAt(v);
+        });
         const Json &targets = GltfFile::array(primitive, "targets");
         for (std::size_t t = 0; t < std::min(targets.size(), weights.size()); ++t) {
             const double weight = GltfFile::real(weights[t]);
@@ -162,20 +179,19 @@ private:
             if (moved->components() != 3)
                 failMalformed(std::string("the morph target ") + name + " of a mesh has not three numbers each");
             for (std::size_t v = 0; v < list.size(); ++v)
-                list[v] += weight * vectorAt(*moved, v);
+                list[v] += weight * moved->vectorAt(v);
         }
         return list;
     }
 
-    Group &groupFor(const Json &primitive, const GltfMaterial &material, const Key &key)
+    Group &groupFor(const Material &material, const Key &key)
     {
         const auto [found, isNew] = m_groupNumbers.try_emplace(key, m_groups.size());
         if (isNew) {
             Mesh mesh;
             mesh.kind = key.arePoints ? Mesh::Kind::Points : Mesh::Kind::Triangles;
             mesh.texture = key.hasTexcoords ? material.texture : -1;
-            const bool isWhite = !GltfFile::find(primitive, "material") && key.hasColors;
-            mesh.baseColor = isWhite ? glm::vec4(1.0f) : material.baseColor;
+            mesh.baseColor = material.baseColorOf(mesh.kind, key.hasColors);
             m_groups.push_back({std::move(mesh), {}});
         }
         return m_groups[found->second];
@@ -212,9 +228,8 @@ private:
         const std::string texcoordName = "TEXCOORD_" + std::to_string(material.texcoordSet);
         const std::optional<GltfValues> texcoords =
             material.texture < 0 ? std::nullopt : attribute(*attributes, texcoordName.c_str(), positions.count());
-        Group &group = groupFor(primitive, material,
-                                {GltfFile::number(primitive, "material", ~std::uint64_t{0}), normals.has_value(),
-                                 colors.has_value(), texcoords.has_value(), arePoints});
+        Group &group = groupFor(material, {GltfFile::number(primitive, "material", ~std::uint64_t{0}),
+                                           normals.has_value(), colors.has_value(), texcoords.has_value(), arePoints});
 
         const std::size_t first = group.positions.size();
         addPositions(vectors(primitive, "POSITION", positions, weights), worldFromMesh, group);
@@ -233,11 +248,34 @@ private:
             return;
         }
         const bool isMirrored = glm::determinant(glm::dmat3(worldFromMesh)) < 0.0;
+        if (indices && mode == GltfCorners::Triangles && !isMirrored
+            && addTriangles(*indices, 3 * corners.triangleCount(), first, positions.count(), group.mesh))
+            return;
         for (std::size_t t = 0; t < corners.triangleCount(); ++t) {
             const auto [a, b, c] = corners.ofTriangle(t);
             const std::uint64_t last = vertexOf(isMirrored ? b : c), middle = vertexOf(isMirrored ? c : b);
             addElement({vertexOf(a), middle, last}, first, positions.count(), group.mesh);
         }
+    }
+
+    /// All triangles of a list as they come.
+    /// @return false, and none is added, where one refers to a vertex that there is none of
+    static bool addTriangles(const GltfValues &corners, std::size_t cornerCount, std::size_t first, std::size_t count,
+                             Mesh &mesh)
+    {
+        const std::size_t before = mesh.indices.size();
+        std::atomic<bool> areWhole{true};
+        fillInParallel(mesh.indices, before + cornerCount, {}, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto vertex = static_cast<std::uint64_t>(corners.integerAt(i - before, 0));
+                if (vertex >= count)
+                    areWhole = false;
+                mesh.indices[i] = static_cast<std::uint32_t>(first + vertex);
+            }
+        });
+        if (!areWhole)
+            mesh.indices.resize(before);
+        return areWhole;
     }
 
     /// A triangle or a point, unless it refers to a vertex that there is none of.
@@ -251,20 +289,27 @@ private:
             mesh.indices.push_back(static_cast<std::uint32_t>(first + vertex));
     }
 
-    void addPositions(const std::vector<glm::dvec3> &positions, const glm::dmat4 &worldFromMesh, Group &group)
+    void addPositions(std::vector<glm::dvec3> positions, const glm::dmat4 &worldFromMesh, Group &group)
     {
         const bool isIdentity = worldFromMesh == glm::dmat4(1.0);
-        for (std::size_t v = 0; v < positions.size(); ++v) {
-            if (v % kVerticesBetweenReports == 0)
-                m_file.source().progress.report(static_cast<double>(m_doneVertices + v)
-                                                / static_cast<double>(std::max<std::size_t>(m_totalVertices, 1)));
-            const glm::dvec3 placed =
-                isIdentity ? positions[v] : glm::dvec3(worldFromMesh * glm::dvec4(positions[v], 1.0));
-            if (!isFinite(placed))
-                throw Failure(ImportErrorCode::NotFinite, {}, m_doneVertices + v);
-            group.positions.push_back(placed);
-        }
+        const auto report = [&](double share) {
+            m_file.source().progress.report(
+                (static_cast<double>(m_doneVertices) + share * static_cast<double>(positions.size()))
+                / static_cast<double>(std::max<std::size_t>(m_totalVertices, 1)));
+        };
+        inParallelRanges(positions.size(), kVerticesInTask, report, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                if (!isIdentity)
+                    positions[v] = glm::dvec3(worldFromMesh * glm::dvec4(positions[v], 1.0));
+                if (!isFinite(positions[v]))
+                    throw Failure(ImportErrorCode::NotFinite, {}, m_doneVertices + v);
+            }
+        });
         m_doneVertices += positions.size();
+        if (group.positions.empty())
+            group.positions = std::move(positions);
+        else
+            group.positions.insert(group.positions.end(), positions.begin(), positions.end());
     }
 
     static void addNormals(const std::vector<glm::dvec3> &normals, const glm::dmat4 &worldFromMesh, Mesh &mesh)
@@ -274,11 +319,14 @@ private:
         const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                    glm::cross(linear[0], linear[1]));
         const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
-        for (const glm::dvec3 &normal : normals) {
-            const glm::dvec3 turned = side * (cofactors * normal);
-            const double length = glm::length(turned);
-            mesh.normals.push_back(length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0f));
-        }
+        const std::size_t first = mesh.normals.size();
+        fillInParallel(mesh.normals, first + normals.size(), {}, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                const glm::dvec3 turned = side * (cofactors * normals[v - first]);
+                const double length = glm::length(turned);
+                mesh.normals[v] = length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0f);
+            }
+        });
     }
 
     static void addColors(const GltfValues &colors, Mesh &mesh)
@@ -341,20 +389,22 @@ private:
             return group.mesh.kind == Mesh::Kind::Triangles && !group.mesh.indices.empty();
         });
         Box all;
+        std::vector<Box> boxes;
         for (Group &group : m_groups) {
             if (group.mesh.kind == Mesh::Kind::Points && hasTriangles) {
                 m_lineCount += group.mesh.indices.size();
                 group.mesh.indices.clear();
             }
-            for (const std::uint32_t vertex : group.mesh.indices)
-                all.add(group.positions[vertex]);
+            boxes.push_back(group.box());
+            all.add(boxes.back());
         }
         if (m_lineCount > 0)
             m_model.notes.push_back({ModelNote::Kind::LinesLeftOut, m_lineCount, {}});
-        for (Group &group : m_groups) {
+        for (std::size_t i = 0; i < m_groups.size(); ++i) {
+            Group &group = m_groups[i];
             if (group.mesh.indices.empty())
                 continue;
-            const glm::dvec3 origin = originOf(group, originFor(all));
+            const glm::dvec3 origin = originOf(boxes[i], originFor(all));
             if (group.mesh.kind == Mesh::Kind::Points)
                 listPoints(group);
             setPositions(group.mesh, origin, group.positions);
@@ -364,12 +414,9 @@ private:
     }
 
     /// That of the whole model, but for a mesh so far from it that its digits would go.
-    static glm::dvec3 originOf(const Group &group, const glm::dvec3 &common)
+    static glm::dvec3 originOf(const Box &box, const glm::dvec3 &common)
     {
         constexpr double kFar = 1024.0;
-        Box box;
-        for (const std::uint32_t vertex : group.mesh.indices)
-            box.add(group.positions[vertex]);
         const glm::dvec3 way = box.center() - common;
         return glm::length(way) > kFar * box.diagonal() ? originFor(box) : common;
     }

@@ -3,8 +3,8 @@
 #include "core/mesh_import/obj_chunk.h"
 #include "core/mesh_import/obj_materials.h"
 #include "core/mesh_import/obj_vertices.h"
-#include "core/mesh_import/parallel.h"
 #include "core/mesh_import/polygon_triangulation.h"
+#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <deque>
@@ -17,6 +17,7 @@
 #include <utility>
 
 namespace unprojector::mesh_import::mesh_reader {
+using namespace threads;
 
 namespace {
 
@@ -70,7 +71,7 @@ private:
     };
     /// A mesh of the model, and where its faces are.
     struct Part {
-        ObjMaterial material;
+        Material material;
         bool hasTexcoords = false;
         bool hasNormals = false;
         std::vector<Corners> corners;
@@ -132,7 +133,7 @@ void ObjReader::throwFirstFailure()
     for (const ObjChunk &chunk : m_chunks) {
         if (chunk.failure() && chunk.failure()->code == ImportErrorCode::NotFinite)
             throw Failure(ImportErrorCode::NotFinite, {},
-                          static_cast<std::size_t>(m_total[kObjVertex]) + chunk.positions.size());
+                          static_cast<std::size_t>(m_total[ObjVertex]) + chunk.positions.size());
         if (chunk.failure())
             failMalformed("line " + std::to_string(lines + chunk.failure()->line + 1) + ": "
                           + chunk.failure()->message);
@@ -143,7 +144,7 @@ void ObjReader::throwFirstFailure()
     }
     m_hasFaces = faces > 0;
     // A file of any text would pass so far.
-    if (m_total[kObjVertex] == 0 && !m_hasFaces)
+    if (m_total[ObjVertex] == 0 && !m_hasFaces)
         failMalformed("the file holds no OBJ vertices and no faces");
     if (*std::max_element(m_total.begin(), m_total.end()) >= std::numeric_limits<std::int32_t>::max())
         failMalformed("the file has more than 2147483646 vertices");
@@ -155,7 +156,8 @@ void ObjReader::placePositions()
     for (const ObjChunk &chunk : m_chunks)
         box.add(chunk.box);
     m_origin = originFor(box);
-    m_positions.reserve(static_cast<std::size_t>(m_total[kObjVertex]));
+    m_model.fileVertices = static_cast<std::size_t>(m_total[ObjVertex]);
+    m_positions.reserve(m_model.fileVertices);
     const bool hasColors =
         std::any_of(m_chunks.begin(), m_chunks.end(), [](const ObjChunk &chunk) { return !chunk.colors.empty(); });
     for (std::size_t i = 0; i < m_chunks.size(); ++i) {
@@ -209,7 +211,7 @@ void ObjReader::triangulate(ObjChunk &chunk) const
         for (std::uint32_t face = 0; face < run.faces; ++face, first += run.cornersEach) {
             outline.clear();
             for (std::size_t corner = first; corner < first + run.cornersEach; ++corner)
-                outline.push_back(m_positions[static_cast<std::size_t>(chunk.corners[kObjVertex][corner])]);
+                outline.push_back(m_positions[static_cast<std::size_t>(chunk.corners[ObjVertex][corner])]);
             triangles.clear();
             triangulator.triangulate(outline, triangles);
             for (std::size_t kind = 0; kind < kObjKinds; ++kind) {
@@ -261,7 +263,7 @@ void ObjReader::sortIntoParts()
         }
     }
     std::map<std::string, std::size_t> numbers; // of names in `materials`; the first is for what has none
-    std::vector<ObjMaterial> materials(1);
+    std::vector<Material> materials(1);
     ModelNote unknown{ModelNote::Kind::MaterialUnknown, 0, {}};
     std::map<std::tuple<std::size_t, bool, bool>, std::size_t> partNumbers;
     std::size_t current = 0;
@@ -271,7 +273,7 @@ void ObjReader::sortIntoParts()
         for (std::size_t name = 1; name < chunk.materials.size(); ++name) {
             const auto [known, isNew] = numbers.try_emplace(chunk.materials[name], 0);
             if (isNew) {
-                if (const std::optional<ObjMaterial> material = m_materials.find(known->first)) {
+                if (const std::optional<Material> material = m_materials.find(known->first)) {
                     known->second = materials.size();
                     materials.push_back(*material);
                 } else if (unknown.count++ == 0) {
@@ -313,8 +315,7 @@ void ObjReader::makeMeshes()
         Mesh mesh = isOnly && !part.hasNormals && !part.hasTexcoords ? plainMesh() : splitMesh(part, isOnly);
         mesh.origin = m_origin;
         mesh.texture = part.hasTexcoords ? part.material.texture : -1;
-        mesh.baseColor =
-            !part.material.hasBaseColor && !mesh.colors.empty() ? glm::vec4(1.0f) : part.material.baseColor;
+        mesh.baseColor = part.material.baseColorOf(mesh.kind, !mesh.colors.empty());
         m_model.meshes.push_back(std::move(mesh));
     }
 }
@@ -326,7 +327,7 @@ Mesh ObjReader::plainMesh()
     mesh.indices.reserve(m_parts.front().cornerCount);
     for (std::size_t i = 0; i < m_chunks.size(); ++i) {
         reporting(0.85, 1.0)(static_cast<double>(i) / static_cast<double>(m_chunks.size()));
-        std::vector<std::int32_t> &vertices = m_chunks[i].corners[kObjVertex];
+        std::vector<std::int32_t> &vertices = m_chunks[i].corners[ObjVertex];
         mesh.indices.insert(mesh.indices.end(), vertices.begin(), vertices.end());
         vertices = {};
     }
@@ -348,23 +349,23 @@ Mesh ObjReader::splitMesh(const Part &part, bool isOnly)
         for (std::size_t corner = corners.begin; corner < corners.end; ++corner) {
             if (++m_cornersDone % kCornersBetweenReports == 0)
                 reporting(0.85, 1.0)(static_cast<double>(m_cornersDone) / static_cast<double>(m_cornerCount));
-            mesh.indices.push_back(vertices.add({chunk.corners[kObjVertex][corner],
-                                                 part.hasTexcoords ? chunk.corners[kObjTexcoord][corner] : -1,
-                                                 part.hasNormals ? chunk.corners[kObjNormal][corner] : -1}));
+            mesh.indices.push_back(vertices.add({chunk.corners[ObjVertex][corner],
+                                                 part.hasTexcoords ? chunk.corners[ObjTexcoord][corner] : -1,
+                                                 part.hasNormals ? chunk.corners[ObjNormal][corner] : -1}));
         }
     }
     mesh.positions.reserve(vertices.all().size());
     for (const ObjVertices::Vertex &of : vertices.all()) {
-        const auto vertex = static_cast<std::size_t>(of[kObjVertex]);
+        const auto vertex = static_cast<std::size_t>(of[ObjVertex]);
         mesh.positions.push_back(glm::vec3(m_positions[vertex]));
         if (!m_colors.empty())
             mesh.colors.push_back(glm::u8vec4(m_colors[vertex]));
         if (part.hasTexcoords)
-            mesh.texcoords.push_back(of[kObjTexcoord] >= 0 ? m_texcoords[static_cast<std::size_t>(of[kObjTexcoord])]
-                                                           : glm::vec2(0.0f));
+            mesh.texcoords.push_back(of[ObjTexcoord] >= 0 ? m_texcoords[static_cast<std::size_t>(of[ObjTexcoord])]
+                                                          : glm::vec2(0.0f));
         if (part.hasNormals)
-            mesh.normals.push_back(of[kObjNormal] >= 0 ? m_normals[static_cast<std::size_t>(of[kObjNormal])]
-                                                       : glm::vec3(0.0f, 0.0f, 1.0f));
+            mesh.normals.push_back(of[ObjNormal] >= 0 ? m_normals[static_cast<std::size_t>(of[ObjNormal])]
+                                                      : glm::vec3(0.0f, 0.0f, 1.0f));
     }
     return mesh;
 }
@@ -376,8 +377,7 @@ void ObjReader::makePoints()
     mesh.origin = m_origin;
     mesh.positions = std::move(m_positions);
     mesh.colors = std::move(m_colors);
-    if (!mesh.colors.empty())
-        mesh.baseColor = glm::vec4(1.0f);
+    mesh.baseColor = Material{}.baseColorOf(mesh.kind, !mesh.colors.empty());
     m_model.meshes.push_back(std::move(mesh));
 }
 

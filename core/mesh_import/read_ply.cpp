@@ -1,15 +1,18 @@
 #include "core/mesh_import/mesh_reader.h"
-#include "core/mesh_import/parallel.h"
 #include "core/mesh_import/ply_body.h"
 #include "core/mesh_import/ply_header.h"
 #include "core/mesh_import/ply_vertices.h"
 #include "core/mesh_import/polygon_mesh.h"
+#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <span>
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
+using namespace threads;
 
 namespace {
 
@@ -23,6 +26,12 @@ std::uint32_t uint32At(const std::uint8_t *bytes, PlyFormat format)
                | std::uint32_t{bytes[3]} << 24;
     return std::uint32_t{bytes[3]} | std::uint32_t{bytes[2]} << 8 | std::uint32_t{bytes[1]} << 16
            | std::uint32_t{bytes[0]} << 24;
+}
+
+/// A vertex, -1 where a strip begins anew, or what no file has.
+std::int64_t cornerFrom(double value)
+{
+    return value >= -1.0 && value <= 4294967295.0 ? static_cast<std::int64_t>(value) : -2;
 }
 
 bool isVertexList(const PlyProperty &property)
@@ -69,6 +78,49 @@ bool readTriangleRecords(const PlyElement &element, PlyFormat format, PlyBody &b
     return true;
 }
 
+/// Reads faces of a long text that have nothing but their corners to say, by all cores: only cutting polygons goes one by
+/// one. False when they are something else; then nothing is read.
+bool readFaceLines(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
+{
+    if (element.name != "face" || element.properties.size() != 1 || !isVertexList(element.properties[0]))
+        return false;
+    struct Part {
+        std::size_t first = 0;
+        std::vector<std::uint32_t> sizes;
+        std::vector<std::int64_t> corners;
+    };
+    std::vector<Part> parts;
+    std::mutex mutex;
+    const PlyProperty &list = element.properties[0];
+    const bool isRead = body.readLines(element, [&](PlyBody &lines, std::size_t first, std::size_t count) {
+        Part part;
+        part.first = first;
+        for (std::size_t f = first; f < first + count; ++f) {
+            lines.beginElement(element, f);
+            const std::size_t size = lines.listLength(list);
+            part.sizes.push_back(static_cast<std::uint32_t>(size));
+            for (std::size_t i = 0; i < size; ++i)
+                part.corners.push_back(cornerFrom(lines.value(list.type)));
+            lines.endElement();
+        }
+        const std::lock_guard lock(mutex);
+        parts.push_back(std::move(part));
+    });
+    if (!isRead)
+        return false;
+    std::sort(parts.begin(), parts.end(), [](const Part &a, const Part &b) { return a.first < b.first; });
+    polygons.mesh.indices.reserve(3 * element.count);
+    for (Part &part : parts) {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < part.sizes.size(); ++i) {
+            polygons.addPolygon(std::span(part.corners).subspan(begin, part.sizes[i]), part.first + i);
+            begin += part.sizes[i];
+        }
+        part = {};
+    }
+    return true;
+}
+
 void readFaces(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
 {
     const int vertices =
@@ -92,10 +144,8 @@ void readFaces(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
                 values[p] = body.value(property.type);
             } else if (static_cast<int>(p) == vertices) {
                 corners.resize(body.listLength(property));
-                for (std::int64_t &corner : corners) {
-                    const double value = body.value(property.type);
-                    corner = value >= -1.0 && value <= 4294967295.0 ? static_cast<std::int64_t>(value) : -2;
-                }
+                for (std::int64_t &corner : corners)
+                    corner = cornerFrom(body.value(property.type));
             } else if (static_cast<int>(p) == texcoords) {
                 const std::size_t length = body.listLength(property);
                 for (std::size_t i = 0; i + 1 < length; i += 2) {
@@ -157,7 +207,8 @@ Model readPly(const Source &source)
         if (&element == vertices && !isAhead) {
             readPlyVertices(element, body, header.format, polygons.mesh, source.progress);
         } else if (isFaces(element)) {
-            if (!readTriangleRecords(element, header.format, body, polygons, source.progress))
+            if (!readTriangleRecords(element, header.format, body, polygons, source.progress)
+                && !readFaceLines(element, body, polygons))
                 readFaces(element, body, polygons);
         } else {
             body.skipAll(element);

@@ -1,19 +1,22 @@
 #include "core/geometry/finite.h"
+#include "core/mesh_import/line_ranges.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
-#include "core/mesh_import/parallel.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <optional>
 
 namespace unprojector::mesh_import::mesh_reader {
+using namespace threads;
 using namespace geometry;
 
 namespace {
@@ -24,6 +27,7 @@ constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kTrianglesBetweenReports = 1 << 15;
 /// Some milliseconds of work.
 constexpr std::size_t kTrianglesInTask = 1 << 17;
+constexpr std::size_t kAsciiBytesInTask = 1 << 20;
 constexpr std::uint16_t kColorBit = 0x8000;
 
 std::uint32_t littleEndian32(const std::uint8_t *bytes)
@@ -188,19 +192,29 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lowerCase)
     failMalformed("line " + std::to_string(line) + ": " + what);
 }
 
-Mesh readAscii(const Source &source)
+[[noreturn]] void failUnended(std::size_t line)
 {
-    // A facet takes about 250 bytes as most programs write it.
+    failMalformed("the file ends in line " + std::to_string(line) + " without \"endsolid\"");
+}
+
+/// What stands in a text, or in whole facets of it.
+struct AsciiPart {
     std::vector<glm::dvec3> positions;
-    positions.reserve(source.bytes.size() / 80);
     Box box;
-    TextScanner scanner(source.text());
-    bool isInSolid = false;
+    std::optional<bool> isInSolid; ///< at its end; nothing: as at its beginning
+};
+
+/// @param report  with the place in the text; may be empty
+AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<void(std::size_t)> &report)
+{
+    AsciiPart part;
+    // A facet takes about 250 bytes as most programs write it.
+    part.positions.reserve(bytes / 80);
     std::size_t cornersOfFacet = 0;
     std::size_t words = 0;
     for (std::string_view word = scanner.nextWord(); !word.empty(); word = scanner.nextWord()) {
-        if (++words % (kTrianglesBetweenReports * 4) == 0)
-            source.progress.report(static_cast<double>(scanner.offset()) / static_cast<double>(source.bytes.size()));
+        if (++words % (kTrianglesBetweenReports * 4) == 0 && report)
+            report(scanner.offset());
         if (equalsIgnoringCase(word, "vertex")) {
             glm::dvec3 position;
             for (int axis = 0; axis < 3; ++axis) {
@@ -212,19 +226,19 @@ Mesh readAscii(const Source &source)
                 position[axis] = *value;
             }
             if (!isFinite(position))
-                failAtCorner(positions.size());
-            positions.push_back(position);
-            box.add(position);
+                failAtCorner(part.positions.size());
+            part.positions.push_back(position);
+            part.box.add(position);
             ++cornersOfFacet;
         } else if (equalsIgnoringCase(word, "endfacet")) {
             if (cornersOfFacet != 3)
                 failAtLine(scanner.line(), "a facet has " + std::to_string(cornersOfFacet) + " vertices instead of 3");
             cornersOfFacet = 0;
         } else if (equalsIgnoringCase(word, "solid")) {
-            isInSolid = true;
+            part.isInSolid = true;
             scanner.skipLine();
         } else if (equalsIgnoringCase(word, "endsolid")) {
-            isInSolid = false;
+            part.isInSolid = false;
             scanner.skipLine();
         } else if (equalsIgnoringCase(word, "normal")) {
             // The numbers are not needed, and some programs write "nan" for a thin triangle.
@@ -235,10 +249,78 @@ Mesh readAscii(const Source &source)
             failAtLine(scanner.line(), quoted(word) + " does not belong in an STL file");
         }
     }
-    if (cornersOfFacet != 0 || isInSolid)
-        failMalformed("the file ends in line " + std::to_string(scanner.line()) + " without \"endsolid\"");
+    if (cornersOfFacet != 0)
+        failUnended(scanner.line());
+    return part;
+}
+
+/// Where the next line begins whose first word is "facet"; the end of the text where there is none.
+std::size_t nextFacet(std::string_view text, std::size_t from)
+{
+    for (std::size_t at = from; at < text.size();) {
+        at = std::min(text.find_first_of("\n\r", at), text.size());
+        const std::size_t word = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+        if (equalsIgnoringCase(text.substr(word, 5), "facet"))
+            return word;
+        at = std::max(word, at + 1);
+    }
+    return text.size();
+}
+
+/// By all cores. Nothing where the text is short, or something is not as it should be: read as a whole it will say what.
+std::optional<AsciiPart> readAsciiParts(const Source &source)
+{
+    const std::string_view text = source.text();
+    std::vector<std::size_t> starts{0};
+    while (starts.back() < text.size())
+        starts.push_back(nextFacet(text, std::min(text.size(), starts.back() + kAsciiBytesInTask)));
+    const std::size_t count = starts.size() - 1;
+    if (count < 2)
+        return std::nullopt;
+    std::vector<AsciiPart> parts(count);
+    const auto report = [&source](double share) { source.progress.report(share); };
+    try {
+        inParallel(count, report, [&](std::size_t i) {
+            const std::string_view own = text.substr(starts[i], starts[i + 1] - starts[i]);
+            parts[i] = readAscii(TextScanner(own), own.size(), {});
+        });
+    } catch (const Failure &failure) {
+        if (failure.code == ImportErrorCode::Cancelled)
+            throw;
+        return std::nullopt;
+    }
+    AsciiPart whole = std::move(parts.front());
+    std::size_t size = 0;
+    for (const AsciiPart &part : parts)
+        size += part.positions.size();
+    whole.positions.reserve(whole.positions.size() + size);
+    for (std::size_t i = 1; i < count; ++i) {
+        whole.positions.insert(whole.positions.end(), parts[i].positions.begin(), parts[i].positions.end());
+        whole.box.add(parts[i].box);
+        whole.isInSolid = parts[i].isInSolid ? parts[i].isInSolid : whole.isInSolid;
+        parts[i] = {};
+    }
+    return whole;
+}
+
+Mesh readAscii(const Source &source)
+{
+    std::optional<AsciiPart> whole = readAsciiParts(source);
+    if (!whole) {
+        const auto report = [&source](std::size_t offset) {
+            source.progress.report(static_cast<double>(offset) / static_cast<double>(source.bytes.size()));
+        };
+        whole = readAscii(TextScanner(source.text()), source.bytes.size(), report);
+    }
+    if (whole->isInSolid.value_or(false)) {
+        const std::string_view text = source.text();
+        LineRange all;
+        all.end = text.size();
+        countLines(text, all);
+        failUnended(all.lines + 1);
+    }
     Mesh mesh;
-    setPositions(mesh, originFor(box), positions);
+    setPositions(mesh, originFor(whole->box), whole->positions);
     return mesh;
 }
 

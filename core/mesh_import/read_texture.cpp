@@ -1,3 +1,4 @@
+#include "core/mesh_import/file_bytes.h"
 #include "core/mesh_import/mesh_reader.h"
 
 #include <algorithm>
@@ -60,7 +61,8 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
         return texture;
     }
     try {
-        texture.encoded = readFile(texture.file);
+        const FileBytes contents(texture.file);
+        texture.encoded.assign(contents.bytes().begin(), contents.bytes().end());
     } catch (const Failure &) {
         // The model is shown without a picture that cannot be read.
         texture.encoded.clear();

@@ -1,4 +1,4 @@
-#include "core/mesh_import/parallel.h"
+#include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace unprojector::mesh_import {
+namespace unprojector::threads {
 namespace {
 
 /// The tasks of one call, handed out in order.
@@ -98,4 +98,4 @@ void inParallelRanges(std::size_t count, std::size_t size, const std::function<v
                [&](std::size_t number) { range(number * size, std::min(count, (number + 1) * size)); });
 }
 
-} // namespace unprojector::mesh_import
+} // namespace unprojector::threads

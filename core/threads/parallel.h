@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace unprojector::mesh_import {
+namespace unprojector::threads {
 
 /// Runs task(0) … task(count - 1) on all cores, in no order; returns when all have ended. A single task is run by the
 /// calling thread.
@@ -39,4 +39,4 @@ void fillInParallel(std::vector<T> &values, std::size_t count, const std::functi
     }
 }
 
-} // namespace unprojector::mesh_import
+} // namespace unprojector::threads
