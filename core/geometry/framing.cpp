@@ -2,12 +2,15 @@
 
 #include "core/geometry/angle.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace unprojector::geometry {
 namespace {
@@ -75,13 +78,40 @@ void Framing::add(const glm::dmat4 &worldFromSource, std::span<const glm::vec3> 
     std::array<glm::dvec4, kMeasures> planes;
     for (std::size_t k = 0; k < kMeasures; ++k)
         planes[k] = m_planes[k] * worldFromSource; // a row times the matrix
-    std::array<double, kMeasures> measures{};
-    const std::size_t count = indices.empty() ? positions.size() : indices.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 p(positions[indices.empty() ? i : indices[i]]);
-        for (std::size_t k = 0; k < kMeasures; ++k)
-            measures[k] = planes[k].x * p.x + planes[k].y * p.y + planes[k].z * p.z + planes[k].w;
-        add(measures);
+    std::vector<std::uint8_t> isNamed(indices.empty() ? 0 : positions.size());
+    for (const std::uint32_t index : indices)
+        isNamed[index] = 1;
+    // Of most points that are close to each other none is at a rim: the box around them tells so at once.
+    const auto reachesOut = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
+        const glm::dvec3 middle = (glm::dvec3(lowest) + glm::dvec3(highest)) / 2.0;
+        const glm::dvec3 half = glm::dvec3(highest) - middle;
+        for (std::size_t k = 0; k < kMeasures; ++k) {
+            const double measure = glm::dot(planes[k], glm::dvec4(middle, 1.0));
+            const double reach = glm::dot(glm::abs(glm::dvec3(planes[k])), half);
+            if (measure - reach < m_lowest[k] || measure + reach > m_highest[k])
+                return true;
+        }
+        return false;
+    };
+    constexpr std::size_t kTogether = 256;
+    for (std::size_t first = 0; first < positions.size(); first += kTogether) {
+        const std::size_t end = std::min(positions.size(), first + kTogether);
+        glm::vec3 lowest = positions[first], highest = lowest;
+        for (const glm::vec3 &p : positions.subspan(first, end - first)) {
+            lowest = glm::min(lowest, p);
+            highest = glm::max(highest, p);
+        }
+        if (!reachesOut(lowest, highest))
+            continue;
+        for (std::size_t i = first; i < end; ++i) {
+            if (!isNamed.empty() && isNamed[i] == 0)
+                continue;
+            const glm::dvec4 p(glm::dvec3(positions[i]), 1.0);
+            std::array<double, kMeasures> measures{};
+            for (std::size_t k = 0; k < kMeasures; ++k)
+                measures[k] = glm::dot(planes[k], p);
+            add(measures);
+        }
     }
 }
 

@@ -68,7 +68,8 @@ struct Monitor {
 
 class EmbreeTree : public TriangleTree {
 public:
-    explicit EmbreeTree(const TrianglePackets &packets) : m_device(rtcNewDevice(nullptr))
+    // Without its threads bound to processors: where they cannot be, Embree says so on stderr.
+    explicit EmbreeTree(const TrianglePackets &packets) : m_device(rtcNewDevice("set_affinity=0"))
     {
         if (m_device == nullptr)
             return;

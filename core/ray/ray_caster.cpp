@@ -1,5 +1,6 @@
 #include "core/ray/ray_caster.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace unprojector::ray {
@@ -15,14 +16,34 @@ std::shared_ptr<const RayCaster> RayCaster::build(std::shared_ptr<const Model> m
 {
     const Box bounds = model->bounds.isEmpty() ? boundsOf(model->meshes) : model->bounds;
     const std::shared_ptr<RayCaster> caster(new RayCaster(std::move(model), bounds));
-    if (caster->m_numbers.count() == 0)
+    const std::size_t triangles = caster->m_numbers.count(), points = caster->m_model->pointCount();
+    const double all = static_cast<double>(std::max<std::size_t>(triangles + points, 1));
+    // One after the other, each its part of the whole.
+    const auto partOf = [&progress](double from, double size) -> Progress {
+        if (!progress)
+            return {};
+        return [&progress, from, size](double share) { return progress(from + size * share); };
+    };
+    const double shareOfPoints = static_cast<double>(points) / all;
+    if (points > 0) {
+        caster->m_points = PointCloud::build(*caster->m_model, caster->m_space, partOf(0.0, shareOfPoints));
+        if (!caster->m_points)
+            return nullptr;
+    }
+    if (triangles == 0)
         return caster;
+    const Progress rest = partOf(shareOfPoints, 1.0 - shareOfPoints);
     bool isCancelled = false;
     if (tree == Tree::Fastest)
-        caster->m_triangles = embreeTriangleTree(caster->m_packets, progress, isCancelled);
+        caster->m_triangles = embreeTriangleTree(caster->m_packets, rest, isCancelled);
     if (!caster->m_triangles && !isCancelled)
-        caster->m_triangles = plainTriangleTree(caster->m_packets, progress);
+        caster->m_triangles = plainTriangleTree(caster->m_packets, rest);
     return caster->m_triangles ? caster : nullptr;
+}
+
+std::optional<PointHit> RayCaster::nearestPoint(const PointAim &aim) const
+{
+    return m_points ? m_points->nearest(aim) : std::nullopt;
 }
 
 std::optional<TriangleHit> RayCaster::nearestTriangle(const Ray<ObjectSpace> &ray) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/ray/nearest_triangle.h"
+#include "core/ray/point_cloud.h"
 #include "core/ray/triangle_tree.h"
 
 #include <memory>
@@ -32,6 +33,10 @@ public:
     /// @return nothing where there is none in low <= t <= high, and for a ray that is not finite
     std::optional<TriangleHit> nearestTriangle(const Ray<ObjectSpace> &ray) const;
 
+    /// The point of the model's point clouds that a click takes, see PointCloud.
+    std::optional<PointHit> nearestPoint(const PointAim &aim) const;
+    bool hasPoints() const { return m_points.has_value(); }
+
 private:
     RayCaster(std::shared_ptr<const Model> model, const Box &bounds);
 
@@ -40,6 +45,7 @@ private:
     UnitSpace m_space;
     TrianglePackets m_packets;
     std::unique_ptr<const TriangleTree> m_triangles; ///< null: the model has none
+    std::optional<PointCloud> m_points;              ///< nothing: the model has none
 };
 
 } // namespace unprojector::ray

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 namespace unprojector::scene {
@@ -77,6 +78,57 @@ std::vector<Mesh> axes(float length, float width)
 {
     const float half = width / 2.0f;
     return {rectangle({-half, -half}, {length, half}, kRed), rectangle({-half, half}, {half, length}, kGreen)};
+}
+
+/// What letters are drawn with: strokes in a box 1 high, whose width follows.
+struct Letter {
+    float width;
+    std::vector<glm::vec2> strokes; ///< from point to point
+};
+
+Letter letterOf(char name)
+{
+    switch (name) {
+    case 'M': return {0.9f, {{0.0f, 0.0f}, {0.0f, 1.0f}, {0.45f, 0.35f}, {0.9f, 1.0f}, {0.9f, 0.0f}}};
+    case 'V': return {0.8f, {{0.0f, 1.0f}, {0.4f, 0.0f}, {0.8f, 1.0f}}};
+    case 'W': return {1.1f, {{0.0f, 1.0f}, {0.25f, 0.0f}, {0.55f, 0.75f}, {0.85f, 0.0f}, {1.1f, 1.0f}}};
+    default: // C
+        return {0.75f,
+                {{0.75f, 0.85f},
+                 {0.5f, 1.0f},
+                 {0.25f, 1.0f},
+                 {0.0f, 0.7f},
+                 {0.0f, 0.3f},
+                 {0.25f, 0.0f},
+                 {0.5f, 0.0f},
+                 {0.75f, 0.15f}}};
+    }
+}
+
+/// Letters in the plane z = 0 from their lower left corner on.
+/// @param heights  of a letter along x and y: negative where that axis goes to the left or down in the picture, so that the
+///                 letters can be read there
+Mesh label(std::string_view letters, const glm::vec2 &corner, const glm::vec2 &heights)
+{
+    constexpr float kHalfStroke = 0.07f, kGap = 0.3f;
+    std::vector<glm::vec3> places;
+    std::vector<std::array<std::size_t, 3>> triangles;
+    float before = 0.0f;
+    for (const char name : letters) {
+        const Letter letter = letterOf(name);
+        for (std::size_t i = 1; i < letter.strokes.size(); ++i) {
+            const glm::vec2 from = letter.strokes[i - 1], to = letter.strokes[i];
+            const glm::vec2 along = kHalfStroke * glm::normalize(to - from), across(-along.y, along.x);
+            const std::size_t first = places.size();
+            for (const glm::vec2 &place : {from - along - across, from - along + across, to + along + across,
+                                           to + along - across}) // and a little beyond, so that strokes join
+                places.emplace_back(corner + heights * (place + glm::vec2(before, 0.0f)), 0.0f);
+            triangles.push_back({first, first + 1, first + 2});
+            triangles.push_back({first, first + 2, first + 3});
+        }
+        before += letter.width + kGap;
+    }
+    return colored(flatMesh(places, {}, triangles), kGrey);
 }
 
 /// The outline of a square about the origin in the plane z = 0.
@@ -183,13 +235,18 @@ Ortho zhangciOrtho()
 /// that (x, y, z) comes to (x - 5, 2 - y, -z) in eye coordinates.
 Scene twoDimensional()
 {
-    constexpr float kLength = 2.0f, kWidth = 0.12f;
+    constexpr float kLength = 2.0f, kWidth = 0.12f, kLetter = 0.55f;
+    // In this picture the world's y goes down, and so do its letters.
+    const auto named = [](std::string_view name, float left, float low, float right, float up) {
+        return joined(axes(kLength, kWidth), label(name, {left, low}, {right * kLetter, up * kLetter}));
+    };
     const LookAt camera{WorldPoint(5, 2, 0), WorldPoint(5, 2, 1), {0, -1, 0}};
-    return scene(camera, Ortho{-7, 7, -7, 7, -10, 10}, keepingAspect(1.0),
-                 {object("MC, with the point (1, 1)", joined(axes(kLength, kWidth), mark({1.0f, 1.0f}, 0.25f)),
-                         {movedBy(4, 3, 0), Scale{glm::dvec3(-1, 1, 1)}}),
-                  object("WC", axes(kLength, kWidth)),
-                  object("VC", axes(kLength, kWidth), {movedBy(5, 2, 0), Scale{glm::dvec3(1, -1, 1)}})});
+    return scene(
+        camera, Ortho{-7, 7, -7, 7, -10, 10}, keepingAspect(1.0),
+        {object("MC, with the point (1, 1)", joined(named("MC", 1.4f, 2.0f, -1.0f, -1.0f), mark({1.0f, 1.0f}, 0.25f)),
+                {movedBy(4, 3, 0), Scale{glm::dvec3(-1, 1, 1)}}),
+         object("WC", named("WC", 0.3f, 2.0f, 1.0f, -1.0f)),
+         object("VC", named("VC", 0.3f, 1.45f, 1.0f, 1.0f), {movedBy(5, 2, 0), Scale{glm::dvec3(1, -1, 1)}})});
 }
 
 /// Figures 2.6 and 2.7; the program draws the one point (1, 1, 0).

@@ -46,7 +46,8 @@ struct Mesh {
     std::vector<glm::vec2> texcoords;   ///< one a vertex, or empty: no texture. (0, 0) is the image's bottom-left
     std::vector<std::uint32_t> indices; ///< three a triangle, or empty: the vertices as they come. None for points
     glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
-    int texture = -1; ///< index into Model::textures, or -1
+    int texture = -1;      ///< index into Model::textures, or -1
+    bool isClosed = false; ///< known: seen from outside, every back side is hidden by a front side
 
     std::size_t triangleCount() const { return kind == Kind::Triangles ? elementCount() / 3 : 0; }
     std::size_t pointCount() const { return kind == Kind::Points ? elementCount() : 0; }
@@ -87,6 +88,8 @@ struct Model {
     std::vector<Mesh> meshes;
     std::vector<Texture> textures;
     Box bounds;
+    /// Of the file, before any were split for their normals or the like. 0: of a soup, whose triangles have theirs alone.
+    std::size_t fileVertices = 0;
     std::vector<ModelNote> notes; ///< what is not as in the file
 
     std::size_t triangleCount() const;

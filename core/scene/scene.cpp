@@ -3,6 +3,7 @@
 #include "core/geometry/camera_motion.h"
 #include "core/geometry/drawable.h"
 #include "core/geometry/finite.h"
+#include "core/scene/reach.h"
 
 #include <glm/ext/matrix_transform.hpp>
 
@@ -84,6 +85,8 @@ Check check(const Scene &scene)
             if (const Check valid = check(step); !valid)
                 return valid;
         }
+        if (const Check valid = reachable(object); !valid)
+            return valid;
     }
     std::vector<glm::dvec4> planes = scene.clipPlanes;
     for (const ClipPlaneOff &off : scene.clipPlanesOff)

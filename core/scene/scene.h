@@ -3,6 +3,7 @@
 #include "core/geometry/framing.h"
 #include "core/geometry/picture.h"
 #include "core/geometry/transform.h"
+#include "core/landmarks/landmark.h"
 #include "core/scene/mesh.h"
 
 #include <filesystem>
@@ -61,7 +62,7 @@ struct GivenProjection {
     friend bool operator==(const GivenProjection &, const GivenProjection &) = default;
 };
 
-/// How the objects are shown: everything but the objects and the window's size.
+/// How the objects are shown, and what points are marked on them: everything but the objects and the window's size.
 struct SceneSettings {
     LookAt camera;
     LookAt home; ///< the camera that the scene opened with
@@ -76,6 +77,7 @@ struct SceneSettings {
     std::vector<ClipPlaneOff> clipPlanesOff;
     /// What `projection` was read from; it is the file's as long as `projection` is still what that was converted to.
     std::optional<GivenProjection> given;
+    landmarks::LandmarkSet landmarks; ///< world space
 };
 
 /// What is shown and how: everything but the window's size.

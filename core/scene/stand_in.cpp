@@ -1,5 +1,7 @@
 #include "core/scene/stand_in.h"
 
+#include "core/scene/closed_surface.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -182,11 +184,18 @@ Mesh clustered(const Mesh &mesh, double width, Reporter &reporter)
                 triangles.push_back(corners);
         }
     }
+    std::vector<glm::dvec3> means;
+    for (const Cluster &cluster : clusters)
+        means.push_back(cluster.sum / cluster.count);
+    // What was closed still is when its vertices have been drawn together. Triangles that lie on each other or are turned
+    // over in a fold are part of that, and are left as they are.
+    coarse.isClosed = isClosedOutwards(triangles, means, width * width * width);
     // Where the mesh is thin or folded within a cell a triangle may come out turned over, and would be lit from behind.
     for (std::array<std::uint32_t, 3> &corners : triangles) {
-        const auto mean = [&](std::uint32_t cluster) { return clusters[cluster].sum / clusters[cluster].count; };
-        const glm::dvec3 a = mean(corners[0]);
-        const glm::dvec3 normal = glm::cross(mean(corners[1]) - a, mean(corners[2]) - a);
+        if (coarse.isClosed)
+            break;
+        const glm::dvec3 a = means[corners[0]];
+        const glm::dvec3 normal = glm::cross(means[corners[1]] - a, means[corners[2]] - a);
         glm::dvec3 meant(0.0);
         for (const std::uint32_t corner : corners)
             meant += clusters[corner].normal;
@@ -196,8 +205,8 @@ Mesh clustered(const Mesh &mesh, double width, Reporter &reporter)
     removeRepeated(triangles);
     for (const std::array<std::uint32_t, 3> &corners : triangles)
         coarse.indices.insert(coarse.indices.end(), corners.begin(), corners.end());
+    coarse.positions.assign(means.begin(), means.end());
     for (const Cluster &cluster : clusters) {
-        coarse.positions.emplace_back(cluster.sum / cluster.count);
         if (mesh.kind == Mesh::Kind::Triangles) {
             const double length = glm::length(cluster.normal);
             coarse.normals.emplace_back(length > 0.0 ? cluster.normal / length : glm::dvec3(0.0, 0.0, 1.0));

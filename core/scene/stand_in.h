@@ -13,7 +13,8 @@ using StandInProgress = std::function<bool(double share)>;
 /// A coarse model that looks like this one from some way off, to be drawn while the view moves: of all vertices of a mesh
 /// that lie in one cell of a grid their mean is left, and of the triangles those whose corners lie in three cells
 /// (Rossignac and Borrel 1993). Its normals are the means of the triangles' own. Positions are relative to the same
-/// origins; points are thinned out by the same grid. It is for looks alone: no coordinate may be read from it.
+/// origins; points are thinned out by the same grid. It is for looks alone: no coordinate may be read from it. Of meshes that are
+/// closed it says so.
 /// @param most  about how many triangles and points it has
 /// @param progress  may be empty
 /// @return without meshes when it was ended

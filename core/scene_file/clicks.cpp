@@ -20,6 +20,13 @@ void describe(Fields &json, T &point)
         json.nullable(keyOf(kMethods[i]), point[i]);
 }
 
+template <class Fields, Is<ClickUncertainty> T>
+void describe(Fields &json, T &uncertainty)
+{
+    json.required("eye", uncertainty.eye);
+    json.required("world", uncertainty.world);
+}
+
 template <class Fields, Is<ClickedObject> T>
 void describe(Fields &json, T &object)
 {
@@ -27,6 +34,12 @@ void describe(Fields &json, T &object)
     json.required("name", object.name);
     describe(json, object.point);
 }
+
+/// Written, not read: what is computed from a click is computed anew.
+struct WrittenRay {
+    static void read(const JsonNode &, RayOnMesh &) {}
+    static nlohmann::ordered_json write(const RayOnMesh &ray) { return jsonOf(ray); }
+};
 
 template <class Fields, Is<Click> T>
 void describe(Fields &json, T &click)
@@ -43,7 +56,9 @@ void describe(Fields &json, T &click)
     json.optional("hit", click.hit);
     json.optional("eye", click.eye, describePlace);
     json.optional("world", click.world, describePlace);
+    json.optional("uncertainty", click.uncertainty);
     json.nullable("object", click.object);
+    json.optional("rayOnMesh", click.rayOnMesh, WrittenRay{});
     json.required("scene", click.scene);
 }
 
@@ -82,15 +97,18 @@ SceneFile sceneOf(const Pick &pick, const Scene &scene)
     file.depthRange = pick.geometry.depthRange; // in single precision, as OpenGL had it
     file.aspectFromViewport = false;
     file.ui = {};
+    file.landmarks = {}; // they are no part of what a click is computed from
     return file;
 }
 
 } // namespace
 
-Click clickOf(const Pick &pick, const Scene &scene)
+Click clickOf(const Pick &pick, const Scene &scene, std::optional<RayOnMesh> ray)
 {
-    Click click{pick.widget, pick.devicePixel,      pick.window,         pick.hit(), {},
-                {},          objectOf(pick, scene), sceneOf(pick, scene)};
+    Click click{pick.widget, pick.devicePixel, pick.window,           pick.hit(),     {},
+                {},          std::nullopt,     objectOf(pick, scene), std::move(ray), sceneOf(pick, scene)};
+    if (pick.hit())
+        click.uncertainty = ClickUncertainty{pick.uncertainty.eye.coordinates(), pick.uncertainty.world.coordinates()};
     click.eye = {pointOf(pick.point.eye), pointOf(pick.rayNear.eye), pointOf(pick.rayFar.eye)};
     click.world = {pointOf(pick.point.world), pointOf(pick.rayNear.world), pointOf(pick.rayFar.world)};
     return click;
@@ -108,7 +126,6 @@ Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, 
 {
     const Result<Json, SceneFileError> json = parseStrictJson(text);
     JsonNode::FirstError error;
-    SceneOrClicks found;
     if (!json) {
         error = json.error();
     } else {
@@ -121,15 +138,15 @@ Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, 
             // One by one: what is no click must not take a click's memory, which is hundreds of times that of its text.
             for (std::size_t i = 0; !isClick && i < json->size() && !error; ++i)
                 static_cast<void>(FieldReader::read(root.element(i), clicks.emplace_back(), Plain{}));
-            found = std::move(clicks);
+            if (!error)
+                return SceneOrClicks(std::move(clicks));
         } else {
             SceneFile scene;
             static_cast<void>(FieldReader::read(root, scene, Plain{}));
-            found = std::move(scene);
+            if (!error)
+                return SceneOrClicks(std::move(scene));
         }
     }
-    if (!error)
-        return found;
     error->file = name;
     return *error;
 }

@@ -11,10 +11,11 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLineLength = 120;
 
 /// Appends everything on one line and says whether it stayed within `limit` characters; else stops early.
-bool appendOnOneLine(std::string &text, const Json &json, std::size_t limit)
+bool appendOnOneLine(std::string &text, const Json &json, std::size_t limit,
+                     Json::error_handler_t badText = Json::error_handler_t::strict)
 {
     if (!json.is_structured()) {
-        text += json.dump();
+        text += json.dump(-1, ' ', false, badText);
         return text.size() <= limit;
     }
     const bool isObject = json.is_object();
@@ -24,8 +25,8 @@ bool appendOnOneLine(std::string &text, const Json &json, std::size_t limit)
         text += separator;
         separator = ", ";
         if (isObject)
-            text += Json(it.key()).dump() + ": ";
-        if (!appendOnOneLine(text, *it, limit))
+            text += Json(it.key()).dump(-1, ' ', false, badText) + ": ";
+        if (!appendOnOneLine(text, *it, limit, badText))
             return false;
     }
     text += isObject ? '}' : ']';
@@ -103,6 +104,13 @@ Result<std::string, SceneFileError> readableJson(const Json &json)
         error.keyPath = placeOfBadText(json).value_or(std::string());
         return error;
     }
+}
+
+std::string jsonLine(const Json &json)
+{
+    std::string text;
+    appendOnOneLine(text, json, std::string::npos, Json::error_handler_t::replace);
+    return text;
 }
 
 Json jsonNumber(double value)

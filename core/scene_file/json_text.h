@@ -13,6 +13,9 @@ namespace unprojector::scene_file {
 /// @return NotUtf8, with the place of the first text that is not
 Result<std::string, SceneFileError> readableJson(const nlohmann::ordered_json &json);
 
+/// The same on a single line, without a line feed. What is not UTF-8 is replaced.
+std::string jsonLine(const nlohmann::ordered_json &json);
+
 /// A number as a person would write it: 1, not 1.0, where it is whole.
 nlohmann::ordered_json jsonNumber(double value);
 

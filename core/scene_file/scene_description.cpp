@@ -155,6 +155,7 @@ Result<Scene> sceneFromFile(const SceneFile &file, const std::filesystem::path &
             {object.name, objectFile(object, sceneFile), models[i], object.transform, object.isHidden});
     }
     scene.clipPlanes = file.clipPlanes;
+    scene.landmarks = file.landmarks;
     for (const SceneFilePlaneOff &off : file.ui.clipPlanesOff)
         scene.clipPlanesOff.push_back({off.place, off.plane});
     return scene;
@@ -175,6 +176,7 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
         scene.projectionFollowsViewport && std::holds_alternative<Perspective>(geometry.projection());
     file.view = geometry.camera();
     file.clipPlanes = scene.clipPlanes;
+    file.landmarks = scene.landmarks;
     file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home, {}};
     file.extra = before.extra;
     keepMatrices(file, before);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene_file/json_fields.h"
+#include "core/scene_file/landmark_fields.h"
 #include "core/scene_file/scene_file.h"
 
 namespace unprojector::scene_file {
@@ -217,6 +218,8 @@ void describe(Fields &json, T &scene)
     });
     json.list("objects", scene.objects);
     json.list("clipPlanes", scene.clipPlanes, kMostClipPlanes, ClipPlaneNumbers{});
+    if (json.has("landmarks", !(scene.landmarks == landmarks::LandmarkSet())))
+        json.required("landmarks", scene.landmarks);
     json.optionalObject("ui", [&](auto &ui) { describeUi(ui, scene); });
 }
 

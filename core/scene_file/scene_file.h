@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/files/file_stamp.h"
+#include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
 #include "core/scene_file/scene_file_error.h"
 #include "core/unproject/unprojector.h"
@@ -48,9 +49,11 @@ struct SceneFileUi {
 /// What a scene file says, independent of any loaded model: the picture's numbers and where its objects are.
 ///
 /// JSON; angles in degrees as in gluPerspective and glRotate, `window` in logical pixels, `viewport` in device pixels
-/// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "ui", the window's
+/// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "landmarks", "ui", the window's
 /// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
 /// written again after those it knows; only a transform's steps and a clip plane have no room for any.
+/// "landmarks" are {"points": [{"name", "position": [x, y, z] or null where it is missing, "object", "held", …}], …}, in world
+/// space; what each of them lies on is said by the object's name.
 /// Where no number of degrees makes an angle's radians, "fovyRadians", "thetaRadians" or "phiRadians" say them as well.
 /// What each key is, is said in scene_fields.h.
 ///
@@ -67,6 +70,7 @@ struct SceneFile {
     std::variant<LookAt, glm::dmat4> view; ///< or eyeFromWorld
     std::vector<SceneFileObject> objects;
     std::vector<glm::dvec4> clipPlanes;
+    landmarks::LandmarkSet landmarks; ///< written where there is anything in it
     SceneFileUi ui;
 
     /// Unknown keys, each where it stood: {"author": "A", "window": {"title": "T"}}; null or an object. Objects and planes

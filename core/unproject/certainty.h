@@ -1,43 +1,55 @@
 #pragma once
 
 #include "core/geometry/picture.h"
+#include "core/unproject/depth_error.h"
 
 namespace unprojector::unproject {
 using namespace geometry;
 
-/// How far apart world points can lie and still give the depth and the pixel that were read.
+/// How sure the point of a click is, which stands for the centre of its pixel. Its place in the picture is exact; so it lies on
+/// the ray through that centre, and so does the surface: what is not sure is how far along.
 struct Certainty {
-    /// Half a step of the depth buffer at that distance, world units along the view direction: rounding the depth
-    /// puts the point that the rasteriser computed within plus or minus this. The rasteriser's own error (corners snapped
-    /// to 1/256 pixel, depths interpolated in single precision) comes on top and is not in it.
+    /// Half a step of the depth buffer at that distance, world units along the view direction: what rounding the depth alone
+    /// leaves open.
     double halfDepthStep = 0.0;
-    /// Size of one pixel at that distance, world units.
+    /// Size of one pixel at that distance, world units: how far apart points can lie and still be clicked as one. It says
+    /// nothing against the point of the pixel's centre.
     double footprintWidth = 0.0;
     double footprintHeight = 0.0;
-
-    /// The largest of the three halves: the size of what the depth and the pixel that were read leave open. No bound of a
-    /// coordinate: the three can add up (see uncertaintyOf), and the rasteriser's own error is not in it.
-    double radius() const;
+    /// How much nearer or farther than the point the surface may be, world units along the view direction: halfDepthStep and
+    /// what the rasteriser was off (see DepthError).
+    double distance = 0.0;
 };
 
-/// Perspective: half of z^2 (f-n) / (f n) / (2^N - 1), and (r-l) z / (n width) by (t-b) z / (n height).
-/// Box: half of (f-n) / (2^N - 1), and (r-l) / width by (t-b) / height.
-/// @param distance   z > 0 in front of the eye (any z for a box), eye units
-/// @param depthBits  of the depth buffer, fixed point
+/// To window depth's error delta, of which the range's share is q = delta / |df - dn|:
+///
+///   perspective  q z^2 (f-n) / (f n), divided by 1 - q z (f-n) / (f n): by the end that is farther off
+///   box          q (f-n)
+///
+/// and no more than there is to the near or far plane, since what was drawn lies between them. The depth step to first
+/// order. A pixel is (r-l) z / (n width) by (t-b) z / (n height), in a box (r-l) / width by (t-b) / height.
+/// @param distance  z > 0 in front of the eye (any z for a box), eye units
 /// @pre the picture is valid and by parameters
-Certainty certaintyAt(const Picture &picture, double distance, int depthBits);
+Certainty certaintyAt(const Picture &picture, double distance, const DepthError &error);
 
-/// How far each coordinate of a point can be off for what depth and pixel leave open.
+/// How far each coordinate of a point can be off, at most.
 struct Uncertainty {
     EyeVector eye;
     WorldVector world;
 };
 
-/// The certainty's parts on each axis, added up, since all of them can be off at once: half a depth step along the ray
-/// through the pixel, half a pixel to the side, half a pixel up. No component is below 0.
+/// Certainty::distance along the ray through the pixel's centre, on each axis; and half a unit in the last place of the
+/// coordinate, to which it is rounded. The axes are not off independently: all of them by the same share.
 /// @param eye        the point
+/// @param world      the same
 /// @param certainty  at its distance
 /// @pre the picture is valid and by parameters; a perspective sees the point (z_eye is not 0)
-Uncertainty uncertaintyOf(const Picture &picture, const EyePoint &eye, const Certainty &certainty);
+Uncertainty uncertaintyOf(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
+                          const Certainty &certainty);
+
+/// How far from the point what lies in its pixel at that distance can be, besides: half a pixel to the side and half a
+/// pixel up, on each axis, and uncertaintyOf. What a hand that points at something leaves open.
+Uncertainty withinPixel(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
+                        const Certainty &certainty);
 
 } // namespace unprojector::unproject

@@ -22,7 +22,7 @@ Result<ObjectFromWorld> ObjectFromWorld::of(const glm::dmat4 &worldFromObject)
     return ObjectFromWorld(worldFromObject);
 }
 
-Result<ObjectPoint> ObjectFromWorld::at(const WorldPoint &world) const
+Result<glm::dvec3> ObjectFromWorld::solved(const glm::dvec3 &world, const glm::dvec3 &translation) const
 {
     if (const auto value = firstNotFinite(world))
         return Error{ErrorCode::NotFinite, *value};
@@ -32,7 +32,7 @@ Result<ObjectPoint> ObjectFromWorld::at(const WorldPoint &world) const
         glm::dvec3 left;
         for (int row = 0; row < 3; ++row) {
             const DoubleDouble3 entries{m[0][row], m[1][row], m[2][row]};
-            left[row] = (DoubleDouble(world[row]) - m[3][row] - dot(entries, p)).value;
+            left[row] = (DoubleDouble(world[row]) - translation[row] - dot(entries, p)).value;
         }
         const glm::dvec3 step = m_inverse * left;
         for (int k = 0; k < 3; ++k)
@@ -41,7 +41,23 @@ Result<ObjectPoint> ObjectFromWorld::at(const WorldPoint &world) const
     const glm::dvec3 point(p[0].value, p[1].value, p[2].value);
     if (!isFinite(point))
         return Error{ErrorCode::PointAtInfinity};
-    return ObjectPoint(point);
+    return point;
+}
+
+Result<ObjectPoint> ObjectFromWorld::at(const WorldPoint &world) const
+{
+    const Result<glm::dvec3> point = solved(world.coordinates(), glm::dvec3(m_worldFromObject[3]));
+    if (!point)
+        return point.error();
+    return ObjectPoint(*point);
+}
+
+Result<Vector<ObjectSpace>> ObjectFromWorld::at(const WorldVector &world) const
+{
+    const Result<glm::dvec3> vector = solved(world.coordinates(), glm::dvec3(0.0));
+    if (!vector)
+        return vector.error();
+    return Vector<ObjectSpace>(*vector);
 }
 
 Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world)

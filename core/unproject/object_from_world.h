@@ -19,9 +19,12 @@ public:
     /// x of worldFromObject x = world, refined with about 30 digits and rounded once.
     /// @return NotFinite; PointAtInfinity where it leaves the range of doubles
     Result<ObjectPoint> at(const WorldPoint &world) const;
+    /// The same of a vector, which knows no translation.
+    Result<Vector<ObjectSpace>> at(const WorldVector &world) const;
 
 private:
     explicit ObjectFromWorld(const glm::dmat4 &worldFromObject);
+    Result<glm::dvec3> solved(const glm::dvec3 &world, const glm::dvec3 &translation) const;
 
     glm::dmat4 m_worldFromObject;
     glm::dmat3 m_inverse;

@@ -1,8 +1,28 @@
 #include "core/unproject/pick.h"
 
+#include <utility>
+
 namespace unprojector::unproject {
 
-Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position, const DepthSample &sample)
+Pick withSurface(Pick pick, const DrawnSurface &surface)
+{
+    const Result<EyePoint> &eye = pick.point.eye[Method::Formula];
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
+    if (!pick.hit() || !eye || !world)
+        return pick;
+    pick.certainty =
+        certaintyAt(pick.geometry, -eye->z, depthErrorAt(pick.geometry, pick.window, *world, pick.sample, surface));
+    // Of a dot only this is known: its point's pixel is one of those that the dot covers.
+    pick.certainty.footprintWidth *= pick.sample.dotPixels;
+    pick.certainty.footprintHeight *= pick.sample.dotPixels;
+    pick.withinPixel = withinPixel(pick.geometry, *eye, *world, pick.certainty);
+    const bool isPoint = surface.isPoint || (pick.sample.dotPixels > 1.0 && !surface.triangle);
+    pick.uncertainty = isPoint ? pick.withinPixel : uncertaintyOf(pick.geometry, *eye, *world, pick.certainty);
+    return pick;
+}
+
+Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position, const DepthSample &sample,
+                    const DrawnSurface &surface)
 {
     const Picture &picture = unprojector.picture();
     const Result<DevicePixel> pixel = devicePixelFromWidget(picture.surface, position);
@@ -14,26 +34,21 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
     const WindowPoint window = *clicked;
     const auto windowAt = [&](double depth) { return WindowPoint(window.x, window.y, depth); };
 
-    const Unprojected point = unprojector.at(window);
-    Certainty certainty;
-    Uncertainty uncertainty;
-    if (sample.hit()) {
-        const Result<EyePoint> &eye = point.eye[Method::Formula];
-        if (!eye)
-            return eye.error();
-        certainty = certaintyAt(picture, -eye->z, sample.depthBits);
-        uncertainty = uncertaintyOf(picture, *eye, certainty);
-    }
-    return Pick{position,
-                *pixel,
-                window,
-                sample.object,
-                picture,
-                point,
-                certainty,
-                uncertainty,
-                unprojector.at(windowAt(picture.depthRange.atNear)),
-                unprojector.at(windowAt(picture.depthRange.atFar))};
+    Pick pick{position,
+              *pixel,
+              window,
+              sample.object,
+              picture,
+              unprojector.at(window),
+              {},
+              {},
+              {},
+              unprojector.at(windowAt(picture.depthRange.atNear)),
+              unprojector.at(windowAt(picture.depthRange.atFar)),
+              sample};
+    if (const Result<EyePoint> &eye = pick.point.eye[Method::Formula]; pick.hit() && !eye)
+        return eye.error();
+    return withSurface(std::move(pick), surface);
 }
 
 } // namespace unprojector::unproject

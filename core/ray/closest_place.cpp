@@ -1,0 +1,192 @@
+#include "core/ray/closest_place.h"
+
+#include "core/geometry/finite.h"
+#include "core/ray/nearest_triangle.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace unprojector::ray {
+using namespace landmarks;
+namespace {
+
+/// The share of the way from a to b at which it is closest to the origin, in [0, 1].
+double closestShare(const glm::dvec3 &a, const glm::dvec3 &b)
+{
+    const glm::dvec3 along = b - a;
+    const double squared = glm::dot(along, along);
+    return squared > 0.0 ? std::clamp(-glm::dot(a, along) / squared, 0.0, 1.0) : 0.0;
+}
+
+glm::dvec3 combined(const std::array<glm::dvec3, 3> &corners, const glm::dvec3 &b)
+{
+    return b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2];
+}
+
+} // namespace
+
+glm::dvec3 closestToOrigin(const std::array<glm::dvec3, 3> &corners)
+{
+    glm::dvec3 best(1.0, 0.0, 0.0);
+    double least = std::numeric_limits<double>::infinity();
+    const auto take = [&](const glm::dvec3 &barycentric) {
+        const glm::dvec3 place = combined(corners, barycentric);
+        if (const double squared = glm::dot(place, place); squared < least) {
+            least = squared;
+            best = barycentric;
+        }
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t next = (i + 1) % 3;
+        const double share = closestShare(corners[i], corners[next]);
+        glm::dvec3 onEdge(0.0);
+        onEdge[int(i)] = 1.0 - share;
+        onEdge[int(next)] = share;
+        take(onEdge);
+    }
+    // Inside, where the origin's foot on the plane lies on the same side of all edges.
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    glm::dvec3 inside;
+    for (std::size_t i = 0; i < 3; ++i)
+        inside[int(i)] = glm::dot(normal, glm::cross(corners[(i + 1) % 3], corners[(i + 2) % 3]));
+    if (const double sum = inside.x + inside.y + inside.z;
+        sum > 0.0 && inside.x >= 0.0 && inside.y >= 0.0 && inside.z >= 0.0)
+        take(inside / sum);
+    return best;
+}
+
+ClosestPlaces::ClosestPlaces(std::shared_ptr<const Model> model, const Box &bounds)
+    : m_model(std::move(model)), m_triangles(m_model->meshes, [](const Mesh &mesh) { return mesh.triangleCount(); }),
+      m_points(m_model->meshes, [](const Mesh &mesh) { return mesh.pointCount(); }),
+      m_vertices(m_model->meshes, [](const Mesh &mesh) { return mesh.positions.size(); }), m_space(bounds)
+{
+}
+
+std::shared_ptr<const ClosestPlaces> ClosestPlaces::build(std::shared_ptr<const Model> model, const Progress &progress)
+{
+    const Box bounds = model->bounds.isEmpty() ? boundsOf(model->meshes) : model->bounds;
+    const std::shared_ptr<ClosestPlaces> places(new ClosestPlaces(std::move(model), bounds));
+    std::vector<BoxTree::Box> boxes;
+    boxes.reserve(std::size_t{places->m_triangles.count()} + places->m_points.count());
+    const auto add = [&](const Mesh &mesh, std::size_t firstElement, std::size_t count) {
+        glm::vec3 lowest(std::numeric_limits<float>::infinity()), highest(-lowest);
+        for (std::size_t i = firstElement; i < firstElement + count; ++i) {
+            const glm::vec3 place = places->m_space.at(mesh.origin, mesh.positions[mesh.vertexAt(i)]);
+            lowest = glm::min(lowest, place);
+            highest = glm::max(highest, place);
+        }
+        boxes.push_back({lowest - UnitSpace::kMargin, highest + UnitSpace::kMargin});
+    };
+    for (const Mesh &mesh : places->m_model->meshes) {
+        for (std::size_t i = 0; i < mesh.triangleCount(); ++i)
+            add(mesh, 3 * i, 3);
+    }
+    for (const Mesh &mesh : places->m_model->meshes) {
+        for (std::size_t i = 0; i < mesh.pointCount(); ++i)
+            add(mesh, i, 1);
+    }
+    constexpr std::size_t kMostInLeaf = 4;
+    std::optional<BoxTree> tree = BoxTree::build(boxes, kMostInLeaf, progress);
+    if (!tree)
+        return nullptr;
+    places->m_tree = std::move(*tree);
+    return places;
+}
+
+std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
+{
+    if (!isFinite(point))
+        return std::nullopt;
+    const glm::dvec3 unit = (point.coordinates() - m_space.center()) * m_space.scale();
+    // Boxes are wider than what they hold by more than this rounds; far away it rounds by a share of the distance.
+    constexpr double kRounding = 0x1p-22;
+    const auto entry = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
+        const glm::dvec3 off =
+            glm::max(glm::max(glm::dvec3(lowest) - unit, unit - glm::dvec3(highest)), glm::dvec3(0.0));
+        const double distance =
+            std::min(glm::length(off) * (1.0 - kRounding), double(std::numeric_limits<float>::max()) / 2);
+        return std::nextafter(static_cast<float>(distance), 0.0f);
+    };
+    double least = std::numeric_limits<double>::infinity();
+    std::uint32_t closest = std::numeric_limits<std::uint32_t>::max();
+    glm::dvec3 barycentric(0.0);
+    const auto limit = [&] {
+        const double distance = least * m_space.scale() * (1.0 + kRounding);
+        return distance < double(std::numeric_limits<float>::max()) / 2
+                   ? std::nextafter(static_cast<float>(distance), 1e38f)
+                   : std::numeric_limits<float>::max();
+    };
+    const auto take = [&](std::uint32_t number, double distance, const glm::dvec3 &place) {
+        if (distance < least || (distance == least && number < closest)) {
+            least = distance;
+            closest = number;
+            barycentric = place;
+        }
+    };
+    // Each about its mesh's own origin, where no digit of the vertices is lost.
+    m_tree.search(entry, limit, [&](std::uint32_t number) {
+        if (number < m_triangles.count()) {
+            const ElementNumbers::Place place = m_triangles.place(number);
+            const Mesh &mesh = m_model->meshes[place.mesh];
+            const glm::dvec3 from = point.coordinates() - mesh.origin;
+            std::array<glm::dvec3, 3> corners = cornersOf(mesh, place.element);
+            for (glm::dvec3 &corner : corners)
+                corner -= from;
+            const glm::dvec3 found = closestToOrigin(corners);
+            take(number, glm::length(combined(corners, found)), found);
+            return;
+        }
+        const ElementNumbers::Place place = m_points.place(number - m_triangles.count());
+        const Mesh &mesh = m_model->meshes[place.mesh];
+        const glm::dvec3 from = point.coordinates() - mesh.origin;
+        take(number, glm::length(glm::dvec3(mesh.positions[mesh.vertexAt(place.element)]) - from), glm::dvec3(0.0));
+    });
+    if (!std::isfinite(least))
+        return std::nullopt;
+    Hold hold = OnTriangle{closest, barycentric};
+    if (closest >= m_triangles.count()) {
+        const ElementNumbers::Place place = m_points.place(closest - m_triangles.count());
+        const std::size_t vertex = m_model->meshes[place.mesh].vertexAt(place.element);
+        hold = AtVertex{m_vertices.of(place.mesh, static_cast<std::uint32_t>(vertex))};
+    }
+    const std::optional<ObjectPoint> place = placeOf(hold, *m_model);
+    return place ? std::optional(ClosestPlace{hold, *place, least}) : std::nullopt;
+}
+
+std::optional<ObjectPoint> placeOf(const Hold &hold, const Model &model)
+{
+    const auto vertexAt = [&model](std::uint32_t number) -> std::optional<glm::dvec3> {
+        const ElementNumbers vertices(model.meshes, [](const Mesh &mesh) { return mesh.positions.size(); });
+        if (number >= vertices.count())
+            return std::nullopt;
+        const ElementNumbers::Place place = vertices.place(number);
+        return model.meshes[place.mesh].position(place.element);
+    };
+    if (const auto *triangle = std::get_if<OnTriangle>(&hold)) {
+        const ElementNumbers triangles(model.meshes, [](const Mesh &mesh) { return mesh.triangleCount(); });
+        if (triangle->triangle >= triangles.count())
+            return std::nullopt;
+        const ElementNumbers::Place place = triangles.place(triangle->triangle);
+        const Mesh &mesh = model.meshes[place.mesh];
+        return ObjectPoint(mesh.origin + combined(cornersOf(mesh, place.element), triangle->barycentric));
+    }
+    if (const auto *vertex = std::get_if<AtVertex>(&hold)) {
+        const std::optional<glm::dvec3> place = vertexAt(vertex->vertex);
+        return place ? std::optional(ObjectPoint(*place)) : std::nullopt;
+    }
+    if (const auto *edge = std::get_if<OnEdge>(&hold)) {
+        const std::optional<glm::dvec3> from = vertexAt(edge->vertices[0]), to = vertexAt(edge->vertices[1]);
+        if (!from || !to)
+            return std::nullopt;
+        return ObjectPoint(*from + edge->share * (*to - *from));
+    }
+    return std::nullopt;
+}
+
+} // namespace unprojector::ray

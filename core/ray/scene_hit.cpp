@@ -1,0 +1,187 @@
+#include "core/ray/scene_hit.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace unprojector::ray {
+namespace {
+
+/// A mesh's vertices in the world: what cancels between the mesh's origin and the object's place is summed first.
+class PlacedMesh {
+public:
+    PlacedMesh(const Mesh &mesh, const glm::dmat4 &worldFromObject)
+        : m_origin(mesh.origin), m_linear(worldFromObject),
+          m_worldOrigin(glm::dvec3(worldFromObject * glm::dvec4(mesh.origin, 1.0)))
+    {
+        const auto sizes = [](const glm::dvec3 &v) { return glm::abs(v); };
+        for (int column = 0; column < 3; ++column)
+            m_absolute[column] = sizes(m_linear[column]);
+        m_size = m_absolute * sizes(mesh.origin) + sizes(glm::dvec3(worldFromObject[3]));
+    }
+
+    /// @param place  relative to the mesh's origin
+    WorldPoint world(const glm::dvec3 &place) const { return WorldPoint(m_worldOrigin + m_linear * place); }
+    ObjectPoint object(const glm::dvec3 &place) const { return ObjectPoint(m_origin + place); }
+    const glm::dmat3 &linear() const { return m_linear; }
+
+    /// Half a unit in the last place of floats this large, seen in the world.
+    glm::dvec3 storage(const glm::dvec3 &largest) const { return 0x1p-24 * (m_absolute * largest); }
+    /// What rounding in double may add to a point of the world. @param ray  through it, at t
+    glm::dvec3 arithmetic(const glm::dvec3 &place, const Ray<WorldSpace> &ray, double t) const
+    {
+        constexpr double kRoundings = 8.0;
+        const glm::dvec3 mesh = m_size + m_absolute * glm::abs(place);
+        const glm::dvec3 along =
+            glm::abs(ray.from.coordinates()) + 2.0 * std::abs(t) * glm::abs(ray.along.coordinates());
+        return kRoundings * 0x1p-53 * (mesh + along);
+    }
+
+private:
+    glm::dvec3 m_origin;
+    glm::dmat3 m_linear;
+    glm::dvec3 m_worldOrigin;
+    glm::dmat3 m_absolute{0.0};
+    glm::dvec3 m_size;
+};
+
+double distanceOf(const WorldPoint &world, const Ray<WorldSpace> &ray, double t, const std::optional<WorldPoint> &eye)
+{
+    return eye ? distance(world, *eye) : t * length(ray.along);
+}
+
+/// Numbers of a model's vertices; those of a mesh follow those of the one before.
+std::uint32_t verticesBefore(const Model &model, std::uint32_t mesh)
+{
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < mesh; ++i)
+        count += model.meshes[i].positions.size();
+    return static_cast<std::uint32_t>(count);
+}
+
+/// Where on the way between two points a third is nearest, in [0, 1].
+double nearestShare(const WorldPoint &from, const WorldPoint &to, const WorldPoint &point)
+{
+    const WorldVector way = to - from;
+    const double square = dot(way, way);
+    return square > 0.0 ? std::clamp(dot(point - from, way) / square, 0.0, 1.0) : 0.0;
+}
+
+} // namespace
+
+Placement::Placement(const glm::dmat4 &worldFromObject, const ObjectFromWorld &objectFromWorld)
+    : m_worldFromObject(worldFromObject), m_objectFromWorld(objectFromWorld)
+{
+}
+
+Result<Placement> Placement::of(const glm::dmat4 &worldFromObject)
+{
+    const Result<ObjectFromWorld> inverse = ObjectFromWorld::of(worldFromObject);
+    if (!inverse)
+        return inverse.error();
+    return Placement(worldFromObject, *inverse);
+}
+
+Result<Ray<ObjectSpace>> Placement::objectRay(const Ray<WorldSpace> &ray) const
+{
+    const Result<ObjectPoint> from = m_objectFromWorld.at(ray.from);
+    if (!from)
+        return from.error();
+    const Result<Vector<ObjectSpace>> along = m_objectFromWorld.at(ray.along);
+    if (!along)
+        return along.error();
+    return Ray<ObjectSpace>{*from, *along, ray.low, ray.high};
+}
+
+std::array<WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement &placement, std::uint32_t triangle)
+{
+    const ElementNumbers::Place place = caster.triangleNumbers().place(triangle);
+    const Mesh &mesh = caster.model().meshes[place.mesh];
+    const auto corners = cornersOf(mesh, place.element);
+    const glm::dmat4 &m = placement.worldFromObject();
+    const glm::dvec3 origin(m * glm::dvec4(mesh.origin, 1.0));
+    std::array<WorldPoint, 3> world;
+    for (std::size_t k = 0; k < 3; ++k)
+        world[k] = WorldPoint(origin + glm::dmat3(m) * corners[k]);
+    return world;
+}
+
+SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std::uint32_t triangle,
+                       const glm::dvec3 &barycentric, const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye)
+{
+    const ElementNumbers::Place place = caster.triangleNumbers().place(triangle);
+    const Mesh &mesh = caster.model().meshes[place.mesh];
+    const PlacedMesh placed(mesh, placement.worldFromObject());
+    const std::array<glm::dvec3, 3> corners = cornersOf(mesh, place.element);
+    const glm::dvec3 point = barycentric.x * corners[0] + barycentric.y * corners[1] + barycentric.z * corners[2];
+
+    SceneHit hit;
+    hit.objectPoint = placed.object(point);
+    hit.world = placed.world(point);
+    hit.t = dot(hit.world - ray.from, ray.along) / dot(ray.along, ray.along);
+    hit.distance = distanceOf(hit.world, ray, hit.t, eye);
+
+    TriangleDetail detail;
+    detail.triangle = triangle;
+    detail.barycentric = barycentric;
+    const std::uint32_t before = verticesBefore(caster.model(), place.mesh);
+    std::array<WorldPoint, 3> world;
+    for (std::size_t k = 0; k < 3; ++k) {
+        detail.ids[k] = before + static_cast<std::uint32_t>(mesh.vertexAt(std::size_t{3} * place.element + k));
+        world[k] = placed.world(corners[k]);
+    }
+    // Scaled to about 1: the square of a length can leave the range of doubles.
+    const glm::dvec3 side = corners[1] - corners[0], other = corners[2] - corners[0];
+    const double size = std::max(glm::length(side), glm::length(other));
+    const glm::dvec3 normal = glm::inverse(glm::transpose(placed.linear())) * glm::cross(side / size, other / size);
+    detail.normal =
+        WorldVector(glm::normalize(normal / std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)})));
+
+    const glm::dvec3 arithmetic = placed.arithmetic(point, ray, hit.t);
+    const std::array<glm::dvec3, 3> sizes{glm::abs(corners[0]), glm::abs(corners[1]), glm::abs(corners[2])};
+    const auto off = [&](const glm::dvec3 &largest) { return WorldVector(arithmetic + placed.storage(largest)); };
+    detail.edge.distance = hit.vertex.distance = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        if (const double d = distance(world[k], hit.world); d < hit.vertex.distance)
+            hit.vertex = {detail.ids[k], world[k], d, off(sizes[k])};
+        const double share = nearestShare(world[k], world[next], hit.world);
+        const WorldPoint nearest = world[k] + share * (world[next] - world[k]);
+        if (const double d = distance(nearest, hit.world); d < detail.edge.distance)
+            detail.edge = {{detail.ids[k], detail.ids[next]}, nearest, d, off(glm::max(sizes[k], sizes[next]))};
+    }
+
+    // What the plane may be off along its normal moves the hit along the ray.
+    const glm::dvec3 n = glm::abs(detail.normal.coordinates()), along = glm::abs(ray.along.coordinates());
+    const glm::dvec3 plane = off(glm::max(glm::max(sizes[0], sizes[1]), sizes[2])).coordinates();
+    const double shift = glm::dot(n, plane) / std::abs(dot(detail.normal, ray.along));
+    hit.uncertainty = WorldVector(arithmetic + along * shift);
+    hit.triangle = detail;
+    return hit;
+}
+
+SceneHit hitOnPoint(const RayCaster &caster, const Placement &placement, std::uint32_t vertex,
+                    const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye)
+{
+    const Model &model = caster.model();
+    std::uint32_t mesh = 0, inMesh = vertex;
+    while (inMesh >= model.meshes[mesh].positions.size())
+        inMesh -= static_cast<std::uint32_t>(model.meshes[mesh++].positions.size());
+    const PlacedMesh placed(model.meshes[mesh], placement.worldFromObject());
+    const glm::dvec3 point(model.meshes[mesh].positions[inMesh]);
+    SceneHit hit;
+    hit.objectPoint = placed.object(point);
+    hit.world = placed.world(point);
+    hit.t = dot(hit.world - ray.from, ray.along) / dot(ray.along, ray.along);
+    hit.distance = distanceOf(hit.world, ray, hit.t, eye);
+    hit.uncertainty = WorldVector(placed.arithmetic(point, ray, hit.t) + placed.storage(glm::abs(point)));
+    hit.vertex = {vertex, hit.world, 0.0, hit.uncertainty};
+    return hit;
+}
+
+} // namespace unprojector::ray

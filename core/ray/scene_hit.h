@@ -1,0 +1,104 @@
+#pragma once
+
+#include "core/ray/ray.h"
+#include "core/ray/ray_caster.h"
+#include "core/unproject/object_from_world.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace unprojector::ray {
+using namespace unproject;
+
+/// A vertex, counted through all meshes of its model as they hold them, from 0.
+struct NearVertex {
+    std::uint32_t id = 0;
+    WorldPoint world;
+    double distance = 0.0; ///< from the hit, world units
+    /// How far each coordinate may be off the file's, at most, for what single precision has rounded of it about its mesh's
+    /// origin, and for the arithmetic in double.
+    WorldVector uncertainty = {};
+};
+
+/// An edge of the triangle that was hit.
+struct NearEdge {
+    std::array<std::uint32_t, 2> ids{}; ///< of its vertices
+    WorldPoint world;                   ///< its point nearest to the hit
+    double distance = 0.0;              ///< from the hit, world units
+    WorldVector uncertainty = {};       ///< of that point, as a vertex's: how far the edge may be off the file's
+};
+
+/// Of a triangle that was hit.
+struct TriangleDetail {
+    /// Counted through all meshes of its model from 0, in the order in which these hold them: that of the file, polygons cut where
+    /// they stand; where a file's faces are parted by material, material after material.
+    std::uint32_t triangle = 0;
+    glm::dvec3 barycentric{0.0};        ///< of the hit, of its three corners; their sum is 1
+    std::array<std::uint32_t, 3> ids{}; ///< of the corners' vertices
+    /// World space, length 1: the side from which the corners go round counter-clockwise in the file. As normals do, it stays
+    /// outside where a transform mirrors the object.
+    WorldVector normal;
+    NearEdge edge; ///< the nearest
+};
+
+/// Where a ray meets an object of a scene.
+struct SceneHit {
+    std::size_t object = 0; ///< place in the scene's list
+    double t = 0.0;         ///< of the ray in world space
+    ObjectPoint objectPoint;
+    WorldPoint world;
+    /// From the eye, along the ray, world units; where there is none (a box, a matrix that is no known projection) from the
+    /// near plane.
+    double distance = 0.0;
+    std::optional<TriangleDetail> triangle; ///< nothing: a point of a point cloud
+    NearVertex vertex;                      ///< the triangle's nearest; or the point itself
+    /// How far each coordinate of `world` may be off what the file says, at most, to first order: for what single precision has
+    /// rounded of the vertices, about their mesh's origin, and for the arithmetic in double. Both are carried along the ray
+    /// to the surface; where that is nearly edge on, little can be said. The position in the picture counts as exact: how
+    /// much of the surface a pixel covers is not in it.
+    WorldVector uncertainty;
+};
+
+/// How an object lies in the world, prepared for hits.
+class Placement {
+public:
+    /// @param worldFromObject  affine
+    /// @return NotFinite; SingularMatrix
+    static Result<Placement> of(const glm::dmat4 &worldFromObject);
+
+    /// The same ray in object space, with the same t.
+    /// @return NotFinite, PointAtInfinity
+    Result<Ray<ObjectSpace>> objectRay(const Ray<WorldSpace> &ray) const;
+    const glm::dmat4 &worldFromObject() const { return m_worldFromObject; }
+
+private:
+    Placement(const glm::dmat4 &worldFromObject, const ObjectFromWorld &objectFromWorld);
+
+    glm::dmat4 m_worldFromObject;
+    ObjectFromWorld m_objectFromWorld;
+};
+
+/// The corners of a triangle of a placed model.
+/// @param triangle  number in the model
+std::array<WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement &placement, std::uint32_t triangle);
+
+/// A place on a triangle of a placed model, all about it.
+/// @param triangle     number in the model
+/// @param barycentric  of the place
+/// @param ray          through it
+/// @param eye          see SceneHit::distance
+/// `object` is left to the caller.
+SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std::uint32_t triangle,
+                       const glm::dvec3 &barycentric, const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye);
+
+/// A point of a point cloud, as hitOnTriangle.
+/// @param vertex  number in the model
+SceneHit hitOnPoint(const RayCaster &caster, const Placement &placement, std::uint32_t vertex,
+                    const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye);
+
+} // namespace unprojector::ray

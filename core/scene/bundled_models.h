@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/scene/mesh.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace unprojector::scene {
+
+/// The models that the program brings along, by the names that scene files know them by. Built anew on every call.
+std::map<std::string, std::shared_ptr<const Model>> bundledModels();
+
+} // namespace unprojector::scene

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/scene/mesh.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace unprojector::scene {
+
+/// Which triangles of a mesh can cover the centre of a pixel. OpenGL draws nothing of the others, but without a graphics
+/// card it takes long to find that out: most triangles of a fine mesh lie between the centres.
+class CoveringTriangles {
+public:
+    /// @param mesh  of triangles; outlives this
+    /// @param clipFromSource  of the mesh's positions, in single precision as OpenGL takes it
+    /// @param viewport  x, y, width, height, device pixels
+    /// @param reach  the largest size of each coordinate of the positions
+    CoveringTriangles(const Mesh &mesh, const glm::mat4 &clipFromSource, const glm::ivec4 &viewport,
+                      const glm::dvec3 &reach);
+
+    /// Appends the vertices of those, and of all that lie in front of the eye in part only, three each and in their order.
+    /// What OpenGL rounds is allowed for: none that it draws anything of is left out.
+    /// @param begin, end  corners of whole triangles
+    void append(std::size_t begin, std::size_t end, std::vector<std::uint32_t> &vertices) const;
+
+private:
+    struct Corner {
+        glm::dvec2 pixel;
+        double margin; ///< by which OpenGL may place it elsewhere; infinite where it is not in front of the eye
+    };
+    Corner cornerAt(const glm::vec3 &position) const;
+    bool canCover(const std::array<Corner, 3> &corners) const;
+
+    const Mesh &m_mesh;
+    glm::dvec4 m_x, m_y, m_w;               ///< rows of the matrix
+    double m_sizeOfX, m_sizeOfY, m_sizeOfW; ///< of their largest summands, together
+    glm::dvec2 m_lowest, m_highest;         ///< rims of the viewport
+};
+
+} // namespace unprojector::scene

@@ -1,0 +1,99 @@
+#include "core/scene/measures.h"
+
+#include "core/geometry/double_double.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace unprojector::scene {
+namespace {
+
+/// A sum and what it has lost on the way.
+class Sum {
+public:
+    void add(double term)
+    {
+        m_lost += lostBySum(m_sum, term);
+        m_sum += term;
+    }
+    double value() const { return m_sum + m_lost; }
+
+private:
+    double m_sum = 0.0, m_lost = 0.0;
+};
+
+/// How many different ones there are. The list is put into another order.
+std::size_t countDifferent(std::vector<glm::vec3> &places)
+{
+    const auto isBefore = [](const glm::vec3 &a, const glm::vec3 &b) {
+        return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+    };
+    std::sort(places.begin(), places.end(), isBefore);
+    return static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
+}
+
+/// Meshes about one origin share places: those of a model that was parted by material.
+std::size_t placesOf(const std::vector<Mesh> &meshes)
+{
+    std::size_t count = 0;
+    std::vector<bool> isCounted(meshes.size());
+    for (std::size_t first = 0; first < meshes.size(); ++first) {
+        std::vector<glm::vec3> places;
+        for (std::size_t i = first; i < meshes.size(); ++i) {
+            if (isCounted[i] || meshes[i].origin != meshes[first].origin)
+                continue;
+            places.insert(places.end(), meshes[i].positions.begin(), meshes[i].positions.end());
+            isCounted[i] = true;
+        }
+        count += countDifferent(places);
+    }
+    return count;
+}
+
+} // namespace
+
+void Measures::add(const Measures &other)
+{
+    vertices += other.vertices;
+    triangles += other.triangles;
+    area += other.area;
+    volume += other.volume;
+    if (!other.box.isEmpty())
+        box.add(other.box);
+}
+
+Measures measuresOf(const SceneObject &object)
+{
+    const glm::dmat4 worldFromSource = worldFromObject(object.transform);
+    const glm::dmat3 linear(worldFromSource);
+    const glm::dvec3 center = object.model->bounds.isEmpty() ? glm::dvec3(0.0) : object.model->bounds.center();
+    Measures measures;
+    const std::size_t known = object.model->fileVertices;
+    measures.vertices = known > 0 ? known : placesOf(object.model->meshes);
+    Sum area, volume;
+    for (const Mesh &mesh : object.model->meshes) {
+        measures.triangles += mesh.triangleCount();
+        // About the object's center, where no large numbers cancel.
+        const glm::dvec3 origin = mesh.origin - center, worldOrigin(worldFromSource * glm::dvec4(mesh.origin, 1.0));
+        const auto position = [&mesh](std::size_t element) {
+            return glm::dvec3(mesh.positions[mesh.vertexAt(element)]);
+        };
+        for (std::size_t element = 0; element < mesh.elementCount(); ++element)
+            measures.box.add(worldOrigin + linear * position(element));
+        for (std::size_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
+            const glm::dvec3 a = position(3 * triangle), b = position(3 * triangle + 1), c = position(3 * triangle + 2);
+            area.add(glm::length(glm::cross(linear * (b - a), linear * (c - a))) / 2.0);
+            volume.add(glm::dot(origin + a, glm::cross(origin + b, origin + c)) / 6.0);
+        }
+    }
+    measures.area = area.value();
+    measures.volume = volume.value() * std::abs(glm::determinant(linear));
+    return measures;
+}
+
+} // namespace unprojector::scene

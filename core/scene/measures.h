@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <cstddef>
+
+namespace unprojector::scene {
+
+/// What a model or a scene amounts to. World space and double precision; sums carry what they round away.
+struct Measures {
+    /// Of the file, used or not (see Model::fileVertices); of a soup the places at which there are any.
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    double area = 0.0; ///< of all triangles, each from one side
+    /// By the divergence theorem: what a closed surface holds, above 0 where its triangles go round counter-clockwise as seen
+    /// from outside. Of an open one it says nothing.
+    double volume = 0.0;
+    Box box; ///< around the vertices that triangles use and the points; empty without any
+
+    void add(const Measures &other);
+};
+
+/// Of an object where it stands, hidden or not. A transform that mirrors it leaves the volume's sign as it is.
+Measures measuresOf(const SceneObject &object);
+
+} // namespace unprojector::scene

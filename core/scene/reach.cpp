@@ -1,0 +1,31 @@
+#include "core/scene/reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace unprojector::scene {
+
+Check reachable(const SceneObject &object)
+{
+    const Box own = object.model ? object.model->bounds : Box();
+    if (own.isEmpty() || object.transform.empty()) // in single precision nothing is so far away
+        return std::monostate{};
+    const Box box = boundsOf(object);
+    for (const glm::dvec3 &corner : {box.lowest, box.highest}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(std::abs(corner[axis]) <= kFarthestWorld))
+                return Error{ErrorCode::NotFinite, corner[axis]};
+        }
+    }
+    const glm::dvec3 size = box.highest - box.lowest;
+    const double largest = std::max({size.x, size.y, size.z});
+    const bool isPoint = own.highest == own.lowest;
+    // Far away an object's size may be lost in its coordinates, which is no matter of its scale.
+    const bool isLost = largest == 0.0 && box.lowest != glm::dvec3(0.0);
+    if (!isPoint && !isLost && largest < 1.0 / kFarthestWorld)
+        return Error{ErrorCode::NotFinite, std::max(largest, std::numeric_limits<double>::denorm_min())};
+    return std::monostate{};
+}
+
+} // namespace unprojector::scene

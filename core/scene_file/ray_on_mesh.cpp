@@ -1,0 +1,59 @@
+#include "core/scene_file/ray_on_mesh.h"
+
+#include "core/scene_file/json_text.h"
+
+#include <cmath>
+
+namespace unprojector::scene_file {
+using namespace geometry;
+using namespace ray;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What cannot be said is null: JSON has no infinity.
+Json number(double value)
+{
+    return std::isfinite(value) ? jsonNumber(value) : Json();
+}
+
+Json list(const glm::dvec3 &v)
+{
+    return Json::array({number(v.x), number(v.y), number(v.z)});
+}
+
+void addPlace(Json &json, const WorldPoint &world, double distance)
+{
+    json["world"] = list(world.coordinates());
+    json["distance"] = number(distance);
+}
+
+} // namespace
+
+Json jsonOf(const RayOnMesh &ray)
+{
+    Json json = Json::object();
+    json["hit"] = ray.hit.has_value();
+    if (!ray.hit)
+        return json;
+    const SceneHit &hit = *ray.hit;
+    const std::optional<TriangleDetail> &triangle = hit.triangle;
+    json["object"] = ray.object;
+    json["triangle"] = triangle ? Json(triangle->triangle) : Json();
+    json["barycentric"] = triangle ? list(triangle->barycentric) : Json();
+    json["world"] = list(hit.world.coordinates());
+    json["objectPoint"] = list(hit.objectPoint.coordinates());
+    json["normal"] = triangle ? list(triangle->normal.coordinates()) : Json();
+    json["distance"] = number(hit.distance);
+    json["vertex"]["id"] = hit.vertex.id;
+    addPlace(json["vertex"], hit.vertex.world, hit.vertex.distance);
+    json["edge"] = nullptr;
+    if (triangle) {
+        json["edge"]["ids"] = Json::array({triangle->edge.ids[0], triangle->edge.ids[1]});
+        addPlace(json["edge"], triangle->edge.world, triangle->edge.distance);
+    }
+    json["uncertainty"] = list(hit.uncertainty.coordinates());
+    return json;
+}
+
+} // namespace unprojector::scene_file

@@ -1,0 +1,165 @@
+#include "core/unproject/depth_error.h"
+
+#include "core/geometry/proportions.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace unprojector::unproject {
+namespace {
+
+/// Half the spacing of floats, relative.
+constexpr double kFloatRounding = 0x1p-24;
+
+using Corners = std::array<glm::dvec3, 3>; ///< window coordinates
+
+/// Of a surface that is inclined by 80 degrees to the picture's plane, at a distance.
+DepthSlope steepSlope(const Picture &picture, double depthOfUnit, double distance)
+{
+    const double tangent = std::tan(radiansFromDegrees(80.0));
+    const glm::dvec2 footprint = pixelFootprint(picture, distance);
+    return {depthOfUnit * footprint.x * tangent, depthOfUnit * footprint.y * tangent};
+}
+
+/// By how much the window depth changes for a unit of distance in front of the eye: |dd/dz|.
+double depthOfUnitDistance(const Picture &picture, double distance)
+{
+    const ProjectionWindow w = projectionWindow(picture.projection());
+    const double n = w.nearDistance, f = w.farDistance;
+    const double range = std::abs(picture.depthRange.atFar - picture.depthRange.atNear);
+    return isPerspective(picture.projection()) ? range * f * n / ((f - n) * distance * distance) : range / (f - n);
+}
+
+/// A triangle's depth is a x + b y + c in NDC, and so a x + b y + c w in clip space, wherever its corners lie: also behind
+/// the eye.
+/// @return nothing for a triangle that is seen edge on
+std::optional<DepthSlope> slopeOf(const Picture &picture, const std::array<glm::dvec4, 3> &clip)
+{
+    glm::dmat3 rows(0.0);
+    glm::dvec3 depths;
+    for (int k = 0; k < 3; ++k) {
+        const glm::dvec4 &corner = clip[static_cast<std::size_t>(k)];
+        const double size = std::max({std::abs(corner.x), std::abs(corner.y), std::abs(corner.w)});
+        rows[0][k] = corner.x / size;
+        rows[1][k] = corner.y / size;
+        rows[2][k] = corner.w / size;
+        depths[k] = corner.z / size;
+    }
+    const glm::dvec3 plane = glm::inverse(rows) * depths;
+    if (!std::isfinite(plane.x) || !std::isfinite(plane.y))
+        return std::nullopt;
+    const double range = std::abs(picture.depthRange.atFar - picture.depthRange.atNear);
+    return DepthSlope{std::abs(plane.x) * range / picture.viewport.width,
+                      std::abs(plane.y) * range / picture.viewport.height};
+}
+
+/// What rounding the differences of a triangle's corners, their products and its area does to its plane, at a place: the
+/// plane hangs at one corner, nobody knows which, and what is off grows from there.
+///
+///   dd/dx = (d01 y20 - d20 y01) / A, A = x01 y20 - x20 y01
+///
+/// The products of a thin triangle are far larger than their difference.
+double thinTriangleError(const Corners &corners, const glm::dvec3 &place)
+{
+    double worst = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 &hung = corners[k];
+        const glm::dvec3 a = glm::abs(hung - corners[(k + 1) % 3]), b = glm::abs(corners[(k + 2) % 3] - hung);
+        const glm::dvec3 way = glm::abs(place - hung);
+        const glm::dvec3 products(a.z * b.y + b.z * a.y, b.z * a.x + a.z * b.x, a.x * b.y + b.x * a.y);
+        worst = std::max(worst, glm::dot(products, way));
+    }
+    const glm::dvec3 a = corners[1] - corners[0], b = corners[2] - corners[0];
+    return kFloatRounding * worst / std::abs(a.x * b.y - a.y * b.x);
+}
+
+/// How far a place is from the nearest of a triangle's edges, pixels.
+double edgeDistance(const Corners &corners, const glm::dvec3 &place)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec2 along(corners[(k + 1) % 3] - corners[k]), way(place - corners[k]);
+        nearest = std::min(nearest, std::abs(along.x * way.y - along.y * way.x) / glm::length(along));
+    }
+    return nearest;
+}
+
+} // namespace
+
+double DepthFormat::halfStep(double depth) const
+{
+    if (!isFloat)
+        return 0.5 / (std::ldexp(1.0, bits) - 1.0);
+    const double size = std::max(std::abs(depth), double(std::numeric_limits<float>::min()));
+    return std::ldexp(1.0, std::ilogb(size) - 24);
+}
+
+DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const WorldPoint &world,
+                        const DepthSample &sample, const DrawnSurface &surface)
+{
+    const Viewport &viewport = picture.viewport;
+    const double range = std::abs(picture.depthRange.atFar - picture.depthRange.atNear);
+    const glm::dmat4 clipFromVertices = clipFromWorld(picture).value() * surface.worldFromVertices;
+    const glm::dvec4 place = glm::inverse(surface.worldFromVertices) * glm::dvec4(world.coordinates(), 1.0);
+    const glm::dvec4 clip = clipFromVertices * place;
+
+    // What the vertices are off, carried to the place between them.
+    glm::dvec4 sums(0.0);
+    for (int column = 0; column < 4; ++column)
+        sums += glm::abs(clipFromVertices[column] * place[column]);
+    const glm::dvec3 ndc = glm::abs(glm::dvec3(clip) / clip.w);
+    const glm::dvec3 vertices = kFloatRounding * (glm::dvec3(sums) + ndc * sums.w) / std::abs(clip.w);
+
+    std::optional<DepthSlope> slope = sample.slope;
+    std::optional<Corners> corners;
+    if (surface.triangle) {
+        std::array<glm::dvec4, 3> clipCorners;
+        Corners windowCorners;
+        bool isBeforeTheEye = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            clipCorners[k] = clipFromVertices * glm::dvec4((*surface.triangle)[k], 1.0);
+            const glm::dvec4 &corner = clipCorners[k];
+            isBeforeTheEye = isBeforeTheEye && corner.w > 0.0;
+            windowCorners[k] =
+                windowFromNdc(viewport, picture.depthRange, NdcPoint(glm::dvec3(corner) / corner.w)).coordinates();
+        }
+        if (const std::optional<DepthSlope> known = slopeOf(picture, clipCorners)) {
+            slope = known;
+            if (isBeforeTheEye) // else it is cut, and its corners are others
+                corners = windowCorners;
+        }
+    }
+    if (!slope && !surface.isPoint) {
+        const double distance = isPerspective(picture.projection()) ? std::abs(clip.w) : 1.0;
+        slope = steepSlope(picture, depthOfUnitDistance(picture, distance), distance);
+    }
+
+    DepthError error{sample.format.halfStep(window.z), 0.0};
+    constexpr double kDepthRoundings = 2.0, kInterpolationRoundings = 2.0;
+    error.drawing = vertices.z * range / 2.0 + kDepthRoundings * kFloatRounding * std::abs(window.z);
+    if (surface.isPoint)
+        return error;
+    const auto interpolation = [](double pixels) {
+        return kInterpolationRoundings * kFloatRounding * std::abs(pixels);
+    };
+    const double shiftX = vertices.x * viewport.width / 2.0 + interpolation(window.x) + sample.cornerShiftPixels;
+    const double shiftY = vertices.y * viewport.height / 2.0 + interpolation(window.y) + sample.cornerShiftPixels;
+    error.drawing += slope->perPixelX * shiftX + slope->perPixelY * shiftY;
+    if (corners) {
+        error.drawing += thinTriangleError(*corners, window.coordinates());
+        if (edgeDistance(*corners, window.coordinates()) < std::sqrt(2.0) * kCornerShiftPixels) {
+            const DepthSlope &beside = sample.slope.value_or(*slope);
+            error.drawing +=
+                kCornerShiftPixels * (slope->perPixelX + slope->perPixelY + beside.perPixelX + beside.perPixelY);
+        }
+    }
+    return error;
+}
+
+} // namespace unprojector::unproject
