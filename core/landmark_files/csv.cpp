@@ -1,0 +1,423 @@
+// Our own table: name,x,y,z,object,face,u,v,w,note and, where a landmark has more, the columns for it.
+
+#include "core/landmark_files/lines.h"
+#include "core/scene_file/strict_json.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+
+namespace unprojector::landmark_files {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// All columns that mean something here, in the order in which they are written.
+enum Column : std::size_t {
+    Specimen,
+    Name,
+    X,
+    Y,
+    Z,
+    Object,
+    Face,
+    U,
+    V,
+    W,
+    Note,
+    Vertex,
+    EdgeFrom,
+    EdgeTo,
+    EdgeShare,
+    Dx,
+    Dy,
+    Dz,
+    Color,
+    Hidden,
+    Mesh,
+    Unit
+};
+constexpr std::size_t kColumnCount = Unit + 1;
+constexpr std::array<const char *, kColumnCount> kColumnNames{
+    "specimen", "name",     "x",      "y",         "z",  "object", "face", "u",     "v",      "w",    "note",
+    "vertex",   "edgefrom", "edgeto", "edgeshare", "dx", "dy",     "dz",   "color", "hidden", "mesh", "unit"};
+
+// ---- reading ----------------------------------------------------------------------------------------------------
+
+/// The cells of a row by what they mean.
+class Cells {
+public:
+    Cells(const std::array<std::size_t, kColumnCount> &places, const CsvRow &row) : m_places(places), m_row(row) {}
+
+    std::string_view operator[](Column column) const
+    {
+        return m_places[column] < m_row.cells.size() ? std::string_view(m_row.cells[m_places[column]])
+                                                     : std::string_view();
+    }
+    std::size_t line() const { return m_row.line; }
+
+    /// Three numbers; nothing where all are empty.
+    std::optional<glm::dvec3> numbers(Column first) const
+    {
+        glm::dvec3 v(0.0);
+        int given = 0;
+        for (int i = 0; i < 3; ++i)
+            given += (*this)[Column(first + std::size_t(i))].empty() ? 0 : 1;
+        if (given == 0)
+            return std::nullopt;
+        for (int i = 0; i < 3; ++i) {
+            const auto column = Column(first + std::size_t(i));
+            if ((*this)[column].empty())
+                throw Failure{line(), std::string(kColumnNames[column])
+                                          + " is empty and its neighbours are not; give all three, or none"};
+            v[i] = numberOf((*this)[column], line(), kColumnNames[column]);
+        }
+        return v;
+    }
+
+private:
+    const std::array<std::size_t, kColumnCount> &m_places;
+    const CsvRow &m_row;
+};
+
+Hold holdOf(const Cells &cells)
+{
+    const bool isFace = !cells[Face].empty(), isVertex = !cells[Vertex].empty(), isEdge = !cells[EdgeFrom].empty();
+    if (isFace + isVertex + isEdge > 1)
+        throw Failure{cells.line(), "a point is held by one of face, vertex and edge; leave the others empty"};
+    const std::optional<glm::dvec3> barycentric = cells.numbers(U);
+    if (isFace != barycentric.has_value())
+        throw Failure{cells.line(), "face and u, v, w belong together; give all of them, or none"};
+    if (isFace) {
+        OnTriangle held; // in one piece GCC 12 calls its padding uninitialized
+        held.triangle = countOf(cells[Face], cells.line(), "face");
+        held.barycentric = *barycentric;
+        return held;
+    }
+    if (isVertex)
+        return AtVertex{countOf(cells[Vertex], cells.line(), "vertex")};
+    if (isEdge)
+        return OnEdge{
+            {countOf(cells[EdgeFrom], cells.line(), "edgeFrom"), countOf(cells[EdgeTo], cells.line(), "edgeTo")},
+            numberOf(cells[EdgeShare], cells.line(), "edgeShare")};
+    return Free{};
+}
+
+/// "#ff8000"
+std::optional<glm::u8vec3> colorOf(std::string_view text, std::size_t line)
+{
+    if (text.empty())
+        return std::nullopt;
+    std::uint32_t value = 0;
+    const char *end = text.data() + text.size();
+    const bool isHex =
+        text.size() == 7 && text.front() == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
+    if (!isHex)
+        throw Failure{line, "color is \"" + std::string(text) + "\"; write it as #rrggbb"};
+    return glm::u8vec3(value >> 16, (value >> 8) & 0xff, value & 0xff);
+}
+
+bool hiddenOf(std::string_view text, std::size_t line)
+{
+    if (text.empty() || text == "0" || text == "1")
+        return text == "1";
+    throw Failure{line, "hidden is \"" + std::string(text) + "\"; write 1 or 0"};
+}
+
+/// A cell of a column of somebody else's: as JSON where it is what JSON writes, else as a text.
+Json jsonOf(const std::string &cell)
+{
+    const auto json = scene_file::parseStrictJson(cell); // no deeper than what writes it has stack for
+    const bool isJson =
+        json && !json->is_string() && json->dump(-1, ' ', false, Json::error_handler_t::replace) == cell;
+    return isJson ? *json : Json(cell);
+}
+
+/// Where each column stands; those that are not known keep their names.
+struct Header {
+    std::array<std::size_t, kColumnCount> places;
+    std::vector<std::pair<std::size_t, std::string>> others;
+    std::size_t count = 0;
+};
+
+Header headerOf(const CsvRow &row)
+{
+    Header header;
+    header.places.fill(std::size_t(-1));
+    header.count = row.cells.size();
+    if (row.cells.size() == 1 && row.cells.front().find(';') != std::string::npos)
+        throw Failure{row.line,
+                      "the columns are separated by semicolons; save the table with commas, and numbers with a "
+                      "decimal point"};
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        const std::string name = lowerCase(trimmed(row.cells[i]));
+        const auto known = std::find(kColumnNames.begin(), kColumnNames.end(), name);
+        if (!name.empty() && !names.insert(known != kColumnNames.end() ? name : row.cells[i]).second)
+            throw Failure{row.line, "the column \"" + row.cells[i] + "\" is there twice; rename one of them"};
+        if (known != kColumnNames.end())
+            header.places[static_cast<std::size_t>(known - kColumnNames.begin())] = i;
+        else
+            header.others.emplace_back(i, row.cells[i]);
+    }
+    for (const Column column : {X, Y, Z}) {
+        if (header.places[column] == std::size_t(-1))
+            throw Failure{row.line, std::string("there is no column ") + kColumnNames[column]
+                                        + "; the first line names the columns, name,x,y,z at least"};
+    }
+    return header;
+}
+
+Landmark landmarkOf(const Header &header, const CsvRow &row)
+{
+    const Cells cells(header.places, row);
+    Landmark landmark;
+    landmark.name = cells[Name];
+    if (const auto world = cells.numbers(X))
+        landmark.world = WorldPoint(*world);
+    landmark.object = cells[Object];
+    landmark.hold = holdOf(cells);
+    landmark.note = cells[Note];
+    if (const auto uncertainty = cells.numbers(Dx))
+        landmark.uncertainty = WorldVector(*uncertainty);
+    landmark.color = colorOf(cells[Color], row.line);
+    landmark.isHidden = hiddenOf(cells[Hidden], row.line);
+    for (const auto &[place, name] : header.others) {
+        if (name.empty() && !row.cells[place].empty())
+            throw Failure{row.line, "the cell \"" + row.cells[place]
+                                        + "\" stands in a column without a name; give it one in the first line"};
+        if (!row.cells[place].empty())
+            landmark.extra[name] = jsonOf(row.cells[place]);
+    }
+    return landmark;
+}
+
+} // namespace
+
+ReadLandmarks readCsv(std::string_view text)
+{
+    const std::vector<CsvRow> rows = csvRows(text);
+    if (rows.empty())
+        throw Failure{1, "the file is empty; the first line names the columns, name,x,y,z at least"};
+    const Header header = headerOf(rows.front());
+    ReadLandmarks read;
+    std::map<std::string, std::size_t, std::less<>> places;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const CsvRow &row = rows[i];
+        if (row.cells.size() != header.count)
+            throw Failure{row.line, "here are " + std::to_string(row.cells.size()) + " cells, and the first line names "
+                                        + std::to_string(header.count)
+                                        + " columns; put cells that have commas in quotes"};
+        const Cells cells(header.places, row);
+        const auto [place, isNew] = places.try_emplace(std::string(cells[Specimen]), read.sets.size());
+        if (isNew) {
+            LandmarkSet set;
+            set.name = cells[Specimen];
+            set.mesh = cells[Mesh];
+            set.unit = cells[Unit];
+            read.sets.push_back(std::move(set));
+        }
+        LandmarkSet &set = read.sets[place->second];
+        for (const auto &[column, known] : {std::pair(Mesh, &set.mesh), std::pair(Unit, &set.unit)}) {
+            if (cells[column] != *known)
+                throw Failure{row.line, std::string(kColumnNames[column]) + " is \"" + std::string(cells[column])
+                                            + "\", and that of the rows before is \"" + *known
+                                            + "\"; a specimen has one, so give it in each of its rows"};
+        }
+        set.landmarks.push_back(landmarkOf(header, row));
+    }
+    if (read.sets.empty())
+        read.sets.emplace_back();
+    return read;
+}
+
+// ---- writing ----------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string cellOf(const Json &value)
+{
+    return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string number(double value)
+{
+    std::string text;
+    text::appendNumber(text, value);
+    return text;
+}
+
+void putNumbers(std::array<std::string, kColumnCount> &cells, Column first, const glm::dvec3 &v)
+{
+    for (int i = 0; i < 3; ++i)
+        cells[first + std::size_t(i)] = number(v[i]);
+}
+
+std::string colorText(const glm::u8vec3 &color)
+{
+    constexpr char kDigits[] = "0123456789abcdef";
+    std::string text = "#";
+    for (int i = 0; i < 3; ++i) {
+        text += kDigits[color[i] >> 4];
+        text += kDigits[color[i] & 0xf];
+    }
+    return text;
+}
+
+std::array<std::string, kColumnCount> cellsOf(const LandmarkSet &set, const Landmark &landmark)
+{
+    std::array<std::string, kColumnCount> cells;
+    cells[Mesh] = set.mesh;
+    cells[Unit] = set.unit;
+    cells[Name] = landmark.name;
+    if (landmark.world)
+        putNumbers(cells, X, landmark.world->coordinates());
+    cells[Object] = landmark.object;
+    if (const auto *triangle = std::get_if<OnTriangle>(&landmark.hold)) {
+        cells[Face] = std::to_string(triangle->triangle);
+        putNumbers(cells, U, triangle->barycentric);
+    } else if (const auto *vertex = std::get_if<AtVertex>(&landmark.hold)) {
+        cells[Vertex] = std::to_string(vertex->vertex);
+    } else if (const auto *edge = std::get_if<OnEdge>(&landmark.hold)) {
+        cells[EdgeFrom] = std::to_string(edge->vertices[0]);
+        cells[EdgeTo] = std::to_string(edge->vertices[1]);
+        cells[EdgeShare] = number(edge->share);
+    }
+    cells[Note] = landmark.note;
+    if (landmark.uncertainty)
+        putNumbers(cells, Dx, landmark.uncertainty->coordinates());
+    cells[Color] = landmark.color ? colorText(*landmark.color) : "";
+    cells[Hidden] = landmark.isHidden ? "1" : "";
+    return cells;
+}
+
+/// The name of a column as people write it.
+std::string titleOf(std::size_t column)
+{
+    switch (column) {
+    case EdgeFrom: return "edgeFrom";
+    case EdgeTo: return "edgeTo";
+    case EdgeShare: return "edgeShare";
+    default: return kColumnNames[column];
+    }
+}
+
+} // namespace
+
+std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
+{
+    Holds all;
+    all.names = all.objects = all.holds = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;
+    all.specimenName = all.mesh = all.unit = true;
+    addLosses(notes, sets, all);
+
+    std::vector<std::array<std::string, kColumnCount>> rows;
+    std::vector<const Landmark *> landmarks;
+    std::array<bool, kColumnCount> isUsed{};
+    std::vector<std::string> others;
+    std::set<std::string> known;
+    const auto isOurs = [](const std::string &key) { // a column of that name would be read as ours
+        return std::find(kColumnNames.begin(), kColumnNames.end(), lowerCase(trimmed(key))) != kColumnNames.end();
+    };
+    std::fill(isUsed.begin() + Name, isUsed.begin() + Vertex, true);
+    isUsed[Specimen] = sets.size() > 1;
+    PlainNames specimens("", true, notes); // rows of one name are one specimen's
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const LandmarkSet &set = sets[i];
+        const std::string specimen = sets.size() > 1 ? specimens.of(set.name, std::to_string(i + 1)) : set.name;
+        if (set.landmarks.empty() && (sets.size() > 1 || !set.name.empty()))
+            notes.add(LandmarkNote::Kind::EmptySpecimenLeftOut, 1, specimen);
+        for (const Landmark &landmark : set.landmarks) {
+            rows.push_back(cellsOf(set, landmark));
+            rows.back()[Specimen] = specimen;
+            landmarks.push_back(&landmark);
+            for (std::size_t column = 0; column < kColumnCount; ++column)
+                isUsed[column] = isUsed[column] || !rows.back()[column].empty();
+            for (auto it = landmark.extra.begin(); it != landmark.extra.end(); ++it) {
+                if (it.key().empty() || isOurs(it.key()))
+                    notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
+                else if (known.insert(it.key()).second)
+                    others.push_back(it.key());
+            }
+        }
+    }
+    std::string text;
+    const char *separator = "";
+    for (std::size_t column = 0; column < kColumnCount; ++column) {
+        if (!isUsed[column])
+            continue;
+        text += separator + titleOf(column);
+        separator = ",";
+    }
+    for (const std::string &other : others) {
+        text += ',';
+        appendCell(text, other);
+    }
+    text += '\n';
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        separator = "";
+        for (std::size_t column = 0; column < kColumnCount; ++column) {
+            if (!isUsed[column])
+                continue;
+            text += separator;
+            appendCell(text, rows[row][column]);
+            separator = ",";
+        }
+        for (const std::string &other : others) {
+            text += ',';
+            const Json &extra = landmarks[row]->extra;
+            if (extra.is_object() && extra.contains(other))
+                appendCell(text, cellOf(extra[other]));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+WrittenLandmarks wideTable(std::span<const LandmarkSet> sets)
+{
+    std::vector<std::string> names;
+    std::map<std::string, std::size_t> places;
+    std::vector<std::map<std::size_t, const Landmark *>> rows;
+    for (const LandmarkSet &set : sets) {
+        auto &row = rows.emplace_back();
+        std::map<std::string, std::size_t> counts;
+        for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
+            std::string name = set.landmarks[i].name.empty() ? std::to_string(i + 1) : set.landmarks[i].name;
+            if (const std::size_t count = ++counts[name]; count > 1)
+                name += " (" + std::to_string(count) + ')';
+            const auto [place, isNew] = places.try_emplace(name, names.size());
+            if (isNew)
+                names.push_back(name);
+            row[place->second] = &set.landmarks[i];
+        }
+    }
+    Notes notes;
+    Holds held;
+    held.names = held.specimenName = true;
+    addLosses(notes, sets, held);
+    std::string text = "specimen";
+    for (const std::string &name : names) {
+        for (const char *axis : {"_x", "_y", "_z"}) {
+            text += ',';
+            appendCell(text, name + axis);
+        }
+    }
+    text += '\n';
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        appendCell(text, sets[i].name);
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const auto found = rows[i].find(k);
+            if (found != rows[i].end() && found->second->world)
+                appendNumbers(text, found->second->world->coordinates(), ',');
+            else
+                text += ",,,";
+        }
+        text += '\n';
+    }
+    return {std::move(text), notes.take()};
+}
+
+} // namespace unprojector::landmark_files

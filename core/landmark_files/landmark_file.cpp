@@ -1,0 +1,163 @@
+#include "core/landmark_files/landmark_file.h"
+
+#include "core/files/path_text.h"
+#include "core/files/replace_file.h"
+#include "core/landmark_files/lines.h"
+
+#include <array>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+namespace unprojector::landmark_files {
+using namespace files;
+using geometry::Result;
+
+const char *suffixOf(Format format)
+{
+    switch (format) {
+    case Format::Csv: return "csv";
+    case Format::MeshLab: return "pp";
+    case Format::MeshLabTemplate: return "pptpl";
+    case Format::SlicerJson: return "mrk.json";
+    case Format::SlicerCsv: return "fcsv";
+    case Format::Idav: return "pts";
+    case Format::Tps: return "tps";
+    case Format::Nts: return "nts";
+    }
+    return "";
+}
+
+std::optional<Format> formatOfSuffix(std::string_view suffix)
+{
+    const std::string lower = lowerCase(suffix);
+    for (const Format format : kFormats) {
+        if (lower == suffixOf(format))
+            return format;
+    }
+    return std::nullopt;
+}
+
+std::optional<Format> formatOf(const std::filesystem::path &file)
+{
+    const std::string suffix = utf8FromPath(file.extension());
+    if (lowerCase(suffix) == ".json")
+        return Format::SlicerJson;
+    return suffix.empty() ? std::nullopt : formatOfSuffix(std::string_view(suffix).substr(1));
+}
+
+Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, Format format, const std::string &name)
+{
+    try {
+        if (text.size() > kMostLandmarkBytes)
+            throw Failure{0, {}, LandmarkFileError::Code::TooLarge};
+        if (text.find('\0') != text.npos || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+            throw Failure{0, "this is no text in UTF-8; save it as UTF-8"};
+        if (text.starts_with("\xef\xbb\xbf"))
+            text.remove_prefix(3);
+        switch (format) {
+        case Format::Csv: return readCsv(text);
+        case Format::MeshLab: return readMeshLab(text, false);
+        case Format::MeshLabTemplate: return readMeshLab(text, true);
+        case Format::SlicerJson: return readSlicerJson(text);
+        case Format::SlicerCsv: return readSlicerCsv(text);
+        case Format::Idav: return readIdav(text);
+        case Format::Tps: return readTps(text);
+        case Format::Nts:
+            throw Failure{0, ".nts is only written; give another file", LandmarkFileError::Code::CannotHold};
+        }
+        return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
+    } catch (const Failure &failure) {
+        return LandmarkFileError{failure.code, name, failure.line, failure.text};
+    }
+}
+
+namespace {
+
+/// The only one of several.
+const LandmarkSet &onlyOf(std::span<const LandmarkSet> sets, Format format)
+{
+    if (sets.size() == 1)
+        return sets.front();
+    throw Failure{0,
+                  '.' + std::string(suffixOf(format)) + " holds one specimen, and there are "
+                      + std::to_string(sets.size()) + "; take .csv, .tps, .nts or .mrk.json",
+                  LandmarkFileError::Code::CannotHold};
+}
+
+std::string textOf(std::span<const LandmarkSet> sets, Format format, Notes &notes)
+{
+    switch (format) {
+    case Format::Csv: return csvText(sets, notes);
+    case Format::MeshLab: return meshLabText(onlyOf(sets, format), notes);
+    case Format::MeshLabTemplate: return meshLabTemplateText(onlyOf(sets, format), notes);
+    case Format::SlicerJson: return slicerJsonText(sets, notes);
+    case Format::SlicerCsv: return slicerCsvText(onlyOf(sets, format), notes);
+    case Format::Idav: return idavText(onlyOf(sets, format), notes);
+    case Format::Tps: return tpsText(sets, notes);
+    case Format::Nts: return ntsText(sets, notes);
+    }
+    return {};
+}
+
+} // namespace
+
+Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format)
+{
+    Notes notes;
+    try {
+        std::string text = textOf(sets, format, notes);
+        return WrittenLandmarks{std::move(text), notes.take()};
+    } catch (const Failure &failure) {
+        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+    }
+}
+
+Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem::path &file)
+{
+    const std::string name = utf8FromPath(file);
+    const auto failed = [&name](LandmarkFileError::Code code) { return LandmarkFileError{code, name, 0, {}}; };
+    const std::optional<Format> format = formatOf(file);
+    if (!format)
+        return failed(LandmarkFileError::Code::UnknownFormat);
+    std::error_code system;
+    const std::filesystem::file_status status = std::filesystem::status(file, system);
+    if (status.type() == std::filesystem::file_type::not_found)
+        return failed(LandmarkFileError::Code::NotFound);
+    if (std::filesystem::is_directory(status))
+        return failed(LandmarkFileError::Code::IsDirectory);
+    std::ifstream stream;
+    if (std::filesystem::is_regular_file(status)) // opening a named pipe may wait for ever
+        stream.open(file, std::ios::binary);
+    if (!stream.is_open())
+        return failed(LandmarkFileError::Code::NotReadable);
+    std::string text;
+    std::array<char, 65536> block;
+    do {
+        stream.read(block.data(), block.size());
+        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    } while (stream && text.size() <= kMostLandmarkBytes);
+    if (stream.bad())
+        return failed(LandmarkFileError::Code::NotReadable);
+    return parseLandmarks(text, *format, name);
+}
+
+Result<std::vector<LandmarkNote>, LandmarkFileError> writeLandmarkFile(const std::filesystem::path &file,
+                                                                       std::span<const LandmarkSet> sets)
+{
+    const std::string name = utf8FromPath(file);
+    const std::optional<Format> format = formatOf(file);
+    if (!format)
+        return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
+    const Result<WrittenLandmarks, LandmarkFileError> text = landmarksText(sets, *format);
+    if (!text) {
+        LandmarkFileError error = text.error();
+        error.file = name;
+        return error;
+    }
+    if (const Written written = replaceFile(file, text->text); !written)
+        return LandmarkFileError{LandmarkFileError::Code::NotWritable, name, 0, fileErrorText(written.error())};
+    return text->notes;
+}
+
+} // namespace unprojector::landmark_files

@@ -1,0 +1,141 @@
+#pragma once
+
+#include "core/geometry/result.h"
+#include "core/landmarks/landmark.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::landmark_files {
+using namespace landmarks;
+
+/// The files that landmarks are exchanged by.
+enum class Format {
+    Csv,             ///< our own, `name,x,y,z,object,face,u,v,w,note`; the one that keeps most
+    MeshLab,         ///< .pp, picked points
+    MeshLabTemplate, ///< .pptpl, names only
+    SlicerJson,      ///< .mrk.json of 3D Slicer
+    SlicerCsv,       ///< .fcsv of 3D Slicer
+    Idav,            ///< .pts of IDAV Landmark
+    Tps,             ///< .tps of tpsDig and geomorph; many specimens
+    Nts,             ///< .nts of NTSYS; many specimens, written only
+};
+inline constexpr std::array kFormats{Format::Csv,        Format::MeshLab,   Format::MeshLabTemplate,
+                                     Format::SlicerJson, Format::SlicerCsv, Format::Idav,
+                                     Format::Tps,        Format::Nts};
+
+/// The suffix of a format, and the word for it: "csv", "pp", "mrk.json", …
+const char *suffixOf(Format format);
+/// The format of that suffix, in whatever case; nothing where there is none.
+std::optional<Format> formatOfSuffix(std::string_view suffix);
+/// The format that a file's name ends in. "x.json" is one of 3D Slicer's too.
+std::optional<Format> formatOf(const std::filesystem::path &file);
+
+/// What of landmarks did not pass through a file as it was.
+struct LandmarkNote {
+    enum class Kind {
+        // Writing: what the format has no place for. count: how many landmarks (or specimens) have it.
+        NamesLeftOut,
+        PositionsLeftOut,
+        ObjectsLeftOut,
+        HoldsLeftOut, ///< the triangle, vertex or edge
+        UncertaintiesLeftOut,
+        NotesLeftOut,
+        ColorsLeftOut,
+        HiddenLeftOut,
+        KeysLeftOut,         ///< detail: their names
+        SpecimenKeysLeftOut, ///< detail: their names
+        SpecimenNameLeftOut, ///< detail: the name
+        MeshLeftOut,         ///< detail: the file's name
+        UnitLeftOut,         ///< detail: the unit
+        // Writing: what is written otherwise.
+        NameChanged,          ///< detail: both names in quotes
+        NoteChanged,          ///< detail: whose
+        EmptySpecimenLeftOut, ///< detail: its name; it has no landmarks, and a table no row for it
+        LooksMissing,         ///< detail: whose; a coordinate of it is the format's word for "missing"
+        MissingAtOrigin,      ///< count: older readers take them to be at 0, 0, 0
+        // Reading: what is not kept as it was.
+        AxesTurned,         ///< the file is in RAS
+        FlatPoints,         ///< count: of two coordinates, z is 0
+        Scaled,             ///< detail: the factor that coordinates were multiplied by
+        CurvesLeftOut,      ///< count: points of curves
+        MissingHadPosition, ///< count: points that are not placed and have coordinates all the same
+        CommentsLeftOut,    ///< count: lines
+    };
+    Kind kind;
+    std::size_t count = 0;
+    std::string detail; ///< UTF-8
+    friend bool operator==(const LandmarkNote &, const LandmarkNote &) = default;
+};
+
+/// A note as a sentence for people, without a full stop. English.
+std::string noteText(const LandmarkNote &note);
+
+/// Why landmarks could not be read or written.
+struct LandmarkFileError {
+    enum class Code {
+        NotFound,
+        IsDirectory,
+        NotReadable,
+        NotWritable,   ///< detail: files::fileErrorText
+        UnknownFormat, ///< the suffix is none of ours
+        TooLarge,
+        Malformed,  ///< line, detail: what is wrong there and what to do
+        CannotHold, ///< detail: what the format cannot have at all, and what to do
+    };
+    Code code = Code::Malformed;
+    std::string file;     ///< UTF-8, as it was given
+    std::size_t line = 0; ///< counted from 1; 0: no line
+    std::string detail;   ///< UTF-8, English
+};
+
+/// "points.csv:3: …", one sentence.
+std::string errorText(const LandmarkFileError &error);
+
+struct ReadLandmarks {
+    std::vector<LandmarkSet> sets; ///< one a specimen, at least one
+    std::vector<LandmarkNote> notes;
+};
+struct WrittenLandmarks {
+    std::string text;
+    std::vector<LandmarkNote> notes;
+};
+
+/// No file of landmarks is larger.
+constexpr std::size_t kMostLandmarkBytes = std::size_t{64} << 20;
+
+/// Reads the text of a file of landmarks. Every number is read to the nearest double, whatever the system's language.
+/// @param text  UTF-8, with or without a byte order mark
+/// @param name  of the file, for the error
+/// @return TooLarge, Malformed; UnknownFormat of Nts, which is not read
+geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, Format format,
+                                                                  const std::string &name);
+
+/// The text of a file of landmarks. Every coordinate is written in the fewest digits that read back to the same double; what
+/// the format has no place for is said in the notes.
+/// @param sets  one a specimen
+/// @return CannotHold: several specimens where the format has one, or specimens of different numbers of points where it
+///         has a table; a name that is not UTF-8 in JSON
+geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format);
+
+/// A table with one row a specimen: specimen,A_x,A_y,A_z,B_x,… The columns are the landmarks of all specimens by name, in
+/// the order in which they first appear; what a specimen lacks stays empty. A landmark without a name has its number, and
+/// of two that share one the second is "NAME (2)".
+WrittenLandmarks wideTable(std::span<const LandmarkSet> sets);
+
+/// Reads a file by its suffix.
+/// @return UnknownFormat, NotFound, IsDirectory, NotReadable, and the errors of parseLandmarks
+geometry::Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem::path &file);
+
+/// Writes a file by its suffix, by way of a new file beside it.
+/// @return what was lost; UnknownFormat, NotWritable, and the errors of landmarksText
+geometry::Result<std::vector<LandmarkNote>, LandmarkFileError> writeLandmarkFile(const std::filesystem::path &file,
+                                                                                 std::span<const LandmarkSet> sets);
+
+} // namespace unprojector::landmark_files

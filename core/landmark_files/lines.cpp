@@ -1,0 +1,260 @@
+#include "core/landmark_files/lines.h"
+
+#include "core/mesh_import/text_scanner.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace unprojector::landmark_files {
+using mesh_import::quoted;
+
+bool Lines::next()
+{
+    if (m_rest.empty())
+        return false;
+    const std::size_t end = std::min(m_rest.find_first_of("\r\n"), m_rest.size());
+    m_line = trimmed(m_rest.substr(0, end));
+    const bool isCrLf = end + 1 < m_rest.size() && m_rest[end] == '\r' && m_rest[end + 1] == '\n';
+    m_rest.remove_prefix(std::min(end + (isCrLf ? 2 : 1), m_rest.size()));
+    ++m_number;
+    return true;
+}
+
+bool Lines::nextFilled()
+{
+    while (next()) {
+        if (!m_line.empty())
+            return true;
+    }
+    return false;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(" \t\r\n\v\f");
+    return first == text.npos ? std::string_view()
+                              : text.substr(first, text.find_last_not_of(" \t\r\n\v\f") - first + 1);
+}
+
+std::string lowerCase(std::string_view text)
+{
+    std::string lower(text);
+    for (char &c : lower)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower;
+}
+
+std::vector<std::string_view> wordsOf(std::string_view line)
+{
+    std::vector<std::string_view> words;
+    for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+        const std::size_t end = std::min(line.find_first_of(" \t\v\f"), line.size());
+        words.push_back(line.substr(0, end));
+        line.remove_prefix(end);
+    }
+    return words;
+}
+
+double numberOf(std::string_view word, std::size_t line, std::string_view what)
+{
+    const std::optional<double> value = mesh_import::doubleFromWord(trimmed(word));
+    if (value && std::isfinite(*value))
+        return *value;
+    std::string text = std::string(what) + " is " + quoted(word) + "; write a number";
+    if (word.find(',') != word.npos)
+        text += " with a decimal point";
+    throw Failure{line, text};
+}
+
+std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what)
+{
+    const std::optional<long long> value = mesh_import::integerFromWord(trimmed(word));
+    if (value && *value >= 0 && *value <= std::numeric_limits<std::uint32_t>::max())
+        return static_cast<std::uint32_t>(*value);
+    throw Failure{line, std::string(what) + " is " + quoted(word) + "; write a whole number, 0 or more"};
+}
+
+void appendNumbers(std::string &text, const glm::dvec3 &v, char separator)
+{
+    for (int i = 0; i < 3; ++i) {
+        text += separator;
+        text::appendNumber(text, v[i]);
+    }
+}
+
+WorldPoint turned(const WorldPoint &point, Axes axes)
+{
+    return axes == Axes::Ras ? WorldPoint(0.0 - point.x, 0.0 - point.y, point.z) : point; // no -0
+}
+
+void Notes::add(LandmarkNote::Kind kind, std::size_t count, const std::string &detail)
+{
+    const auto [place, isNew] = m_places.try_emplace({kind, detail}, m_notes.size());
+    if (isNew)
+        m_notes.push_back({kind, count, detail});
+    else
+        m_notes[place->second].count += count;
+}
+
+namespace {
+
+/// The keys of several things, each once.
+class Keys {
+public:
+    void add(const nlohmann::ordered_json &extra)
+    {
+        if (!extra.is_object() || extra.empty())
+            return;
+        ++m_count;
+        for (auto it = extra.begin(); it != extra.end(); ++it) {
+            if (std::find(m_names.begin(), m_names.end(), it.key()) == m_names.end())
+                m_names.push_back(it.key());
+        }
+    }
+    void tell(Notes &notes, LandmarkNote::Kind kind) const
+    {
+        std::string list;
+        for (const std::string &name : m_names)
+            list += (list.empty() ? "" : ", ") + name;
+        if (m_count > 0)
+            notes.add(kind, m_count, list);
+    }
+
+private:
+    std::size_t m_count = 0;
+    std::vector<std::string> m_names;
+};
+
+} // namespace
+
+void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const Holds &format)
+{
+    using Kind = LandmarkNote::Kind;
+    const auto count = [&](bool isHeld, Kind kind, const auto &has) {
+        std::size_t sum = 0;
+        for (const LandmarkSet &set : sets)
+            sum +=
+                isHeld ? 0 : static_cast<std::size_t>(std::count_if(set.landmarks.begin(), set.landmarks.end(), has));
+        if (sum > 0)
+            notes.add(kind, sum);
+    };
+    count(format.names, Kind::NamesLeftOut, [](const Landmark &l) { return !l.name.empty(); });
+    count(format.positions, Kind::PositionsLeftOut, [](const Landmark &l) { return !l.isMissing(); });
+    count(format.objects, Kind::ObjectsLeftOut, [](const Landmark &l) { return !l.object.empty(); });
+    count(format.holds, Kind::HoldsLeftOut, [](const Landmark &l) { return !std::holds_alternative<Free>(l.hold); });
+    count(format.uncertainties, Kind::UncertaintiesLeftOut,
+          [](const Landmark &l) { return l.uncertainty.has_value(); });
+    count(format.notes, Kind::NotesLeftOut, [](const Landmark &l) { return !l.note.empty(); });
+    count(format.colors, Kind::ColorsLeftOut, [](const Landmark &l) { return l.color.has_value(); });
+    count(format.hidden, Kind::HiddenLeftOut, [](const Landmark &l) { return l.isHidden; });
+    Keys keys, specimenKeys;
+    for (const LandmarkSet &set : sets) {
+        for (const Landmark &landmark : set.landmarks) {
+            if (!format.keys)
+                keys.add(landmark.extra);
+        }
+        if (!format.specimenKeys)
+            specimenKeys.add(set.extra);
+        if (!format.specimenName && !set.name.empty())
+            notes.add(Kind::SpecimenNameLeftOut, 1, set.name);
+        if (!format.mesh && !set.mesh.empty())
+            notes.add(Kind::MeshLeftOut, 1, set.mesh);
+        if (!format.unit && !set.unit.empty())
+            notes.add(Kind::UnitLeftOut, 1, set.unit);
+    }
+    keys.tell(notes, Kind::KeysLeftOut);
+    specimenKeys.tell(notes, Kind::SpecimenKeysLeftOut);
+}
+
+std::string PlainNames::of(const std::string &name, const std::string &instead)
+{
+    std::string plain = name.empty() ? instead : name;
+    for (char &c : plain) {
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f' || m_bad.find(c) != m_bad.npos)
+            c = '_';
+    }
+    if (m_isUnique) {
+        const std::string stem = plain;
+        for (std::size_t &number = m_next.try_emplace(stem, 2).first->second; !m_given.insert(plain).second; ++number)
+            plain = stem + '_' + std::to_string(number);
+    }
+    if (plain != name)
+        m_notes.add(LandmarkNote::Kind::NameChanged, 1, '"' + name + "\" as \"" + plain + '"');
+    return plain;
+}
+
+std::vector<CsvRow> csvRows(std::string_view text, std::size_t firstLine)
+{
+    std::vector<CsvRow> rows;
+    CsvRow row{{}, firstLine};
+    std::string cell;
+    std::size_t line = firstLine, quoteLine = 0;
+    enum class State { Start, Plain, Quoted, Closed } state = State::Start;
+    const auto endCell = [&] {
+        row.cells.push_back(state == State::Plain ? std::string(trimmed(cell)) : cell);
+        cell.clear();
+        state = State::Start;
+    };
+    const auto endRow = [&] {
+        if (state == State::Start && row.cells.empty()) { // a blank line
+            cell.clear();
+            return;
+        }
+        endCell();
+        rows.push_back(std::move(row));
+        row = {};
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const bool isLineEnd = c == '\n' || c == '\r';
+        const bool isBlank = c == ' ' || c == '\t';
+        if (isLineEnd && c == '\r' && i + 1 < text.size() && text[i + 1] == '\n' && state != State::Quoted)
+            continue; // the line feed ends it
+        if (isLineEnd && !(c == '\r' && i + 1 < text.size() && text[i + 1] == '\n'))
+            ++line;
+        if (state == State::Quoted) {
+            if (c == '"' && i + 1 < text.size() && text[i + 1] == '"')
+                cell += text[++i];
+            else if (c == '"')
+                state = State::Closed;
+            else
+                cell += c;
+        } else if (isLineEnd) {
+            endRow();
+            row.line = line;
+        } else if (c == ',') {
+            endCell();
+        } else if (state == State::Closed) {
+            if (!isBlank)
+                throw Failure{line, std::string("behind the closing quote stands \"") + (c >= ' ' && c <= '~' ? c : '?')
+                                        + "\"; put the whole cell in quotes and double those in it"};
+        } else if (state == State::Start && c == '"') {
+            state = State::Quoted;
+            quoteLine = line;
+        } else if (state == State::Plain || !isBlank) {
+            cell += c;
+            state = State::Plain;
+        }
+    }
+    if (state == State::Quoted)
+        throw Failure{quoteLine, "a quote is opened here and never closed; close it, or double it within quotes"};
+    endRow();
+    return rows;
+}
+
+void appendCell(std::string &text, std::string_view cell)
+{
+    const bool isPlain = cell.find_first_of(",\"\r\n") == cell.npos && trimmed(cell).size() == cell.size();
+    if (isPlain) {
+        text += cell;
+        return;
+    }
+    text += '"';
+    for (const char c : cell)
+        text.append(c == '"' ? 2 : 1, c);
+    text += '"';
+}
+
+} // namespace unprojector::landmark_files

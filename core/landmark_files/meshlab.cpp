@@ -1,0 +1,319 @@
+// .pp of MeshLab, points picked on a mesh, and .pptpl, their names alone. XML.
+
+#include "core/landmark_files/lines.h"
+#include "core/mesh_import/text_scanner.h"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <sstream>
+
+namespace unprojector::landmark_files {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Tree = boost::property_tree::ptree;
+
+constexpr const char *kDocumentData = "DocumentData";
+constexpr const char *kFileName = "DataFileName";
+constexpr const char *kTemplateName = "templateName";
+
+// ---- reading ----------------------------------------------------------------------------------------------------
+
+/// What the XML library does not tell of a text: on which lines its points begin. And that its elements lie in each other
+/// no deeper than the library, which calls itself for each level, has stack for.
+class Outline {
+public:
+    explicit Outline(std::string_view text)
+    {
+        std::size_t level = 0;
+        for (std::size_t i = text.find('<'); i < text.size(); i = text.find('<', i)) {
+            advanceTo(text, i);
+            const std::string_view rest = text.substr(i);
+            if (rest.starts_with("<!--")) {
+                i = behind(text, i, "-->");
+            } else if (rest.starts_with("<![CDATA[")) {
+                i = behind(text, i, "]]>");
+            } else if (rest.starts_with("<?")) {
+                i = behind(text, i, "?>");
+            } else if (rest.starts_with("<!")) {
+                i = behind(text, i, ">");
+            } else if (rest.starts_with("</")) {
+                if (level > 0)
+                    --level;
+                i = behind(text, i, ">");
+            } else {
+                const std::size_t end = tagEnd(text, i);
+                const std::string_view tag = text.substr(i + 1, end - i - 1);
+                if (tag.substr(0, tag.find_first_of(" \t\r\n/")) == "point")
+                    m_points.push_back(m_line);
+                if (!tag.ends_with('/'))
+                    ++level;
+                if (level > kMostLevels)
+                    throw Failure{m_line, "elements are nested deeper than " + std::to_string(kMostLevels)
+                                              + " levels; a file of picked points has two"};
+                i = end;
+            }
+        }
+    }
+
+    /// The line of a point, counted from 0; 0 where it is not known.
+    std::size_t lineOf(std::size_t point) const { return point < m_points.size() ? m_points[point] : 0; }
+
+private:
+    static constexpr std::size_t kMostLevels = 64;
+
+    void advanceTo(std::string_view text, std::size_t place)
+    {
+        m_line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(m_at),
+                                                      text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+        m_at = place;
+    }
+    static std::size_t behind(std::string_view text, std::size_t from, std::string_view what)
+    {
+        const std::size_t end = text.find(what, from);
+        return end == text.npos ? text.size() : end + what.size();
+    }
+    /// Of the '>' that ends a tag, not one in quotes.
+    static std::size_t tagEnd(std::string_view text, std::size_t from)
+    {
+        char quote = '\0';
+        for (std::size_t i = from; i < text.size(); ++i) {
+            if (quote != '\0')
+                quote = text[i] == quote ? '\0' : quote;
+            else if (text[i] == '"' || text[i] == '\'')
+                quote = text[i];
+            else if (text[i] == '>')
+                return i;
+        }
+        return text.size();
+    }
+
+    std::vector<std::size_t> m_points;
+    std::size_t m_at = 0, m_line = 1;
+};
+
+Tree treeOf(std::string_view text)
+{
+    try {
+        std::istringstream stream{std::string(text)};
+        Tree tree;
+        boost::property_tree::read_xml(stream, tree, boost::property_tree::xml_parser::trim_whitespace);
+        return tree;
+    } catch (const boost::property_tree::xml_parser_error &error) {
+        throw Failure{error.line(), "this is no XML: " + error.message()};
+    }
+}
+
+std::optional<std::string> attributeOf(const Tree &element, const char *name)
+{
+    const auto value = element.get_optional<std::string>(Tree::path_type(std::string("<xmlattr>/") + name, '/'));
+    return value ? std::optional(*value) : std::nullopt;
+}
+
+Json attributesOf(const Tree &element)
+{
+    Json attributes = Json::object();
+    if (const auto child = element.get_child_optional("<xmlattr>")) {
+        for (const auto &[name, value] : *child)
+            attributes[name] = value.data();
+    }
+    return attributes;
+}
+
+void readDocumentData(const Tree &data, LandmarkSet &set)
+{
+    Json others = Json::object();
+    for (const auto &[tag, element] : data) {
+        if (tag == kFileName)
+            set.mesh = attributeOf(element, "name").value_or(std::string());
+        else if (tag != "<xmlattr>" && tag != "<xmlcomment>"
+                 && (tag != kTemplateName || attributeOf(element, "name") != ""))
+            others[tag] = attributesOf(element);
+    }
+    if (!others.empty())
+        set.extra[kDocumentData] = std::move(others);
+}
+
+Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool isTemplate, Notes &notes)
+{
+    Landmark landmark;
+    landmark.name = attributeOf(point, "name").value_or(std::string());
+    const std::string who = "point " + std::to_string(number + 1)
+                            + (landmark.name.empty() ? "" : " (" + mesh_import::quoted(landmark.name) + ')');
+    glm::dvec3 v(0.0);
+    const std::string active = attributeOf(point, "active").value_or("1");
+    if (active != "0" && active != "1")
+        throw Failure{line, "active of " + who + " is " + mesh_import::quoted(active)
+                                + "; write 1, or 0 where it is not placed"};
+    constexpr std::array kAxes{"x", "y", "z"};
+    for (std::size_t i = 0; i < kAxes.size() && !isTemplate; ++i) {
+        const std::optional<std::string> value = attributeOf(point, kAxes[i]);
+        if (value)
+            v[static_cast<int>(i)] = numberOf(*value, line, std::string(kAxes[i]) + " of " + who);
+        else if (active == "1")
+            throw Failure{line, std::string(kAxes[i]) + " of " + who + " is missing; give it, or write active=\"0\""};
+    }
+    if (active == "1" && !isTemplate)
+        landmark.world = WorldPoint(v);
+    else if (v != glm::dvec3(0.0))
+        notes.add(LandmarkNote::Kind::MissingHadPosition);
+    constexpr std::array kKnown{"x", "y", "z", "active", "name"};
+    const Json attributes = attributesOf(point);
+    for (auto it = attributes.begin(); it != attributes.end(); ++it) {
+        if (std::find(kKnown.begin(), kKnown.end(), it.key()) == kKnown.end())
+            landmark.extra[it.key()] = *it;
+    }
+    return landmark;
+}
+
+} // namespace
+
+ReadLandmarks readMeshLab(std::string_view text, bool isTemplate)
+{
+    const char *root = isTemplate ? "PickPointsTemplate" : "PickedPoints";
+    const Outline outline(text);
+    const Tree tree = treeOf(text);
+    const auto points = tree.get_child_optional(root);
+    if (!points)
+        throw Failure{1, "there is no <" + std::string(root)
+                             + ">, which holds the points of MeshLab; is it another file?"};
+    ReadLandmarks read;
+    Notes notes;
+    LandmarkSet &set = read.sets.emplace_back();
+    for (const auto &[tag, element] : *points) {
+        if (tag == "point")
+            set.landmarks.push_back(
+                pointOf(element, outline.lineOf(set.landmarks.size()), set.landmarks.size(), isTemplate, notes));
+        else if (tag == kDocumentData)
+            readDocumentData(element, set);
+        else if (tag == "<xmlcomment>")
+            notes.add(LandmarkNote::Kind::CommentsLeftOut);
+        else
+            notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, tag);
+    }
+    read.notes = notes.take();
+    return read;
+}
+
+// ---- writing ----------------------------------------------------------------------------------------------------
+
+namespace {
+
+void appendAttribute(std::string &text, const std::string &name, std::string_view value)
+{
+    text += ' ' + name + "=\"";
+    for (const char c : value) {
+        switch (c) {
+        case '&': text += "&amp;"; break;
+        case '<': text += "&lt;"; break;
+        case '>': text += "&gt;"; break;
+        case '"': text += "&quot;"; break;
+        case '\n': text += "&#10;"; break; // a point stays on one line
+        case '\r': text += "&#13;"; break;
+        case '\t': text += "&#9;"; break;
+        default: text += c;
+        }
+    }
+    text += '"';
+}
+
+/// Without an exponent, whose letter a reader by lines takes for a part of a name; still the fewest digits that read back.
+std::string fixedNumber(double value)
+{
+    std::array<char, 512> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr;
+    return {digits.data(), end};
+}
+
+bool isXmlName(const std::string &name)
+{
+    return !name.empty() && !(name.front() >= '0' && name.front() <= '9')
+           && std::all_of(name.begin(), name.end(), [](char c) {
+                  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+              });
+}
+
+/// What XML cannot hold, not even escaped.
+class XmlNames {
+public:
+    explicit XmlNames(Notes &notes) : m_notes(notes) {}
+    std::string of(const std::string &name)
+    {
+        std::string held = name;
+        for (char &c : held) {
+            if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t')
+                c = '_';
+        }
+        if (held != name)
+            m_notes.add(LandmarkNote::Kind::NameChanged, 1, '"' + name + "\" as \"" + held + '"');
+        return held;
+    }
+
+private:
+    Notes &m_notes;
+};
+
+/// The elements of DocumentData besides the mesh's name, as they were read; what does not fit is told.
+std::string documentData(const LandmarkSet &set, Notes &notes)
+{
+    std::string text;
+    bool hasTemplate = false;
+    for (auto it = set.extra.begin(); it != set.extra.end(); ++it) {
+        if (it.key() != kDocumentData || !it->is_object()) {
+            notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
+            continue;
+        }
+        for (auto element = it->begin(); element != it->end(); ++element) {
+            if (!isXmlName(element.key()) || !element->is_object()) {
+                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, element.key());
+                continue;
+            }
+            hasTemplate = hasTemplate || element.key() == kTemplateName;
+            text += "  <" + element.key();
+            for (auto value = element->begin(); value != element->end(); ++value) {
+                if (isXmlName(value.key()) && value->is_string())
+                    appendAttribute(text, value.key(), value->get<std::string>());
+            }
+            text += "/>\n";
+        }
+    }
+    return hasTemplate ? text : text + "  <templateName name=\"\"/>\n";
+}
+
+} // namespace
+
+std::string meshLabText(const LandmarkSet &set, Notes &notes)
+{
+    addLosses(notes, {&set, 1}, {.names = true, .specimenKeys = true, .mesh = true});
+    XmlNames names(notes);
+    std::string text = "<!DOCTYPE PickedPoints>\n<PickedPoints>\n <DocumentData>\n  <DataFileName";
+    appendAttribute(text, "name", names.of(set.mesh));
+    text += "/>\n" + documentData(set, notes) + " </DocumentData>\n";
+    for (const Landmark &landmark : set.landmarks) {
+        const glm::dvec3 v = landmark.world ? landmark.world->coordinates() : glm::dvec3(0.0);
+        text += " <point x=\"" + fixedNumber(v.x) + "\" y=\"" + fixedNumber(v.y) + "\" z=\"" + fixedNumber(v.z);
+        text += landmark.world ? "\" active=\"1\"" : "\" active=\"0\"";
+        appendAttribute(text, "name", names.of(landmark.name));
+        text += "/>\n";
+    }
+    return text + "</PickedPoints>\n";
+}
+
+std::string meshLabTemplateText(const LandmarkSet &set, Notes &notes)
+{
+    addLosses(notes, {&set, 1}, {.names = true, .positions = false});
+    XmlNames names(notes);
+    std::string text = "<!DOCTYPE PickPointsTemplate>\n<PickPointsTemplate>\n";
+    for (const Landmark &landmark : set.landmarks) {
+        text += " <point";
+        appendAttribute(text, "name", names.of(landmark.name));
+        text += "/>\n";
+    }
+    return text + "</PickPointsTemplate>\n";
+}
+
+} // namespace unprojector::landmark_files

@@ -1,0 +1,222 @@
+// .mrk.json of 3D Slicer: lists of control points.
+
+#include "core/landmark_files/lines.h"
+#include "core/scene_file/json_fields.h"
+#include "core/scene_file/json_text.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/strict_json.h"
+
+#include <array>
+#include <set>
+
+namespace unprojector::landmark_files {
+namespace {
+
+using namespace scene_file;
+using Json = nlohmann::ordered_json;
+
+constexpr const char *kSchema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
+                                "Resources/Schema/markups-schema-v1.0.3.json#";
+constexpr const char *kUnits = "coordinateUnits";
+
+/// A control point as the file has it.
+struct Point {
+    enum class Status { Undefined, Preview, Defined, Missing };
+
+    std::string label, description;
+    std::optional<glm::dvec3> position;
+    bool visibility = true;
+    Status status = Status::Defined;
+    Json extra;
+};
+struct Markup {
+    std::string name;
+    Axes axes = Axes::Lps;
+    std::vector<Point> points;
+    Json extra;
+};
+struct Document {
+    std::string schema = kSchema;
+    std::vector<Markup> markups;
+    Json extra;
+};
+
+template <class Fields, Is<Point> T>
+void describe(Fields &json, T &point)
+{
+    static constexpr std::array kStatuses{"undefined", "preview", "defined", "missing"};
+    json.optional("label", point.label);
+    json.optional("description", point.description);
+    json.nullable("position", point.position);
+    json.optional("visibility", point.visibility);
+    json.optional("positionStatus", point.status, Words{kStatuses});
+}
+
+template <class Fields, Is<Markup> T>
+void describe(Fields &json, T &markup)
+{
+    static constexpr std::array kAxes{"LPS", "RAS"};
+    if (json.has("name", !markup.name.empty()))
+        json.required("name", markup.name);
+    json.optional("coordinateSystem", markup.axes, Words{kAxes});
+    json.list("controlPoints", markup.points);
+}
+
+template <class Fields, Is<Document> T>
+void describe(Fields &json, T &document)
+{
+    json.optional("@schema", document.schema);
+    json.list("markups", document.markups);
+}
+
+/// How 3D Slicer writes a point that is not turned.
+Json usualOrientation(Axes axes)
+{
+    return axes == Axes::Lps ? Json{-1, 0, 0, 0, -1, 0, 0, 0, 1} : Json{1, 0, 0, 0, 1, 0, 0, 0, 1};
+}
+
+/// What of a point's keys says nothing that is not so without them.
+void removeUsual(Json &extra, Axes axes, std::size_t number)
+{
+    if (!extra.is_object())
+        return;
+    const auto removeIf = [&extra](const char *key, const Json &usual) {
+        if (extra.contains(key) && extra[key] == usual)
+            extra.erase(key);
+    };
+    removeIf("id", std::to_string(number + 1));
+    removeIf("associatedNodeID", "");
+    removeIf("orientation", usualOrientation(axes));
+    removeIf("selected", true);
+    removeIf("locked", false);
+    if (extra.empty())
+        extra = nullptr;
+}
+
+Landmark landmarkOf(Point &&point, Axes axes, std::size_t number, Notes &notes)
+{
+    Landmark landmark;
+    landmark.name = std::move(point.label);
+    landmark.note = std::move(point.description);
+    landmark.isHidden = !point.visibility;
+    landmark.extra = std::move(point.extra);
+    removeUsual(landmark.extra, axes, number);
+    const bool isDefined = point.status == Point::Status::Defined || point.status == Point::Status::Preview;
+    if (isDefined && point.position)
+        landmark.world = turned(WorldPoint(*point.position), axes);
+    else if (point.position && *point.position != glm::dvec3(0.0))
+        notes.add(LandmarkNote::Kind::MissingHadPosition);
+    return landmark;
+}
+
+LandmarkSet setOf(Markup &&markup, Notes &notes)
+{
+    LandmarkSet set;
+    set.name = std::move(markup.name);
+    set.axes = markup.axes;
+    set.extra = std::move(markup.extra);
+    if (set.extra.is_object()) {
+        if (set.extra.contains(kUnits) && set.extra[kUnits].is_string()) { // else a code, which is kept as it is
+            set.unit = set.extra[kUnits].get<std::string>();
+            set.extra.erase(kUnits);
+        }
+        if (set.extra.contains("type") && set.extra["type"] == "Fiducial")
+            set.extra.erase("type");
+        if (set.extra.empty())
+            set.extra = nullptr;
+    }
+    for (std::size_t i = 0; i < markup.points.size(); ++i)
+        set.landmarks.push_back(landmarkOf(std::move(markup.points[i]), set.axes, i, notes));
+    if (set.axes == Axes::Ras && !set.landmarks.empty())
+        notes.add(LandmarkNote::Kind::AxesTurned);
+    return set;
+}
+
+/// Of the document: its place is the key, or line and column.
+Failure failureOf(SceneFileError error)
+{
+    const std::size_t line = std::exchange(error.line, 0);
+    error.file.clear();
+    std::string text = sceneErrorText(error);
+    text.erase(0, text.find_first_not_of(": "));
+    return {line, text,
+            error.code == SceneFileErrorCode::TooLarge ? LandmarkFileError::Code::TooLarge
+                                                       : LandmarkFileError::Code::Malformed};
+}
+
+} // namespace
+
+ReadLandmarks readSlicerJson(std::string_view text)
+{
+    const auto json = parseStrictJson(text);
+    if (!json)
+        throw failureOf(json.error());
+    JsonNode::FirstError error;
+    const JsonNode root(*json, error);
+    if (!json->is_object() || !json->contains("markups"))
+        throw Failure{1, "there is no list \"markups\", which holds the points of 3D Slicer; is it another file?"};
+    Document document;
+    static_cast<void>(FieldReader::read(root, document, Plain{}));
+    if (error)
+        throw failureOf(*error);
+    ReadLandmarks read;
+    Notes notes;
+    for (Markup &markup : document.markups)
+        read.sets.push_back(setOf(std::move(markup), notes));
+    if (read.sets.empty())
+        throw Failure{1, "the list \"markups\" is empty; there are no points"};
+    for (auto it = document.extra.begin(); it != document.extra.end(); ++it)
+        notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
+    read.notes = notes.take();
+    return read;
+}
+
+std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
+{
+    addLosses(notes, sets,
+              {.names = true,
+               .notes = true,
+               .hidden = true,
+               .keys = true,
+               .specimenKeys = true,
+               .specimenName = true,
+               .unit = true});
+    Document document;
+    for (const LandmarkSet &set : sets) {
+        Markup markup{set.name, set.axes, {}, Json::object()};
+        if (!set.extra.is_object() || !set.extra.contains("type"))
+            markup.extra["type"] = "Fiducial";
+        if (!set.unit.empty())
+            markup.extra[kUnits] = set.unit;
+        if (set.extra.is_object())
+            markup.extra.update(set.extra);
+        std::set<std::string> ids;
+        for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
+            const Landmark &landmark = set.landmarks[i];
+            Point point{landmark.name,
+                        landmark.note,
+                        glm::dvec3(0.0),
+                        !landmark.isHidden,
+                        landmark.world ? Point::Status::Defined : Point::Status::Undefined,
+                        Json::object()};
+            if (landmark.world)
+                point.position = turned(*landmark.world, set.axes).coordinates();
+            point.extra["id"] = std::to_string(i + 1);
+            point.extra["associatedNodeID"] = "";
+            point.extra["orientation"] = usualOrientation(set.axes);
+            point.extra["selected"] = true;
+            point.extra["locked"] = false;
+            if (landmark.extra.is_object())
+                point.extra.update(landmark.extra);
+            markup.points.push_back(std::move(point));
+        }
+        document.markups.push_back(std::move(markup));
+    }
+    const auto text = readableJson(FieldWriter::write(document, Plain{}, nullptr));
+    if (!text)
+        throw Failure{0, text.error().keyPath + " is not UTF-8 and cannot be written as JSON; rename it",
+                      LandmarkFileError::Code::CannotHold};
+    return *text;
+}
+
+} // namespace unprojector::landmark_files

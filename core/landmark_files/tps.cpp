@@ -1,0 +1,218 @@
+// .tps of tpsDig and geomorph, many specimens a file; and .nts of NTSYS, which is only written.
+
+#include "core/geometry/finite.h"
+#include "core/landmark_files/lines.h"
+#include "core/mesh_import/text_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace unprojector::landmark_files {
+namespace {
+
+/// "KEY=value", the key in capitals; nothing where a line is no such thing.
+struct KeyValue {
+    std::string key;
+    std::string_view value;
+};
+
+std::optional<KeyValue> keyValueOf(std::string_view line)
+{
+    const std::size_t equals = line.find('=');
+    if (equals == line.npos)
+        return std::nullopt;
+    std::string key(trimmed(line.substr(0, equals)));
+    for (char &c : key)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return KeyValue{key, trimmed(line.substr(equals + 1))};
+}
+
+bool isMissingWord(std::string_view word)
+{
+    const std::string lower = lowerCase(word);
+    return lower == "na" || lower == "nan";
+}
+
+/// The next row of so many numbers.
+std::vector<std::string_view> rowOf(Lines &lines, std::size_t size, const std::string &announced)
+{
+    if (!lines.nextFilled())
+        throw Failure{lines.number(),
+                      "the file ends within the points that " + announced + " announces; is it cut off?"};
+    std::vector<std::string_view> words = wordsOf(lines.text());
+    if (words.size() != size || keyValueOf(lines.text()))
+        throw Failure{lines.number(), mesh_import::quoted(lines.text()) + " is no row of " + std::to_string(size)
+                                          + " numbers, which " + announced
+                                          + " announces; write the right number of points there"};
+    return words;
+}
+
+Landmark landmarkOf(const std::vector<std::string_view> &words, std::size_t line)
+{
+    const auto missing = std::count_if(words.begin(), words.end(), isMissingWord);
+    if (missing == static_cast<std::ptrdiff_t>(words.size()))
+        return {};
+    if (missing > 0)
+        throw Failure{line, "some coordinates are NA and some are not; a point is missing as a whole"};
+    glm::dvec3 v(0.0);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        v[static_cast<int>(i)] = numberOf(words[i], line, i == 0 ? "x" : i == 1 ? "y" : "z");
+    Landmark landmark;
+    landmark.world = WorldPoint(v);
+    return landmark;
+}
+
+} // namespace
+
+ReadLandmarks readTps(std::string_view text)
+{
+    ReadLandmarks read;
+    Notes notes;
+    Lines lines(text);
+    std::set<std::string> keys; ///< of the specimen
+    while (lines.nextFilled()) {
+        const std::optional<KeyValue> entry = keyValueOf(lines.text());
+        if (!entry)
+            throw Failure{lines.number(),
+                          mesh_import::quoted(lines.text())
+                              + " belongs to nothing; rows of numbers stand behind LM3= or LM= and their "
+                                "number, as many as it says"};
+        const std::string announced = "line " + std::to_string(lines.number());
+        const auto &[key, value] = *entry;
+        if (key == "LM3" || key == "LM") {
+            const std::uint32_t count = countOf(value, lines.number(), key);
+            LandmarkSet &set = read.sets.emplace_back();
+            keys.clear();
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const std::vector<std::string_view> words = rowOf(lines, key == "LM3" ? 3 : 2, announced);
+                set.landmarks.push_back(landmarkOf(words, lines.number()));
+            }
+            if (key == "LM" && count > 0)
+                notes.add(LandmarkNote::Kind::FlatPoints, count);
+            continue;
+        }
+        if (read.sets.empty())
+            throw Failure{lines.number(), "before " + mesh_import::quoted(lines.text())
+                                              + " there must be points: LM3= and their number"};
+        LandmarkSet &set = read.sets.back();
+        const bool isRepeated = key.starts_with("POINTS") || key.starts_with("CURVES");
+        if (!isRepeated && !keys.insert(key).second)
+            throw Failure{lines.number(), key + " stands here for the second time in a specimen; remove one of them"};
+        if (key == "ID") {
+            set.name = value;
+        } else if (key == "IMAGE") {
+            set.mesh = value;
+        } else if (key == "SCALE") {
+            const double scale = numberOf(value, lines.number(), "SCALE");
+            for (Landmark &landmark : set.landmarks) {
+                if (landmark.world)
+                    landmark.world = WorldPoint(landmark.world->coordinates() * scale);
+                if (landmark.world && !isFinite(*landmark.world))
+                    throw Failure{lines.number(), "SCALE is " + std::string(value)
+                                                      + ", which makes coordinates too large; "
+                                                        "write a smaller one"};
+            }
+            if (scale != 1.0)
+                notes.add(LandmarkNote::Kind::Scaled, 1, std::string(value));
+        } else if (key.starts_with("POINTS")) {
+            const std::uint32_t count = countOf(value, lines.number(), key);
+            for (std::uint32_t i = 0; i < count; ++i) {
+                if (!lines.nextFilled() || keyValueOf(lines.text()))
+                    throw Failure{lines.number(), "there are fewer rows than the " + std::to_string(count) + " that "
+                                                      + announced + " announces; write the right number there"};
+            }
+            notes.add(LandmarkNote::Kind::CurvesLeftOut, count);
+        } else if (!key.starts_with("CURVES")) {
+            set.extra[key] = value;
+        }
+    }
+    if (read.sets.empty())
+        throw Failure{1, "there are no points; TPS has them behind LM3= and their number"};
+    read.notes = notes.take();
+    return read;
+}
+
+namespace {
+
+bool isTpsEntry(const std::string &key, const nlohmann::ordered_json &value)
+{
+    const bool isKey = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
+        return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    });
+    constexpr std::array kOurs{"LM", "LM3", "ID", "IMAGE", "SCALE"};
+    const bool isOurs = std::find(kOurs.begin(), kOurs.end(), key) != kOurs.end() || key.starts_with("POINTS")
+                        || key.starts_with("CURVES");
+    return isKey && !isOurs && value.is_string()
+           && value.get_ref<const std::string &>().find_first_of("\r\n") == std::string::npos;
+}
+
+} // namespace
+
+std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
+{
+    addLosses(notes, sets, {.specimenKeys = true, .specimenName = true, .mesh = true});
+    std::string text;
+    PlainNames names("\x7f", false, notes);
+    for (const LandmarkSet &set : sets) {
+        text += "LM3=" + std::to_string(set.landmarks.size()) + '\n';
+        for (const Landmark &landmark : set.landmarks) {
+            std::string row;
+            if (landmark.world)
+                appendNumbers(row, landmark.world->coordinates(), ' ');
+            text += landmark.world ? row.substr(1) : "NA NA NA";
+            text += '\n';
+        }
+        if (!set.mesh.empty())
+            text += "IMAGE=" + names.of(set.mesh) + '\n';
+        for (auto it = set.extra.begin(); it != set.extra.end(); ++it) {
+            if (isTpsEntry(it.key(), *it))
+                text += it.key() + '=' + it->get<std::string>() + '\n';
+            else
+                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
+        }
+        if (!set.name.empty())
+            text += "ID=" + names.of(set.name) + '\n';
+        text += '\n';
+    }
+    return text;
+}
+
+std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
+{
+    constexpr double kMissing = 9999.0;
+    addLosses(notes, sets, {.specimenName = true});
+    if (sets.empty() || sets.front().landmarks.empty())
+        throw Failure{0, ".nts is a table, and there are no points; place some first",
+                      LandmarkFileError::Code::CannotHold};
+    const std::size_t points = sets.front().landmarks.size();
+    bool hasMissing = false;
+    for (const LandmarkSet &set : sets) {
+        if (set.landmarks.size() != points)
+            throw Failure{0,
+                          ".nts is a table, in which all specimens have the same points: \"" + set.name + "\" has "
+                              + std::to_string(set.landmarks.size()) + ", \"" + sets.front().name + "\" has "
+                              + std::to_string(points) + "; take .tps, or leave one of them out",
+                          LandmarkFileError::Code::CannotHold};
+        for (const Landmark &landmark : set.landmarks)
+            hasMissing = hasMissing || landmark.isMissing();
+    }
+    std::string text = "1 " + std::to_string(sets.size()) + "L " + std::to_string(3 * points);
+    text += hasMissing ? " 1 9999 DIM=3\n" : " 0 DIM=3\n";
+    PlainNames names(" \"'", true, notes);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+        text += names.of(sets[i].name, std::to_string(i + 1)) + '\n';
+    for (const LandmarkSet &set : sets) {
+        std::string row;
+        for (const Landmark &landmark : set.landmarks) {
+            const glm::dvec3 v = landmark.world ? landmark.world->coordinates() : glm::dvec3(kMissing);
+            if (hasMissing && landmark.world && (v.x == kMissing || v.y == kMissing || v.z == kMissing))
+                notes.add(LandmarkNote::Kind::LooksMissing, 1, landmark.name);
+            appendNumbers(row, v, ' ');
+        }
+        text += row.substr(1) + '\n';
+    }
+    return text;
+}
+
+} // namespace unprojector::landmark_files

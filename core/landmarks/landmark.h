@@ -1,0 +1,78 @@
+#pragma once
+
+#include "core/geometry/spaces.h"
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace unprojector::landmarks {
+using namespace geometry;
+
+// How a landmark is held to an object. Triangles and vertices are counted through all meshes of its model from 0.
+
+/// By nothing: its coordinates say where it is.
+struct Free {
+    friend bool operator==(const Free &, const Free &) = default;
+};
+struct OnTriangle {
+    std::uint32_t triangle = 0;
+    glm::dvec3 barycentric{0.0}; ///< of its three corners; their sum is 1
+    friend bool operator==(const OnTriangle &, const OnTriangle &) = default;
+};
+struct AtVertex {
+    std::uint32_t vertex = 0;
+    friend bool operator==(const AtVertex &, const AtVertex &) = default;
+};
+struct OnEdge {
+    std::array<std::uint32_t, 2> vertices{};
+    double share = 0.0; ///< of the way from the first to the second, in [0, 1]
+    friend bool operator==(const OnEdge &, const OnEdge &) = default;
+};
+using Hold = std::variant<Free, OnTriangle, AtVertex, OnEdge>;
+
+/// A named point that somebody placed.
+struct Landmark {
+    std::string name;                ///< UTF-8; may be empty, and another one's too
+    std::optional<WorldPoint> world; ///< nothing: it is missing, as on a broken bone
+    std::string object;              ///< name of the object that it lies on; empty: none
+    Hold hold;
+    std::optional<WorldVector> uncertainty; ///< how far each coordinate can be off, where that is known
+    std::string note;                       ///< UTF-8
+    std::optional<glm::u8vec3> color;       ///< none: the usual one
+    bool isHidden = false;
+    /// What a file said of it that has no place here, to be written again: null or an object.
+    nlohmann::ordered_json extra;
+
+    bool isMissing() const { return !world; }
+    friend bool operator==(const Landmark &, const Landmark &) = default;
+};
+
+/// How a file has its axes. 3D Slicer works in RAS (right, anterior, superior) and takes model files to be in LPS (left,
+/// posterior, superior): x and y have the other sign.
+enum class Axes { Lps, Ras };
+
+/// Landmarks in their order, of one specimen.
+///
+/// Their coordinates are always those of the mesh's own file, whatever axes the file of the landmarks had: what was read in
+/// RAS has its x and y negated, and `axes` says that it is to be written so again.
+struct LandmarkSet {
+    std::string name; ///< of the specimen, UTF-8; may be empty
+    std::string mesh; ///< the file of the mesh, as it was written; may be empty
+    std::string unit; ///< "mm"; empty: not known
+    Axes axes = Axes::Lps;
+    std::vector<Landmark> landmarks;
+    nlohmann::ordered_json extra; ///< as a landmark's
+
+    friend bool operator==(const LandmarkSet &, const LandmarkSet &) = default;
+};
+
+} // namespace unprojector::landmarks

@@ -1,0 +1,148 @@
+#include "core/landmarks/measure.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace unprojector::landmarks {
+namespace {
+
+using Code = MeasureError::Code;
+
+std::optional<MeasureError> firstMissing(std::span<const Landmark *const> points)
+{
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i]->isMissing())
+            return MeasureError{Code::Missing, i};
+    }
+    return std::nullopt;
+}
+
+glm::dvec3 placeOf(const Landmark &landmark)
+{
+    return landmark.world->coordinates();
+}
+
+/// A value and what it does where a point moves, point by point.
+class Summed {
+public:
+    explicit Summed(double value) : m_measure{value, 0.0} {}
+
+    /// @param gradient  of the value by the point's coordinates
+    void add(const Landmark &point, const glm::dvec3 &gradient)
+    {
+        addIfKnown(point, [&](const glm::dvec3 &off) { return glm::dot(glm::abs(gradient), glm::abs(off)); });
+    }
+    /// Where no direction is the worst one.
+    /// @param rate  of the value by the length that the point moves
+    void addAnyWay(const Landmark &point, double rate)
+    {
+        addIfKnown(point, [&](const glm::dvec3 &off) { return rate * glm::length(off); });
+    }
+    Measure take() const { return m_measure; }
+
+private:
+    template <class Error>
+    void addIfKnown(const Landmark &point, const Error &error)
+    {
+        if (!point.uncertainty)
+            m_measure.error = std::nullopt;
+        if (m_measure.error)
+            *m_measure.error += error(point.uncertainty->coordinates());
+    }
+
+    Measure m_measure;
+};
+
+} // namespace
+
+Measured distanceOf(const Landmark &a, const Landmark &b)
+{
+    const std::array points{&a, &b};
+    return lengthAlong(points);
+}
+
+Measured lengthAlong(std::span<const Landmark *const> points)
+{
+    if (const auto missing = firstMissing(points))
+        return *missing;
+    if (points.size() < 2)
+        return MeasureError{Code::TooFew, 0};
+    // Each piece's direction, or none; a piece without a length grows whichever way its ends move.
+    std::vector<glm::dvec3> gradients(points.size(), glm::dvec3(0.0));
+    std::vector<double> rates(points.size(), 0.0);
+    double sum = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec3 along = placeOf(*points[i]) - placeOf(*points[i - 1]);
+        const double length = glm::length(along);
+        sum += length;
+        if (length > 0.0) {
+            gradients[i] += along / length;
+            gradients[i - 1] -= along / length;
+        } else {
+            rates[i] += 1.0;
+            rates[i - 1] += 1.0;
+        }
+    }
+    Summed measure(sum);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        measure.add(*points[i], gradients[i]);
+        measure.addAnyWay(*points[i], rates[i]);
+    }
+    return measure.take();
+}
+
+Measured angleAt(const Landmark &vertex, const Landmark &a, const Landmark &c)
+{
+    const std::array points{&vertex, &a, &c};
+    if (const auto missing = firstMissing(points))
+        return *missing;
+    const glm::dvec3 toA = placeOf(a) - placeOf(vertex), toC = placeOf(c) - placeOf(vertex);
+    const double lengthA = glm::length(toA), lengthC = glm::length(toC);
+    if (!(lengthA > 0.0))
+        return MeasureError{Code::SamePoint, 1};
+    if (!(lengthC > 0.0))
+        return MeasureError{Code::SamePoint, 2};
+    const glm::dvec3 ea = toA / lengthA, ec = toC / lengthC;
+    const glm::dvec3 normal = glm::cross(ea, ec);
+    const double sine = glm::length(normal);
+    Summed measure(std::atan2(sine, glm::dot(ea, ec)));
+    if (sine > 0.0) {
+        // Square to each leg, in their plane, away from the other one.
+        const glm::dvec3 n = normal / sine;
+        const glm::dvec3 byA = glm::cross(ea, n) / lengthA, byC = glm::cross(n, ec) / lengthC;
+        measure.add(a, byA);
+        measure.add(c, byC);
+        measure.add(vertex, -byA - byC);
+    } else {
+        measure.addAnyWay(a, 1.0 / lengthA);
+        measure.addAnyWay(c, 1.0 / lengthC);
+        measure.addAnyWay(vertex, 1.0 / lengthA + 1.0 / lengthC);
+    }
+    return measure.take();
+}
+
+Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, const Landmark &point)
+{
+    const std::array points{&a, &b, &c, &point};
+    if (const auto missing = firstMissing(points))
+        return *missing;
+    const glm::dvec3 ab = placeOf(b) - placeOf(a), ac = placeOf(c) - placeOf(a), ap = placeOf(point) - placeOf(a);
+    const glm::dvec3 normal = glm::cross(ab, ac);
+    const double twiceArea = glm::length(normal);
+    if (!(twiceArea > 0.0))
+        return MeasureError{Code::NoPlane, 0};
+    const glm::dvec3 n = normal / twiceArea;
+    const double ofB = glm::dot(glm::cross(ap, ac), n) / twiceArea, ofC = glm::dot(glm::cross(ab, ap), n) / twiceArea;
+    Summed measure(glm::dot(n, ap));
+    measure.add(point, n);
+    measure.add(a, -(1.0 - ofB - ofC) * n);
+    measure.add(b, -ofB * n);
+    measure.add(c, -ofC * n);
+    return measure.take();
+}
+
+} // namespace unprojector::landmarks

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/landmarks/landmark.h"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::landmarks {
+
+// A template is a set of landmarks too: names in the order in which they are to be placed, and notes that say where. Where
+// its own landmarks lie does not matter.
+
+/// Landmarks with those of a template that they lack put behind them, as missing: without a place, a note or an object.
+/// Which are there already is told by their names, in whatever case; of a name that the template has twice, two.
+std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names);
+
+/// What a template says of a landmark of this name, in whatever case: its note. Empty where it has none.
+std::string_view hintFor(std::string_view name, std::span<const Landmark> names);
+
+} // namespace unprojector::landmarks

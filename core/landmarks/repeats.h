@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/landmarks/landmark.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace unprojector::landmarks {
+
+/// One landmark as it was placed several times on the same specimen, or by several observers.
+struct RepeatedLandmark {
+    std::string name;
+    std::size_t count = 0;          ///< how often it was placed
+    std::optional<WorldPoint> mean; ///< nothing: never
+    /// The standard deviation of one placing, of all three coordinates together: the root of the sum of the squares of the
+    /// distances from the mean, divided by one less than their number. Nothing before it was placed twice.
+    std::optional<double> error;
+    double farthest = 0.0; ///< from the mean
+};
+
+/// By name, in the order in which names first appear; what has no name goes by its number. Of two that share a name in one set,
+/// the second is the second of the others too.
+std::vector<RepeatedLandmark> repeatsOf(std::span<const LandmarkSet> placings);
+
+} // namespace unprojector::landmarks

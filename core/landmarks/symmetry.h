@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/geometry/result.h"
+#include "core/landmarks/landmark.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace unprojector::landmarks {
+
+/// Two landmarks, one on each side, by their places in the list.
+struct Pair {
+    std::size_t left = 0, right = 0;
+    friend bool operator==(const Pair &, const Pair &) = default;
+};
+
+/// Pairs by name: two names that are the same but for "left" and "right", or "L" and "R", as a word of their own at the
+/// beginning or the end, in whatever case ("L_eye", "eye right", "Orbitale-l"). A name that is there twice pairs with none.
+std::vector<Pair> pairsByName(std::span<const Landmark> landmarks);
+
+/// The plane n . p = d that mirrors landmarks best into their partners: least in the sum of the squares of the distances from
+/// each landmark's mirror image to its partner, or to itself where it has none (Mardia, Bookstein, Moreton 2000: object
+/// symmetry).
+struct MirrorPlane {
+    WorldVector normal; ///< length 1, to the right side
+    double offset = 0.0;
+
+    WorldPoint mirrored(const WorldPoint &point) const;
+};
+
+/// @return nothing without a pair of which both are there, or where no plane is better than another
+std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs);
+
+/// How far a landmark's mirror image lies from its partner, or from itself where it has none; nothing where either is missing.
+/// One a landmark.
+std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs,
+                                                 const MirrorPlane &plane);
+
+} // namespace unprojector::landmarks
