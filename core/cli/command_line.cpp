@@ -3,7 +3,10 @@
 #include "core/cli/byte_stream.h"
 #include "core/cli/cloud_command.h"
 #include "core/cli/compare_command.h"
+#include "core/cli/info_command.h"
+#include "core/cli/landmarks_command.h"
 #include "core/cli/matrices_command.h"
+#include "core/cli/pick_command.h"
 #include "core/cli/points_command.h"
 #include "core/cli/project_command.h"
 #include "core/cli/scene_command.h"
@@ -23,15 +26,15 @@ using Run = std::function<ExitCode()>;
 
 /// @param target  holds the default
 template <class Choice>
-void addChoice(CLI::App &command, const std::string &name, Choice &target, const std::map<std::string, Choice> &choices,
-               const std::string &description)
+CLI::Option *addChoice(CLI::App &command, const std::string &name, Choice &target,
+                       const std::map<std::string, Choice> &choices, const std::string &description)
 {
     std::string names, usual;
     for (const auto &[word, choice] : choices) {
         names += (names.empty() ? "" : ", ") + word;
         usual = choice == target ? word : usual;
     }
-    command
+    return command
         .add_option_function<std::string>(
             name, [&target, choices](const std::string &given) { target = choices.at(given); },
             description + ": " + names)
@@ -228,6 +231,167 @@ void addScene(CLI::App &app, Run &run)
     command->callback([options, &run] { run = [options] { return runScene(*options); }; });
 }
 
+CLI::Option *addModelOrScene(CLI::App &command, std::string &target)
+{
+    return addFile(
+               command, "SCENE", target,
+               "Model (OBJ, STL, PLY, OFF, glTF, GLB), scene file (JSON), or clicks on one\nscene; - is a scene from "
+               "standard input")
+        ->required();
+}
+
+void addInfo(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("info", "What a model or a scene holds");
+    auto options = std::make_shared<InfoOptions>();
+    addModelOrScene(*command, options->file);
+    command->add_flag("--json", options->isJson, "Write JSON instead of a table");
+    command->footer(
+        "World space, in double precision; objects that are hidden count as the others do. 'vertices' are the\n"
+        "file's; those that STL repeats for each triangle count once a place. The volume is that of a closed\n"
+        "surface, above 0 where the file has its triangles go round counter-clockwise as seen from outside (whether "
+        "or\n"
+        "not the object is mirrored); of an open one it says nothing.\n"
+        "\n"
+        "Examples:\n"
+        "  unproject info scan.ply\n"
+        "  unproject info --json scene.json");
+    command->callback([options, &run] { run = [options] { return runInfo(*options); }; });
+}
+
+void addPick(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("pick", "Pixels to what their rays meet, on the mesh itself");
+    auto options = std::make_shared<PickOptions>();
+    addModelOrScene(*command, options->scene);
+    CLI::Option *input =
+        addFile(*command, "PIXELS", options->input,
+                "CSV with the columns px,py; - or nothing: standard input. px and py are device\npixels "
+                "from the top left corner, the centre of the first pixel is 0.5,0.5");
+    CLI::Option *at =
+        command->add_option("--at", options->positions, "A position instead of PIXELS; may be given again")
+            ->type_name("X,Y")
+            ->allow_extra_args(false)
+            ->excludes(input);
+    command
+        ->add_option("--size", options->size,
+                     "Of the picture in device pixels. Without it: a scene file's own, 800x600 of a\nmodel")
+        ->type_name("WxH");
+    addChoice<ray::Snap>(*command, "--snap", options->snap,
+                         {{"surface", ray::Snap::Surface},
+                          {"vertex", ray::Snap::Vertex},
+                          {"edge", ray::Snap::Edge},
+                          {"face", ray::Snap::Face}},
+                         "What is taken: what the ray meets, or the nearest in sight within 8 pixels");
+    command->add_flag("--json", options->isJson, "Of --at: one JSON object a position, one a line")->needs(at);
+    addChoice<RowFormat>(*command, "--format", options->format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},
+                         "How to write rows")
+        ->excludes(at);
+    command->add_flag("--no-header", options->isHeaderless, "Write rows only, to put several results behind each other")
+        ->excludes(at);
+    command->add_option("--threads", options->threads, "How many threads compute, 1 to 64; without it, one a core")
+        ->type_name("N")
+        ->check(CLI::Range(1, 64).description(""));
+    command->footer(
+        "No window and no OpenGL: the triangle that the ray meets is intersected in double precision. A model is seen "
+        "as the\n"
+        "window starts with it, a scene file as it says. What is hidden, clipped away or outside the picture is not "
+        "met.\n"
+        "\n"
+        "Triangles and vertices count from 0, through all meshes of an object: triangles in the file's order, "
+        "polygons\n"
+        "cut where they stand, so that edges and faces are those of triangles; vertices as they are held, which is "
+        "the\n"
+        "file's order unless corners of one vertex differ in normals or texture coordinates, or no face uses it.\n"
+        "'uncertainty' (dx, dy, dz) is how far the point may be off what the file says, by the single precision that\n"
+        "vertices are held in; what a pixel covers is not in it. A row whose ray meets nothing has empty cells. "
+        "Points\n"
+        "of a cloud are taken where their dot of 3 pixels is met, else, where no surface is, within 8 pixels; they "
+        "have\n"
+        "no triangle, normal and edge.\n"
+        "\n"
+        "Examples:\n"
+        "  unproject pick scan.ply --at 400.5,300.5\n"
+        "  unproject pick --json --snap vertex scene.json --at 400.5,300.5 --at 10.5,20.5\n"
+        "  unproject pick scene.json pixels.csv > points.csv"
+        + std::string(kBadRows));
+    command->callback([options, &run] { run = [options] { return runPick(*options); }; });
+}
+
+CLI::Option *addLandmarkFormat(CLI::App &command, const std::string &name,
+                               std::optional<landmark_files::Format> &target, const std::string &description)
+{
+    std::string names;
+    for (const landmark_files::Format format : landmark_files::kFormats)
+        names += (names.empty() ? "" : ", ") + std::string(landmark_files::suffixOf(format));
+    return command
+        .add_option_function<std::string>(
+            name, [&target](const std::string &given) { target = landmark_files::formatOfSuffix(given); },
+            description + ": " + names)
+        ->type_name("WORD")
+        ->check([names](const std::string &given) {
+            return landmark_files::formatOfSuffix(given) ? std::string() : '"' + given + "\" is none of " + names;
+        });
+}
+
+void addLandmarks(CLI::App &app, Run &run)
+{
+    CLI::App *command =
+        app.add_subcommand("landmarks", "Landmarks from one program's file to another's, or to a table");
+    auto options = std::make_shared<LandmarksOptions>();
+    CLI::Option *input = addFile(*command, "IN", options->input, "File of landmarks; - is standard input");
+    CLI::Option *converted = addFile(*command, "OUT", options->output, "File of landmarks; - is standard output");
+    CLI::Option *from = addLandmarkFormat(*command, "--from", options->from, "What IN is, where its name does not say");
+    CLI::Option *to =
+        addLandmarkFormat(*command, "--to", options->to, "What OUT is to be, where its name does not say");
+    CLI::Option *mesh = addFile(*command, "--mesh", options->mesh,
+                                "Model that every point is moved onto, to the closest place; how far is said")
+                            ->type_name("MODEL");
+    CLI::Option *folder =
+        addFile(*command, "--table", options->folder, "One table of all files of landmarks in this folder")
+            ->type_name("FOLDER")
+            ->excludes(input)
+            ->excludes(converted)
+            ->excludes(from)
+            ->excludes(to)
+            ->excludes(mesh);
+    CLI::Option *output =
+        addFile(*command, "-o,--output", options->output, "The table; - is standard output")->needs(folder);
+    addChoice<LandmarkTable>(*command, "--format", options->table,
+                             {{"long", LandmarkTable::Long},
+                              {"wide", LandmarkTable::Wide},
+                              {"tps", LandmarkTable::Tps},
+                              {"nts", LandmarkTable::Nts}},
+                             "Of the table: a row a point, a row a specimen, or a file of specimens");
+    command->footer(
+        "csv  ours: name,x,y,z,object,face,u,v,w,note; keeps all that points have\n"
+        "pp, pptpl  MeshLab: picked points, and a template of names\n"
+        "mrk.json, fcsv  3D Slicer. Points in RAS get x and y negated, as a mesh's file has them (LPS)\n"
+        "pts  IDAV Landmark\n"
+        "tps, nts  tpsDig, geomorph, NTSYS: many specimens; nts is only written\n"
+        "\n"
+        "Coordinates keep all their digits. What a file has no place for is said on stderr. Of a folder, a file that\n"
+        "cannot be read is said on stderr and left out, and the exit code is 1. With --mesh a table of ours has the\n"
+        "triangle of each point and its place there; who was farther from the mesh than 1 % of its size is named.\n"
+        "\n"
+        "Examples:\n"
+        "  unproject landmarks skull.pp skull.mrk.json\n"
+        "  unproject landmarks --from fcsv --to csv - - < points.fcsv\n"
+        "  unproject landmarks --table skulls -o all.csv\n"
+        "  unproject landmarks --table skulls -o all.csv --format wide");
+    command->callback([options, input, converted, output, folder, &run] {
+        if (folder->count() == 0) {
+            for (const CLI::Option *needed : {input, converted}) {
+                if (needed->count() == 0)
+                    throw CLI::RequiredError(needed->get_name() + " (or --table)");
+            }
+        } else if (output->count() == 0) {
+            throw CLI::RequiredError("-o,--output");
+        }
+        run = [options] { return runLandmarks(*options); };
+    });
+}
+
 std::string withoutLineEnd(std::string text)
 {
     if (text.ends_with('\n'))
@@ -247,11 +411,14 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
     app.footer("unproject COMMAND --help says more.\n\nExit code: 0 done, 1 some rows bad, 2 unusable input.");
     Run run;
     addPoints(app, run);
+    addPick(app, run);
     addProject(app, run);
+    addInfo(app, run);
     addScene(app, run);
     addCloud(app, run);
     addCompare(app, run);
     addMatrices(app, run);
+    addLandmarks(app, run);
     // The library would only say that a command is missing.
     if (arguments.size() > 1 && !arguments[1].starts_with('-')) {
         std::string names;

@@ -84,7 +84,9 @@ std::string hintFor(std::string_view header, std::string_view column, const std:
 std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &source,
                                         const std::vector<ColumnNames> &alternatives)
 {
-    const auto listed = [](const ColumnNames &names) { return names[0] + ',' + names[1] + ',' + names[2]; };
+    const auto listed = [](const ColumnNames &names) {
+        return names[0] + ',' + names[1] + (names[2].empty() ? "" : ',' + names[2]);
+    };
     std::string wanted = listed(alternatives.front());
     for (std::size_t k = 1; k < alternatives.size(); ++k)
         wanted += " or " + listed(alternatives[k]);
@@ -115,7 +117,7 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
     }
     const auto hasAll = [&found](const ColumnNames &names) {
         return std::all_of(names.begin(), names.end(), [&found](const std::string &name) {
-            return std::find(found.begin(), found.end(), name) != found.end();
+            return name.empty() || std::find(found.begin(), found.end(), name) != found.end();
         });
     };
     // The first that is there; where none is, the first is missed.
@@ -123,6 +125,9 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
     columns.names = there == alternatives.end() ? alternatives.front() : *there;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::string &name = columns.names[k];
+        columns.places[k] = kNoColumn;
+        if (name.empty())
+            continue;
         const auto place = std::find(found.begin(), found.end(), name);
         if (place == found.end())
             return refuse(":1:1: the header has no column " + name + "; the first line must be " + wanted
@@ -181,6 +186,8 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, const 
     std::array<double, 3> numbers{};
     std::string reason;
     for (std::size_t k = 0; k < 3 && fault == kNoColumn; ++k) {
+        if (m_columns.places[k] == kNoColumn)
+            continue;
         if (const std::optional<double> value = numberOf(cells[k], m_columns.names[k], reason))
             numbers[k] = *value;
         else

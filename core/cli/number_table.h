@@ -12,12 +12,15 @@
 
 namespace unprojector::cli {
 
+/// An empty name, at the end: so many are not wanted.
 using ColumnNames = std::array<std::string, 3>;
+
+constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
 /// Where the three columns that are wanted stand in a row of comma-separated values.
 struct NumberColumns {
     ColumnNames names;
-    std::array<std::size_t, 3> places{};
+    std::array<std::size_t, 3> places{};                          ///< kNoColumn where none is wanted
     std::vector<std::string> heads = std::vector<std::string>(3); ///< of all columns, as the header writes them
 
     std::size_t count() const { return heads.size(); }
@@ -41,7 +44,7 @@ struct RowPlace {
     std::uint32_t start = 0; ///< of its text
 };
 
-/// Rows of three numbers, one array a column. A bad row has zeros and is named in `bad`.
+/// Rows of three numbers, one array a column. A bad row has zeros, as a column that is not wanted has, and is named in `bad`.
 struct NumberRows {
     std::array<std::vector<double>, 3> values;
     std::vector<RowPlace> places; ///< of each row
@@ -62,7 +65,7 @@ public:
 
     void read(const LineBlock &block, NumberRows &rows, std::vector<LineMessage> &messages) const;
 
-    static constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
+    static constexpr std::size_t kNoColumn = cli::kNoColumn;
     /// Adds "file:line:column: what" to the messages.
     /// @param column  which of the three is at fault, or kNoColumn
     void complainOf(const LineBlock &block, const RowPlace &place, std::size_t column, std::string_view what,

@@ -55,6 +55,24 @@ public:
             m_output += "null";
     }
 
+    /// A text of any letters.
+    void text(std::string_view text)
+    {
+        startCell();
+        if (m_format == RowFormat::Jsonl) {
+            m_output += jsonOfText(text);
+            return;
+        }
+        if (text.find_first_of(",\"\r\n") == std::string_view::npos && trimmed(text).size() == text.size()) {
+            m_output += text;
+            return;
+        }
+        m_output += '"';
+        for (const char c : text)
+            m_output.append(c == '"' ? 2 : 1, c == '\n' || c == '\r' ? ' ' : c);
+        m_output += '"';
+    }
+
     /// A cell of the input that means nothing to the command, as it stands there.
     void passed(std::string_view cell)
     {

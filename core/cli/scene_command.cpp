@@ -1,6 +1,7 @@
 #include "core/cli/scene_command.h"
 
 #include "core/cli/byte_stream.h"
+#include "core/cli/size_text.h"
 #include "core/files/path_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
@@ -154,14 +155,12 @@ bool setWindow(const SceneOptions &options, const Viewport &viewport, SceneFile 
         scene.windowHeight = static_cast<int>(height);
         return true;
     }
-    const char *end = options.window.data() + options.window.size();
-    const auto width = std::from_chars(options.window.data(), end, scene.windowWidth);
-    const bool hasCross = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-    const auto height = std::from_chars(hasCross ? width.ptr + 1 : end, end, scene.windowHeight);
-    if (hasCross && height.ec == std::errc{} && height.ptr == end)
-        return true;
-    complain("--window " + options.window + ": give width and height in pixels, as in 800x600");
-    return false;
+    const std::optional<SizeGiven> size = sizeGiven("--window", options.window);
+    if (!size)
+        return false;
+    scene.windowWidth = size->width;
+    scene.windowHeight = size->height;
+    return true;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/files/path_text.h"
+#include "core/mesh_import/file_contents.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
@@ -14,6 +15,7 @@
 namespace unprojector::cli {
 using namespace scene_file;
 using namespace files;
+using namespace mesh_import;
 
 namespace {
 
@@ -56,6 +58,13 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
         return std::nullopt;
     }
     Result<SceneOrClicks, SceneFileError> given = parseSceneOrClicks(*text, name);
+    constexpr std::size_t kStart = 512;
+    const std::string advice = given ? std::string() : mesh_reader::adviceByContents(text->substr(0, kStart), "json");
+    if (!advice.empty()) {
+        complain(name + ": is no scene; "
+                 + (file == "-" ? "a model is not read from standard input, give it by its name" : advice));
+        return std::nullopt;
+    }
     if (!given) {
         complain(sceneErrorText(given.error()));
         return std::nullopt;

@@ -1,5 +1,7 @@
 #include "core/matrices/matrix_format.h"
 
+#include "core/text/number_text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -15,9 +17,11 @@ template <class Number>
 std::string charsOf(Number value, int significant)
 {
     char buffer[kNumberLength];
+    char *const end = buffer + kNumberLength;
     const std::to_chars_result result =
-        significant > 0 ? std::to_chars(buffer, buffer + kNumberLength, value, std::chars_format::general, significant)
-                        : std::to_chars(buffer, buffer + kNumberLength, value);
+        significant > 0 ? std::to_chars(buffer, end, value, std::chars_format::general, significant)
+        : text::isWrittenOut(static_cast<double>(value)) ? std::to_chars(buffer, end, value, std::chars_format::fixed)
+                                                         : std::to_chars(buffer, end, value);
     return {buffer, result.ptr};
 }
 

@@ -1,0 +1,118 @@
+#include "core/cli/info_command.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/cli/csv_line.h"
+#include "core/cli/opened_scene.h"
+#include "core/mesh_import/note_text.h"
+#include "core/scene/measures.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace text;
+namespace {
+
+/// JSON has no infinity.
+std::string jsonOfNumber(double value)
+{
+    return std::isfinite(value) ? shortestText(value) : "null";
+}
+
+std::string tableText(double value)
+{
+    return std::isfinite(value) ? shortestText(value) : "missing";
+}
+
+std::string tableText(const glm::dvec3 &v)
+{
+    return tableText(v.x) + ' ' + tableText(v.y) + ' ' + tableText(v.z);
+}
+
+std::string jsonOfPoint(const glm::dvec3 &point)
+{
+    return '[' + jsonOfNumber(point.x) + ", " + jsonOfNumber(point.y) + ", " + jsonOfNumber(point.z) + ']';
+}
+
+/// The members that a scene and an object have alike, without brackets.
+std::string json(const Measures &m)
+{
+    std::string text =
+        "\"vertices\": " + std::to_string(m.vertices) + ", \"triangles\": " + std::to_string(m.triangles);
+    text += ", \"area\": " + jsonOfNumber(m.area) + ", \"volume\": " + jsonOfNumber(m.volume) + ", \"box\": ";
+    if (m.box.isEmpty())
+        return text + "null";
+    return text + "{\"min\": " + jsonOfPoint(m.box.lowest) + ", \"max\": " + jsonOfPoint(m.box.highest) + '}';
+}
+
+std::string lines(const Measures &m)
+{
+    std::string text = "  vertices   " + std::to_string(m.vertices) + "\n  triangles  " + std::to_string(m.triangles);
+    text += "\n  area       " + tableText(m.area) + "\n  volume     " + tableText(m.volume) + '\n';
+    if (m.box.isEmpty())
+        return text + "  box        empty\n";
+    return text + "  box        " + tableText(m.box.lowest) + "  to  " + tableText(m.box.highest) + '\n';
+}
+
+/// One of each, in the order of the objects; with the object's name where there are several.
+std::vector<std::string> notesOf(const std::vector<SceneObject> &objects)
+{
+    std::vector<std::string> notes;
+    for (const SceneObject &object : objects) {
+        for (const ModelNote &note : object.model->notes) {
+            const std::string text =
+                (objects.size() > 1 ? object.name + ": " : std::string()) + mesh_import::noteText(note);
+            if (std::find(notes.begin(), notes.end(), text) == notes.end())
+                notes.push_back(text);
+        }
+    }
+    return notes;
+}
+
+bool isFinite(const Measures &m)
+{
+    const auto isFinitePoint = [](const glm::dvec3 &p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    };
+    return std::isfinite(m.area) && std::isfinite(m.volume)
+           && (m.box.isEmpty() || (isFinitePoint(m.box.lowest) && isFinitePoint(m.box.highest)));
+}
+
+} // namespace
+
+ExitCode runInfo(const InfoOptions &options)
+{
+    const std::optional<OpenedScene> opened = openScene(options.file);
+    if (!opened)
+        return ExitCode::UnusableInput;
+    Measures all;
+    std::string objects, table;
+    for (const SceneObject &object : opened->objects) {
+        const Measures measures = measuresOf(object);
+        all.add(measures);
+        objects += objects.empty() ? "" : ", ";
+        objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
+        table += object.name + (object.isHidden ? " (hidden)\n" : "\n") + lines(measures);
+    }
+    std::vector<std::string> notes = notesOf(opened->objects);
+    if (!isFinite(all))
+        notes.push_back("what is missing is beyond what a double holds; look at the scales of the objects");
+    std::string text;
+    if (options.isJson) {
+        text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";
+        for (const std::string &note : notes)
+            text += (&note == notes.data() ? "" : ", ") + jsonOfText(note);
+        text += "]}\n";
+    } else {
+        text = opened->objects.size() == 1 ? table : "all\n" + lines(all) + table;
+        for (const std::string &note : notes)
+            text += "note: " + note + '\n';
+    }
+    ByteSink sink;
+    sink.write(text);
+    return sink.finish();
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,223 @@
+#include "core/cli/landmarks_command.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/cli/import_error_text.h"
+#include "core/files/path_text.h"
+#include "core/landmark_files/landmark_folder.h"
+#include "core/mesh_import/mesh_import.h"
+#include "core/ray/tie_landmark.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace landmark_files;
+using namespace files;
+using geometry::Result;
+namespace {
+
+void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
+{
+    for (const LandmarkNote &note : notes)
+        complain(name + ": " + noteText(note));
+}
+
+/// What cannot be read is said on stderr.
+std::optional<ReadLandmarks> readFile(const std::string &file, Format format)
+{
+    ByteSource source(file);
+    if (!source.isOpen())
+        return std::nullopt;
+    std::string text;
+    std::array<char, 65536> block;
+    std::size_t size = 0;
+    do {
+        size = source.read(block.data(), block.size());
+        text.append(block.data(), size);
+    } while (size > 0 && text.size() <= kMostLandmarkBytes);
+    if (source.hasFailed()) {
+        complain(source.name() + ": the file cannot be read to its end");
+        return std::nullopt;
+    }
+    Result<ReadLandmarks, LandmarkFileError> read = parseLandmarks(text, format, source.name());
+    if (!read) {
+        complain(errorText(read.error()));
+        return std::nullopt;
+    }
+    tell(source.name(), read->notes);
+    return std::move(read).value();
+}
+
+ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkFileError> &text)
+{
+    const std::string name = file == "-" ? "stdout" : file;
+    if (!text) {
+        LandmarkFileError error = text.error();
+        error.file = name;
+        complain(errorText(error));
+        return ExitCode::UnusableInput;
+    }
+    ByteSink sink(file);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    sink.write(text->text);
+    const ExitCode written = sink.finish();
+    if (written == ExitCode::Done)
+        tell(name, text->notes);
+    return written;
+}
+
+/// The format of a file, by its suffix where nobody says; what is not known is said on stderr.
+std::optional<Format> formatOf(const std::string &file, const std::optional<Format> &given, const char *option)
+{
+    if (given)
+        return given;
+    const std::optional<Format> format = file == "-" ? std::nullopt : landmark_files::formatOf(pathFromUtf8(file));
+    if (!format) {
+        std::string words;
+        for (const Format known : kFormats)
+            words += (words.empty() ? "" : ", ") + std::string(suffixOf(known));
+        complain((file == "-" ? std::string(option == std::string("--from") ? "stdin" : "stdout") : file)
+                 + ": the name does not say what this is; give " + option + ", one of " + words);
+    }
+    return format;
+}
+
+/// "0.0123": three digits say enough of a distance.
+std::string shortText(double value)
+{
+    std::array<char, 32> digits;
+    const auto written =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 3);
+    return {digits.data(), written.ptr};
+}
+
+std::string nameOf(const Landmark &landmark, std::size_t place)
+{
+    return landmark.name.empty() ? "point " + std::to_string(place + 1) : '"' + landmark.name + '"';
+}
+
+/// Moves every point to the place of the mesh that is closest to it, and says how far that was.
+class Tying {
+public:
+    /// What cannot be opened is said on stderr.
+    static std::optional<Tying> to(const std::string &mesh)
+    {
+        const std::filesystem::path file = pathFromUtf8(mesh);
+        const auto model = mesh_import::importModel(file, {});
+        if (!model) {
+            complain(importErrorText(model.error()));
+            return std::nullopt;
+        }
+        return Tying(mesh, utf8FromPath(file.filename()), ray::ClosestPlaces::build(*model, {}));
+    }
+
+    void tie(LandmarkSet &set)
+    {
+        set.mesh = m_target.name;
+        for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
+            Landmark &landmark = set.landmarks[i];
+            const std::optional<ray::Tied> tied = ray::tieToMesh(landmark, {&m_target, 1});
+            if (!tied)
+                continue;
+            ++m_count;
+            if (m_count == 1 || tied->distance > m_farthest) {
+                m_farthest = tied->distance;
+                m_farthestName = nameOf(landmark, i);
+            }
+            const double share = m_size > 0.0 ? tied->distance / m_size : tied->distance > 0.0 ? 1.0 : 0.0;
+            if (share > ray::kFarFromMesh)
+                complain(m_mesh + ": " + nameOf(landmark, i) + " was " + shortText(tied->distance) + " from the mesh, "
+                         + shortText(100.0 * share)
+                         + " % of its size; are the points of another mesh, or in other axes?");
+        }
+    }
+
+    void tellFarthest() const
+    {
+        if (m_count > 0)
+            complain(m_mesh + ": " + std::to_string(m_count) + (m_count == 1 ? " point" : " points")
+                     + " moved onto the mesh, by at most " + shortText(m_farthest) + " (" + m_farthestName + ')');
+    }
+
+private:
+    Tying(std::string mesh, std::string fileName, std::shared_ptr<const ray::ClosestPlaces> places)
+        : m_mesh(std::move(mesh)), m_target{std::move(fileName), std::move(places)},
+          m_size(m_target.places->model().bounds.diagonal())
+    {
+    }
+
+    std::string m_mesh, m_farthestName;
+    ray::TyingTarget m_target;
+    double m_size = 0.0, m_farthest = 0.0;
+    std::size_t m_count = 0;
+};
+
+ExitCode convert(const LandmarksOptions &options)
+{
+    const std::optional<Format> from = formatOf(options.input, options.from, "--from");
+    const std::optional<Format> to = formatOf(options.output, options.to, "--to");
+    if (!from || !to || isOverInput(options.output, {options.input, options.mesh}))
+        return ExitCode::UnusableInput;
+    std::optional<ReadLandmarks> read = readFile(options.input, *from);
+    if (!read)
+        return ExitCode::UnusableInput;
+    if (!options.mesh.empty()) {
+        std::optional<Tying> tying = Tying::to(options.mesh);
+        if (!tying)
+            return ExitCode::UnusableInput;
+        for (LandmarkSet &set : read->sets)
+            tying->tie(set);
+        tying->tellFarthest();
+    }
+    return write(options.output, landmarksText(read->sets, *to));
+}
+
+Result<WrittenLandmarks, LandmarkFileError> tableOf(const std::vector<LandmarkSet> &sets, LandmarkTable table)
+{
+    switch (table) {
+    case LandmarkTable::Long: return landmarksText(sets, Format::Csv);
+    case LandmarkTable::Wide: return wideTable(sets);
+    case LandmarkTable::Tps: return landmarksText(sets, Format::Tps);
+    case LandmarkTable::Nts: return landmarksText(sets, Format::Nts);
+    }
+    return wideTable(sets);
+}
+
+ExitCode makeTable(const LandmarksOptions &options)
+{
+    std::error_code error;
+    const LandmarkFolder folder =
+        readLandmarkFolder(pathFromUtf8(options.folder),
+                           options.output == "-" ? std::filesystem::path() : pathFromUtf8(options.output), error);
+    if (error) {
+        complain(options.folder + ": the folder cannot be read: " + error.message());
+        return ExitCode::UnusableInput;
+    }
+    for (const std::string &report : folder.reports)
+        complain(report);
+    if (folder.sets.empty()) {
+        complain(options.folder
+                 + (folder.fileCount == 0
+                        ? ": there are no files of landmarks (.csv, .pp, .mrk.json, .fcsv, .pts, .tps)"
+                        : ": none of its files of landmarks could be read"));
+        return ExitCode::UnusableInput;
+    }
+    const ExitCode written = write(options.output, tableOf(folder.sets, options.table));
+    return written == ExitCode::Done && !folder.badFiles.empty() ? ExitCode::SomeRowsBad : written;
+}
+
+} // namespace
+
+ExitCode runLandmarks(const LandmarksOptions &options)
+{
+    return options.folder.empty() ? convert(options) : makeTable(options);
+}
+
+} // namespace unprojector::cli

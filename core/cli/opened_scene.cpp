@@ -1,0 +1,144 @@
+#include "core/cli/opened_scene.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/cli/import_error_text.h"
+#include "core/cli/scene_input.h"
+#include "core/cli/size_text.h"
+#include "core/files/path_text.h"
+#include "core/scene/bundled_models.h"
+#include "core/scene/opening_view.h"
+#include "core/text/error_text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace unprojector::cli {
+using namespace files;
+using namespace text;
+namespace {
+
+using ModelPointer = std::shared_ptr<const Model>;
+
+/// @param asker  in front of what is wrong with it
+ModelPointer readModel(const std::filesystem::path &file, const std::string &asker = {})
+{
+    auto model = importModel(file, {});
+    if (model)
+        return std::move(model).value();
+    complain(asker + importErrorText(model.error()));
+    return nullptr;
+}
+
+/// A name that ends in .json is meant as a scene even where the contents are beyond recognition: its error says why.
+bool isMeantAsScene(const std::string &file)
+{
+    constexpr std::string_view kSuffix = ".json";
+    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+    return file == "-"
+           || (file.size() >= kSuffix.size()
+               && std::equal(file.end() - static_cast<std::ptrdiff_t>(kSuffix.size()), file.end(), kSuffix.begin(),
+                             isSame))
+           || isSceneFile(pathFromUtf8(file));
+}
+
+/// The scene of a file, or the one that its clicks show.
+std::optional<SceneFile> readScene(const std::string &file)
+{
+    const std::optional<SceneOrClicks> given = sceneOrClicks(file);
+    if (!given || !sceneInput(*given, file)) // which says what is wrong with clicks
+        return std::nullopt;
+    if (const auto *scene = std::get_if<SceneFile>(&*given))
+        return *scene;
+    return std::get<std::vector<Click>>(*given).front().scene;
+}
+
+std::optional<OpenedScene> openModel(const std::string &file)
+{
+    const std::filesystem::path path = pathFromUtf8(file);
+    const ModelPointer model = readModel(path);
+    if (!model)
+        return std::nullopt;
+    return OpenedScene{{{utf8FromPath(path.filename()), path, model, {}}}, std::nullopt, file};
+}
+
+} // namespace
+
+std::vector<glm::dvec4> OpenedScene::clipPlanes() const
+{
+    return file ? file->clipPlanes : std::vector<glm::dvec4>();
+}
+
+std::optional<OpenedScene> openScene(const std::string &file)
+{
+    if (!isMeantAsScene(file))
+        return openModel(file);
+    std::optional<SceneFile> scene = readScene(file);
+    if (!scene)
+        return std::nullopt;
+    OpenedScene opened{{}, std::move(scene), file == "-" ? "stdin" : file};
+    std::map<std::filesystem::path, ModelPointer> read;
+    std::map<std::string, ModelPointer> bundled;
+    for (const SceneFileObject &object : opened.file->objects) {
+        const std::filesystem::path path =
+            objectFile(object, file == "-" ? std::filesystem::path() : pathFromUtf8(file));
+        ModelPointer model;
+        if (object.bundled.empty()) {
+            ModelPointer &kept = read[path];
+            if (!kept)
+                kept = readModel(path, opened.name + ": " + object.name + ": ");
+            model = kept;
+        } else {
+            if (bundled.empty())
+                bundled = bundledModels();
+            if (const auto found = bundled.find(object.bundled); found != bundled.end())
+                model = found->second;
+            else
+                complain(opened.name + ": there is no bundled model \"" + object.bundled + '"');
+        }
+        if (!model)
+            return std::nullopt;
+        opened.objects.push_back({object.name, path, model, object.transform, object.isHidden});
+    }
+    return opened;
+}
+
+std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &size)
+{
+    const std::optional<SizeGiven> given =
+        size.empty() ? SizeGiven{kUsualWidth, kUsualHeight} : sizeGiven("--size", size);
+    if (!given)
+        return std::nullopt;
+    if (opened.file && size.empty())
+        return scene_file::pictureOf(*opened.file);
+
+    Surface surface{given->width, given->height, 1.0};
+    if (const Check valid = check(surface); !valid) {
+        complain("--size " + size + ": " + errorText(valid.error()));
+        return std::nullopt;
+    }
+    Result<Scene> scene = Scene{};
+    if (opened.file) {
+        surface.devicePixelRatio = opened.file->devicePixelRatio;
+        std::vector<ModelPointer> models;
+        for (const SceneObject &object : opened.objects)
+            models.push_back(object.model);
+        scene = sceneFromFile(*opened.file, pathFromUtf8(opened.name), models);
+    } else {
+        Scene first;
+        first.objects = opened.objects;
+        first.camera = first.home = openingCamera(opened.objects, surface);
+        first.projection = openingProjection();
+        scene = std::move(first);
+    }
+    const Result<Picture> picture =
+        scene ? scene::pictureOf(*scene, surface, groundUnder(boundsOf(*scene)).box) : scene.error();
+    if (picture)
+        return *picture;
+    complain(opened.name + ": " + errorText(picture.error()));
+    return std::nullopt;
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/scene_file/scene_file.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace scene_file;
+
+/// A scene, or a model as the window shows it at first, with all models read.
+struct OpenedScene {
+    std::vector<SceneObject> objects;
+    std::optional<SceneFile> file; ///< nothing where a model was opened
+    std::string name;              ///< what was opened, for messages
+
+    /// The clip planes that cut.
+    std::vector<glm::dvec4> clipPlanes() const;
+};
+
+/// Opens a model file, a scene file or clicks on one scene; what cannot be read is said on stderr. Models are read once a file.
+/// @param file  UTF-8; "-" is a scene from standard input
+std::optional<OpenedScene> openScene(const std::string &file);
+
+/// The size of a window whose size nobody has given.
+constexpr int kUsualWidth = 800, kUsualHeight = 600;
+
+/// The picture of an opened scene: of a scene file its own, to the last digit; of a model what the window starts with. With
+/// a size, what the window shows in that size.
+/// @param size  device pixels; "800x600", or empty
+/// What is wrong is said on stderr.
+std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &size);
+
+} // namespace unprojector::cli

@@ -1,0 +1,190 @@
+#include "core/cli/pick_command.h"
+
+#include "core/cli/block_pipeline.h"
+#include "core/cli/number_table.h"
+#include "core/cli/opened_scene.h"
+#include "core/cli/pick_texts.h"
+#include "core/cli/row_layout.h"
+#include "core/scene/reach.h"
+#include "core/text/error_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <thread>
+#include <utility>
+
+namespace unprojector::cli {
+using namespace ray;
+using namespace text;
+namespace {
+
+const ColumnNames kPositionColumns{"px", "py", ""};
+
+/// "X,Y"; what is wrong with it is said on stderr.
+std::optional<DevicePoint> positionGiven(const std::string &text)
+{
+    DevicePoint position;
+    const char *end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, position.x);
+    const bool hasComma = x.ec == std::errc{} && x.ptr != end && *x.ptr == ',';
+    const auto y = std::from_chars(hasComma ? x.ptr + 1 : end, end, position.y);
+    if (hasComma && y.ec == std::errc{} && y.ptr == end && std::isfinite(position.x) && std::isfinite(position.y))
+        return position;
+    complain("--at " + text + ": give device pixels from the top left corner, as in 400.5,300.5");
+    return std::nullopt;
+}
+
+/// One a model, for those that are not hidden.
+std::vector<std::shared_ptr<const RayCaster>> castersOf(const std::vector<SceneObject> &objects)
+{
+    std::map<const Model *, std::shared_ptr<const RayCaster>> built;
+    std::vector<std::shared_ptr<const RayCaster>> casters;
+    for (const SceneObject &object : objects) {
+        std::shared_ptr<const RayCaster> &caster = built[object.model.get()];
+        if (!caster && !object.isHidden)
+            caster = RayCaster::build(object.model, {});
+        casters.push_back(caster);
+    }
+    return casters;
+}
+
+/// Everything that is the same for all rows.
+struct Task {
+    const PickOptions &options;
+    const OpenedScene &opened;
+    const SceneRays &rays;
+    NumberReader reader;
+    RowLayout layout;
+};
+
+/// The scratch memory of a thread.
+class Worker {
+public:
+    explicit Worker(const Task &task) : m_task(task) {}
+
+    void operator()(const LineBlock &block, BlockResult &result)
+    {
+        m_task.reader.read(block, m_rows, result.messages);
+        RowWriter writer(m_task.options.format, m_task.layout.names(), result.output);
+        result.badRows = m_rows.bad.size();
+        auto bad = m_rows.bad.begin();
+        for (std::size_t i = 0; i < m_rows.count(); ++i) {
+            if (bad != m_rows.bad.end() && bad->row == i) {
+                m_task.layout.writeBad(writer, block, m_rows, *bad++);
+                writePick(writer, std::nullopt, {});
+            } else {
+                m_task.layout.writeInput(writer, block, m_rows, i);
+                pick(i, block, writer, result);
+            }
+            writer.endRow();
+        }
+    }
+
+private:
+    void pick(std::size_t row, const LineBlock &block, RowWriter &writer, BlockResult &result)
+    {
+        const Result<std::optional<SceneHit>> hit =
+            m_task.rays.at(DevicePoint(m_rows.values[0][row], m_rows.values[1][row]), m_task.options.snap);
+        if (!hit) {
+            ++result.badRows;
+            m_task.reader.complainOf(block, m_rows.places[row], NumberReader::kNoColumn, errorText(hit.error()),
+                                     result.messages);
+        }
+        const std::optional<SceneHit> &met = hit ? *hit : std::optional<SceneHit>();
+        writePick(writer, met, met ? m_task.opened.objects[met->object].name : std::string());
+    }
+
+    const Task &m_task;
+    NumberRows m_rows;
+};
+
+ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const SceneRays &rays)
+{
+    ByteSource source(options.input);
+    if (!source.isOpen())
+        return ExitCode::UnusableInput;
+    LineBlocks blocks(source);
+    const std::optional<NumberColumns> columns = readHeader(blocks, source, {kPositionColumns});
+    // What is added to the input would be read as input, without end.
+    if (!columns || isOverInput("-", {options.input}))
+        return ExitCode::UnusableInput;
+    const Task task{options, opened, rays, NumberReader(source.name(), *columns),
+                    RowLayout(*columns, pickColumns(), options.format)};
+    ByteSink sink;
+    if (!options.isHeaderless) {
+        std::string header;
+        RowWriter(options.format, task.layout.names(), header).header();
+        sink.write(header);
+    }
+    const unsigned threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    return runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
+}
+
+ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint> &positions, const OpenedScene &opened,
+                       const SceneRays &rays)
+{
+    ByteSink sink;
+    ExitCode code = ExitCode::Done;
+    const Picture &picture = rays.rays().picture();
+    for (const DevicePoint &position : positions) {
+        // Nothing is met there, for a reason that a wrong size gives away.
+        if (!rays.rays().isInPicture(position))
+            complain("--at " + shortestText(position.x) + ',' + shortestText(position.y)
+                     + ": lies outside the viewport of the picture of " + shortestText(picture.surface.widthPixels)
+                     + 'x' + shortestText(picture.surface.heightPixels));
+        const Result<std::optional<SceneHit>> hit = rays.at(position, options.snap);
+        if (!hit) {
+            complain("--at " + shortestText(position.x) + ',' + shortestText(position.y) + ": "
+                     + errorText(hit.error()));
+            code = ExitCode::SomeRowsBad;
+            continue;
+        }
+        const std::string name = *hit ? opened.objects[(*hit)->object].name : std::string();
+        sink.write(options.isJson ? pickJson(position, *hit, name) : pickText(position, *hit, name));
+    }
+    const ExitCode written = sink.finish();
+    return written == ExitCode::Done ? code : written;
+}
+
+} // namespace
+
+ExitCode runPick(const PickOptions &options)
+{
+    std::vector<DevicePoint> positions;
+    for (const std::string &text : options.positions) {
+        const std::optional<DevicePoint> position = positionGiven(text);
+        if (!position)
+            return ExitCode::UnusableInput;
+        positions.push_back(*position);
+    }
+    if (positions.empty() && options.scene == "-" && options.input == "-") {
+        complain("the scene and the pixels cannot both come from standard input; give a file for one of them");
+        return ExitCode::UnusableInput;
+    }
+    const std::optional<OpenedScene> opened = openScene(options.scene);
+    if (!opened)
+        return ExitCode::UnusableInput;
+    for (const SceneObject &object : opened->objects) {
+        if (const Check valid = reachable(object); !valid) {
+            complain(opened->name + ": " + object.name + ": " + errorText(valid.error()));
+            return ExitCode::UnusableInput;
+        }
+    }
+    const std::optional<Picture> picture = pictureOf(*opened, options.size);
+    if (!picture)
+        return ExitCode::UnusableInput;
+    const Result<Unprojector> unprojector = Unprojector::of(*picture);
+    if (!unprojector) {
+        complain(opened->name + ": " + errorText(unprojector.error()));
+        return ExitCode::UnusableInput;
+    }
+    if (opened->objects.empty())
+        complain(opened->name + ": the scene has no objects; nothing will be met");
+    const SceneRays rays(*unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes());
+    return positions.empty() ? pickRows(options, *opened, rays) : pickPositions(options, positions, *opened, rays);
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/cli/row_writer.h"
+#include "core/ray/scene_rays.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace unprojector::cli {
+
+/// A pick as one JSON object on one line.
+/// @param name  of the object that was hit
+std::string pickJson(const geometry::DevicePoint &position, const std::optional<ray::SceneHit> &hit,
+                     const std::string &name);
+/// The same in words, several lines.
+std::string pickText(const geometry::DevicePoint &position, const std::optional<ray::SceneHit> &hit,
+                     const std::string &name);
+
+/// The columns of a pick in rows.
+std::vector<std::string> pickColumns();
+/// Writes their cells; all empty where nothing was hit.
+/// @param nameCell  as the format writes it
+void writePick(RowWriter &writer, const std::optional<ray::SceneHit> &hit, const std::string &name);
+
+} // namespace unprojector::cli
