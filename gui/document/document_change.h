@@ -21,7 +21,11 @@ enum class Change {
     ClipPlanes = 0x04, ///< those that cut and those that are switched off
     Picture = 0x08,    ///< camera, projection, viewport, depth range, the window's size, or the rules they follow
     Pick = 0x10,       ///< the picked point
-    History = 0x20     ///< what can be undone and what is saved: isModified and isEdited may be other than before
+    Snap = 0x200,      ///< what clicks take on the meshes
+    Ray = 0x100,       ///< what the ray of the picked point meets, found after the pick was told
+    Landmarks = 0x400, ///< the placed points: which there are, where, and what is said of them
+    LandmarkSelection = 0x800, ///< which of them are selected, and which one waits for its place
+    History = 0x20 ///< what can be undone and what is saved: isModified and isEdited may be other than before
 };
 Q_DECLARE_FLAGS(Changes, Change)
 

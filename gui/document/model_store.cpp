@@ -12,7 +12,7 @@ namespace unprojector::gui {
 namespace {
 
 /// Of all stand-ins of a scene together: what a processor alone draws about twenty-five times a second.
-constexpr std::size_t kStandInSize = 200'000;
+constexpr std::size_t kStandInSize = 60'000;
 
 std::size_t sizeOf(const Model &model)
 {

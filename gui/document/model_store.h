@@ -22,7 +22,7 @@ class ModelStore : public QObject {
     Q_OBJECT
 public:
     /// Objects with more triangles and points than this, all together, are drawn by their stand-ins while the view moves.
-    static constexpr std::size_t kMostInMotion = 400'000;
+    static constexpr std::size_t kMostInMotion = 100'000;
 
     /// By which a change of a file is seen without reading it.
     struct FileState {

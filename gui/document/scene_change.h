@@ -14,10 +14,12 @@ using namespace scene;
 
 class SceneDocument;
 
-/// A state of the document. Copies share the objects, of which there may be many: a look around costs a few numbers.
+/// A state of the document. Copies share the objects and the landmarks, of which there may be many: a look around costs a few
+/// numbers.
 struct SceneState {
-    SceneSettings settings;
+    SceneSettings settings; ///< without landmarks
     std::shared_ptr<const std::vector<SceneObject>> objects;
+    std::shared_ptr<const landmarks::LandmarkSet> landmarks;
     /// The number of the edit that made it: looking around leaves that as it is. Two states of the same number differ
     /// in the view at most.
     std::uint64_t edit = 0;

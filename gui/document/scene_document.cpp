@@ -1,27 +1,13 @@
 #include "gui/document/scene_document.h"
 
-#include "core/geometry/angle.h"
-
-#include <glm/geometric.hpp>
+#include "gui/document/landmark_objects.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
 namespace unprojector::gui {
 namespace {
-
-/// 1, 2 or 5 times a power of ten, at least `value`.
-double roundedUp(double value)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double digit : {1.0, 2.0, 5.0}) {
-        if (digit * power >= value * (1.0 - 1e-9))
-            return digit * power;
-    }
-    return 10.0 * power;
-}
 
 /// What a picture of these objects that fills it would be.
 Picture framed(const Picture &picture, const std::vector<SceneObject> &objects)
@@ -36,35 +22,32 @@ Picture framed(const Picture &picture, const std::vector<SceneObject> &objects)
 
 } // namespace
 
-Projection SceneDocument::initialProjection()
+SceneDocument::Telling::Telling(SceneDocument &document) : m_document(document)
 {
-    return Perspective{radiansFromDegrees(45.0), 1.0, 0.1, 100.0};
+    ++m_document.m_tellings;
 }
 
-class SceneDocument::Telling {
-public:
-    explicit Telling(SceneDocument &document) : m_document(document) { ++m_document.m_tellings; }
-    ~Telling()
-    {
-        if (--m_document.m_tellings == 0)
-            m_document.tell({});
-    }
-    Telling(const Telling &) = delete;
-    Telling &operator=(const Telling &) = delete;
+SceneDocument::Telling::~Telling()
+{
+    if (--m_document.m_tellings == 0)
+        m_document.tell({});
+}
 
-private:
-    SceneDocument &m_document;
-};
-
-SceneDocument::SceneDocument(QObject *parent) : QObject(parent)
+SceneDocument::SceneDocument(QObject *parent) : QObject(parent), m_points(*this)
 {
     m_undoStack.setUndoLimit(200);
     const auto tellHistory = [this] { tell(Change::History); };
     connect(&m_undoStack, &QUndoStack::indexChanged, this, tellHistory);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, tellHistory);
+    connect(&m_casters, &RayCasters::built, this, [this] {
+        m_rays.reset();
+        if (answerRay())
+            tell(Change::Ray);
+    });
     m_state.objects = std::make_shared<const std::vector<SceneObject>>();
+    m_state.landmarks = std::make_shared<const landmarks::LandmarkSet>();
     Scene empty;
-    empty.projection = initialProjection();
+    empty.projection = openingProjection();
     const Check opened = open(std::move(empty));
     Q_ASSERT(opened.hasValue());
 }
@@ -79,6 +62,11 @@ void SceneDocument::tell(Changes changes)
     m_untold |= changes;
     if (m_tellings > 0 || !m_untold)
         return;
+    if (m_untold & (Change::Objects | Change::Visibility)) {
+        ++m_tellings; // what comes of it at once is told with the rest
+        prepareRays();
+        --m_tellings;
+    }
     emit changed(std::exchange(m_untold, {}));
 }
 
@@ -91,20 +79,25 @@ SceneState SceneDocument::with(SceneSettings settings) const
 
 Result<Changes> SceneDocument::take(const SceneState &state)
 {
-    // In place, since a copy of the scene would copy all its objects; and back again where that is no picture.
-    const auto put = [this](const SceneState &which, bool withObjects) {
+    // In place, since a copy of the scene would copy all its objects and landmarks; and back again where that is no picture.
+    const bool hasOtherObjects = state.objects != m_state.objects,
+               hasOtherPoints = state.landmarks != m_state.landmarks;
+    const auto put = [&](const SceneState &which) {
+        landmarks::LandmarkSet points = std::move(m_scene.landmarks);
         static_cast<SceneSettings &>(m_scene) = which.settings;
-        if (withObjects)
+        if (hasOtherPoints)
+            points = *which.landmarks;
+        m_scene.landmarks = std::move(points);
+        if (hasOtherObjects)
             m_scene.objects = *which.objects;
     };
-    const bool hasOtherObjects = state.objects != m_state.objects;
-    put(state, hasOtherObjects);
+    put(state);
     const Box bounds = hasOtherObjects ? boundsOf(m_scene) : m_bounds;
     const Ground ground = hasOtherObjects ? groundUnder(bounds) : m_ground;
     const Result<Picture> picture = pictureOf(m_scene, m_surface, ground.box);
     Result<Unprojector> unprojector = picture ? Unprojector::of(*picture) : picture.error();
     if (!unprojector) {
-        put(m_state, hasOtherObjects);
+        put(m_state);
         return unprojector.error();
     }
 
@@ -118,7 +111,13 @@ Result<Changes> SceneDocument::take(const SceneState &state)
         changes |= changesBetween(*m_state.objects, m_scene.objects);
     if (changes.testFlag(Change::Objects) && followObjects(m_state.objects))
         changes |= Change::Pick;
+    if (hasOtherPoints && *m_state.landmarks != *state.landmarks) {
+        changes |= Change::Landmarks;
+        if (m_points.follow(m_state.landmarks->landmarks, state.landmarks->landmarks))
+            changes |= Change::LandmarkSelection;
+    }
     m_unprojector = unprojector.value();
+    m_rays.reset();
     m_bounds = bounds;
     m_ground = ground;
     m_state = state;
@@ -126,43 +125,20 @@ Result<Changes> SceneDocument::take(const SceneState &state)
     return changes;
 }
 
-bool SceneDocument::followObjects(const std::shared_ptr<const std::vector<SceneObject>> &before)
-{
-    if (m_pick && m_pick->object && *m_pick->object < before->size()) {
-        const auto place = placeAfter(*before, *m_pick->object, m_scene.objects);
-        if (place == m_pick->object)
-            return false;
-        if (!place) {
-            m_lostPick = std::exchange(m_pick, std::nullopt);
-            m_lostPickObjects = before;
-        } else {
-            m_pick->object = place;
-        }
-        return true;
-    }
-    if (m_pick || !m_lostPick)
-        return false;
-    const auto place = placeAfter(*m_lostPickObjects, *m_lostPick->object, m_scene.objects);
-    if (!place)
-        return false;
-    m_pick = std::exchange(m_lostPick, std::nullopt);
-    m_pick->object = place;
-    m_lostPickObjects.reset();
-    return true;
-}
-
 Check SceneDocument::open(Scene scene)
 {
     const Telling telling(*this);
     auto objects = std::make_shared<const std::vector<SceneObject>>(std::move(scene.objects));
-    const Result<Changes> taken = take({std::move(scene), std::move(objects), m_lastEdit + 1});
+    auto points = std::make_shared<const landmarks::LandmarkSet>(std::exchange(scene.landmarks, {}));
+    const Result<Changes> taken = take({std::move(scene), std::move(objects), std::move(points), m_lastEdit + 1});
     if (!taken)
         return taken.error();
     m_savedEdit = ++m_lastEdit;
     m_undoStack.clear();
     clearPick();
+    m_points.forget();
     emit opened();
-    tell(kSeen | Change::Pick | Change::History);
+    tell(kSeen | Change::Pick | Change::Landmarks | Change::LandmarkSelection | Change::History);
     return std::monostate{};
 }
 
@@ -170,7 +146,7 @@ void SceneDocument::setObjects(std::vector<SceneObject> objects, const LookAt &h
 {
     Scene scene;
     scene.camera = scene.home = home;
-    scene.projection = initialProjection();
+    scene.projection = openingProjection();
     scene.objects = std::move(objects);
     const Check opened = open(std::move(scene));
     Q_ASSERT(opened.hasValue());
@@ -178,21 +154,14 @@ void SceneDocument::setObjects(std::vector<SceneObject> objects, const LookAt &h
 
 void SceneDocument::setObjects(std::vector<SceneObject> objects)
 {
-    Scene scene;
-    scene.objects = std::move(objects);
-    // Scans face +z as a rule; a little from above and the side shows that they have depth.
-    Picture home{m_surface,
-                 wholeSurface(m_surface),
-                 {},
-                 initialProjection(),
-                 LookAt{WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
-    home.projection() = withAspect(home.projection(), home.viewport.width / home.viewport.height);
-    const LookAt camera = framed(home, scene.objects).camera();
-    setObjects(std::move(scene.objects), camera);
+    const LookAt camera = openingCamera(objects, m_surface);
+    setObjects(std::move(objects), camera);
 }
 
-Check SceneDocument::record(const SceneState &state, const Deed &deed)
+Check SceneDocument::record(SceneState state, const Deed &deed)
 {
+    if (state.objects != m_state.objects)
+        state.landmarks = withObjects(state.landmarks, *m_state.objects, *state.objects);
     const Telling telling(*this);
     const SceneState before = m_state;
     const Result<Changes> taken = take(state);
@@ -225,8 +194,13 @@ Check SceneDocument::edit(SceneSettings settings, const Deed &deed)
 
 Check SceneDocument::edit(std::vector<SceneObject> objects, const Deed &deed)
 {
-    return record(
-        {m_state.settings, std::make_shared<const std::vector<SceneObject>>(std::move(objects)), m_lastEdit + 1}, deed);
+    return record(with(std::move(objects)), deed);
+}
+
+SceneState SceneDocument::with(std::vector<SceneObject> objects) const
+{
+    return {m_state.settings, std::make_shared<const std::vector<SceneObject>>(std::move(objects)), m_state.landmarks,
+            m_lastEdit + 1};
 }
 
 void SceneDocument::look(SceneSettings settings, const Deed &deed)
@@ -285,6 +259,21 @@ Check SceneDocument::editClipPlanes(std::vector<glm::dvec4> planes, std::vector<
     return edit(std::move(settings), deed);
 }
 
+Check SceneDocument::editLandmarks(std::vector<landmarks::Landmark> landmarks, const Deed &deed)
+{
+    landmarks::LandmarkSet set = landmarkSet();
+    set.landmarks = std::move(landmarks);
+    return editLandmarkSet(std::move(set), deed);
+}
+
+Check SceneDocument::editLandmarkSet(landmarks::LandmarkSet set, const Deed &deed)
+{
+    SceneState state = m_state;
+    state.landmarks = std::make_shared<const landmarks::LandmarkSet>(std::move(set));
+    state.edit = m_lastEdit + 1;
+    return record(std::move(state), deed);
+}
+
 void SceneDocument::markSaved()
 {
     const Telling telling(*this);
@@ -299,24 +288,6 @@ void SceneDocument::markUnsaved()
     m_savedEdit.reset();
     m_undoStack.resetClean();
     tell(Change::History);
-}
-
-SceneDocument::Ground SceneDocument::groundUnder(const Box &bounds)
-{
-    Ground ground;
-    if (bounds.isEmpty())
-        return ground;
-    const double size = bounds.diagonal() > 0.0 ? bounds.diagonal() : 1.0;
-    ground.spacing = roundedUp(size / 15.0);
-    // Lines at whole multiples of the spacing, so that they can be read as coordinates.
-    const auto snapped = [&ground](double value, double direction) {
-        return (std::floor(value / ground.spacing) + direction) * ground.spacing;
-    };
-    const double margin = size * 0.5;
-    const double y = bounds.lowest.y;
-    ground.box.add({snapped(bounds.lowest.x - margin, 0.0), y, snapped(bounds.lowest.z - margin, 0.0)});
-    ground.box.add({snapped(bounds.highest.x + margin, 1.0), y, snapped(bounds.highest.z + margin, 1.0)});
-    return ground;
 }
 
 void SceneDocument::setSurface(const Surface &surface)
@@ -380,7 +351,7 @@ void SceneDocument::goHome()
     SceneSettings settings = m_state.settings;
     settings.camera = settings.home;
     if (settings.projectionFollowsViewport)
-        settings.projection = initialProjection();
+        settings.projection = openingProjection();
     look(std::move(settings), {tr("Home")});
 }
 
@@ -396,82 +367,6 @@ void SceneDocument::switchProjection()
     settings.projection = converted(
         settings.projection, perspective ? ProjectionKind::Ortho : ProjectionKind::Perspective, centerDistance());
     look(std::move(settings), {perspective ? tr("Orthographic") : tr("Perspective")});
-}
-
-Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const DepthSample &sample) const
-{
-    return unproject::pickAt(*m_unprojector, position, sample);
-}
-
-void SceneDocument::setPick(const Result<Pick> &pick)
-{
-    if (!pick) {
-        emit pickFailed(pick.error());
-        return;
-    }
-    m_pick = *pick;
-    m_lostPick.reset();
-    m_lostPickObjects.reset();
-    m_pickedPlacement = placementOf(*m_pick);
-    tell(Change::Pick);
-}
-
-glm::dmat4 SceneDocument::placementOf(const Pick &pick) const
-{
-    return pick.object && *pick.object < objects().size() ? worldFromObject(objects()[*pick.object].transform)
-                                                          : glm::dmat4(1.0);
-}
-
-SinceClick SceneDocument::sinceClick() const
-{
-    if (!m_pick)
-        return {};
-    const bool isHidden = m_pick->object && *m_pick->object < objects().size() && objects()[*m_pick->object].isHidden;
-    return {m_pick->geometry != geometry(), placementOf(*m_pick) != m_pickedPlacement, isHidden, isCutAway(*m_pick)};
-}
-
-bool SceneDocument::isCutAway(const Pick &pick) const
-{
-    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
-    if (!pick.hit() || !world)
-        return false;
-    // A point of the cut itself lies on either side of the plane, by as much as is uncertain of it.
-    const Components<3> &uncertainty = pick.uncertainty.world;
-    return std::any_of(m_scene.clipPlanes.begin(), m_scene.clipPlanes.end(), [&](const glm::dvec4 &plane) {
-        const double doubt =
-            std::abs(plane.x) * uncertainty.x + std::abs(plane.y) * uncertainty.y + std::abs(plane.z) * uncertainty.z;
-        return glm::dot(plane, glm::dvec4(world->coordinates(), 1.0)) < -doubt;
-    });
-}
-
-void SceneDocument::putBack(const KeptPick &kept)
-{
-    m_lostPick.reset();
-    m_lostPickObjects.reset();
-    if (!m_pick && !kept.pick)
-        return;
-    m_pick = kept.pick;
-    m_pickedPlacement = kept.placement;
-    tell(Change::Pick);
-}
-
-WorldPoint SceneDocument::pivotOf(const Result<Pick> &pick) const
-{
-    const LookAt &camera = geometry().camera();
-    if (!pick)
-        return camera.center;
-    if (const Result<WorldPoint> &surface = pick->point.world[Method::Formula]; pick->hit())
-        return surface ? *surface : camera.center;
-    const Result<WorldPoint> &enter = pick->rayNear.world[Method::Formula];
-    const Result<WorldPoint> &leave = pick->rayFar.world[Method::Formula];
-    const Result<EyeFrame> frame = eyeFrame(camera);
-    if (!enter || !leave || !frame)
-        return camera.center;
-    const double wanted = eyeFromWorld(*frame, camera.center).z;
-    const double zEnter = eyeFromWorld(*frame, *enter).z;
-    const double zLeave = eyeFromWorld(*frame, *leave).z;
-    const double t = (wanted - zEnter) / (zLeave - zEnter);
-    return *enter + t * (*leave - *enter);
 }
 
 } // namespace unprojector::gui

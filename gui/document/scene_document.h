@@ -1,11 +1,15 @@
 #pragma once
 
 #include "core/geometry/camera_motion.h"
+#include "core/scene/opening_view.h"
 #include "core/scene/scene.h"
 #include "core/unproject/pick.h"
 #include "gui/document/document_change.h"
 #include "gui/document/object_names.h"
+#include "gui/document/picked_ray.h"
+#include "gui/document/ray_casters.h"
 #include "gui/document/scene_change.h"
+#include "gui/document/scene_points.h"
 
 #include <QObject>
 #include <QString>
@@ -44,12 +48,6 @@ struct SinceClick {
     bool isAnything() const { return isOtherPicture || isObjectMoved || isObjectHidden || isCutAway; }
 };
 
-/// What is picked at a moment, to come back to.
-struct KeptPick {
-    std::optional<Pick> pick = {};
-    glm::dmat4 placement{1.0}; ///< worldFromObject of its object at the click
-};
-
 /// The one owner of the scene, the undo stack and the picked point. Widgets show it and ask it to change; it unprojects.
 class SceneDocument : public QObject {
     Q_OBJECT
@@ -60,13 +58,31 @@ public:
 
     const Scene &scene() const { return m_scene; }
     const std::vector<SceneObject> &objects() const { return m_scene.objects; }
+    /// The placed points, world space.
+    const landmarks::LandmarkSet &landmarkSet() const { return m_scene.landmarks; }
+    const std::vector<landmarks::Landmark> &landmarks() const { return m_scene.landmarks.landmarks; }
+    /// What is done to them one by one, and which of them are selected.
+    ScenePoints &points() { return m_points; }
+    const ScenePoints &points() const { return m_points; }
     /// The picture of the scene in the view's window, always valid.
     const Picture &geometry() const { return m_unprojector->picture(); }
     /// The same, prepared for clicks.
     const Unprojector &unprojector() const { return *m_unprojector; }
     /// The picked surface or background; nothing before the first click, in another scene, and while the object that was
     /// hit is not in it.
-    const std::optional<Pick> &pick() const { return m_pick; }
+    const std::optional<Pick> &pick() const { return m_picked.pick; }
+    /// What the ray of the pick meets on the meshes; null without a pick.
+    const PickedRay *pickedRay() const { return m_picked.pick ? &m_picked.ray : nullptr; }
+    /// The one point that the pick stands for: what the mode of clicks took on the mesh, else the surface by the formula. Nothing
+    /// where there is neither.
+    std::optional<WorldPoint> pickedPoint() const;
+    /// What the rays of the picture meet, as it is now; null while a model is not prepared for them. Until the next change.
+    const ray::SceneRays *rays() const;
+    /// What clicks take on the meshes. The pick stays as it was taken.
+    ray::Snap snap() const { return m_snap; }
+    void setSnap(ray::Snap snap);
+    /// What prepares the models for rays.
+    RayCasters &rayCasters() { return m_casters; }
     SinceClick sinceClick() const;
     QUndoStack &undoStack() { return m_undoStack; }
 
@@ -79,9 +95,6 @@ public:
     void markSaved();
     /// The scene as it is now is nowhere else: it was recovered.
     void markUnsaved();
-
-    /// The projection that a model is shown with at first; it follows the viewport and fits the objects.
-    static Projection initialProjection();
 
     /// Around all objects that are not hidden, world space.
     const Box &bounds() const { return m_bounds; }
@@ -123,6 +136,9 @@ public:
     Check editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed);
     /// @param off  planes that are kept but do not cut; with the others no more than kMostClipPlanes
     Check editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed);
+    /// All placed points, for those that are there. What is done to single ones: points().
+    Check editLandmarks(std::vector<landmarks::Landmark> landmarks, const Deed &deed);
+    Check editLandmarkSet(landmarks::LandmarkSet set, const Deed &deed);
 
     /// The view's size changed. Not undoable.
     void setSurface(const Surface &surface);
@@ -149,7 +165,7 @@ public:
     void setPick(const Result<Pick> &pick);
     /// unprojected() and setPick().
     void pickAt(const WidgetPoint &position, const DepthSample &sample) { setPick(unprojected(position, sample)); }
-    KeptPick keptPick() const { return {m_pick, m_pickedPlacement}; }
+    const KeptPick &keptPick() const { return m_picked; }
     /// Shows an earlier pick again, or none: as if nothing had been picked since.
     /// @param kept  of this scene, with the objects that it has now
     void putBack(const KeptPick &kept);
@@ -168,16 +184,19 @@ signals:
 
 private:
     friend class SceneChange;
+    friend class ScenePoints;
 
     /// Gathers what changes while one of them lives; the last tells it. Nobody hears of a half-made change.
-    class Telling;
-    /// The drawn ground and the distance of its lines.
-    struct Ground {
-        Box box;
-        double spacing = 1.0;
-    };
-    static Ground groundUnder(const Box &bounds);
+    class Telling {
+    public:
+        explicit Telling(SceneDocument &document);
+        ~Telling();
+        Telling(const Telling &) = delete;
+        Telling &operator=(const Telling &) = delete;
 
+    private:
+        SceneDocument &m_document;
+    };
     void tell(Changes changes);
     bool isCutAway(const Pick &pick) const;
     /// worldFromObject of the object of a pick, the identity where it has none.
@@ -188,15 +207,24 @@ private:
     /// @return what is other than before, not told yet; the errors of pictureOf
     Result<Changes> take(const SceneState &state);
     /// Takes a state undoably, if it is another one.
-    Check record(const SceneState &state, const Deed &deed);
+    Check record(SceneState state, const Deed &deed);
     /// A pick knows its object by its place in the list, goes with it and comes back with it.
     /// @param before  the objects that the pick's place is of
     /// @return whether it is another pick now
     bool followObjects(const std::shared_ptr<const std::vector<SceneObject>> &before);
+    /// Prepares the models that rays can meet, those of a pick that waits for its answer included.
+    void prepareRays();
+    /// Asks what the ray of the pick meets, where that is not known yet.
+    /// @return whether more is known now
+    bool answerRay();
+    /// @param objects  that the hit's place is of
+    MetPlace metPlace(const ray::SceneHit &hit, const std::vector<SceneObject> &objects) const;
     /// The settings that show all of these, of which the last `added` are new.
     SceneSettings showing(const std::vector<SceneObject> &objects, std::size_t added) const;
     Check edit(SceneSettings settings, const Deed &deed);
     Check edit(std::vector<SceneObject> objects, const Deed &deed);
+    /// The state as it is now, edited, with other objects.
+    SceneState with(std::vector<SceneObject> objects) const;
     void look(SceneSettings settings, const Deed &deed);
     /// Takes camera and projection of a picture, its near and far planes where nothing within these bounds is cut off.
     void showFramed(Picture picture, const Box &bounds);
@@ -207,11 +235,14 @@ private:
     SceneState m_state;
     Surface m_surface{1, 1, 1.0};
     std::optional<Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
-    std::optional<Pick> m_pick;
+    KeptPick m_picked;
     /// The pick whose object was taken out, and the objects before that: with the object it comes back.
-    std::optional<Pick> m_lostPick;
+    KeptPick m_lost;
     std::shared_ptr<const std::vector<SceneObject>> m_lostPickObjects;
-    glm::dmat4 m_pickedPlacement{1.0}; ///< worldFromObject of the object that was hit, at the click
+    ScenePoints m_points;
+    RayCasters m_casters;
+    mutable std::optional<ray::SceneRays> m_rays; ///< of the picture, once somebody has asked
+    ray::Snap m_snap = ray::Snap::Surface;
     Box m_bounds;
     Ground m_ground;
     std::uint64_t m_lastEdit = 0;

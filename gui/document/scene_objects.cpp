@@ -68,9 +68,9 @@ Check SceneDocument::addObjects(std::vector<SceneObject> objects)
         all.push_back(std::move(object));
     }
     SceneSettings settings = showing(all, added);
-    return record(
-        {std::move(settings), std::make_shared<const std::vector<SceneObject>>(std::move(all)), m_lastEdit + 1},
-        {tr("Add objects")});
+    SceneState state = with(std::move(all));
+    state.settings = std::move(settings);
+    return record(std::move(state), {tr("Add objects")});
 }
 
 Check SceneDocument::removeObject(std::size_t place)

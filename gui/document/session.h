@@ -67,12 +67,13 @@ public:
 
     // ---- opening: what goes wrong is told by `failed`, and then nothing has changed
 
-    /// Opens model files as a new scene, or the scene where there is a scene file among them.
+    /// Opens model files as a new scene, or the scene where there is a scene file among them; points of files among them
+    /// come to what is shown then.
     void openFiles(std::vector<std::filesystem::path> files);
     /// Opens model files and puts them beside the objects that are there, as one undoable step.
     void addFiles(std::vector<std::filesystem::path> files);
     /// Opens a scene file. Its models are loaded first; each file once, however many objects show it.
-    void openScene(const std::filesystem::path &file);
+    void openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> points = {});
     void openBundledScene();
     /// Opens one of core's examples.
     void openExample(const std::string &id);
@@ -120,6 +121,8 @@ signals:
     /// Another scene is shown.
     /// @param example  the id of one of core's examples, or empty
     void opened(const QString &example);
+    /// Files of points were opened with the models that are shown now, or alone: what becomes of them is not the session's.
+    void pointFilesOpened(const std::vector<std::filesystem::path> &files);
     /// What could not be opened or saved, in words.
     void failed(const QString &reason);
     /// What of an opened file is not shown, or not as the file has it.
@@ -145,6 +148,7 @@ private:
         QString name = {};
         const RecoveryFile *recovered = nullptr; ///< one of m_offered
         std::vector<std::filesystem::path> models = {};
+        std::vector<std::filesystem::path> points = {}; ///< files of them, read when the models are there
     };
 
     /// From now on the working folder does not matter.

@@ -1,8 +1,10 @@
 // What a session opens: models, scenes, the bundled one, the tutorials' examples.
 
+#include "core/scene/bundled_models.h"
 #include "core/scene/bundled_scene.h"
 #include "core/scene/examples.h"
 #include "core/scene_file/scene_error_text.h"
+#include "gui/document/point_files.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/text/added_text.h"
@@ -25,20 +27,6 @@ bool isMeantAsScene(const std::filesystem::path &file)
     return pathText(file.extension()).compare(QStringLiteral(".json"), Qt::CaseInsensitive) == 0 || isSceneFile(file);
 }
 
-/// The models that the program brings along, by name. The first of a name is it.
-std::map<std::string, ModelPointer> bundledModels()
-{
-    std::map<std::string, ModelPointer> models;
-    const auto add = [&models](const std::vector<SceneObject> &objects) {
-        for (const SceneObject &object : objects)
-            models.try_emplace(object.model->name, object.model);
-    };
-    add(bundledScene());
-    for (const Example &example : examples())
-        add(example.scene.objects);
-    return models;
-}
-
 bool hasBundledModels(const SceneFile &scene)
 {
     return std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -49,13 +37,23 @@ bool hasBundledModels(const SceneFile &scene)
 
 void Session::openFiles(std::vector<std::filesystem::path> files)
 {
+    const auto points = std::stable_partition(
+        files.begin(), files.end(), [](const std::filesystem::path &file) { return !PointFiles::isPointFile(file); });
+    std::vector<std::filesystem::path> pointFiles(points, files.end());
+    files.erase(points, files.end());
+    if (files.empty() && !pointFiles.empty()) {
+        emit progressed();
+        emit pointFilesOpened(pointFiles);
+        return;
+    }
     const auto scene = std::find_if(files.begin(), files.end(), isMeantAsScene);
     if (scene != files.end()) {
-        openScene(*scene);
+        openScene(*scene, std::move(pointFiles));
         return;
     }
     emit progressed();
     Pending pending;
+    pending.points = std::move(pointFiles);
     pending.models = std::move(files);
     load(std::move(pending));
 }
@@ -69,7 +67,7 @@ void Session::addFiles(std::vector<std::filesystem::path> files)
     load(std::move(pending));
 }
 
-void Session::openScene(const std::filesystem::path &file)
+void Session::openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> points)
 {
     m_loader.cancel(); // it would replace the scene later, whatever becomes of this one
     emit progressed();
@@ -86,7 +84,9 @@ void Session::openScene(const std::filesystem::path &file)
     }
     if (!mayLeave())
         return;
-    load({Pending::For::SceneFile, path, std::move(scene).value(), stamp, pathText(file.filename())});
+    Pending pending{Pending::For::SceneFile, path, std::move(scene).value(), stamp, pathText(file.filename())};
+    pending.points = std::move(points);
+    load(std::move(pending));
 }
 
 void Session::openBundledScene()
@@ -135,10 +135,14 @@ void Session::takeLoaded(const std::vector<LoadedModel> &models, const std::vect
 {
     Pending pending = std::move(m_pending).value_or(Pending{});
     m_pending.reset();
+    const std::vector<std::filesystem::path> points = std::move(pending.points);
+    bool isShown = false;
+    const auto shown = connect(this, &Session::opened, this, [&isShown] { isShown = true; });
     if (pending.use != Pending::For::SceneFile)
         takeModels(models, pending.use);
     else if (errors.empty())
         takeScene(std::move(pending), models);
+    disconnect(shown);
     // What is not as in a file stays to be read until it is closed, as reasons do.
     QStringList reasons;
     for (const ImportError &error : errors)
@@ -151,6 +155,8 @@ void Session::takeLoaded(const std::vector<LoadedModel> &models, const std::vect
         emit failed(reasons.join(u'\n'));
     else if (!reasons.isEmpty())
         emit warned(reasons.join(u'\n'));
+    if (isShown && !points.empty()) // to nothing else they belong
+        emit pointFilesOpened(points);
     emit loadingEnded();
 }
 

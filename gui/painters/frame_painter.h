@@ -10,8 +10,9 @@
 
 namespace unprojector::gui {
 
-/// What a frame was drawn as: textures of one size.
+/// What a frame was drawn as: textures of one size, and the framebuffer that they belong to.
 struct FrameTextures {
+    unsigned framebuffer = 0;
     unsigned colors = 0, depths = 0;
     int widthPixels = 0, heightPixels = 0;
 };
@@ -37,11 +38,13 @@ public:
 private:
     /// @return the texture with smooth edges, or the frame's own where OpenGL gives none
     unsigned smoothed(const FrameTextures &frame);
+    bool copied(const FrameTextures &frame, bool isSmooth);
     void drawTriangle(QOpenGLShaderProgram &program);
 
     std::unique_ptr<QOpenGLShaderProgram> m_copying, m_smoothing;
     std::unique_ptr<QOpenGLFramebufferObject> m_smooth;
     bool m_isSmoothed = false;
+    std::optional<bool> m_canCopy; ///< known after the first picture
     int m_measuredCount = 0;
     std::optional<double> m_smoothingMilliseconds; ///< of the fastest so far
     QOpenGLVertexArrayObject m_vertexArray; ///< empty: the shader makes its three corners; core profile wants one

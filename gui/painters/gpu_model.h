@@ -11,6 +11,7 @@
 #include <QStringList>
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -23,12 +24,15 @@ bool fillBuffer(QOpenGLExtraFunctions &gl, unsigned target, std::size_t bytes, c
 
 /// A mesh in the graphics memory.
 struct GpuMesh {
+    const Mesh *source = nullptr; ///< of the model that was uploaded
     QOpenGLVertexArrayObject vertexArray;
     std::vector<std::unique_ptr<QOpenGLBuffer>> buffers;
     GLenum primitives = GL_TRIANGLES;
     std::size_t elementCount = 0; ///< corners of triangles, or points
     bool isIndexed = false;
-    bool isFlat = false; ///< has no normals
+    GLuint indexBuffer = 0; ///< where it is
+    bool isFlat = false;    ///< has no normals
+    bool isColored = false; ///< has colours of its vertices
     glm::dvec3 origin{0.0};
     glm::vec4 baseColor{1.0f};
     int texture = -1;
@@ -39,12 +43,17 @@ struct GpuMesh {
 class GpuModel : protected QOpenGLExtraFunctions {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::GpuModel)
 public:
-    explicit GpuModel(std::shared_ptr<const Model> source);
+    /// @param mostTexturePixels  how wide and how high a texture may be; a larger one is scaled down, and so is one that is
+    ///                           too large for the driver
+    explicit GpuModel(std::shared_ptr<const Model> source, int mostTexturePixels = std::numeric_limits<int>::max());
     ~GpuModel();
 
     /// Goes on until all is there or the time is over.
     /// @return whether all is there that will be
     bool uploadOn(const Deadline &deadline);
+
+    /// How much of it is there, in [0, 1].
+    double uploadedShare() const;
 
     /// Those that are there as a whole.
     const std::vector<std::unique_ptr<GpuMesh>> &meshes() const { return m_meshes; }
@@ -68,6 +77,7 @@ private:
     void copyOn(Copy &copy);
 
     std::shared_ptr<const Model> m_source;
+    int m_mostTexturePixels;
     std::vector<std::unique_ptr<GpuMesh>> m_meshes;
     std::vector<std::unique_ptr<QOpenGLTexture>> m_textures; ///< null where there is no image
     std::unique_ptr<GpuMesh> m_begun;                        ///< the next of m_meshes

@@ -5,24 +5,26 @@
 namespace unprojector::gui {
 namespace {
 
-QByteArray source(const QString &path, const QByteArray &definition)
+QByteArray source(const QString &path, const QByteArrayList &definitions)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         qFatal("The shader %s is missing from the program's resources.", qPrintable(path));
-    const QByteArray defined = definition.isEmpty() ? QByteArray() : "#define " + definition + "\n";
-    return "#version 330 core\n" + defined + file.readAll();
+    QByteArray text("#version 330 core\n");
+    for (const QByteArray &definition : definitions)
+        text += "#define " + definition + "\n";
+    return text + file.readAll();
 }
 
 std::unique_ptr<QOpenGLShaderProgram> linked(const QString &vertexName, const QString &fragmentName,
-                                             const QByteArray &definition)
+                                             const QByteArrayList &definitions)
 {
     const QString path = QStringLiteral(":/shaders/%1.%2");
     auto program = std::make_unique<QOpenGLShaderProgram>();
     program->addShaderFromSourceCode(QOpenGLShader::Vertex,
-                                     source(path.arg(vertexName, QStringLiteral("vert")), definition));
+                                     source(path.arg(vertexName, QStringLiteral("vert")), definitions));
     program->addShaderFromSourceCode(QOpenGLShader::Fragment,
-                                     source(path.arg(fragmentName, QStringLiteral("frag")), definition));
+                                     source(path.arg(fragmentName, QStringLiteral("frag")), definitions));
     if (!program->link())
         qFatal("The shader %s does not build: %s", qPrintable(fragmentName), qPrintable(program->log()));
     return program;
@@ -30,9 +32,9 @@ std::unique_ptr<QOpenGLShaderProgram> linked(const QString &vertexName, const QS
 
 } // namespace
 
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const QString &name, const QByteArray &definition)
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const QString &name, const QByteArrayList &definitions)
 {
-    return linked(name, name, definition);
+    return linked(name, name, definitions);
 }
 
 std::unique_ptr<QOpenGLShaderProgram> loadPictureProgram(const QString &name)

@@ -1,7 +1,7 @@
 #include "gui/panels/certain_digits_delegate.h"
 
-#include "gui/panels/comparison_model.h"
 #include "gui/panels/contrast.h"
+#include "gui/panels/coordinates_model.h"
 
 #include <QApplication>
 #include <QPainter>
@@ -12,7 +12,7 @@ namespace unprojector::gui {
 
 void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
-    const QVariant length = index.data(ComparisonModel::kCertainLengthRole);
+    const QVariant length = index.data(CoordinatesModel::kCertainLengthRole);
     if (!length.isValid()) {
         QStyledItemDelegate::paint(painter, option, index);
         return;
@@ -28,8 +28,8 @@ void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem 
     const QColor ink = item.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
     const QColor grey = quietInk(ink, item.palette.color(isSelected ? QPalette::Highlight : QPalette::Base));
     // A power of ten belongs to the certain digits before it.
-    const qsizetype end = length.toInt();
-    const qsizetype power = end > 0 && text.contains(u'e') ? text.indexOf(u'e') : text.size();
+    const qsizetype power = length.toInt() > 0 && text.contains(u'e') ? text.indexOf(u'e') : text.size();
+    const qsizetype end = std::min<qsizetype>(length.toInt(), power);
     const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
     QRect area = item.rect.adjusted(margin, 0, -margin, 0);
     painter->save();

@@ -5,7 +5,7 @@
 namespace unprojector::gui {
 
 /// Draws a coordinate with its certain digits in the text's colour and the digits after them in grey
-/// (ComparisonModel::kCertainLengthRole). All digits stay there to compare the two methods by.
+/// (CoordinatesModel::kCertainLengthRole). All digits stay there to compare the two methods by.
 class CertainDigitsDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;

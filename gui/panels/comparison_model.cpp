@@ -2,6 +2,7 @@
 
 #include "gui/text/number_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace unprojector::gui {
@@ -20,12 +21,13 @@ QString ulpsText(double ulps)
 }
 
 /// With fewer digits where all that are certain would not fit; they are no less certain for it.
-/// @param lastPlace  that the columns beside it have room for
+/// @param lastPlace  that the columns beside it have room for. Thousandths are told in any case: a survey is of millimetres
 QString fittingText(double value, double uncertainty, int lastPlace)
 {
     QString text = certainText(value, uncertainty);
     constexpr double kBelowThePower = 0.999; // of ten, so that its logarithm does not round up
-    if (const double shown = kBelowThePower * std::pow(10.0, lastPlace); uncertainty < shown) {
+    constexpr int kThousandths = -3;
+    if (const double shown = kBelowThePower * std::pow(10.0, std::min(lastPlace, kThousandths)); uncertainty < shown) {
         if (const QString rounded = certainText(value, shown); rounded.size() < text.size())
             text = rounded;
     }
@@ -43,7 +45,7 @@ bool isCoordinate(int column)
 
 } // namespace
 
-ComparisonModel::ComparisonModel(QObject *parent) : QAbstractTableModel(parent)
+ComparisonModel::ComparisonModel(QObject *parent) : CoordinatesModel(parent)
 {
     setPick(std::nullopt);
 }
@@ -77,17 +79,9 @@ void ComparisonModel::setPick(const std::optional<Pick> &pick)
         addRows(tr("World"), pick->point.world, pick->uncertainty.world);
         addRows(tr("Eye"), pick->point.eye, pick->uncertainty.eye);
     } else if (pick) {
-        // The planes' depths are exact; where on them the pixel lies is not.
-        const auto ofPixel = [&pick](const Unprojected &end) -> Components<3> {
-            const Result<EyePoint> &eye = end.eye[Method::Formula];
-            if (!eye)
-                return {};
-            Certainty certainty = certaintyAt(pick->geometry, -eye->z, 24);
-            certainty.halfDepthStep = 0.0;
-            return uncertaintyOf(pick->geometry, *eye, certainty).world;
-        };
-        addRows(tr("Near"), pick->rayNear.world, ofPixel(pick->rayNear));
-        addRows(tr("Far"), pick->rayFar.world, ofPixel(pick->rayFar));
+        // The pixel's centre and the planes' depths are exact.
+        addRows(tr("Near"), pick->rayNear.world, {});
+        addRows(tr("Far"), pick->rayFar.world, {});
     } else {
         // The rows stand before the first click too, so that the panel keeps its shape.
         for (const QString &space : {tr("World"), tr("Eye")}) {
@@ -150,17 +144,18 @@ std::optional<double> ComparisonModel::value(const Row &row, int column) const
 
 Notation ComparisonModel::notation(const Row &row, int column) const
 {
-    return notationOf(row.point, column == MatrixInFloat ? kFloatDigits : kDoubleDigits, m_capacity);
+    return notationOf(row.point, value(row, column).value_or(0.0),
+                      column == MatrixInFloat ? kFloatDigits : kDoubleDigits, m_capacity);
 }
 
 QString ComparisonModel::toolTip(const Row &row, int column) const
 {
     QString number = shortestText(*value(row, column));
     if (column == Certain)
-        return tr("%1 ± %2\nRounded to what the depth and the pixel leave certain of this coordinate")
-            .arg(certainText(*by(Method::Formula, row), row.uncertainty), readableText(row.uncertainty));
+        return tr("%1 ± %2\nRounded to what is certain of this coordinate of the point at the pixel's centre")
+            .arg(certainText(*by(Method::Formula, row), row.uncertainty), boundText(row.uncertainty));
     if (isCoordinate(column))
-        return tr("%1\nGrey digits are below the last certain place, where the depth buffer and the pixel tell "
+        return tr("%1\nGrey digits are below the last certain place, where the depth buffer and the drawing tell "
                   "nothing. "
                   "Rounded to that place, the number is the one under Certain.")
             .arg(number);
@@ -244,7 +239,7 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
     if (role == Qt::ToolTipRole) {
         switch (section) {
         case Certain:
-            return tr("Rounded to what the depth and the pixel leave certain, each coordinate by itself; world units");
+            return tr("What is certain of the point at the pixel's centre, each coordinate by itself; world units");
         case Formula: return tr("By the closed-form formulas (9) to (12), in double; world units");
         case Matrix: return tr("By the inverse of projection × view, in double, as gluUnProject does; world units");
         case Difference: return tr("Formula minus matrix inverse; world units");
@@ -260,21 +255,6 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
 QStringList ComparisonModel::pointNames()
 {
     return {tr("World"), tr("Eye"), tr("Near"), tr("Far")};
-}
-
-QString ComparisonModel::text() const
-{
-    QString text;
-    for (int column = 0; column < ColumnCount; ++column)
-        text += u'\t' + headerData(column, Qt::Horizontal).toString();
-    for (int row = 0; row < rowCount(); ++row) {
-        text += u'\n' + headerData(row, Qt::Vertical).toString();
-        for (int column = 0; column < ColumnCount; ++column) {
-            const QVariant v = data(index(row, column), kValueRole);
-            text += u'\t' + (v.isValid() ? shortestText(v.toDouble()) : QString());
-        }
-    }
-    return text + u'\n';
 }
 
 } // namespace unprojector::gui

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "core/unproject/pick.h"
+#include "gui/panels/coordinates_model.h"
 #include "gui/text/number_text.h"
-
-#include <QAbstractTableModel>
 
 #include <array>
 
@@ -16,16 +15,12 @@ using namespace unproject;
 /// A pick as a table: a row for each of x, y, z of a point, first in world, then in eye space (on the background: of
 /// the ray's near and far points in world space); what is certain of it, the two methods, their difference, and what
 /// float would give.
-class ComparisonModel : public QAbstractTableModel {
+class ComparisonModel : public CoordinatesModel {
     Q_OBJECT
 public:
     enum Column { Certain, Formula, Matrix, Difference, Ulps, MatrixInFloat, FloatDifference, ColumnCount };
     /// The most characters of the certain column: "-0.12345678".
     static constexpr int kCertainRoom = 11;
-    /// Number of leading characters of a coordinate that are certain; the rest is below what depth and pixel tell.
-    static constexpr int kCertainLengthRole = Qt::UserRole;
-    /// The double itself; of what is certain the rounded one.
-    static constexpr int kValueRole = Qt::UserRole + 1;
 
     explicit ComparisonModel(QObject *parent = nullptr);
 
@@ -41,14 +36,8 @@ public:
     /// The points that rows are named by, also those that are not there now, for whoever reserves room for their names.
     static QStringList pointNames();
 
-    /// The point that a cell belongs to, by the method of its column: x, y, z as far as there is an answer.
-    std::vector<double> pointAt(const QModelIndex &index) const;
-
-    /// What that point is called in code: "world", "worldDifference".
-    QString pointNameAt(const QModelIndex &index) const;
-
-    /// The whole table with all digits, tab-separated.
-    QString text() const;
+    std::vector<double> pointAt(const QModelIndex &index) const override;
+    QString pointNameAt(const QModelIndex &index) const override;
 
 private:
     struct Row {

@@ -6,10 +6,13 @@
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/elided_label.h"
 #include "gui/panels/formula_view.h"
+#include "gui/panels/ray_model.h"
+#include "gui/panels/ray_table.h"
 #include "gui/panels/since_click_text.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
+#include "gui/text/ray_text.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -35,7 +38,7 @@ SteadyLabel *steadyLabel(const QString &accessibleName, const QString &toolTip, 
 QString positionText(double x, double y)
 {
     return QStringLiteral("(%1, %2)")
-        .arg(significantText(std::round(x * 100.0) / 100.0, 9), significantText(std::round(y * 100.0) / 100.0, 9));
+        .arg(writtenText(std::round(x * 100.0) / 100.0, 9), writtenText(std::round(y * 100.0) / 100.0, 9));
 }
 
 // What the chain of a click says.
@@ -52,7 +55,7 @@ QString devicePixelText(const DevicePixel &pixel, const Surface &surface)
         .arg(pixel.j)
         .arg(surface.widthPixels)
         .arg(surface.heightPixels)
-        .arg(significantText(surface.devicePixelRatio, 4));
+        .arg(writtenText(surface.devicePixelRatio, 4));
 }
 
 QString windowText(const WindowPoint &window)
@@ -62,7 +65,7 @@ QString windowText(const WindowPoint &window)
 
 QString depthText(double depth, bool isRead)
 {
-    const QString text = significantText(depth, 9);
+    const QString text = writtenText(depth, 9);
     return isRead ? ComparisonPanel::tr("%1, as read").arg(text)
                   : ComparisonPanel::tr("%1, the far plane's: nothing to read").arg(text);
 }
@@ -70,7 +73,7 @@ QString depthText(double depth, bool isRead)
 } // namespace
 
 ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
-    : QWidget(parent), m_document(document), m_model(new ComparisonModel(this))
+    : QWidget(parent), m_document(document), m_model(new ComparisonModel(this)), m_rayModel(new RayModel(this))
 {
     m_heading = new ElidedLabel;
     QFont headingFont = m_heading->font();
@@ -124,8 +127,17 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     tools->addStretch();
     tools->addWidget(m_copy);
 
-    m_certainty = steadyLabel(tr("Certainty"), {}, longestCertaintyTexts());
+    m_certainty = steadyLabel(tr("Certainty"), {}, longestCertaintyTexts() + longestTakenCertaintyTexts());
     m_cause = steadyLabel(tr("Cause of the difference"), {}, longestDifferenceCauseTexts());
+
+    m_rayTable = new RayTable(m_rayModel);
+    m_rayTable->setAccessibleName(tr("What the ray meets on the mesh"));
+    m_ray = steadyLabel(tr("Ray on mesh"),
+                        tr("What the ray through the pixel's centre meets on the mesh itself, in double"),
+                        longestRayTexts());
+    m_rayDetail = steadyLabel(tr("Triangle, vertex and edge"),
+                              tr("By their numbers in the model: triangles and vertices are counted from 0"),
+                              longestRayDetailTexts());
 
     m_formula = new FormulaView;
     m_formula->setAccessibleName(tr("Formula with its numbers"));
@@ -143,6 +155,9 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_sinceClick);
     layout->addLayout(chain);
     layout->addWidget(m_table);
+    layout->addWidget(m_rayTable);
+    layout->addWidget(m_ray);
+    layout->addWidget(m_rayDetail);
     layout->addLayout(tools);
     layout->addWidget(m_certainty);
     layout->addWidget(m_cause);
@@ -159,9 +174,11 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
             emit pickRequested(m_document.pick()->widget);
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (Change::Pick | Change::Names))
+        if (changes & (Change::Pick | Change::Names | Change::Ray)) {
             showPick();
-        else if (changes & (Change::Picture | Change::Placement | Change::Visibility | Change::ClipPlanes))
+            return;
+        }
+        if (changes & (Change::Picture | Change::Placement | Change::Visibility | Change::ClipPlanes))
             showSinceClick();
     });
     showPick();
@@ -180,11 +197,75 @@ void ComparisonPanel::showSinceClick()
     m_again->setEnabled(isStale && devicePixelFromWidget(m_document.geometry().surface, pick->widget).hasValue());
 }
 
+QSize ComparisonPanel::sizeHint() const
+{
+    const QMargins margins = layout()->contentsMargins();
+    const int tables = std::max(m_table->sizeHint().width(), m_rayTable->sizeHint().width());
+    return {std::max(tables + margins.left() + margins.right(), minimumWidth()), QWidget::sizeHint().height()};
+}
+
+QString ComparisonPanel::nameOf(const std::optional<std::size_t> &object, const std::string &formerName) const
+{
+    const std::vector<SceneObject> &objects = m_document.objects();
+    const std::string &name = object && *object < objects.size() ? objects[*object].name : formerName;
+    return name.empty() ? tr("the surface") : shownName(name);
+}
+
+void ComparisonPanel::showRay()
+{
+    const std::optional<Pick> &pick = m_document.pick();
+    const PickedRay *ray = m_document.pickedRay();
+    m_rayModel->setRay(pick ? &*pick : nullptr, ray);
+    m_ray->clear();
+    m_ray->setValue({});
+    m_rayDetail->clear();
+    if (!ray)
+        return;
+    switch (ray->state) {
+    case PickedRay::State::Preparing: m_ray->setText(rayPreparingText()); return;
+    case PickedRay::State::Impossible: m_ray->setText(rayImpossibleText()); return;
+    case PickedRay::State::Answered: break;
+    }
+    const auto hitOf = [](const std::optional<MetPlace> &place) {
+        return place ? std::optional(place->hit) : std::nullopt;
+    };
+    const QString met = ray->met ? nameOf(ray->met->object, ray->met->objectName) : QString();
+    m_ray->setText(rayComparisonText(ray->comparison, nameOf(pick->object, {}), met));
+    m_rayDetail->setText(rayDetailText(ray->snap, hitOf(ray->taken)));
+    if (ray->met) {
+        const WorldVector &uncertainty = ray->met->hit.uncertainty;
+        m_ray->setValue({QStringLiteral("rayUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}});
+    }
+}
+
+/// What the click has taken instead of the surface under the pixel; null where it has not.
+const MetPlace *ComparisonPanel::takenPlace() const
+{
+    const PickedRay *ray = m_document.pickedRay();
+    return ray && ray->snap != ray::Snap::Surface && ray->taken ? &*ray->taken : nullptr;
+}
+
+void ComparisonPanel::showCertainty(const Pick &pick)
+{
+    if (const MetPlace *taken = takenPlace()) {
+        const WorldVector &uncertainty = taken->hit.uncertainty;
+        m_certainty->setText(takenCertaintyText(m_document.pickedRay()->snap, taken->hit));
+        m_certainty->setValue({QStringLiteral("takenUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}});
+        return;
+    }
+    const Components<3> &uncertainty = pick.uncertainty.world;
+    m_certainty->setText(certaintyText(pick));
+    m_certainty->setValue(
+        pick.hit() ? Copyable{QStringLiteral("worldUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}}
+                   : Copyable{});
+}
+
 void ComparisonPanel::showPick()
 {
     const std::optional<Pick> &pick = m_document.pick();
     m_model->setPick(pick);
     showSinceClick();
+    showRay();
     if (!pick) {
         m_heading->setFullText(tr("No point yet"));
         m_sinceClick->setText(tr("Press the left button on the model"));
@@ -200,11 +281,12 @@ void ComparisonPanel::showPick()
         return;
     }
     m_copy->setEnabled(true);
-    const std::vector<SceneObject> &objects = m_document.objects();
-    m_heading->setFullText(!pick->hit() ? tr("Background: no surface here")
-                           : *pick->object < objects.size() && !objects[*pick->object].name.empty()
-                               ? tr("A point on %1").arg(shownName(objects[*pick->object].name))
-                               : tr("A point on the surface"));
+    if (const MetPlace *taken = takenPlace())
+        m_heading->setFullText(
+            takenText(m_document.pickedRay()->snap, taken->hit, nameOf(taken->object, taken->objectName)));
+    else
+        m_heading->setFullText(pick->hit() ? tr("A point on %1").arg(nameOf(pick->object, {}))
+                                           : tr("Background: no surface here"));
     m_widget->setText(widgetText(pick->widget));
     m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->geometry.surface));
     m_window->setText(windowText(pick->window));
@@ -215,11 +297,7 @@ void ComparisonPanel::showPick()
     m_window->setValue({QStringLiteral("window"), {pick->window.x, pick->window.y, pick->window.z}});
     m_depth->setValue({QStringLiteral("depth"), {pick->window.z}});
     m_cause->setText(differenceCauseText(*pick));
-    m_certainty->setText(certaintyText(*pick));
-    const Components<3> &uncertainty = pick->uncertainty.world;
-    m_certainty->setValue(
-        pick->hit() ? Copyable{QStringLiteral("worldUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}}
-                    : Copyable{});
+    showCertainty(*pick);
     m_formula->setFormulas(formulasOf(*pick));
 }
 
@@ -238,8 +316,9 @@ QString ComparisonPanel::text() const
     QString text = m_heading->fullText() + u'\n' + m_sinceClick->text() + u'\n';
     for (const SteadyLabel *link : {m_widget, m_devicePixel, m_window, m_depth})
         text += link->accessibleName() + u'\t' + link->text() + u'\n';
-    return text + m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n' + m_formula->formulas().text()
-           + u'\n';
+    text += m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n';
+    text += m_rayModel->text() + m_ray->text() + u'\n' + m_rayDetail->text() + u'\n';
+    return text + m_formula->formulas().text() + u'\n';
 }
 
 } // namespace unprojector::gui

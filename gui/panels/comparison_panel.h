@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <string>
 
 class QCheckBox;
 class QPushButton;
@@ -16,11 +17,15 @@ class ComparisonModel;
 class ComparisonTable;
 class ElidedLabel;
 class FormulaView;
+class RayModel;
+class RayTable;
 class SceneDocument;
 class SteadyLabel;
+struct MetPlace;
 
-/// The picked point, computed twice: the chain of the click, the table of both methods, how certain the coordinate is,
-/// and the formula with its numbers put in. All of it is of the moment of the click; when the document is another one since,
+/// The picked point, computed twice from the depth buffer and once without it: the chain of the click, the table of both
+/// methods, how certain the coordinate is, what the ray meets on the mesh and which to trust, and the formula with its numbers
+/// put in. All of it is of the moment of the click; when the document is another one since,
 /// the panel says so and offers to pick the same position anew.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
@@ -33,6 +38,10 @@ public:
     /// Everything the panel shows, with all digits.
     QString text() const;
     const ComparisonModel &model() const { return *m_model; }
+    const RayModel &rayModel() const { return *m_rayModel; }
+
+    /// As wide as its tables need.
+    QSize sizeHint() const override;
 
 signals:
     void showsFloatChanged(bool shows);
@@ -41,6 +50,11 @@ signals:
 
 private:
     void showPick();
+    void showRay();
+    void showCertainty(const Pick &pick);
+    const MetPlace *takenPlace() const;
+    /// Of an object in the list as it is now; of none, or one without a name, what else to call it.
+    QString nameOf(const std::optional<std::size_t> &object, const std::string &formerName) const;
     void showSinceClick();
 
     SceneDocument &m_document;
@@ -55,6 +69,10 @@ private:
     ComparisonModel *m_model;
     SteadyLabel *m_certainty;
     SteadyLabel *m_cause;
+    RayModel *m_rayModel;
+    RayTable *m_rayTable;
+    SteadyLabel *m_ray;
+    SteadyLabel *m_rayDetail;
     FormulaView *m_formula;
     QCheckBox *m_showsFloat;
     QPushButton *m_copy;

@@ -16,7 +16,7 @@ namespace {
 /// To a hundredth at the most.
 QString pixelText(double value)
 {
-    return significantText(std::round(value * 100.0) / 100.0, 9);
+    return writtenText(std::round(value * 100.0) / 100.0, 9);
 }
 
 QString pairText(const QString &x, const QString &y)

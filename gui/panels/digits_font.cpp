@@ -3,6 +3,9 @@
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QStringList>
+#include <QTextLayout>
+
+#include <cmath>
 
 namespace unprojector::gui {
 namespace {
@@ -24,6 +27,15 @@ QFont headsFont(const QFont &text)
     font.setFamilies({QFontInfo(text).family()});
     font.setPointSizeF(text.pointSizeF());
     return font;
+}
+
+int lineHeight(const QFont &font, const QString &text)
+{
+    QTextLayout layout(text, font);
+    layout.beginLayout();
+    const QTextLine line = layout.createLine();
+    layout.endLayout();
+    return static_cast<int>(std::ceil(line.height()));
 }
 
 } // namespace unprojector::gui

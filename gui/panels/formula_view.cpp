@@ -214,7 +214,7 @@ QSize FormulaView::sizeHint() const
 QSize FormulaView::minimumSizeHint() const
 {
     const QFontMetrics metrics(formulaFont(font().pointSizeF() * kTypeScale));
-    return {20 * metrics.horizontalAdvance(u'0'), 8 * metrics.height()};
+    return {20 * metrics.horizontalAdvance(u'0'), 6 * metrics.height()};
 }
 
 } // namespace unprojector::gui

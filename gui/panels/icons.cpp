@@ -15,10 +15,6 @@ namespace {
 constexpr double kSheet = 24.0;
 constexpr double kPen = 1.7;
 
-// The corners of a cube that is seen from the right and above.
-constexpr QPointF kFrontTopLeft(4, 9), kFrontTopRight(15, 9), kFrontBottomRight(15, 20), kFrontBottomLeft(4, 20);
-constexpr QPointF kBackTopLeft(9, 4), kBackTopRight(20, 4), kBackBottomRight(20, 15);
-
 QPainterPath polyline(std::initializer_list<QPointF> points, bool isClosed = false)
 {
     QPainterPath path;
@@ -30,12 +26,11 @@ QPainterPath polyline(std::initializer_list<QPointF> points, bool isClosed = fal
     return path;
 }
 
-QPainterPath cube()
+constexpr QPointF kApex(12, 4), kLeftFoot(3, 19), kRightFoot(21, 19);
+
+QPainterPath triangle()
 {
-    QPainterPath path = polyline({kFrontTopLeft, kFrontTopRight, kFrontBottomRight, kFrontBottomLeft}, true);
-    path.addPath(polyline({kFrontTopLeft, kBackTopLeft, kBackTopRight, kBackBottomRight, kFrontBottomRight}));
-    path.addPath(polyline({kFrontTopRight, kBackTopRight}));
-    return path;
+    return polyline({kApex, kRightFoot, kLeftFoot}, true);
 }
 
 /// An arrow that bends back to the left.
@@ -53,6 +48,7 @@ QPainterPath undoArrow()
 struct Sheet {
     QPainterPath lines;
     QPainterPath areas = {}; ///< filled
+    bool isInk = false;      ///< filled as dark as the lines
 };
 
 Sheet sheetOf(Drawing drawing)
@@ -86,11 +82,6 @@ Sheet sheetOf(Drawing drawing)
         house.addPath(polyline({{10, 20}, {10, 14}, {14, 14}, {14, 20}}));
         return {house};
     }
-    case Drawing::Front:
-        return {cube(), polyline({kFrontTopLeft, kFrontTopRight, kFrontBottomRight, kFrontBottomLeft}, true)};
-    case Drawing::Right:
-        return {cube(), polyline({kFrontTopRight, kBackTopRight, kBackBottomRight, kFrontBottomRight}, true)};
-    case Drawing::Top: return {cube(), polyline({kFrontTopLeft, kBackTopLeft, kBackTopRight, kFrontTopRight}, true)};
     case Drawing::Perspective: {
         // The view volume from above: the eye, the near plane, the far plane.
         QPainterPath volume = polyline({{4, 4}, {20, 4}, {15, 13}, {9, 13}}, true);
@@ -108,6 +99,45 @@ Sheet sheetOf(Drawing drawing)
         QPainterPath eye;
         eye.addEllipse(QPointF(7, 12), 1.8, 1.8);
         return {frame, eye};
+    }
+    case Drawing::Surface: {
+        // A patch that is bent, and the ray that meets it.
+        QPainterPath patch;
+        patch.moveTo(3, 15);
+        patch.cubicTo(8, 9, 12, 20, 17, 13);
+        patch.lineTo(21, 18);
+        patch.cubicTo(16, 25, 12, 14, 7, 20);
+        patch.closeSubpath();
+        QPainterPath lines = patch;
+        lines.addPath(polyline({{17, 3}, {12, 12}}));
+        lines.addPath(polyline({{11.5, 8}, {12, 12}, {15.5, 10}}));
+        return {lines, patch};
+    }
+    case Drawing::Vertex: {
+        QPainterPath dot;
+        dot.addEllipse(kApex, 3.2, 3.2);
+        QPainterPath lines = triangle();
+        lines.addPath(dot);
+        return {lines, dot, true};
+    }
+    case Drawing::Edge: {
+        QPainterPath edge = polyline({{10.2, 3}, {13.8, 5}, {4.8, 20}, {1.2, 18}}, true);
+        return {triangle(), edge, true};
+    }
+    case Drawing::Face: return {triangle(), triangle()};
+    case Drawing::Points: {
+        // A pin in the surface.
+        QPainterPath pin;
+        pin.moveTo(12, 18);
+        pin.cubicTo(12, 14, 6.5, 12.5, 6.5, 8.5);
+        pin.cubicTo(6.5, 1.5, 17.5, 1.5, 17.5, 8.5);
+        pin.cubicTo(17.5, 12.5, 12, 14, 12, 18);
+        pin.closeSubpath();
+        QPainterPath lines = pin;
+        lines.addPath(polyline({{3, 17}, {7, 21}, {17, 21}, {21, 17}}));
+        QPainterPath head;
+        head.addEllipse(QPointF(12, 8.5), 2.4, 2.4);
+        return {lines, head, true};
     }
     case Drawing::ToDock: {
         QPainterPath window;
@@ -144,7 +174,7 @@ public:
         painter->setBrush(Qt::NoBrush);
         painter->drawPath(sheet.lines);
         QColor area = color;
-        area.setAlphaF(area.alphaF() * 0.45F);
+        area.setAlphaF(area.alphaF() * (sheet.isInk ? 1.0F : 0.45F));
         painter->fillPath(sheet.areas, area);
         painter->restore();
     }

@@ -198,8 +198,8 @@ void ObserverPanel::showDistances()
 {
     const ProjectionWindow w = projectionWindow(m_document.geometry().projection());
     constexpr int kDigits = 5;
-    m_nearDistance->setText(significantText(w.nearDistance, kDigits));
-    m_farDistance->setText(significantText(w.farDistance, kDigits));
+    m_nearDistance->setText(writtenText(w.nearDistance, kDigits));
+    m_farDistance->setText(writtenText(w.farDistance, kDigits));
     const std::optional<Pick> &pick = m_document.pick();
     m_ray->setText(!pick ? tr("none") : pick->hit() ? tr("hit") : tr("no hit"));
 }

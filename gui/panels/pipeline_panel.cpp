@@ -362,7 +362,7 @@ void PipelinePanel::setMatrixView(const MatrixView &view)
 
 QSize PipelinePanel::sizeHint() const
 {
-    return {54 * fontMetrics().horizontalAdvance(u'0'), 36 * fontMetrics().lineSpacing()};
+    return {51 * fontMetrics().horizontalAdvance(u'0'), 36 * fontMetrics().lineSpacing()};
 }
 
 void PipelinePanel::showEvent(QShowEvent *event)

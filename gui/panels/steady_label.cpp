@@ -3,8 +3,10 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QResizeEvent>
+#include <QTextDocument>
 
 #include <algorithm>
+#include <cmath>
 
 namespace unprojector::gui {
 
@@ -22,11 +24,33 @@ int SteadyLabel::heightAt(int width) const
 {
     int height = fontMetrics().lineSpacing();
     for (const QString &text : m_longest) {
+        if (Qt::mightBeRichText(text)) {
+            QTextDocument set;
+            set.setDocumentMargin(0.0);
+            set.setDefaultFont(font());
+            set.setHtml(text);
+            set.setTextWidth(std::max(width, 1));
+            height = std::max(height, static_cast<int>(std::ceil(set.size().height())));
+            continue;
+        }
         const QRect needed = fontMetrics().boundingRect(QRect(0, 0, std::max(width, 1), 1 << 16),
                                                         Qt::AlignLeft | Qt::TextWordWrap, text);
         height = std::max(height, needed.height());
     }
     return height + 2;
+}
+
+void SteadyLabel::setMarkup(const QString &markup, const QString &plain)
+{
+    m_plain = plain;
+    setTextFormat(Qt::RichText);
+    setText(markup);
+}
+
+void SteadyLabel::setPlain(const QString &text)
+{
+    setTextFormat(Qt::PlainText);
+    setText(text);
 }
 
 QSize SteadyLabel::minimumSizeHint() const
@@ -64,7 +88,7 @@ void SteadyLabel::contextMenuEvent(QContextMenuEvent *event)
         return;
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    const QString copied = hasSelectedText() ? selectedText() : text();
+    const QString copied = hasSelectedText() ? selectedText() : textFormat() == Qt::RichText ? m_plain : text();
     menu->addAction(hasSelectedText() ? tr("Copy the &selection") : tr("Copy the &words"), menu,
                     [copied] { copyToClipboard(copied); });
     if (!m_value.numbers.empty())

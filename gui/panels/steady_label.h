@@ -15,8 +15,13 @@ namespace unprojector::gui {
 class SteadyLabel : public QLabel {
     Q_OBJECT
 public:
-    /// @param longest  the texts to keep room for
+    /// @param longest  the texts to keep room for, or their markup
     explicit SteadyLabel(const QStringList &longest, QWidget *parent = nullptr);
+
+    /// Shows a text with its indexes set as such. What is copied is the plain text.
+    void setMarkup(const QString &markup, const QString &plain);
+    /// Shows a text as it is.
+    void setPlain(const QString &text);
 
     /// What its menu copies besides the text.
     void setValue(Copyable value) { m_value = std::move(value); }
@@ -26,6 +31,9 @@ public:
 
     QSize minimumSizeHint() const override;
     QSize sizeHint() const override;
+    /// The height is that of the longest text. A label that wraps would lay out each new text several times to tell one.
+    bool hasHeightForWidth() const override { return false; }
+    int heightForWidth(int) const override { return -1; }
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -36,6 +44,7 @@ private:
     void keepRoom();
 
     QStringList m_longest;
+    QString m_plain; ///< of the markup
     Copyable m_value;
 };
 

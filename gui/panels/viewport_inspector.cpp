@@ -36,27 +36,22 @@ QString windowText(const Surface &surface)
     return ViewportInspector::tr("Window %1 × %2 device pixels, device pixel ratio %3")
         .arg(surface.widthPixels)
         .arg(surface.heightPixels)
-        .arg(significantText(surface.devicePixelRatio, 4));
+        .arg(writtenText(surface.devicePixelRatio, 4));
 }
 
 QString viewportText(const Viewport &v)
 {
     return QStringLiteral("glViewport(%1, %2, %3, %4)")
-        .arg(significantText(v.x, 6), significantText(v.y, 6), significantText(v.width, 6),
-             significantText(v.height, 6));
+        .arg(writtenText(v.x, 6), writtenText(v.y, 6), writtenText(v.width, 6), writtenText(v.height, 6));
 }
 
-/// Each proportion in symbols, then a side a line with its numbers.
-QString proportionLines(const Picture &picture, const std::optional<WindowPoint> &pointer)
+constexpr std::array kAxes{Axis::X, Axis::Y};
+
+/// Both sides of a proportion with their numbers, one a line.
+QString sidesOf(const ProportionText &text)
 {
-    QStringList lines;
-    for (const Axis axis : {Axis::X, Axis::Y}) {
-        const ProportionText text = proportionText(picture, axis, pointer);
-        lines << text.symbols << QStringLiteral("    ") + text.left
-              << QStringLiteral("  = ") + text.right
-                     + (text.share.isEmpty() ? text.share : QStringLiteral(" = ") + text.share);
-    }
-    return lines.join(u'\n');
+    return QStringLiteral("    ") + text.left + QStringLiteral("\n  = ") + text.right
+           + (text.share.isEmpty() ? text.share : QStringLiteral(" = ") + text.share);
 }
 
 /// One whose numbers are as long as they get.
@@ -119,23 +114,37 @@ QWidget *ViewportInspector::createProportions()
               {windowText(widest.surface)});
     m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"),
                        {viewportText(widest.viewport)});
-    m_formulas =
-        label(tr("Proportions (3) and (4)"),
-              tr("x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane\n"
-                 "x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner\n"
-                 "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window"),
-              {proportionLines(widest, WindowPoint(8888.5, 8888.5, 0.0))});
-    m_formulas->setFont(digitsFont(font()));
+    const std::array names{std::pair(tr("Proportion (3)"), tr("Numbers of proportion (3)")),
+                           std::pair(tr("Proportion (4)"), tr("Numbers of proportion (4)"))};
+    const QString terms =
+        tr("x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane\n"
+           "x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner\n"
+           "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window");
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        const ProportionText text = proportionText(widest, kAxes[i], WindowPoint(8888.5, 8888.5, 0.0));
+        const QString symbols = proportionMarkup(text.symbols);
+        m_symbols[i] = label(names[i].first, terms, {symbols});
+        m_symbols[i]->setMarkup(symbols, text.symbols);
+        m_numbers[i] = label(names[i].second, terms, {sidesOf(text)});
+        m_symbols[i]->setFont(digitsFont(font()));
+        m_numbers[i]->setFont(digitsFont(font()));
+    }
     m_circle = label(tr("Shape of a circle"), {}, {circleText(0.00123), circleText(1234.5), circleText(1.0)});
 
     auto *proportions = new QWidget;
-    auto *lines = new QVBoxLayout(proportions);
-    lines->setContentsMargins(0, 0, 0, 0);
-    lines->setSpacing(2);
-    for (SteadyLabel *line : {m_window, m_viewport, m_formulas, m_circle})
-        lines->addWidget(line);
-    lines->addStretch();
+    auto *layout = new QVBoxLayout(proportions);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    for (SteadyLabel *line : lines())
+        layout->addWidget(line);
+    layout->addStretch();
     return proportions;
+}
+
+/// From top to bottom.
+std::vector<SteadyLabel *> ViewportInspector::lines() const
+{
+    return {m_window, m_viewport, m_symbols[0], m_numbers[0], m_symbols[1], m_numbers[1], m_circle};
 }
 
 void ViewportInspector::createTable()
@@ -204,7 +213,7 @@ void ViewportInspector::addCopyAction()
 int ViewportInspector::proportionsWidth() const
 {
     constexpr int kCharacters = 60;
-    return kCharacters * m_formulas->fontMetrics().horizontalAdvance(u'0');
+    return kCharacters * m_numbers[0]->fontMetrics().horizontalAdvance(u'0');
 }
 
 int ViewportInspector::leastWidth() const
@@ -246,6 +255,8 @@ void ViewportInspector::arrange()
     }
     for (std::size_t i = 0; i < parts.size(); ++i)
         parts[i].first->setVisible(isShown[i]);
+    // The drawing and the proportions would otherwise have what the table needs.
+    m_table->setMinimumWidth(std::clamp(room, 0, m_table->maximumWidth()));
     m_page->setVisible(isShown != std::array{true, true, true});
     fitHeight();
 }
@@ -262,10 +273,10 @@ void ViewportInspector::fitHeight()
         // The drawing has a third of what both share, and at least what it needs.
         if (m_drawing->isVisibleTo(this))
             width -= kSpacing + std::max((width - kSpacing) / 3, m_drawing->minimumSizeHint().width());
-        int lines = 0;
-        for (const SteadyLabel *line : {m_window, m_viewport, m_formulas, m_circle})
-            lines += line->heightAt(width) + m_proportions->layout()->spacing();
-        height = std::max(height, lines);
+        int needed = 0;
+        for (const SteadyLabel *line : lines())
+            needed += line->heightAt(width) + m_proportions->layout()->spacing();
+        height = std::max(height, needed);
     }
     if (m_leastHeight == height)
         return;
@@ -337,13 +348,20 @@ void ViewportInspector::showPointer()
 {
     m_corners->setPointer(m_pointer);
     m_drawing->setPointer(m_corners->pointerWindow());
-    m_formulas->setText(proportionLines(*m_shown, m_corners->pointerWindow()));
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        const QString sides = sidesOf(proportionText(*m_shown, kAxes[i], m_corners->pointerWindow()));
+        // Rich text costs too much at every move of the pointer, and with it there is no symbol among the numbers.
+        if (m_corners->pointerWindow())
+            m_numbers[i]->setPlain(sides);
+        else
+            m_numbers[i]->setMarkup(proportionMarkup(sides), sides);
+    }
 }
 
 QString ViewportInspector::text() const
 {
     QStringList lines{m_window->text(), m_viewport->text()};
-    for (const Axis axis : {Axis::X, Axis::Y}) {
+    for (const Axis axis : kAxes) {
         const ProportionText text = proportionText(*m_shown, axis, m_corners->pointerWindow());
         lines << text.symbols << text.line();
     }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 class QHBoxLayout;
 class QTableView;
@@ -52,6 +53,7 @@ private:
     void arrange();
     void fitHeight();
     void refresh();
+    std::vector<SteadyLabel *> lines() const;
     void showPicture();
     void showPointer();
 
@@ -62,7 +64,8 @@ private:
     QWidget *m_proportions;
     SteadyLabel *m_window;
     SteadyLabel *m_viewport;
-    SteadyLabel *m_formulas;
+    std::array<SteadyLabel *, 2> m_symbols; ///< of the proportions (3) and (4)
+    std::array<SteadyLabel *, 2> m_numbers; ///< that stand for the symbols
     SteadyLabel *m_circle;
     QTableView *m_table;
     QHBoxLayout *m_contents;

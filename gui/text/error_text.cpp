@@ -19,7 +19,7 @@ struct Errors {
 
 QString degrees(double radians)
 {
-    return significantText(degreesFromRadians(radians), 6);
+    return writtenText(degreesFromRadians(radians), 6);
 }
 
 /// @pre the error is ViewNotRigid
@@ -28,16 +28,19 @@ QString viewFault(const Error &error)
     const int column = static_cast<int>(error.other) / 4, row = static_cast<int>(error.other) % 4;
     if (row == 3)
         return Errors::tr("The view matrix does more than turn and move: %1 stands in row 4, column %2.")
-            .arg(significantText(error.value, 6))
+            .arg(writtenText(error.value, 6))
             .arg(column + 1);
     if (row == column)
         return Errors::tr("The view matrix does more than turn and move: row %1 has the length %2, not 1.")
             .arg(row + 1)
-            .arg(significantText(std::sqrt(1.0 + error.value), 6));
+            .arg(writtenText(std::sqrt(1.0 + error.value), 6));
     return Errors::tr("The view matrix does more than turn and move: rows %1 and %2 are not perpendicular.")
         .arg(row + 1)
         .arg(column + 1);
 }
+
+/// Between this and its inverse numbers are read as they are given.
+constexpr double kFarthest = 1e99;
 
 constexpr auto kModelSuffixes = "*.obj *.stl *.ply *.off *.gltf *.glb";
 
@@ -72,10 +75,18 @@ QString errorText(const Error &error)
     const QString value = shortestText(error.value);
     // The number compared with comes from a computation as a rule: its last digits would only be noise, unless they are
     // what makes the difference.
-    const QString rounded = significantText(error.other, 7);
+    const QString rounded = writtenText(error.other, 7);
     const QString other = rounded.toDouble() == error.value ? shortestText(error.other) : rounded;
     switch (error.code) {
-    case ErrorCode::NotFinite: return Errors::tr("%1 is not a finite number; give a number.").arg(value);
+    case ErrorCode::NotFinite:
+        // Of an object, see scene::reachable.
+        if (std::isfinite(error.value) && std::abs(error.value) > kFarthest)
+            return Errors::tr("An object reaches to %1, farther than can be computed. Look at its scales and "
+                              "translations.")
+                .arg(value);
+        if (std::abs(error.value) < 1.0 / kFarthest)
+            return Errors::tr("An object measures %1, less than can be computed. Look at its scales.").arg(value);
+        return Errors::tr("%1 is not a finite number; give a number.").arg(value);
     case ErrorCode::NearNotPositive:
         return Errors::tr("Near is %1; it must be greater than 0 and smaller than far (%2).").arg(value, other);
     case ErrorCode::NearNotBeforeFar:
@@ -186,12 +197,13 @@ QString errorText(const ImportError &error)
             .arg(file, detail.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(detail));
     case ImportErrorCode::EmptyFile: return Errors::tr("%1 is empty (0 bytes).").arg(file);
     case ImportErrorCode::UnknownFormat:
-        return Errors::tr("%1 is no model that can be opened here. Use OBJ, STL, PLY, OFF, glTF or GLB.").arg(file);
+        return Errors::tr("%1 is no model that can be opened here%2. Use OBJ, STL, PLY, OFF, glTF or GLB.")
+            .arg(file, detail.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(detail));
     case ImportErrorCode::Malformed: return Errors::tr("%1 is damaged: %2").arg(file, detail);
     case ImportErrorCode::NoTriangles:
         return Errors::tr("%1 holds no triangles, so there is no surface to click on.").arg(file);
     case ImportErrorCode::NotFinite:
-        return Errors::tr("%1: vertex %2 is not a finite number (NaN or infinity)%3.")
+        return Errors::tr("%1: vertex %2 is NaN, infinite, or beyond 3.4e38%3.")
             .arg(file, QString::number(error.index), detail.isEmpty() ? QString() : QStringLiteral(": ") + detail);
     case ImportErrorCode::Cancelled: return Errors::tr("Opening %1 was cancelled.").arg(file);
     case ImportErrorCode::OutOfMemory: return Errors::tr("%1 is too large for the memory of this computer.").arg(file);

@@ -27,7 +27,15 @@ struct Formulas {
 /// With the typographic minus, as the paper has it.
 QString number(double value, int digits = kDigits)
 {
-    return significantText(value, digits).replace(u'-', u'−');
+    return writtenText(value, digits).replace(u'-', u'−');
+}
+
+/// Far from zero with more digits than other numbers: down to thousandths, where those are certain.
+QString coordinate(double value, double uncertainty)
+{
+    constexpr int kDecimals = 3;
+    const int before = std::abs(value) < 1.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+    return number(value, std::max(kDigits, before + std::clamp(-certainPlace(uncertainty), 0, kDecimals)));
 }
 
 FormulaTerm scalar(const char *symbol, const QString &name, double value, int digits = kDigits)
@@ -35,9 +43,14 @@ FormulaTerm scalar(const char *symbol, const QString &name, double value, int di
     return {QString::fromUtf8(symbol), name, {number(value, digits)}, {value}};
 }
 
-FormulaTerm vector(const char *symbol, const QString &name, const Components<3> &v)
+/// @param uncertainty  of each coordinate
+FormulaTerm vector(const char *symbol, const QString &name, const Components<3> &v,
+                   const Components<3> &uncertainty = {})
 {
-    return {QString::fromUtf8(symbol), name, {number(v.x), number(v.y), number(v.z)}, {v.x, v.y, v.z}};
+    return {QString::fromUtf8(symbol),
+            name,
+            {coordinate(v.x, uncertainty.x), coordinate(v.y, uncertainty.y), coordinate(v.z, uncertainty.z)},
+            {v.x, v.y, v.z}};
 }
 
 /// All that the formulas of a surface pick name.
@@ -71,11 +84,11 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
         {"z", scalar("z", Formulas::tr("Distance of the point in front of the eye, eye units"), z)},
         {"x", scalar("x", Formulas::tr("The point to the right of the eye, eye units"), eye.x)},
         {"y", scalar("y", Formulas::tr("The point above the eye, eye units"), eye.y)},
-        {"eye", vector("eye", Formulas::tr("Where the eye is, world units"), frame.eye)},
+        {"eye", vector("eye", Formulas::tr("Where the eye is, world units"), frame.eye, pick.uncertainty.world)},
         {"s", vector("<b>s</b>", Formulas::tr("The eye's axis to the right, world space"), frame.side)},
         {"u", vector("<b>u</b>", Formulas::tr("The eye's axis upwards, world space"), frame.upward)},
         {"forward", vector("<b>f</b>", Formulas::tr("The eye's axis forwards, world space"), frame.forward)},
-        {"world", vector("world", Formulas::tr("The point, world units"), world)},
+        {"world", vector("world", Formulas::tr("The point, world units"), world, pick.uncertainty.world)},
     };
     if (oblique) {
         const auto shear = [&terms, z](const char *of, const char *symbol, const char *before, const char *cot,
@@ -166,11 +179,18 @@ QString perspectiveCauseText(const QString &byPerspective, const QString &byCanc
             .arg(byPerspective, byCancelling);
 }
 
-QString leftOpenText(const QString &along, const QString &across, const QString &up)
+QString leftOpenText(const QString &along, const QString &step, const QString &across, const QString &up)
 {
-    return Formulas::tr("The buffers leave ± %1 along the view (half a depth step) and ± %2 × %3 across it "
-                        "(half a pixel).")
-        .arg(along, across, up);
+    return Formulas::tr("At the pixel's centre the surface is within ± %1 along the view (half a depth step is %2). "
+                        "A pixel is %3 × %4 here.")
+        .arg(along, step, across, up);
+}
+
+QString leftOpenByDotText(const QString &along, const QString &across, const QString &up, double dotPixels)
+{
+    return Formulas::tr("The buffers leave ± %1 along the view and ± %2 × %3 across it "
+                        "(half of the %4 pixels that a point is drawn wide).")
+        .arg(along, across, up, significantText(dotPixels, 3));
 }
 
 QString rayEndsText(const QString &enter, const QString &leave)
@@ -228,23 +248,27 @@ QString certaintyText(const Pick &pick)
 {
     if (pick.hit()) {
         const Certainty &c = pick.certainty;
-        return leftOpenText(readableText(c.halfDepthStep), readableText(c.footprintWidth / 2.0),
-                            readableText(c.footprintHeight / 2.0));
+        if (pick.sample.dotPixels > 1.0)
+            return leftOpenByDotText(boundText(c.distance), boundText(c.footprintWidth / 2.0),
+                                     boundText(c.footprintHeight / 2.0), pick.sample.dotPixels);
+        return leftOpenText(boundText(c.distance), readableText(c.halfDepthStep), readableText(c.footprintWidth),
+                            readableText(c.footprintHeight));
     }
     const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula];
     const Result<WorldPoint> &leave = pick.rayFar.world[Method::Formula];
     if (!enter || !leave)
         return {};
     const auto written = [](const WorldPoint &p) {
-        return QStringLiteral("(%1, %2, %3)").arg(number(p.x), number(p.y), number(p.z));
+        return QStringLiteral("(%1, %2, %3)").arg(coordinate(p.x, 0.0), coordinate(p.y, 0.0), coordinate(p.z, 0.0));
     };
     return rayEndsText(written(*enter), written(*leave));
 }
 
 QStringList longestCertaintyTexts()
 {
-    const QString widest = readableText(-8e-88), end = QStringLiteral("(−8888.88, −8888.88, −8888.88)");
-    return {leftOpenText(widest, widest, widest), rayEndsText(end, end)};
+    const QString widest = readableText(-8e-88), end = QStringLiteral("(−8888888.888, −8888888.888, −8888.888)");
+    return {leftOpenText(widest, widest, widest, widest), leftOpenByDotText(widest, widest, widest, 12.0),
+            rayEndsText(end, end)};
 }
 
 } // namespace unprojector::gui

@@ -8,10 +8,29 @@
 namespace unprojector::gui {
 namespace {
 
-QString theMoreReadable(const QString &withPower, const QString &writtenOut)
+/// What is written out whatever its digits.
+constexpr double kLeastWrittenOut = 1e-4;
+constexpr int kMostExponent = 9;
+constexpr double kTooLarge = 1e10; // 10 to the power of one more
+
+QString theMoreReadable(double value, const QString &withPower, const QString &writtenOut)
 {
+    const double size = std::abs(value);
+    if (size == 0.0 || (size >= kLeastWrittenOut && size < kTooLarge))
+        return writtenOut;
     constexpr int kLongerByMost = 3;
-    return withPower.contains(u'e') && writtenOut.size() <= withPower.size() + kLongerByMost ? writtenOut : withPower;
+    return size < kLeastWrittenOut && writtenOut.size() <= withPower.size() + kLongerByMost ? writtenOut : withPower;
+}
+
+QString withoutTrailingZeros(QString text)
+{
+    if (text.contains(u'.')) {
+        while (text.endsWith(u'0'))
+            text.chop(1);
+        if (text.endsWith(u'.'))
+            text.chop(1);
+    }
+    return text;
 }
 
 constexpr int kNothingUncertain = -20;
@@ -40,7 +59,8 @@ QString scientificText(double value, int decimals)
 
 QString shortestText(double value)
 {
-    return QString::number(value, 'g', QLocale::FloatingPointShortest);
+    return theMoreReadable(value, QString::number(value, 'g', QLocale::FloatingPointShortest),
+                           QString::number(value, 'f', QLocale::FloatingPointShortest));
 }
 
 QString significantText(double value, int digits)
@@ -50,24 +70,20 @@ QString significantText(double value, int digits)
 
 QString writtenText(double value)
 {
-    const double number = value == 0.0 ? 0.0 : value;
-    return theMoreReadable(shortestText(number), QString::number(number, 'f', QLocale::FloatingPointShortest));
+    return shortestText(value == 0.0 ? 0.0 : value);
 }
 
 QString writtenText(double value, int digits)
 {
-    QString withPower = significantText(value, digits);
+    const QString withPower = significantText(value, digits);
     if (!std::isfinite(value) || value == 0.0)
         return withPower;
     const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    QString writtenOut = QString::number(value, 'f', std::clamp(digits - 1 - exponent, 0, 20));
-    if (writtenOut.contains(u'.')) {
-        while (writtenOut.endsWith(u'0'))
-            writtenOut.chop(1);
-        if (writtenOut.endsWith(u'.'))
-            writtenOut.chop(1);
-    }
-    return theMoreReadable(withPower, writtenOut);
+    constexpr int kMostDecimals = 20;
+    const int decimals = std::max(digits - 1 - exponent, 0);
+    if (decimals > kMostDecimals) // written out it would be nothing but zeros
+        return withPower;
+    return theMoreReadable(value, withPower, withoutTrailingZeros(QString::number(value, 'f', decimals)));
 }
 
 QString fixedText(double value, int decimals)
@@ -99,6 +115,17 @@ QString readableText(double value)
         .arg(text.section(u'e', 0, 0), QString(QChar::Nbsp), QStringLiteral("10") + power);
 }
 
+QString boundText(double bound)
+{
+    if (!(bound > 0.0) || !std::isfinite(bound))
+        return readableText(bound);
+    const double power = std::pow(10.0, std::floor(std::log10(bound)));
+    // As many digits as readableText has: one more where the first is a one.
+    const double unit = bound < 2.0 * power ? power / 10.0 : power;
+    constexpr double kRounding = 1e-9; // of the quotient: what is whole stays so
+    return readableText(std::ceil(bound / unit - kRounding) * unit);
+}
+
 int decimalsFor(const Components<3> &point, int digits)
 {
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
@@ -121,8 +148,11 @@ QString certainText(double value, double uncertainty)
     const int place = certainPlace(uncertainty);
     if (place == kNothingUncertain || !std::isfinite(value))
         return shortestText(value);
+    const double rounded = place > 0 ? roundedTo(value, place) : value;
+    if (std::abs(rounded) >= kTooLarge)
+        return scientificText(rounded, std::max(0, exponentOf(rounded) - place));
     if (place > 0)
-        return fixedText(roundedTo(value, place), 0);
+        return fixedText(rounded, 0);
     if (place >= -kMostZeros || std::abs(value) < std::pow(10.0, place))
         return fixedText(value, std::min(-place, kMostZeros));
     return scientificText(value, std::max(0, exponentOf(value) - place));
@@ -156,19 +186,25 @@ int Notation::lastPlace(double value) const
     return (isScientific && value != 0.0 && std::isfinite(value) ? exponentOf(value) : 0) - decimals;
 }
 
-Notation notationOf(const Components<3> &point, int digits, int characters)
+Notation notationOf(const Components<3> &point, double coordinate, int digits, int characters)
 {
+    constexpr int kSignAndPoint = 2, kPower = 4;
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     if (!(largest > 0.0) || !std::isfinite(largest))
         return {std::max(0, std::min(digits - 1, characters - 3)), false};
     const int exponent = exponentOf(largest);
-    constexpr int kSignAndPoint = 2, kPower = 4;
-    const int before = std::max(exponent, 0) + 1; // digits before the point
-    const int room = characters - kSignAndPoint - before;
+    // -1 where a number without a point still fits
+    const auto roomBehind = [characters](int ofFirstDigit) {
+        return characters - kSignAndPoint - (std::max(ofFirstDigit, 0) + 1);
+    };
+    const int room = roomBehind(exponent);
     constexpr int kLeastExponent = -4;
-    if (exponent < kLeastExponent || room < 0)
+    if (exponent < kLeastExponent || exponent > kMostExponent || room < -1)
         return {std::clamp(characters - kSignAndPoint - 1 - kPower, 0, digits - 1), true};
-    return {std::clamp(room, 0, digits - 1 - exponent), false};
+    constexpr int kThousandths = 3;
+    const int ownRoom = roomBehind(coordinate != 0.0 ? exponentOf(coordinate) : 0);
+    const int decimals = std::max(room, std::min(ownRoom, kThousandths));
+    return {std::clamp(decimals, 0, std::max(0, digits - 1 - exponent)), false};
 }
 
 QString pointText(const Components<3> &point, const Components<3> &uncertainty)

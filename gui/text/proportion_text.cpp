@@ -4,6 +4,7 @@
 #include "gui/text/number_text.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ QString typographic(QString text)
 
 QString limit(double value)
 {
-    return typographic(significantText(value, 5));
+    return typographic(writtenText(value, 5));
 }
 
 /// In parentheses where a sign would run into an operator.
@@ -74,6 +75,15 @@ ProportionText proportionText(const Picture &geometry, Axis axis, const std::opt
     text.left = QStringLiteral("%1 − %2) / (%3 − %2)").arg(opened(inWindow, planeColumns), bottom, limit(high));
     text.right = QStringLiteral("%1 − %2) / %3").arg(opened(inView, pixelColumns), term(limit(corner)), limit(size));
     return text;
+}
+
+QString proportionMarkup(const QString &plain)
+{
+    static const QRegularExpression index(QStringLiteral("\\b([xy])_([wv])\\b|\\b(v)([xy])\\b"));
+    QString markup = plain.toHtmlEscaped();
+    markup.replace(index, QStringLiteral("\\1\\3<sub>\\2\\4</sub>"));
+    return QStringLiteral("<div style=\"white-space: pre-wrap\">%1</div>")
+        .arg(markup.replace(u'\n', QLatin1String("<br>")));
 }
 
 bool isDistorted(double circleAspect)

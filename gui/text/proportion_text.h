@@ -27,6 +27,9 @@ enum class Axis { X, Y };
 /// @pre the geometry is valid
 ProportionText proportionText(const Picture &geometry, Axis axis, const std::optional<WindowPoint> &pointer);
 
+/// Lines of proportions as rich text: the indexes of x_w, x_v and vx are set as such, and blanks are kept.
+QString proportionMarkup(const QString &plain);
+
 /// A circle's shape is told apart from a circle's from about half a percent on.
 bool isDistorted(double circleAspect);
 

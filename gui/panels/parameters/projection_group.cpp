@@ -243,7 +243,7 @@ Check ProjectionGroup::edit(const Scene &next, const Deed &deed)
 
 Scene ProjectionGroup::withDefaults(Scene scene) const
 {
-    scene.projection = SceneDocument::initialProjection();
+    scene.projection = openingProjection();
     scene.projectionFollowsViewport = scene.clipDistancesFitObjects = true;
     return scene;
 }

@@ -164,13 +164,13 @@ void ViewportGroup::showScene()
     if (geometry.viewport != m_shownViewport) {
         m_shownViewport = geometry.viewport;
         const Viewport &v = m_shownViewport;
-        m_call->setText(QStringLiteral("glViewport(%1, %2, %3, %4)")
-                            .arg(significantText(v.x, 9), significantText(v.y, 9), significantText(v.width, 9),
-                                 significantText(v.height, 9)));
+        m_call->setText(
+            QStringLiteral("glViewport(%1, %2, %3, %4)")
+                .arg(writtenText(v.x, 9), writtenText(v.y, 9), writtenText(v.width, 9), writtenText(v.height, 9)));
     }
     m_depthCall->setText(
         QStringLiteral("glDepthRangef(%1, %2)")
-            .arg(significantText(geometry.depthRange.atNear, 9), significantText(geometry.depthRange.atFar, 9)));
+            .arg(writtenText(geometry.depthRange.atNear, 9), writtenText(geometry.depthRange.atFar, 9)));
     const ViewportRule::Kind kind = document().scene().viewport.kind;
     if (kind == m_shownKind)
         return;

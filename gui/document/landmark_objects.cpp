@@ -1,0 +1,106 @@
+#include "gui/document/landmark_objects.h"
+
+#include "core/ray/closest_place.h"
+#include "gui/document/document_change.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Landmark;
+
+/// What becomes of the landmarks of an object.
+struct ObjectAfter {
+    const SceneObject *object = nullptr; ///< as it is then; null: removed
+    bool isMoved = false;
+    glm::dmat4 motion{1.0}; ///< world from the world before
+};
+
+ObjectAfter afterOf(const std::vector<SceneObject> &before, std::size_t place, const std::vector<SceneObject> &after)
+{
+    const bool isOtherList = changesBetween(before, after).testFlag(Change::Objects);
+    const std::optional<std::size_t> found = isOtherList ? placeAfter(before, place, after) : std::optional(place);
+    if (!found)
+        return {};
+    const SceneObject &was = before[place], &is = after[*found];
+    if (was.transform == is.transform)
+        return {&is, false, {}};
+    return {&is, true, worldFromObject(is.transform) * glm::inverse(worldFromObject(was.transform))};
+}
+
+/// As independent errors of the axes go through a matrix: turned, they are neither larger nor smaller in all.
+WorldVector stretched(const WorldVector &uncertainty, const glm::dmat4 &motion)
+{
+    glm::dvec3 squares(0.0);
+    for (int column = 0; column < 3; ++column) {
+        const glm::dvec3 part = glm::dvec3(motion[column]) * uncertainty.coordinates()[column];
+        squares += part * part;
+    }
+    return WorldVector(std::sqrt(squares.x), std::sqrt(squares.y), std::sqrt(squares.z));
+}
+
+void move(Landmark &landmark, const ObjectAfter &to)
+{
+    if (!landmark.world)
+        return;
+    const std::optional<WorldPoint> held = worldOf(landmark.hold, *to.object);
+    landmark.world = held ? *held : WorldPoint(glm::dvec3(to.motion * glm::dvec4(landmark.world->coordinates(), 1.0)));
+    if (landmark.uncertainty)
+        landmark.uncertainty = stretched(*landmark.uncertainty, to.motion);
+}
+
+} // namespace
+
+std::optional<WorldPoint> worldOf(const landmarks::Hold &hold, const SceneObject &object)
+{
+    const std::optional<ObjectPoint> point = ray::placeOf(hold, *object.model);
+    if (!point)
+        return std::nullopt;
+    return WorldPoint(glm::dvec3(worldFromObject(object.transform) * glm::dvec4(point->coordinates(), 1.0)));
+}
+
+std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<const landmarks::LandmarkSet> &set,
+                                                          const std::vector<SceneObject> &before,
+                                                          const std::vector<SceneObject> &after)
+{
+    std::map<std::string, std::optional<ObjectAfter>> objects; // nothing: no object has that name
+    std::shared_ptr<landmarks::LandmarkSet> changed;
+    for (std::size_t i = 0; i < set->landmarks.size(); ++i) {
+        const Landmark &landmark = set->landmarks[i];
+        if (landmark.object.empty())
+            continue;
+        auto found = objects.find(landmark.object);
+        if (found == objects.end()) {
+            const auto object = std::find_if(before.begin(), before.end(),
+                                             [&](const SceneObject &o) { return o.name == landmark.object; });
+            std::optional<ObjectAfter> becomes;
+            if (object != before.end())
+                becomes = afterOf(before, static_cast<std::size_t>(object - before.begin()), after);
+            found = objects.emplace(landmark.object, becomes).first;
+        }
+        const std::optional<ObjectAfter> &to = found->second;
+        if (!to || (to->object && !to->isMoved && to->object->name == landmark.object))
+            continue;
+        if (!changed)
+            changed = std::make_shared<landmarks::LandmarkSet>(*set);
+        Landmark &other = changed->landmarks[i];
+        if (!to->object) {
+            other.object.clear();
+            other.hold = landmarks::Free{};
+            continue;
+        }
+        other.object = to->object->name;
+        if (to->isMoved)
+            move(other, *to);
+    }
+    return changed ? changed : set;
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/ray/ray_comparison.h"
+#include "core/ray/scene_rays.h"
+#include "core/unproject/pick.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace scene;
+using namespace unproject;
+
+/// A place on a mesh, of an object that others may be put beside, moved or removed.
+struct MetPlace {
+    ray::SceneHit hit;
+    std::optional<std::size_t> object; ///< its place in the list as it is now; nothing when it was removed
+    std::string objectName;            ///< at the click
+};
+
+/// What the ray of a pick meets on the meshes themselves, in the scene as it was at the click.
+struct PickedRay {
+    enum class State {
+        Preparing,  ///< a model is not prepared for rays yet; the answer comes by itself
+        Impossible, ///< there is no memory to prepare it, or no ray
+        Answered
+    };
+    State state = State::Preparing;
+    std::optional<MetPlace> met;   ///< by the ray itself; nothing: nothing is met
+    ray::RayComparison comparison; ///< of what is met, beside the frame
+    ray::Snap snap = ray::Snap::Surface;
+    std::optional<MetPlace> taken; ///< what the click takes, in that mode: of a surface the same
+};
+
+/// What a ray goes through besides the picture.
+struct RayScene {
+    std::shared_ptr<const std::vector<SceneObject>> objects;
+    std::vector<glm::dvec4> clipPlanes;
+};
+
+/// What is picked at a moment, to come back to.
+struct KeptPick {
+    std::optional<Pick> pick = {};
+    glm::dmat4 placement{1.0};             ///< worldFromObject of its object at the click
+    PickedRay ray = {};                    ///< meaningful with a pick
+    std::optional<RayScene> rayScene = {}; ///< at the click, until the ray has its answer
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/landmarks/landmark.h"
+#include "core/ray/tie_landmark.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+
+class SceneDocument;
+
+/// What only a person can answer when points are read from a file.
+class PointFileQuestions {
+public:
+    enum class Join { Replace, Append, Cancel };
+    enum class Stray { Tie, LeaveFree, Cancel };
+
+    virtual ~PointFileQuestions() = default;
+    /// What becomes of the points that are there.
+    virtual Join askJoin(int there, int coming) = 0;
+    /// What becomes of points that lie far from every object.
+    /// @param text  which, and how far
+    virtual Stray askStray(const QString &text) = 0;
+};
+
+/// Points of a document from files and into files, in the formats of core/landmark_files. A file's coordinates are the world's.
+class PointFiles : public QObject {
+    Q_OBJECT
+public:
+    /// @param questions  outlive it; null: nobody is there to ask, points replace those before and strays stay where they are
+    PointFiles(SceneDocument &document, PointFileQuestions *questions, QObject *parent = nullptr);
+
+    /// Whether a file is one of points by its name. "x.json" is none: "x.mrk.json" is.
+    static bool isPointFile(const std::filesystem::path &file);
+    /// As filters of file dialogs have it: "Points (*.csv *.pp …)".
+    static QString importFilter();
+    /// One a format, separated by ";;".
+    static QString exportFilters();
+    /// What a file's name ends in that a person chose one of the filters for and gave no suffix; "csv" of none of them.
+    static QString suffixOfFilter(const QString &filter);
+
+    /// Reads a file and ties its points to the objects that are not hidden, as one undoable step.
+    /// @return whether its points are in the scene
+    bool importFrom(const std::filesystem::path &file);
+    /// @return whether it is written
+    bool exportTo(const std::filesystem::path &file);
+
+    /// Reads the points of a scan as they were kept beside it: nothing is asked, nothing moved.
+    bool takeKept(const std::filesystem::path &file);
+
+signals:
+    /// What could not be read or written, in words.
+    void failed(const QString &reason);
+    /// What of a file was not kept, or is not kept in it.
+    void warned(const QString &text);
+    /// What is good to know and needs no answer.
+    void noticed(const QString &text);
+
+private:
+    struct Stray {
+        std::size_t place = 0;
+        double distance = 0.0;
+        landmarks::Landmark untied;
+    };
+    std::vector<ray::TyingTarget> targets() const;
+    /// Ties points to the objects, strays as somebody says.
+    /// @return what was done, in words; nothing where the import was given up
+    std::optional<QString> tieAll(std::vector<landmarks::Landmark> &points);
+
+    SceneDocument &m_document;
+    PointFileQuestions *m_questions;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,59 @@
+#include "gui/document/point_surface.h"
+
+#include "core/ray/closest_place.h"
+#include "core/ray/tie_landmark.h"
+#include "gui/document/scene_document.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Landmark;
+
+/// What these points may lie on, prepared to be asked.
+std::vector<ray::TyingTarget> targetsOf(const SceneDocument &document, const std::vector<const Landmark *> &points)
+{
+    std::vector<ray::TyingTarget> targets;
+    for (const SceneObject &object : document.objects()) {
+        const auto names = [&](const Landmark *point) { return point->object == object.name; };
+        const auto isOnAny = [&](const Landmark *point) {
+            return std::none_of(document.objects().begin(), document.objects().end(),
+                                [&](const SceneObject &other) { return other.name == point->object; });
+        };
+        const bool isAsked = std::any_of(points.begin(), points.end(), names)
+                             || (!object.isHidden && std::any_of(points.begin(), points.end(), isOnAny));
+        if (!isAsked || object.model->triangleCount() + object.model->pointCount() == 0)
+            continue;
+        if (auto places = ray::ClosestPlaces::build(object.model, {}))
+            targets.push_back({object.name, std::move(places), worldFromObject(object.transform)});
+    }
+    return targets;
+}
+
+} // namespace
+
+Check putOnSurface(SceneDocument &document, const std::vector<std::size_t> &places)
+{
+    std::vector<Landmark> all = document.landmarks();
+    std::vector<const Landmark *> asked;
+    for (const std::size_t place : places) {
+        if (place < all.size() && !all[place].isMissing())
+            asked.push_back(&document.landmarks()[place]);
+    }
+    if (asked.empty())
+        return std::monostate{};
+    const std::vector<ray::TyingTarget> targets = targetsOf(document, asked);
+    for (const std::size_t place : places) {
+        if (place < all.size())
+            static_cast<void>(ray::tieToMesh(all[place], targets));
+    }
+    const QString text =
+        places.size() == 1
+            ? ScenePoints::tr("Put %1 on the surface").arg(ScenePoints::shownNameOf(document.landmarks(), places[0]))
+            : ScenePoints::tr("Put %n points on the surface", nullptr, static_cast<int>(places.size()));
+    return document.editLandmarks(std::move(all), {text});
+}
+
+} // namespace unprojector::gui

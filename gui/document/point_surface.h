@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/geometry/result.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace geometry;
+
+class SceneDocument;
+
+/// Puts points that stand off the surface back onto it, where it is closest: of the object that each names, else of all that are
+/// not hidden. One step of undo; missing points stay missing. Of a large model it takes a second.
+/// @param places  in SceneDocument::landmarks()
+Check putOnSurface(SceneDocument &document, const std::vector<std::size_t> &places);
+
+} // namespace unprojector::gui

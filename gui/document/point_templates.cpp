@@ -1,0 +1,65 @@
+#include "gui/document/point_templates.h"
+
+#include "core/landmark_files/landmark_file.h"
+#include "core/landmarks/point_template.h"
+#include "gui/document/scene_document.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+struct Templates {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::PointTemplates)
+};
+
+/// Of the file in the program's language, else of the English one.
+std::vector<landmarks::Landmark> pointsOf(const QString &file)
+{
+    QFile resource(QStringLiteral(":/templates/%1.csv").arg(file));
+    if (!resource.open(QIODevice::ReadOnly))
+        return {};
+    const QByteArray text = resource.readAll();
+    auto read = landmark_files::parseLandmarks({text.constData(), static_cast<std::size_t>(text.size())},
+                                               landmark_files::Format::Csv, file.toStdString());
+    Q_ASSERT(read && read->sets.size() == 1);
+    return read ? std::move(read).value().sets.front().landmarks : std::vector<landmarks::Landmark>();
+}
+
+} // namespace
+
+PointTemplates::PointTemplates()
+{
+    const QString source =
+        Templates::tr("Definitions in our own words, after Martin and Saller, Lehrbuch der Anthropologie (1957)");
+    const QString faceSource =
+        Templates::tr("Definitions in our own words, after Farkas, Anthropometry of the Head and Face (1994)");
+    m_bundled = {{Templates::tr("Skull (craniometric points)"), source,
+                  //: The file of resources/templates with the hints in this language
+                  pointsOf(Templates::tr("craniometric"))},
+                 {Templates::tr("Face (soft tissue)"), faceSource,
+                  //: The file of resources/templates with the hints in this language
+                  pointsOf(Templates::tr("facial"))}};
+}
+
+QString PointTemplates::hintFor(const QString &name) const
+{
+    const std::string wanted = name.toStdString();
+    std::string_view hint = landmarks::hintFor(wanted, m_chosen);
+    for (auto known = m_bundled.begin(); hint.empty() && known != m_bundled.end(); ++known)
+        hint = landmarks::hintFor(wanted, known->points);
+    return QString::fromUtf8(hint.data(), static_cast<qsizetype>(hint.size()));
+}
+
+void fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &points, const QString &name)
+{
+    static_cast<void>(document.editLandmarks(landmarks::withTemplate(document.landmarks(), points),
+                                             {Templates::tr("Template %1").arg(name)}));
+    document.points().waitForNext(std::nullopt);
+}
+
+} // namespace unprojector::gui

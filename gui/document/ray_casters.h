@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/ray/ray_caster.h"
+#include "core/scene/scene.h"
+
+#include <QObject>
+
+#include <cstddef>
+#include <list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace scene;
+
+/// A ray::RayCaster of each model that is in use: those of small models are built at once, those of others one after the other
+/// on a thread of its own. It keeps no model alive, and ends what it builds of one that nobody has any more.
+class RayCasters : public QObject {
+    Q_OBJECT
+public:
+    using Caster = std::shared_ptr<const ray::RayCaster>;
+
+    /// Of so many triangles and points, together, the casters are built at once: in less time than a picture takes.
+    static constexpr std::size_t kMostAtOnce = 20'000;
+
+    explicit RayCasters(QObject *parent = nullptr);
+    ~RayCasters() override;
+
+    /// Builds the casters of these objects' models, as far as they are not hidden and not built yet; `built` tells of each that
+    /// comes later. What was begun for other objects is given up.
+    void prepare(const std::vector<SceneObject> &objects);
+    /// The same, all of it before this returns.
+    void complete(const std::vector<SceneObject> &objects);
+    /// From now on only `complete` builds anything: for a program that may never ask for a ray.
+    void waitUntilAsked() { m_isAhead = false; }
+    bool isPreparing() const { return m_job != nullptr; }
+
+    /// The casters of these objects, one an object; null for a hidden one. Whoever has one has its model too.
+    /// @return nothing while one is missing
+    std::optional<std::vector<Caster>> of(const std::vector<SceneObject> &objects) const;
+    /// Whether one of these objects will never have its caster, since there is no memory for it.
+    bool isHopeless(const std::vector<SceneObject> &objects) const;
+
+signals:
+    /// Another model has its caster, or will have none.
+    void built();
+    /// @param share  of all that is being prepared, in [0, 1]
+    void progressed(double share);
+    /// Nothing is being prepared any more.
+    void finished();
+
+private:
+    struct Job;
+    struct Kept {
+        std::weak_ptr<const Model> model; ///< an address alone may be another's by now
+        Caster caster;                    ///< does not hold its model; null: there was no memory for it
+    };
+
+    const Kept *keptOf(const std::shared_ptr<const Model> &model) const;
+    /// Those that are missing, each once.
+    std::vector<std::shared_ptr<const Model>> missing(const std::vector<SceneObject> &objects) const;
+    void keep(const std::shared_ptr<const Model> &model, const Caster &caster);
+    void require(const std::vector<SceneObject> &objects);
+    void begin();
+    /// Takes what a job has built.
+    void take(const std::shared_ptr<Job> &job);
+    void giveUp();
+    void reap(bool all);
+    void dropUnused();
+
+    std::map<const Model *, Kept> m_kept;
+    std::list<std::weak_ptr<const Model>> m_waiting;
+    std::shared_ptr<Job> m_job;             ///< the one under way
+    std::list<std::shared_ptr<Job>> m_jobs; ///< it, and those before that are ending
+    double m_all = 0.0;                     ///< triangles and points of what is being prepared
+    double m_done = 0.0;                    ///< of them
+    bool m_isAhead = true;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,359 @@
+#include "gui/document/scan_series.h"
+
+#include "core/files/path_text.h"
+#include "core/files/replace_file.h"
+#include "core/landmark_files/landmark_file.h"
+#include "core/landmark_files/landmark_folder.h"
+#include "core/landmarks/point_template.h"
+#include "core/landmarks/repeats.h"
+#include "core/text/number_text.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/session.h"
+#include "gui/text/error_text.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using namespace landmark_files;
+
+bool isScan(const std::filesystem::path &file)
+{
+    // "Models (*.obj … *.glb)"
+    const QString pattern = u'*' + pathText(file.extension()).toLower(), all = modelFileFilter();
+    return file.has_extension() && (all.contains(pattern + u' ') || all.contains(pattern + u')'));
+}
+
+std::string nameOrNumber(const LandmarkSet &set, std::size_t place)
+{
+    return set.landmarks[place].name.empty() ? std::to_string(place + 1) : set.landmarks[place].name;
+}
+
+/// A cell of a table, in quotes where it needs them.
+std::string cell(const std::string &text)
+{
+    if (text.find_first_of(",\"\n\r") == std::string::npos)
+        return text;
+    std::string quoted(1, '"');
+    for (const char c : text)
+        quoted.append(c == '"' ? 2 : 1, c);
+    quoted += '"';
+    return quoted;
+}
+
+} // namespace
+
+std::size_t ScanSeries::Scan::placedCount() const
+{
+    return static_cast<std::size_t>(std::count_if(points.landmarks.begin(), points.landmarks.end(),
+                                                  [](const Landmark &point) { return !point.isMissing(); }));
+}
+
+ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *parent)
+    : QObject(parent), m_document(document), m_session(session)
+{
+    // Told before the points of the other scene are, which are not this scan's.
+    connect(&m_document, &SceneDocument::opened, this, [this] { m_shown = std::nullopt; });
+    connect(&m_session, &Session::opened, this, [this] {
+        if (m_isOpening) {
+            takeShown();
+        } else if (m_current) { // another scene
+            m_current = std::nullopt;
+            emit changed();
+        }
+    });
+    // Given up: the scan that is shown still is, and its points are kept.
+    connect(&m_session, &Session::loadingEnded, this, [this] {
+        if (!std::exchange(m_isOpening, false))
+            return;
+        m_current = m_shown;
+        emit changed();
+    });
+    connect(&m_session, &Session::failed, this, [this](const QString &reason) {
+        if (!m_isOpening || !m_current)
+            return;
+        m_isOpening = false;
+        m_scans[*m_current].problem = reason;
+        emit changed();
+    });
+    connect(&m_session, &Session::aboutToSaveOrLeave, this, [this] { keep(); });
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (!(changes & Change::Landmarks) || !m_shown)
+            return;
+        m_scans[*m_shown].points = m_document.landmarkSet();
+        emit this->changed();
+    });
+}
+
+void ScanSeries::readKept(Scan &scan) const
+{
+    const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
+    scan.points = {};
+    scan.problem.clear();
+    std::error_code error;
+    scan.isKept = std::filesystem::exists(file, error);
+    if (!scan.isKept)
+        return;
+    auto read = readLandmarkFile(file);
+    if (read)
+        scan.points = std::move(std::move(read).value().sets.front());
+    else
+        scan.problem = QString::fromStdString(errorText(read.error()));
+}
+
+bool ScanSeries::open(const std::filesystem::path &folder)
+{
+    if (!keep())
+        return false;
+    std::vector<Scan> scans;
+    std::error_code error;
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        std::error_code ignored;
+        if (isScan(it->path()) && it->is_regular_file(ignored))
+            scans.push_back({it->path(), {}, {}});
+    }
+    if (error || scans.empty()) {
+        emit failed(
+            error
+                ? tr("%1: the folder cannot be read: %2").arg(pathText(folder), QString::fromStdString(error.message()))
+                : tr("%1: there is no model file in this folder. %2 are read.")
+                      .arg(pathText(folder), modelFileFilter()));
+        return false;
+    }
+    std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
+    m_folder = folder;
+    m_scans = std::move(scans);
+    m_current = m_shown = std::nullopt;
+    m_isOpening = false;
+    m_placing = 1;
+    m_names.clear();
+    for (Scan &scan : m_scans) {
+        readKept(scan);
+        m_names = landmarks::withTemplate(std::move(m_names), scan.points.landmarks);
+    }
+    if (m_names.empty()) // those that wait in the scene are what is to be placed
+        m_names = landmarks::withTemplate({}, m_document.landmarks());
+    const auto unfinished = std::find_if(m_scans.begin(), m_scans.end(), [this](const Scan &scan) {
+        return !scan.isKept || scan.placedCount() < m_names.size();
+    });
+    emit changed();
+    show(unfinished == m_scans.end() ? 0 : static_cast<std::size_t>(unfinished - m_scans.begin()));
+    return true;
+}
+
+QStringList ScanSeries::pointNames() const
+{
+    QStringList names;
+    for (const Landmark &name : m_names)
+        names << QString::fromStdString(name.name);
+    for (const Scan &scan : m_scans) {
+        for (std::size_t i = 0; i < scan.points.landmarks.size(); ++i) {
+            const QString name = QString::fromStdString(nameOrNumber(scan.points, i));
+            if (!names.contains(name, Qt::CaseInsensitive))
+                names << name;
+        }
+    }
+    return names;
+}
+
+void ScanSeries::step(int by)
+{
+    if (m_scans.empty())
+        return;
+    const auto count = static_cast<int>(m_scans.size());
+    const int from = m_current ? static_cast<int>(*m_current) : by > 0 ? -1 : count;
+    if (const int to = from + by; to >= 0 && to < count)
+        show(static_cast<std::size_t>(to));
+}
+
+void ScanSeries::show(std::size_t place)
+{
+    Q_ASSERT(place < m_scans.size());
+    if (!keep())
+        return;
+    if (m_shown)
+        m_names = landmarks::withTemplate(std::move(m_names), m_document.landmarks());
+    m_isOpening = true;
+    m_current = place;
+    m_session.openFiles({m_scans[place].file});
+    if (m_session.isLoading()) { // what was loaded before it has been given up, and told so
+        m_isOpening = true;
+        m_current = place;
+    }
+    emit changed();
+}
+
+void ScanSeries::takeShown()
+{
+    m_isOpening = false;
+    Scan &scan = m_scans[*m_current];
+    readKept(scan);
+    if (!scan.problem.isEmpty()) { // not written over: somebody may want to mend it
+        emit failed(scan.problem);
+        emit changed();
+        return;
+    }
+    landmarks::LandmarkSet set = scan.points;
+    set.landmarks = landmarks::withTemplate(std::move(set.landmarks), m_names);
+    scan.points = set;
+    static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Points of the scan")}));
+    // What was kept is where one begins: undoing leads no further back.
+    m_document.undoStack().clear();
+    m_document.markSaved();
+    m_shown = m_current;
+    m_kept = m_document.landmarkSet();
+    m_document.points().waitForNext(std::nullopt);
+    emit changed();
+}
+
+bool ScanSeries::isScanAlone() const
+{
+    const Scene &scene = m_document.scene();
+    return m_session.file().empty() && scene.clipPlanes.empty() && scene.objects.size() == 1
+           && scene.objects.front().transform.empty() && !scene.objects.front().isHidden;
+}
+
+bool ScanSeries::keep()
+{
+    if (!m_shown)
+        return true;
+    Scan &scan = m_scans[*m_shown];
+    scan.points = m_document.landmarkSet();
+    // A scan on which nothing is placed has nothing to keep, and gets no file.
+    if (scan.isKept ? scan.points != m_kept : scan.placedCount() > 0) {
+        const auto written = writeLandmarkFile(landmarksBeside(scan.file, m_placing), {&scan.points, 1});
+        if (!written) {
+            emit failed(QString::fromStdString(errorText(written.error())));
+            return false;
+        }
+        scan.isKept = true;
+        m_kept = scan.points;
+        emit noticed(tr("Points of %1 kept beside it.").arg(pathText(scan.file.filename())));
+    }
+    // Whoever did something to the scene is asked about it as ever.
+    if (isScanAlone())
+        m_document.markSaved();
+    return true;
+}
+
+void ScanSeries::setPlacing(int placing)
+{
+    if (placing == m_placing || placing < 1 || !keep())
+        return;
+    m_placing = placing;
+    for (Scan &scan : m_scans)
+        readKept(scan);
+    if (m_shown) {
+        m_current = std::exchange(m_shown, std::nullopt);
+        takeShown();
+    }
+    emit changed();
+}
+
+// ---- tables ------------------------------------------------------------------------------------------------------
+
+/// Each with all names in the same order, as tables of numbers have them.
+std::vector<landmarks::LandmarkSet> ScanSeries::alignedSets() const
+{
+    std::vector<Landmark> names = m_names;
+    for (const Scan &scan : m_scans)
+        names = landmarks::withTemplate(std::move(names), scan.points.landmarks);
+    std::vector<landmarks::LandmarkSet> sets;
+    for (const Scan &scan : m_scans) {
+        if (scan.placedCount() == 0)
+            continue;
+        landmarks::LandmarkSet set = scan.points;
+        set.name = files::utf8FromPath(scan.file.stem());
+        if (std::any_of(sets.begin(), sets.end(), [&](const LandmarkSet &other) { return other.name == set.name; }))
+            set.name = files::utf8FromPath(scan.file.filename());
+        std::vector<Landmark> inOrder;
+        std::vector<Landmark> left = std::move(set.landmarks);
+        for (const Landmark &name : names) {
+            const auto found = std::find_if(left.begin(), left.end(), [&](const Landmark &point) {
+                return QString::fromStdString(point.name)
+                           .compare(QString::fromStdString(name.name), Qt::CaseInsensitive)
+                       == 0;
+            });
+            inOrder.push_back(found != left.end() ? *found : name);
+            if (found != left.end())
+                left.erase(found);
+        }
+        set.landmarks = std::move(inOrder);
+        sets.push_back(std::move(set));
+    }
+    return sets;
+}
+
+std::string ScanSeries::repeatsText() const
+{
+    std::string text = "specimen,name,placings,x,y,z,error,farthest\n";
+    for (const Scan &scan : m_scans) {
+        std::vector<LandmarkSet> placings;
+        std::error_code error;
+        for (int placing = 1; std::filesystem::exists(landmarksBeside(scan.file, placing), error); ++placing) {
+            auto read = readLandmarkFile(landmarksBeside(scan.file, placing));
+            if (read)
+                placings.push_back(std::move(std::move(read).value().sets.front()));
+        }
+        for (const landmarks::RepeatedLandmark &repeated : landmarks::repeatsOf(placings)) {
+            text += cell(files::utf8FromPath(scan.file.stem()));
+            text += ',';
+            text += cell(repeated.name);
+            text += ',';
+            text += std::to_string(repeated.count);
+            for (int axis = 0; axis < 3; ++axis) {
+                text += ',';
+                if (repeated.mean)
+                    text::appendNumber(text, (*repeated.mean)[axis]);
+            }
+            text += ',';
+            if (repeated.error)
+                text::appendNumber(text, *repeated.error);
+            text += ',';
+            if (repeated.mean)
+                text::appendNumber(text, repeated.farthest);
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
+{
+    if (!keep())
+        return false;
+    const std::vector<landmarks::LandmarkSet> sets = alignedSets();
+    if (sets.empty()) {
+        emit failed(tr("On no scan of the series is a point yet."));
+        return false;
+    }
+    const auto textOf = [&]() -> Result<WrittenLandmarks, LandmarkFileError> {
+        switch (table) {
+        case Table::Long: return landmarksText(sets, Format::Csv);
+        case Table::Wide: return wideTable(sets);
+        case Table::Tps: return landmarksText(sets, Format::Tps);
+        case Table::Nts: return landmarksText(sets, Format::Nts);
+        case Table::Repeats: return WrittenLandmarks{repeatsText(), {}};
+        }
+        return WrittenLandmarks{};
+    };
+    const auto text = textOf();
+    if (!text) {
+        LandmarkFileError error = text.error();
+        error.file = files::utf8FromPath(file);
+        emit failed(QString::fromStdString(errorText(error)));
+        return false;
+    }
+    if (const files::Written written = files::replaceFile(file, text->text); !written) {
+        emit failed(QStringLiteral("%1: %2").arg(pathText(file),
+                                                 QString::fromStdString(files::fileErrorText(written.error()))));
+        return false;
+    }
+    emit noticed(tr("Scans written to %1: %2.").arg(pathText(file.filename())).arg(sets.size()));
+    return true;
+}
+
+} // namespace unprojector::gui

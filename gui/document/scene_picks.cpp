@@ -1,0 +1,218 @@
+// What of a scene document is picked: the click's answers and the ray's, and what becomes of them.
+
+#include "gui/document/scene_document.h"
+
+#include "core/ray/drawn_surface.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::gui {
+
+Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const DepthSample &sample) const
+{
+    const Result<Pick> pick = unproject::pickAt(*m_unprojector, position, sample);
+    if (pick && pick->object && *pick->object < objects().size()) {
+        if (const Result<WorldPoint> &world = pick->point.world[Method::Formula])
+            return withSurface(*pick, ray::drawnSurface(objects()[*pick->object], *world));
+    }
+    return pick;
+}
+
+void SceneDocument::setPick(const Result<Pick> &pick)
+{
+    if (!pick) {
+        emit pickFailed(pick.error());
+        return;
+    }
+    m_picked = {*pick, placementOf(*pick), {}, RayScene{m_state.objects, m_scene.clipPlanes}};
+    m_picked.ray.snap = m_snap;
+    m_lost = {};
+    m_lostPickObjects.reset();
+    answerRay();
+    tell(Change::Pick);
+}
+
+glm::dmat4 SceneDocument::placementOf(const Pick &pick) const
+{
+    return pick.object && *pick.object < objects().size() ? worldFromObject(objects()[*pick.object].transform)
+                                                          : glm::dmat4(1.0);
+}
+
+SinceClick SceneDocument::sinceClick() const
+{
+    if (!m_picked.pick)
+        return {};
+    const bool isHidden = m_picked.pick->object && *m_picked.pick->object < objects().size()
+                          && objects()[*m_picked.pick->object].isHidden;
+    return {m_picked.pick->geometry != geometry(), placementOf(*m_picked.pick) != m_picked.placement, isHidden,
+            isCutAway(*m_picked.pick)};
+}
+
+bool SceneDocument::isCutAway(const Pick &pick) const
+{
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
+    if (!pick.hit() || !world)
+        return false;
+    // A point of the cut itself lies on either side of the plane, no farther than its pixel reaches.
+    const Components<3> &uncertainty = pick.withinPixel.world;
+    return std::any_of(m_scene.clipPlanes.begin(), m_scene.clipPlanes.end(), [&](const glm::dvec4 &plane) {
+        const double doubt =
+            std::abs(plane.x) * uncertainty.x + std::abs(plane.y) * uncertainty.y + std::abs(plane.z) * uncertainty.z;
+        return glm::dot(plane, glm::dvec4(world->coordinates(), 1.0)) < -doubt;
+    });
+}
+
+void SceneDocument::putBack(const KeptPick &kept)
+{
+    m_lost = {};
+    m_lostPickObjects.reset();
+    if (!m_picked.pick && !kept.pick)
+        return;
+    m_picked = kept;
+    answerRay();
+    tell(Change::Pick);
+}
+
+WorldPoint SceneDocument::pivotOf(const Result<Pick> &pick) const
+{
+    const LookAt &camera = geometry().camera();
+    if (!pick)
+        return camera.center;
+    if (const Result<WorldPoint> &surface = pick->point.world[Method::Formula]; pick->hit())
+        return surface ? *surface : camera.center;
+    const Result<WorldPoint> &enter = pick->rayNear.world[Method::Formula];
+    const Result<WorldPoint> &leave = pick->rayFar.world[Method::Formula];
+    const Result<EyeFrame> frame = eyeFrame(camera);
+    if (!enter || !leave || !frame)
+        return camera.center;
+    const double wanted = eyeFromWorld(*frame, camera.center).z;
+    const double zEnter = eyeFromWorld(*frame, *enter).z;
+    const double zLeave = eyeFromWorld(*frame, *leave).z;
+    const double t = (wanted - zEnter) / (zLeave - zEnter);
+    return *enter + t * (*leave - *enter);
+}
+
+bool SceneDocument::followObjects(const std::shared_ptr<const std::vector<SceneObject>> &before)
+{
+    const auto follow = [this](const std::vector<SceneObject> &objects, std::optional<std::size_t> &place) {
+        const std::optional<std::size_t> was = place;
+        place = place && *place < objects.size() ? placeAfter(objects, *place, m_scene.objects) : std::nullopt;
+        return place != was;
+    };
+    const auto followMet = [&](const std::vector<SceneObject> &objects) {
+        bool isOther = false;
+        for (std::optional<MetPlace> *place : {&m_picked.ray.met, &m_picked.ray.taken})
+            isOther = (*place && follow(objects, (*place)->object)) || isOther;
+        return isOther;
+    };
+    if (m_picked.pick) {
+        std::optional<std::size_t> place = m_picked.pick->object;
+        const bool isOther = follow(*before, place);
+        if (isOther && !place) {
+            m_lost = std::exchange(m_picked, {});
+            m_lostPickObjects = before;
+            return true;
+        }
+        m_picked.pick->object = place;
+        return followMet(*before) || isOther;
+    }
+    if (!m_lost.pick)
+        return false;
+    std::optional<std::size_t> place = m_lost.pick->object;
+    follow(*m_lostPickObjects, place);
+    if (!place)
+        return false;
+    m_picked = std::exchange(m_lost, {});
+    m_picked.pick->object = place;
+    followMet(*m_lostPickObjects);
+    m_lostPickObjects.reset();
+    return true;
+}
+
+std::optional<WorldPoint> SceneDocument::pickedPoint() const
+{
+    const std::optional<Pick> &pick = m_picked.pick;
+    if (!pick || !pick->hit())
+        return std::nullopt;
+    if (m_picked.ray.snap != ray::Snap::Surface && m_picked.ray.taken)
+        return m_picked.ray.taken->hit.world;
+    const Result<WorldPoint> &formula = pick->point.world[Method::Formula];
+    return formula ? std::optional(*formula) : std::nullopt;
+}
+
+const ray::SceneRays *SceneDocument::rays() const
+{
+    if (!m_rays) {
+        if (const auto casters = m_casters.of(objects()))
+            m_rays.emplace(*m_unprojector, objects(), *casters, m_scene.clipPlanes);
+    }
+    return m_rays ? &*m_rays : nullptr;
+}
+
+void SceneDocument::setSnap(ray::Snap snap)
+{
+    if (std::exchange(m_snap, snap) != snap)
+        tell(Change::Snap);
+}
+
+void SceneDocument::prepareRays()
+{
+    std::vector<SceneObject> all = objects();
+    if (m_picked.rayScene)
+        all.insert(all.end(), m_picked.rayScene->objects->begin(), m_picked.rayScene->objects->end());
+    m_casters.prepare(all);
+    if (answerRay())
+        m_untold |= Change::Ray;
+}
+
+MetPlace SceneDocument::metPlace(const ray::SceneHit &hit, const std::vector<SceneObject> &objects) const
+{
+    const std::size_t place = hit.object;
+    const std::vector<SceneObject> &now = m_scene.objects;
+    // It may have been moved since, which makes it no other object.
+    const bool isThere = place < now.size() && isSameObject(objects[place], now[place]);
+    return {hit, isThere ? std::optional(place) : placeAfter(objects, place, now), objects[place].name};
+}
+
+bool SceneDocument::answerRay()
+{
+    if (!m_picked.pick || !m_picked.rayScene)
+        return false;
+    const std::vector<SceneObject> &objects = *m_picked.rayScene->objects;
+    PickedRay &ray = m_picked.ray;
+    const auto casters = m_casters.of(objects);
+    if (!casters) {
+        const bool isHopeless = m_casters.isHopeless(objects);
+        return std::exchange(ray.state, isHopeless ? PickedRay::State::Impossible : PickedRay::State::Preparing)
+               != ray.state;
+    }
+    ray.state = PickedRay::State::Impossible;
+    if (const Result<Unprojector> unprojector = Unprojector::of(m_picked.pick->geometry)) {
+        const ray::SceneRays rays(*unprojector, objects, *casters, m_picked.rayScene->clipPlanes);
+        const DevicePoint position = pixelCenter(m_picked.pick->devicePixel);
+        const auto met = rays.at(position), taken = rays.at(position, ray.snap);
+        if (met && taken) {
+            ray.state = PickedRay::State::Answered;
+            if (*met)
+                ray.met = metPlace(**met, objects);
+            // The triangle says how sure the depth's own point is, where it is the one that was drawn.
+            const bool isSameObject = *met && ray.met->object && ray.met->object == m_picked.pick->object;
+            const Pick known = isSameObject
+                                   ? withSurface(*m_picked.pick, ray::drawnSurface(objects[(*met)->object], **met))
+                                   : *m_picked.pick;
+            ray.comparison = ray::compared(known, *met, isSameObject);
+            if (ray.comparison.kind != ray::RayComparison::Kind::OtherPart)
+                m_picked.pick = known;
+            if (*taken)
+                ray.taken = metPlace(**taken, objects);
+        }
+    }
+    m_picked.rayScene.reset();
+    return true;
+}
+
+} // namespace unprojector::gui

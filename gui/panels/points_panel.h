@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace unprojector::gui {
+
+class NextPointBar;
+class PointTemplates;
+class PointsModel;
+class PointsTable;
+class SceneDocument;
+
+/// The placed points: a table of them, which one is placed next, and what can be done to them.
+class PointsPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit PointsPanel(SceneDocument &document, PointTemplates &templates, QWidget *parent = nullptr);
+
+    /// What is being typed counts, as if Enter were pressed.
+    void applyTyped();
+
+    QSize minimumSizeHint() const override;
+
+signals:
+    /// What went wrong, or was lost, in words.
+    void warned(const QString &text);
+
+private:
+    void fillTemplateMenu();
+    void loadTemplate();
+    void saveTemplate();
+    void removeSelected();
+    void moveSelected(int by);
+    void copySelected();
+    void chooseColor();
+    void addColorMenu(QMenu &menu);
+    void showMenu(const QPoint &place);
+    void updateButtons();
+
+    SceneDocument &m_document;
+    PointTemplates &m_templates;
+    PointsModel *m_model;
+    PointsTable *m_table;
+    NextPointBar *m_next;
+    QLabel *m_empty;
+    QLabel *m_reason;
+    QToolButton *m_template;
+    QToolButton *m_up;
+    QToolButton *m_down;
+    QToolButton *m_remove;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,185 @@
+#include "gui/panels/points_table.h"
+
+#include "gui/document/point_views.h"
+#include "gui/document/scene_document.h"
+#include "gui/panels/certain_digits_delegate.h"
+#include "gui/panels/digits_font.h"
+#include "gui/panels/points_model.h"
+
+#include <QAbstractItemDelegate>
+#include <QApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <QSortFilterProxyModel>
+
+#include <algorithm>
+
+namespace unprojector::gui {
+
+PointsTable::PointsTable(SceneDocument &document, PointsModel *model, QWidget *parent)
+    : QTreeView(parent), m_document(document), m_rows(new QSortFilterProxyModel(this))
+{
+    m_rows->setSourceModel(model);
+    m_rows->setSortRole(PointsModel::kSortRole);
+    m_rows->setSortCaseSensitivity(Qt::CaseInsensitive);
+    m_rows->setSortLocaleAware(true);
+    setModel(m_rows);
+    auto *digits = new CertainDigitsDelegate(this);
+    for (const int column : {PointsModel::X, PointsModel::Y, PointsModel::Z})
+        setItemDelegateForColumn(column, digits);
+    setAccessibleName(tr("Placed points"));
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setAllColumnsShowFocus(true);
+    setTextElideMode(Qt::ElideMiddle); // names of one kind differ at their ends, as left and right do
+    setSelectionMode(ExtendedSelection);
+    setEditTriggers(DoubleClicked | EditKeyPressed);
+    setDragDropMode(InternalMove);
+    setDragDropOverwriteMode(false);
+    setContextMenuPolicy(Qt::CustomContextMenu);
+    header()->setStretchLastSection(true);
+    header()->setSectionsMovable(false);
+    header()->setSortIndicatorClearable(true);
+    header()->setSortIndicator(-1, Qt::AscendingOrder);
+    setSortingEnabled(true);
+    connect(header(), &QHeaderView::sortIndicatorChanged, this, [this](int column, Qt::SortOrder order) {
+        setDragEnabled(column < 0 || (column == PointsModel::Number && order == Qt::AscendingOrder));
+    });
+    useFonts();
+
+    connect(this, &QTreeView::doubleClicked, this, [this](const QModelIndex &index) {
+        if (!(index.flags() & Qt::ItemIsEditable)) // what can be written is written
+            goToPoint(m_document, static_cast<std::size_t>(m_rows->mapToSource(index).row()));
+    });
+    connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &PointsTable::tellSelection);
+    connect(selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
+        if (selectionModel()->isSelected(current)) // else what is selected changes next
+            tellSelection();
+    });
+    connect(m_rows, &QAbstractItemModel::modelReset, this, &PointsTable::showSelection);
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & (Change::LandmarkSelection | Change::Landmarks))
+            showSelection();
+    });
+    showSelection();
+}
+
+void PointsTable::useFonts()
+{
+    header()->setFont(headsFont(QApplication::font(this)));
+    fitColumns();
+}
+
+void PointsTable::fitColumns()
+{
+    const QFontMetrics metrics(font());
+    const int digit = metrics.horizontalAdvance(u'0');
+    const auto fit = [&](int column, int characters) {
+        const int head =
+            header()->fontMetrics().horizontalAdvance(model()->headerData(column, Qt::Horizontal).toString());
+        header()->resizeSection(column, std::max(characters * digit, head) + digit);
+    };
+    // As far as ± without scrolling in a panel of the usual width: with the names' beginnings, which differ.
+    fit(PointsModel::Number, 3);
+    fit(PointsModel::Name, 12);
+    for (const int column : {PointsModel::X, PointsModel::Y, PointsModel::Z})
+        fit(column, PointsModel::kCoordinateRoom);
+    fit(PointsModel::PlusMinus, 8);
+    fit(PointsModel::Object, 10);
+    fit(PointsModel::HeldBy, 13);
+    fit(PointsModel::Note, 16);
+}
+
+QSize PointsTable::sizeHint() const
+{
+    int width = 2 * frameWidth();
+    for (int column = 0; column <= PointsModel::PlusMinus; ++column)
+        width += header()->sectionSize(column);
+    return {width, QTreeView::sizeHint().height()};
+}
+
+void PointsTable::changeEvent(QEvent *event)
+{
+    QTreeView::changeEvent(event);
+    if (event->type() == QEvent::ApplicationFontChange || event->type() == QEvent::FontChange)
+        useFonts();
+}
+
+std::vector<std::size_t> PointsTable::selectedPlaces() const
+{
+    QModelIndexList rows = selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end());
+    std::vector<std::size_t> places;
+    for (const QModelIndex &row : rows)
+        places.push_back(static_cast<std::size_t>(m_rows->mapToSource(row).row()));
+    return places;
+}
+
+void PointsTable::showSelection()
+{
+    const QScopedValueRollback<bool> showing(m_isShowing, true);
+    const ScenePoints &points = m_document.points();
+    const int count = m_rows->sourceModel()->rowCount();
+    const auto rowOf = [this](std::size_t place) {
+        return m_rows->mapFromSource(m_rows->sourceModel()->index(static_cast<int>(place), PointsModel::Name));
+    };
+    QItemSelection selection;
+    for (const std::size_t place : points.selection()) {
+        if (static_cast<int>(place) < count)
+            selection.select(rowOf(place), rowOf(place));
+    }
+    selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    if (!points.current() || static_cast<int>(*points.current()) >= count)
+        return;
+    const QModelIndex current = rowOf(*points.current());
+    if (currentIndex().row() != current.row() || !currentIndex().isValid()) {
+        selectionModel()->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
+        scrollTo(current);
+    }
+}
+
+void PointsTable::tellSelection()
+{
+    if (m_isShowing)
+        return;
+    std::optional<std::size_t> current;
+    if (currentIndex().isValid())
+        current = static_cast<std::size_t>(m_rows->mapToSource(currentIndex()).row());
+    m_document.points().select(selectedPlaces(), current);
+}
+
+void PointsTable::renameCurrent()
+{
+    if (currentIndex().isValid())
+        edit(currentIndex().siblingAtColumn(PointsModel::Name));
+}
+
+void PointsTable::applyTyped()
+{
+    auto *editor = viewport()->findChild<QLineEdit *>();
+    if (!editor)
+        return;
+    commitData(editor);
+    closeEditor(editor, QAbstractItemDelegate::NoHint);
+}
+
+void PointsTable::keyPressEvent(QKeyEvent *event)
+{
+    if (event->matches(QKeySequence::Copy)) {
+        emit copyRequested();
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Delete: emit removeRequested(); return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (state() != EditingState) // Enter that ends editing comes by as well
+            renameCurrent();
+        return;
+    default: QTreeView::keyPressEvent(event);
+    }
+}
+
+} // namespace unprojector::gui

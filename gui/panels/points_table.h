@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QTreeView>
+
+#include <cstddef>
+#include <vector>
+
+class QSortFilterProxyModel;
+
+namespace unprojector::gui {
+
+class PointsModel;
+class SceneDocument;
+
+/// The list of placed points. What is selected in it is what is selected in the document, both ways. It is sorted by a click on
+/// a head, which changes nothing but the view; by the third click it is in the points' own order again, the only one in which
+/// rows can be dragged.
+class PointsTable : public QTreeView {
+    Q_OBJECT
+public:
+    PointsTable(SceneDocument &document, PointsModel *model, QWidget *parent = nullptr);
+
+    /// The places of the selected points, in the order of the rows.
+    std::vector<std::size_t> selectedPlaces() const;
+    /// Edits the name of the current point.
+    void renameCurrent();
+    /// What is being typed counts, as if Enter were pressed.
+    void applyTyped();
+
+    QSize sizeHint() const override;
+
+signals:
+    void removeRequested();
+    void copyRequested();
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void useFonts();
+    void fitColumns();
+    void showSelection();
+    void tellSelection();
+
+    SceneDocument &m_document;
+    QSortFilterProxyModel *m_rows;
+    bool m_isShowing = false; ///< the document's selection, which it need not be told of
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QSpinBox;
+class QToolButton;
+class QTreeView;
+
+namespace unprojector::gui {
+
+class ElidedLabel;
+class ScanSeries;
+class SeriesModel;
+
+/// A series of scans: which points each has, going from one to the next, and a table of all of them in a file.
+class SeriesPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit SeriesPanel(ScanSeries &series, QWidget *parent = nullptr);
+
+    /// Asks for the folder of a series.
+    void chooseFolder();
+
+    QSize minimumSizeHint() const override;
+
+private:
+    void exportTable();
+    void refresh();
+
+    ScanSeries &m_series;
+    SeriesModel *m_model;
+    QTreeView *m_scans;
+    ElidedLabel *m_folder;
+    QToolButton *m_open;
+    QToolButton *m_previous;
+    QToolButton *m_next;
+    QToolButton *m_export;
+    QSpinBox *m_placing;
+};
+
+} // namespace unprojector::gui

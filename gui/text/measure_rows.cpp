@@ -1,0 +1,148 @@
+#include "gui/text/measure_rows.h"
+
+#include "core/geometry/angle.h"
+#include "core/landmarks/measure.h"
+#include "core/landmarks/symmetry.h"
+#include "gui/text/number_text.h"
+#include "gui/text/point_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Landmark;
+using landmarks::LandmarkSet;
+using landmarks::Measured;
+
+struct Measures {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::Measures)
+};
+
+QString nameOf(const LandmarkSet &set, std::size_t place)
+{
+    const QString name = QString::fromStdString(set.landmarks[place].name).simplified();
+    return name.isEmpty() ? QString::number(place + 1) : name;
+}
+
+QString namesOf(const LandmarkSet &set, const std::vector<std::size_t> &places)
+{
+    constexpr std::size_t kMost = 4;
+    QStringList names;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places.size() > kMost && i >= 2 && i + 1 < places.size()) {
+            if (i == 2)
+                names << QStringLiteral("…");
+            continue;
+        }
+        names << nameOf(set, places[i]);
+    }
+    return names.join(QStringLiteral(" – "));
+}
+
+MeasureRow lengthRow(const QString &kind, const QString &points, const Measured &measured, const LandmarkSet &set)
+{
+    if (!measured)
+        return {kind, points, measureErrorText(measured.error())};
+    return {kind, points, lengthText(*measured, QString::fromStdString(set.unit)), measured->value, measured->error};
+}
+
+MeasureRow angleRow(const QString &points, const Measured &measured)
+{
+    const QString kind = Measures::tr("Angle");
+    if (!measured)
+        return {kind, points, measureErrorText(measured.error())};
+    return {kind, points, angleText(*measured), degreesFromRadians(measured->value),
+            measured->error ? std::optional(degreesFromRadians(*measured->error)) : std::nullopt};
+}
+
+} // namespace
+
+std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std::size_t> &places)
+{
+    std::vector<const Landmark *> points;
+    for (const std::size_t place : places)
+        points.push_back(&set.landmarks[place]);
+    std::vector<MeasureRow> rows;
+    const std::size_t count = places.size();
+    if (count == 2 || count == 3) {
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t k = i + 1; k < count; ++k)
+                rows.push_back(lengthRow(Measures::tr("Distance"), namesOf(set, {places[i], places[k]}),
+                                         landmarks::distanceOf(*points[i], *points[k]), set));
+        }
+    }
+    for (std::size_t i = 0; count == 3 && i < count; ++i) {
+        const std::size_t a = (i + 2) % 3, c = (i + 1) % 3;
+        rows.push_back(angleRow(Measures::tr("at %1").arg(nameOf(set, places[i])),
+                                landmarks::angleAt(*points[i], *points[a], *points[c])));
+    }
+    if (count == 4)
+        rows.push_back(lengthRow(Measures::tr("Height"),
+                                 Measures::tr("%1 over the plane %2")
+                                     .arg(nameOf(set, places[3]), namesOf(set, {places[0], places[1], places[2]})),
+                                 landmarks::heightOver(*points[0], *points[1], *points[2], *points[3]), set));
+    if (count >= 3)
+        rows.push_back(
+            lengthRow(Measures::tr("Length along"), namesOf(set, places), landmarks::lengthAlong(points), set));
+    return rows;
+}
+
+std::vector<MeasureRow> sidesOf(const LandmarkSet &set)
+{
+    const std::vector<landmarks::Pair> pairs = landmarks::pairsByName(set.landmarks);
+    if (pairs.empty())
+        return {};
+    const std::optional<landmarks::MirrorPlane> plane = landmarks::mirrorPlaneOf(set.landmarks, pairs);
+    if (!plane)
+        return {{Measures::tr("Mirror plane"),
+                 {},
+                 Measures::tr("none is better than another yet; place more left and right points")}};
+    constexpr int kDigits = 5;
+    const QString unit = QString::fromStdString(set.unit);
+    std::vector<MeasureRow> rows{{Measures::tr("Mirror plane"),
+                                  Measures::tr("normal (%1, %2, %3)")
+                                      .arg(writtenText(plane->normal.x, kDigits), writtenText(plane->normal.y, kDigits),
+                                           writtenText(plane->normal.z, kDigits)),
+                                  Measures::tr("offset %1").arg(lengthText({plane->offset, {}}, unit)), plane->offset}};
+    const std::vector<std::optional<double>> off = landmarks::asymmetriesOf(set.landmarks, pairs, *plane);
+    const auto add = [&](const QString &kind, const QString &points, std::size_t place) {
+        MeasureRow row{kind, points, Measures::tr("missing")};
+        if (off[place]) {
+            row.number = off[place];
+            row.value = lengthText({*off[place], {}}, unit);
+        }
+        rows.push_back(std::move(row));
+    };
+    std::vector<bool> isPaired(set.landmarks.size(), false);
+    for (const landmarks::Pair &pair : pairs) {
+        isPaired[pair.left] = isPaired[pair.right] = true;
+        add(Measures::tr("Asymmetry"), QStringLiteral("%1 ↔ %2").arg(nameOf(set, pair.left), nameOf(set, pair.right)),
+            pair.left);
+    }
+    for (std::size_t i = 0; i < isPaired.size(); ++i) {
+        if (!isPaired[i] && set.landmarks[i].world)
+            add(Measures::tr("Off the middle"), nameOf(set, i), i); // of itself and its image
+    }
+    return rows;
+}
+
+QString csvOf(const std::vector<MeasureRow> &rows, const QString &unit)
+{
+    const auto cell = [](QString text) {
+        if (text.contains(u',') || text.contains(u'"') || text.contains(u'\n'))
+            text = u'"' + text.replace(u'"', QStringLiteral("\"\"")) + u'"';
+        return text;
+    };
+    QString csv = QStringLiteral("kind,points,value,error,unit\n");
+    for (const MeasureRow &row : rows) {
+        const bool isAngle = row.value.contains(QChar(0x00B0));
+        csv += cell(row.kind) + u',' + cell(row.points) + u',' + (row.number ? shortestText(*row.number) : QString())
+               + u',' + (row.error ? shortestText(*row.error) : QString()) + u','
+               + cell(isAngle ? QStringLiteral("deg") : unit) + u'\n';
+    }
+    return csv;
+}
+
+} // namespace unprojector::gui

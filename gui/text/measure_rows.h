@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/landmarks/landmark.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+
+/// One measure of placed points, in words.
+struct MeasureRow {
+    QString kind;                      ///< "Distance"
+    QString points;                    ///< "nasion – pronasale"
+    QString value;                     ///< "12.34 ± 0.05 mm", or why there is none
+    std::optional<double> number = {}; ///< in the scene's unit, or degrees
+    std::optional<double> error = {};
+};
+
+/// What can be measured at some points, in their order in the list: the distance of two; the angles of three and their
+/// distances; the height of the fourth over the plane of the three before it; the length along all of them.
+/// @param places  of the points, rising
+std::vector<MeasureRow> measuresOf(const landmarks::LandmarkSet &set, const std::vector<std::size_t> &places);
+
+/// The plane that mirrors left points best into right ones, and how far each pair, and each point without a partner, is from
+/// its own mirror image. Empty without a pair.
+std::vector<MeasureRow> sidesOf(const landmarks::LandmarkSet &set);
+
+/// The rows as a table: kind, points, value and error with all their digits, unit.
+QString csvOf(const std::vector<MeasureRow> &rows, const QString &unit);
+
+} // namespace unprojector::gui

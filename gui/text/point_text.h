@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/landmarks/landmark.h"
+#include "core/landmarks/measure.h"
+#include "gui/text/number_text.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace unprojector::gui {
+using namespace geometry;
+
+// Placed points in words.
+
+/// What holds a point, in a word: "triangle 7", "vertex 3", "edge 1–2", "free"; "missing" for one without a place.
+QString heldByText(const landmarks::Landmark &point);
+/// The same in a sentence.
+QString heldByExplanation(const landmarks::Landmark &point);
+/// How far a point can be off: the length of its uncertainty, "0.05"; empty where that is not known.
+QString plusMinusText(const landmarks::Landmark &point);
+/// How a point's coordinates are written in so many characters: with two digits below what is certain at the most.
+Notation pointNotation(const landmarks::Landmark &point, int axis, int characters);
+
+/// "12.34 ± 0.05 mm"; the value with the digits that its error leaves certain.
+QString lengthText(const landmarks::Measure &measure, const QString &unit);
+/// The same in degrees: "91.2° ± 0.4°".
+/// @param measure  radians
+QString angleText(const landmarks::Measure &measure);
+/// Why there is no such measure.
+QString measureErrorText(const landmarks::MeasureError &error);
+
+} // namespace unprojector::gui

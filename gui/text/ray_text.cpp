@@ -1,0 +1,225 @@
+#include "gui/text/ray_text.h"
+
+#include "gui/text/number_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::gui {
+namespace {
+
+struct RayTexts {
+    Q_DECLARE_TR_FUNCTIONS(RayTexts)
+};
+
+using Kind = RayComparison::Kind;
+
+constexpr qsizetype kMostOfName = 14;
+
+/// A name that leaves the sentence its room.
+QString shortName(const QString &name)
+{
+    return name.size() <= kMostOfName ? name : name.left(kMostOfName - 1) + u'…';
+}
+
+/// Below a thousandth of a step nobody asks.
+QString stepsText(double steps)
+{
+    const double size = std::abs(steps);
+    return size < 0.001 ? QStringLiteral("0") : significantText(size, 2);
+}
+
+QString numbered(std::uint32_t number)
+{
+    return QString::number(number);
+}
+
+/// "0.6 x − 0.8 y + 0 z = 1.5", the plane of a face.
+QString planeText(const SceneHit &hit)
+{
+    constexpr int kDigits = 7;
+    const WorldVector &n = hit.triangle->normal;
+    const auto term = [](double factor, const char *axis) {
+        return QStringLiteral(" %1 %2 %3")
+            .arg(factor < 0.0 ? QStringLiteral("−") : QStringLiteral("+"), writtenText(std::abs(factor), kDigits),
+                 QLatin1String(axis));
+    };
+    QString left = term(n.x, "x") + term(n.y, "y") + term(n.z, "z");
+    left = n.x < 0.0 ? QStringLiteral("−") + left.mid(3) : left.mid(3);
+    const double right = dot(n, hit.world - WorldPoint(0.0, 0.0, 0.0));
+    return left + QStringLiteral(" = ") + writtenText(right, kDigits).replace(u'-', u'−');
+}
+
+QString surfaceText(const SceneHit &hit)
+{
+    const TriangleDetail &triangle = *hit.triangle;
+    return RayTexts::tr("Triangle %1 at (%2, %3, %4); vertex %5 is %6 away, edge %7–%8 %9 away.")
+        .arg(numbered(triangle.triangle), significantText(triangle.barycentric.x, 4),
+             significantText(triangle.barycentric.y, 4), significantText(triangle.barycentric.z, 4),
+             numbered(hit.vertex.id), readableText(hit.vertex.distance), numbered(triangle.edge.ids[0]),
+             numbered(triangle.edge.ids[1]), readableText(triangle.edge.distance));
+}
+
+} // namespace
+
+QString rayComparisonText(const RayComparison &comparison, const QString &shown, const QString &met)
+{
+    const QString distance = readableText(comparison.distance), steps = stepsText(comparison.depthSteps);
+    const QString frame = shortName(shown), ray = shortName(met);
+    const bool isBehind = comparison.depthSteps >= 0.0;
+    switch (comparison.kind) {
+    case Kind::SameSurface:
+        return RayTexts::tr(
+                   "Ray on mesh: %1 from the formula; in depth steps %2. Trust the ray: it does not go through the "
+                   "depth buffer.")
+            .arg(distance, steps);
+    case Kind::OtherPart:
+        return isBehind
+                   ? RayTexts::tr("Ray on mesh: %1 behind the formula: an edge passes the pixel's centre, and the GPU "
+                                  "draws edges to 1/256 pixel. Trust the ray.")
+                         .arg(distance)
+                   : RayTexts::tr("Ray on mesh: %1 before the formula: an edge passes the pixel's centre, and the GPU "
+                                  "draws edges to 1/256 pixel. Trust the ray.")
+                         .arg(distance);
+    case Kind::OtherObject:
+        return isBehind
+                   ? RayTexts::tr("The ray meets %1, %2 behind %3: an edge passes the pixel's centre, and the GPU "
+                                  "draws edges to 1/256 pixel. Trust the ray.")
+                         .arg(ray, distance, frame)
+                   : RayTexts::tr("The ray meets %1, %2 before %3: an edge, or a sliver that the GPU leaves out. Trust "
+                                  "the ray.")
+                         .arg(ray, distance, frame);
+    case Kind::SameDepth:
+        return RayTexts::tr(
+                   "Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Which is in front neither "
+                   "can tell; trust the ray's coordinates.")
+            .arg(distance, frame, ray);
+    case Kind::OnlyFrame:
+        return RayTexts::tr(
+                   "The ray meets nothing, %1 is drawn: its outline passes the pixel's centre, and the GPU draws "
+                   "edges to 1/256 pixel. Trust the formula.")
+            .arg(frame);
+    case Kind::OnlyRay:
+        return RayTexts::tr(
+                   "The ray meets %1, nothing is drawn: an outline passes the pixel's centre, or a sliver that "
+                   "the GPU leaves out. Trust the ray.")
+            .arg(ray);
+    case Kind::Nothing: return RayTexts::tr("The ray meets no mesh either.");
+    case Kind::CloudPoint:
+        return comparison.distance > 0.0
+                   ? RayTexts::tr("The ray takes the nearest point, %1 from the formula, which has the pixel's centre. "
+                                  "Trust the point: it is the file's.")
+                         .arg(distance)
+                   : RayTexts::tr("The ray takes the nearest point, within 8 pixels.");
+    }
+    Q_UNREACHABLE();
+}
+
+QString rayPreparingText()
+{
+    return RayTexts::tr("The ray on the mesh comes as soon as the model is prepared for it.");
+}
+
+QString rayImpossibleText()
+{
+    return RayTexts::tr("There is too little memory to prepare the model for the ray on the mesh.");
+}
+
+QStringList longestRayTexts()
+{
+    const QString name(kMostOfName, u'M');
+    QStringList texts{rayPreparingText(), rayImpossibleText()};
+    for (const Kind kind : {Kind::SameSurface, Kind::OtherPart, Kind::OtherObject, Kind::SameDepth, Kind::OnlyFrame,
+                            Kind::OnlyRay, Kind::CloudPoint}) {
+        for (const double steps : {-8.8e-88, 8.8e88})
+            texts << rayComparisonText({kind, 8.8e-88, steps}, name, name);
+    }
+    return texts;
+}
+
+QString rayDetailText(Snap snap, const std::optional<SceneHit> &hit)
+{
+    if (hit && !hit->triangle)
+        return RayTexts::tr("Point %1 of the cloud.").arg(numbered(hit->vertex.id));
+    switch (snap) {
+    case Snap::Surface: return hit ? surfaceText(*hit) : QString();
+    case Snap::Vertex:
+        return hit ? RayTexts::tr("Taken: vertex %1, of triangle %2.")
+                         .arg(numbered(hit->vertex.id), numbered(hit->triangle->triangle))
+                   : RayTexts::tr("No vertex is in sight within 8 pixels.");
+    case Snap::Edge:
+        return hit ? RayTexts::tr("Taken: the nearest point of the edge %1 to %2, of triangle %3.")
+                         .arg(numbered(hit->triangle->edge.ids[0]), numbered(hit->triangle->edge.ids[1]),
+                              numbered(hit->triangle->triangle))
+                   : RayTexts::tr("No edge is in sight within 8 pixels.");
+    case Snap::Face:
+        return hit ? RayTexts::tr("Taken: face %1, in the plane %2.")
+                         .arg(numbered(hit->triangle->triangle), planeText(*hit))
+                   : RayTexts::tr("No face is in sight within 8 pixels.");
+    }
+    Q_UNREACHABLE();
+}
+
+QString takenText(Snap snap, const SceneHit &taken, const QString &object)
+{
+    if (snap == Snap::Vertex || !taken.triangle)
+        return taken.triangle ? RayTexts::tr("Vertex %1 of %2").arg(numbered(taken.vertex.id), object)
+                              : RayTexts::tr("Point %1 of %2").arg(numbered(taken.vertex.id), object);
+    if (snap == Snap::Edge)
+        return RayTexts::tr("A point of edge %1–%2 of %3")
+            .arg(numbered(taken.triangle->edge.ids[0]), numbered(taken.triangle->edge.ids[1]), object);
+    return RayTexts::tr("A point of face %1 of %2").arg(numbered(taken.triangle->triangle), object);
+}
+
+QString takenCertaintyText(Snap snap, const SceneHit &taken)
+{
+    const WorldVector &u = taken.uncertainty;
+    const QString most = boundText(std::max({u.x, u.y, u.z}));
+    if (snap == Snap::Vertex || !taken.triangle)
+        return RayTexts::tr(
+                   "The vertex taken is certain to ± %1: it is the file's, in single precision. The table above is "
+                   "of the surface under the pixel.")
+            .arg(most);
+    if (snap == Snap::Edge)
+        return RayTexts::tr(
+                   "The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The "
+                   "table above is of the surface under the pixel.")
+            .arg(most);
+    return RayTexts::tr("The point taken on the face is certain to ± %1: it does not go through the depth buffer. The "
+                        "table above is of the surface under the pixel.")
+        .arg(most);
+}
+
+QStringList longestTakenCertaintyTexts()
+{
+    SceneHit hit;
+    hit.triangle = TriangleDetail{};
+    hit.uncertainty = {8.8e-88, 8.8e-88, 8.8e-88};
+    QStringList texts;
+    for (const Snap snap : {Snap::Vertex, Snap::Edge, Snap::Face})
+        texts << takenCertaintyText(snap, hit);
+    return texts;
+}
+
+QStringList longestRayDetailTexts()
+{
+    SceneHit hit;
+    constexpr std::uint32_t kLargest = 88888888;
+    constexpr double kLong = -0.888888;
+    hit.world = WorldPoint(-8888888.8, 0.0, 0.0);
+    hit.vertex = {kLargest, hit.world, 8.8e-88};
+    TriangleDetail triangle;
+    triangle.triangle = kLargest;
+    triangle.barycentric = {0.8888, 0.8888, 0.8888};
+    triangle.normal = {kLong, kLong, kLong};
+    triangle.edge = {{kLargest, kLargest}, hit.world, 8.8e-88};
+    hit.triangle = triangle;
+    QStringList texts;
+    for (const Snap snap : {Snap::Surface, Snap::Vertex, Snap::Edge, Snap::Face})
+        texts << rayDetailText(snap, hit) << rayDetailText(snap, std::nullopt);
+    return texts;
+}
+
+} // namespace unprojector::gui
