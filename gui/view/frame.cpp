@@ -1,8 +1,10 @@
 #include "gui/view/frame.h"
 
 #include "gui/painters/gl_errors.h"
+#include "gui/view/corner_shift.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +21,7 @@ constexpr std::array<GLenum, 2> kColorsAndObjects{GL_COLOR_ATTACHMENT0, GL_COLOR
 void Frame::initialize()
 {
     initializeOpenGLFunctions();
+    m_cornerShift.reset();
     glGenBuffers(1, &m_requestBuffer);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, m_requestBuffer);
     glBufferData(GL_PIXEL_PACK_BUFFER, sizeof(Raw), nullptr, GL_STREAM_READ);
@@ -74,14 +77,19 @@ bool Frame::allocate(int widthPixels, int heightPixels)
     m_objects = m_ids == ObjectIds::Integers
                     ? attached(GL_COLOR_ATTACHMENT1, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, GL_NEAREST)
                     : attached(GL_COLOR_ATTACHMENT1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST);
-    m_depths = attached(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, GL_NEAREST);
+    // The format of QOpenGLWidget's own framebuffer, so that depths can be copied there as they are.
+    m_depths =
+        attached(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, GL_NEAREST);
     glBindTexture(GL_TEXTURE_2D, 0);
     glDrawBuffers(2, kColorsAndObjects.data());
-    GLint depthBits = 0;
+    GLint depthBits = 0, depthType = GL_UNSIGNED_NORMALIZED;
     const bool isComplete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     if (isComplete) {
         glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE,
                                               &depthBits);
+        // More than was asked for may come, as floats.
+        glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+                                              GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &depthType);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(boundBefore));
     if (!isComplete || glGetError() != GL_NO_ERROR) {
@@ -89,7 +97,10 @@ bool Frame::allocate(int widthPixels, int heightPixels)
         clearErrors(*this);
         return false;
     }
-    m_depthBits = depthBits > 0 ? depthBits : 24;
+    if (depthType == GL_FLOAT)
+        m_depthFormat = DepthFormat::floatingPoint();
+    else
+        m_depthFormat = DepthFormat(depthBits > 0 ? depthBits : 24);
     m_widthPixels = widthPixels;
     m_heightPixels = heightPixels;
     return true;
@@ -156,55 +167,112 @@ void Frame::end()
     m_begun.reset();
 }
 
-/// The targets are addresses, or places in the buffer that is bound to GL_PIXEL_PACK_BUFFER.
-void Frame::readPixel(const DevicePixel &pixel, void *depth, void *object)
+Frame::Block Frame::blockAround(const DevicePixel &pixel) const
 {
     const Surface &surface = m_picture->surface;
     assert(pixel.i >= 0 && pixel.i < surface.widthPixels && pixel.j >= 0 && pixel.j < surface.heightPixels);
     const int row = framebufferRow(surface, pixel);
+    Block block;
+    block.column = std::max(pixel.i - 1, 0);
+    block.row = std::max(row - 1, 0);
+    block.width = std::min(pixel.i + 1, surface.widthPixels - 1) - block.column + 1;
+    block.height = std::min(row + 1, surface.heightPixels - 1) - block.row + 1;
+    block.middle = static_cast<std::size_t>((row - block.row) * block.width + pixel.i - block.column);
+    return block;
+}
+
+/// The targets are addresses, or places in the buffer that is bound to GL_PIXEL_PACK_BUFFER.
+void Frame::readBlock(const Block &block, void *depths, void *objects)
+{
     GLint boundBefore = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &boundBefore);
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
     glReadBuffer(GL_COLOR_ATTACHMENT1);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    // As integers, because a float cannot hold every step of 24 bits.
-    glReadPixels(pixel.i, row, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
+    const auto read = [&](GLenum format, GLenum type, void *target) {
+        glReadPixels(block.column, block.row, block.width, block.height, format, type, target);
+    };
+    // Fixed point as integers, because a float cannot hold every step of 24 bits.
+    read(GL_DEPTH_COMPONENT, m_depthFormat.isFloat ? GL_FLOAT : GL_UNSIGNED_INT, depths);
     if (m_ids == ObjectIds::Integers)
-        glReadPixels(pixel.i, row, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, object);
+        read(GL_RED_INTEGER, GL_UNSIGNED_INT, objects);
     else
-        glReadPixels(pixel.i, row, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, object);
+        read(GL_RGBA, GL_UNSIGNED_BYTE, objects);
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(boundBefore));
 }
 
-DepthSample Frame::decoded(const Raw &raw) const
+std::uint32_t Frame::idOf(std::uint32_t raw) const
 {
+    if (m_ids == ObjectIds::Integers)
+        return raw;
+    const auto bytes = std::bit_cast<std::array<std::uint8_t, 4>>(raw);
     std::uint32_t id = 0;
-    if (m_ids == ObjectIds::Integers) {
-        std::memcpy(&id, raw.object.data(), sizeof id);
-    } else {
-        for (std::size_t byte = 4; byte-- > 0;)
-            id = id << 8 | raw.object[byte];
-    }
+    for (std::size_t byte = 4; byte-- > 0;)
+        id = id << 8 | bytes[byte];
+    return id;
+}
+
+double Frame::depthOf(std::uint32_t raw) const
+{
+    if (m_depthFormat.isFloat)
+        return static_cast<double>(std::bit_cast<float>(raw));
+    const double steps = std::ldexp(1.0, m_depthFormat.bits) - 1.0;
+    return std::round(raw / 4294967295.0 * steps) / steps;
+}
+
+DepthSample Frame::decoded(const Raw &raw, const Block &block) const
+{
     const DepthRange &range = m_picture->depthRange;
+    const std::size_t middle = block.middle;
+    const std::uint32_t id = idOf(raw.objects[middle]);
     if (id == 0)
-        return {range.atFar, std::nullopt, m_depthBits};
-    const double steps = std::ldexp(1.0, m_depthBits) - 1.0;
-    const double depth = std::round(raw.depth / 4294967295.0 * steps) / steps;
+        return {range.atFar, std::nullopt, m_depthFormat};
+    const double depth = depthOf(raw.depths[middle]);
+    // The steeper of both sides: a triangle smaller than a pixel is no less steep than the way to the next pixel.
+    const auto slopeTo = [&](bool isBefore, bool isAfter, std::size_t step) {
+        std::optional<double> slope;
+        const auto add = [&](std::size_t place) {
+            if (idOf(raw.objects[place]) == id)
+                slope = std::max(slope.value_or(0.0), std::abs(depthOf(raw.depths[place]) - depth));
+        };
+        if (isBefore)
+            add(middle - step);
+        if (isAfter)
+            add(middle + step);
+        return slope;
+    };
+    const auto width = static_cast<std::size_t>(block.width), height = static_cast<std::size_t>(block.height);
+    const std::size_t column = middle % width, row = middle / width;
+    const std::optional<double> alongX = slopeTo(column > 0, column + 1 < width, 1),
+                                alongY = slopeTo(row > 0, row + 1 < height, width);
     // Rounding to whole steps can lead out of the range, where no surface was drawn: its end is nearer to the truth.
     const auto [lowest, highest] = std::minmax(range.atNear, range.atFar);
-    return {std::clamp(depth, lowest, highest), static_cast<std::size_t>(id - 1), m_depthBits};
+    DepthSample sample{std::clamp(depth, lowest, highest), static_cast<std::size_t>(id - 1), m_depthFormat};
+    if (alongX && alongY)
+        sample.slope = DepthSlope{*alongX, *alongY};
+    sample.cornerShiftPixels = m_cornerShift.value_or(kCornerShiftPixels);
+    return sample;
+}
+
+/// Not before somebody asks for a depth: a program that only shows a picture need not wait for it.
+void Frame::measureCorners()
+{
+    if (!m_cornerShift)
+        m_cornerShift = measuredCornerShift(*this);
 }
 
 std::optional<DepthSample> Frame::sample(const DevicePixel &pixel)
 {
     if (!m_picture)
         return std::nullopt;
+    measureCorners();
     clearErrors(*this);
     Raw raw;
-    readPixel(pixel, &raw.depth, raw.object.data());
+    const Block block = blockAround(pixel);
+    readBlock(block, raw.depths.data(), raw.objects.data());
     if (glGetError() != GL_NO_ERROR)
         return std::nullopt;
-    return decoded(raw);
+    return decoded(raw, block);
 }
 
 void Frame::request(const DevicePixel &pixel)
@@ -212,9 +280,12 @@ void Frame::request(const DevicePixel &pixel)
     dropRequest();
     if (!m_picture)
         return;
+    measureCorners();
     clearErrors(*this);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, m_requestBuffer);
-    readPixel(pixel, reinterpret_cast<void *>(offsetof(Raw, depth)), reinterpret_cast<void *>(offsetof(Raw, object)));
+    m_requested = blockAround(pixel);
+    readBlock(m_requested, reinterpret_cast<void *>(offsetof(Raw, depths)),
+              reinterpret_cast<void *>(offsetof(Raw, objects)));
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     if (glGetError() != GL_NO_ERROR)
         return;
@@ -238,7 +309,7 @@ std::optional<DepthSample> Frame::takeRequested()
         Raw raw;
         std::memcpy(&raw, bytes, sizeof raw);
         if (glUnmapBuffer(GL_PIXEL_PACK_BUFFER))
-            sample = decoded(raw);
+            sample = decoded(raw, m_requested);
     }
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     return sample;

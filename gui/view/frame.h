@@ -42,10 +42,11 @@ public:
 
     /// The picture that was drawn; nothing before the first.
     const std::optional<Picture> &picture() const { return m_picture; }
+    unsigned framebuffer() const { return m_framebuffer; }
     unsigned colors() const { return m_colors; }
     unsigned depths() const { return m_depths; }
 
-    /// What was drawn at a pixel. Waits until it is drawn.
+    /// What was drawn at a pixel, with the slope that the same object's pixels beside it show. Waits until it is drawn.
     /// @pre the pixel lies inside the picture, if there is one
     /// @return nothing without a picture, and when OpenGL reports an error
     std::optional<DepthSample> sample(const DevicePixel &pixel);
@@ -61,29 +62,40 @@ public:
     std::optional<DepthSample> takeRequested();
 
 private:
+    static constexpr std::size_t kBlock = 3; ///< pixels are read with those around them
     /// As glReadPixels writes them, one after the other.
     struct Raw {
-        std::uint32_t depth = 0; ///< of 2^32 - 1
-        std::array<std::uint8_t, 4> object{};
+        std::array<std::uint32_t, kBlock * kBlock> depths{}; ///< of 2^32 - 1, or the bits of floats
+        std::array<std::uint32_t, kBlock * kBlock> objects{};
     };
-    static_assert(sizeof(Raw) == 8);
+    /// The part of a block that lies in the picture, framebuffer rows counted from the bottom.
+    struct Block {
+        int column = 0, row = 0, width = 0, height = 0;
+        std::size_t middle = 0; ///< place of the pixel itself
+    };
 
     void bind();
     bool allocate(int widthPixels, int heightPixels);
     void releaseTextures();
-    void readPixel(const DevicePixel &pixel, void *depth, void *object);
-    DepthSample decoded(const Raw &raw) const;
+    void measureCorners();
+    Block blockAround(const DevicePixel &pixel) const;
+    void readBlock(const Block &block, void *depths, void *objects);
+    std::uint32_t idOf(std::uint32_t raw) const;
+    double depthOf(std::uint32_t raw) const;
+    DepthSample decoded(const Raw &raw, const Block &block) const;
 
     ObjectIds m_ids = ObjectIds::Integers;
     unsigned m_framebuffer = 0;
     unsigned m_colors = 0, m_objects = 0, m_depths = 0; ///< textures
     int m_widthPixels = 0, m_heightPixels = 0;
-    int m_depthBits = 24;
+    DepthFormat m_depthFormat;
+    std::optional<double> m_cornerShift; ///< measuredCornerShift, once pixels are read
     int m_boundBefore = 0;
     std::optional<Drawable> m_begun;
     bool m_isPaused = false;
     std::optional<Picture> m_picture;
     unsigned m_requestBuffer = 0;
+    Block m_requested;
     GLsync m_fence = nullptr;
 };
 

@@ -18,15 +18,20 @@ constexpr int kRestMilliseconds = 120;
 /// Of a large model so much is drawn at once: the window stays awake in between.
 constexpr int kSliceMilliseconds = 30;
 
-/// What is drawn so fast can be drawn while the view moves.
-constexpr double kFastMilliseconds = 30.0;
-
 /// Behind the objects, at the bottom and at the top: light or dark as the window is.
 std::array<QColor, 2> backgroundOf(const QPalette &palette)
 {
     const bool isDark = palette.color(QPalette::Window).lightnessF() < 0.5F;
     return isDark ? std::array{QColor(0x25, 0x27, 0x2a), QColor(0x36, 0x39, 0x3e)}
                   : std::array{QColor(0xd4, 0xd9, 0xde), QColor(0xf2, 0xf5, 0xf7)};
+}
+
+/// Mesa's, Windows' and Chromium's OpenGL for machines without a graphics card, by their names.
+bool isSoftwareRenderer(const QString &name)
+{
+    constexpr std::array kNames{"llvmpipe", "softpipe", "Software Rasterizer", "SWR", "SwiftShader", "Basic Render"};
+    return std::any_of(kNames.begin(), kNames.end(),
+                       [&name](const char *known) { return name.contains(QLatin1String(known)); });
 }
 
 } // namespace
@@ -77,7 +82,7 @@ bool FrameView::createFrame()
     for (Frame &frame : m_frames)
         frame.initialize();
     m_background.initialize();
-    m_meshes.initialize(m_frames[0].ids());
+    m_meshes.initialize(m_frames[0].ids(), isSoftwareRenderer(text(GL_RENDERER)));
     m_painter.initialize();
     m_isCreated = true;
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &FrameView::releaseGL, Qt::UniqueConnection);
@@ -90,6 +95,7 @@ void FrameView::releaseFrame()
         frame.release();
     m_refineTimer.stop();
     m_isRefining = m_isCoarse = false;
+    tellDrawn(1.0);
     m_background.release();
     m_meshes.release();
     m_painter.release();
@@ -126,7 +132,15 @@ void FrameView::keepModels()
     m_meshes.keepOnly(models);
 }
 
-bool FrameView::drawFrame(FrameContents contents)
+void FrameView::tellDrawn(double share)
+{
+    if (!m_isTelling)
+        return;
+    m_isTelling = share < 1.0;
+    emit drawingProgressed(share);
+}
+
+FrameView::Drawn FrameView::drawFrame(FrameContents contents)
 {
     const auto haveSameModels = [](const std::vector<SceneObject> &a, const std::vector<SceneObject> &b) {
         return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const SceneObject &x, const SceneObject &y) {
@@ -141,35 +155,37 @@ bool FrameView::drawFrame(FrameContents contents)
     m_contents = std::move(contents);
     keepModels();
     const bool isLarge = m_models && ModelStore::areLarge(m_contents.objects);
-    const auto standIns = isLarge ? m_models->standInsFor(m_contents.objects) : std::nullopt;
-    if (isLarge && m_isOnScreen && !m_isFast) {
-        m_isCoarse = true;
-        // Without stand-ins yet, what was shown last stays.
+    m_isCoarse = isLarge && m_isOnScreen && !m_isFast;
+    const auto standIns = m_isCoarse ? m_models->standInsFor(m_contents.objects) : std::nullopt;
+    if (m_isCoarse) {
         m_refineTimer.start(standIns ? kRestMilliseconds : 0);
-        if (!standIns)
-            return true;
+        if (!standIns) {
+            m_isTelling = true;
+            tellDrawn(0.0);
+            return Drawn::Nothing;
+        }
     }
+    tellDrawn(1.0);
     QElapsedTimer timer;
     timer.start();
     if (!beginFrame(frame()))
-        return false;
+        return Drawn::Nothing;
     MeshPainter::Place place;
-    if (m_refineTimer.isActive()) {
+    if (standIns) {
         FrameContents coarse = m_contents;
         coarse.objects = *standIns;
         m_meshes.drawOn(coarse, place, Deadline({}));
     } else {
         m_meshes.drawOn(m_contents, place, Deadline({}));
-        m_isCoarse = false;
         if (m_isFast) {
             glFinish();
-            m_isFast = static_cast<double>(timer.nsecsElapsed()) * 1e-6 < 2.0 * kFastMilliseconds;
+            m_isFast = static_cast<double>(timer.nsecsElapsed()) * 1e-6 < 2.0 * m_motionBudget;
         }
     }
     frame().end();
     for (const QString &failure : m_meshes.takeFailures())
         emit failed(failure);
-    return true;
+    return m_isCoarse ? Drawn::StandIns : Drawn::Objects;
 }
 
 /// Draws on into the frame that is not shown, and shows it when all is in it.
@@ -185,6 +201,7 @@ void FrameView::refine(const Deadline &deadline)
         m_refineMilliseconds = 0.0;
         if (!beginFrame(next)) {
             m_isCoarse = false; // it is not tried again before there is something else to draw
+            tellDrawn(1.0);
             return;
         }
         m_isRefining = true;
@@ -198,14 +215,16 @@ void FrameView::refine(const Deadline &deadline)
         emit failed(failure);
     if (!isDone) {
         m_refineMilliseconds += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+        tellDrawn(std::min(m_meshes.shareDone(m_contents, m_place), 0.999));
         return;
     }
     glFinish();
     m_refineMilliseconds += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    m_isFast = m_refineMilliseconds < kFastMilliseconds;
+    m_isFast = m_refineMilliseconds < m_motionBudget;
     m_isRefining = m_isCoarse = false;
     m_shown = 1 - m_shown;
     m_painter.setStale();
+    tellDrawn(1.0);
 }
 
 void FrameView::completeFrame()
@@ -240,8 +259,9 @@ bool FrameView::showFrame()
     }
     const bool isInMotion = m_isOnScreen && m_painter.isSmoothingSlow() && !m_sinceDrawn.hasExpired(kRestMilliseconds);
     const Surface &surface = frame().picture()->surface;
-    m_painter.draw({frame().colors(), frame().depths(), surface.widthPixels, surface.heightPixels},
-                   m_smoothEdges && !isInMotion);
+    m_painter.draw(
+        {frame().framebuffer(), frame().colors(), frame().depths(), surface.widthPixels, surface.heightPixels},
+        m_smoothEdges && !isInMotion);
     if (m_smoothEdges && isInMotion)
         m_restTimer.start(kRestMilliseconds);
     return true;

@@ -34,6 +34,9 @@ public:
 
     /// Where the stand-ins come from; without it there are none. It outlives the view.
     void setModelStore(ModelStore &models) { m_models = &models; }
+    /// What takes no longer than this, in milliseconds, is drawn whole while the view moves, however many triangles it
+    /// has; with 0, large models always have their stand-ins.
+    void setMotionBudget(double milliseconds) { m_motionBudget = milliseconds; }
 
     /// A matter of looks alone: the depths that are read are the same.
     void setSmoothEdges(bool smooth);
@@ -51,6 +54,9 @@ public:
 signals:
     /// OpenGL cannot draw here, or not all of it, or not read depths; for a message.
     void failed(const QString &reason);
+    /// How much is drawn of a picture that is long in coming, while another one or none is shown: from 0 up to 1, when it is
+    /// shown or no longer wanted. Not told where stand-ins are shown.
+    void drawingProgressed(double share);
 
 protected:
     explicit FrameView(QWidget *parent);
@@ -60,10 +66,15 @@ protected:
     /// @return whether OpenGL is new enough; when it is not, `failed` has told so, and nothing can be drawn
     bool createFrame();
     void releaseFrame();
-    /// Draws objects into the frame, with a background behind them. What cannot be drawn is told by `failed`. On the screen
-    /// the frame may be coarse, or the last one, until all is drawn.
-    /// @return false when OpenGL gives no such frame
-    bool drawFrame(FrameContents contents);
+    /// What a frame shows of its objects.
+    enum class Drawn {
+        Nothing,  ///< of these: OpenGL gives no such frame, or the last one stays until all is drawn
+        StandIns, ///< of the large ones, until all is drawn
+        Objects
+    };
+    /// Draws objects into the frame, with a background behind them. What cannot be drawn is told by `failed`. Only on the
+    /// screen may the frame be coarse, or the last one, until all is drawn.
+    Drawn drawFrame(FrameContents contents);
     /// Draws what is missing of the frame.
     void completeFrame();
     Frame &frame() { return m_frames[m_shown]; }
@@ -88,6 +99,7 @@ private:
     void keepModels();
     void refine(const Deadline &deadline);
     void takeRest();
+    void tellDrawn(double share);
 
     ModelStore *m_models = nullptr;
     std::array<Frame, 2> m_frames;
@@ -95,8 +107,10 @@ private:
     FrameContents m_contents;
     MeshPainter::Place m_place; ///< in the contents: so far they are drawn into the frame that is not shown
     bool m_isCoarse = false;
-    bool m_isRefining = false; ///< drawing into it has begun
-    bool m_isFast = false;     ///< these objects can be drawn while the view moves, however many they are
+    bool m_isRefining = false;    ///< drawing into it has begun
+    bool m_isTelling = false;     ///< by `drawingProgressed`
+    double m_motionBudget = 30.0; ///< in milliseconds
+    bool m_isFast = false;        ///< these objects can be drawn while the view moves, however many they are
     double m_refineMilliseconds = 0.0;
     QTimer m_refineTimer;
 

@@ -12,6 +12,7 @@ struct LifecycleEvent {
     QString arguments;         ///< as in a call: "1024, 768"
     QString calls;             ///< the OpenGL calls it stands for: "glViewport(0, 0, 1024, 768)"
     double milliseconds = 0.0; ///< how long it took
+    bool hasStandIns = false;  ///< of a picture: large models were drawn coarse
 };
 
 } // namespace unprojector::gui

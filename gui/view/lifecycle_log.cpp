@@ -54,6 +54,7 @@ void LifecycleLog::append(const LifecycleEvent &event)
         row.event = event;
         row.lastSeconds = now;
         ++row.count;
+        row.standIns += event.hasStandIns ? 1 : 0;
         row.totalMilliseconds += event.milliseconds;
         const int last = rowCount() - 1;
         emit dataChanged(index(last, 0), index(last, ColumnCount - 1));
@@ -65,7 +66,7 @@ void LifecycleLog::append(const LifecycleEvent &event)
         endRemoveRows();
     }
     beginInsertRows({}, rowCount(), rowCount());
-    m_rows.push_back({event, now, now, 1, event.milliseconds});
+    m_rows.push_back({event, now, now, 1, event.hasStandIns ? 1 : 0, event.milliseconds});
     endInsertRows();
 }
 
@@ -109,6 +110,10 @@ QVariant LifecycleLog::data(const QModelIndex &index, int role) const
         return tr("From %1 s to %2 s").arg(secondsText(row.firstSeconds), secondsText(row.lastSeconds));
     if (role == Qt::ToolTipRole && index.column() == Step)
         return index.data().toString() + u'\n' + headerData(index.column(), Qt::Horizontal, Qt::ToolTipRole).toString();
+    if (role == Qt::ToolTipRole && index.column() == StandsFor && row.standIns > 0)
+        return index.data().toString() + u'\n'
+               + tr("While the view moves, large models are shown by coarse ones that stand in for them. Clicks always "
+                    "read the full model.");
     if (role == Qt::ToolTipRole && index.column() == StandsFor)
         return row.event.calls;
     if (role != Qt::DisplayRole)
@@ -119,7 +124,14 @@ QVariant LifecycleLog::data(const QModelIndex &index, int role) const
         if (row.event.kind == Kind::OnDraw)
             return row.count > 1 ? QStringLiteral("OnDraw × %1").arg(row.count) : nameOf(row.event.kind);
         return QStringLiteral("%1(%2)").arg(nameOf(row.event.kind), row.event.arguments);
-    case StandsFor: return row.event.calls;
+    case StandsFor:
+        if (row.standIns > 0)
+            return row.count > 1 ? tr("%1; in %2 of %3 pictures large models were drawn coarse")
+                                       .arg(row.event.calls)
+                                       .arg(row.standIns)
+                                       .arg(row.count)
+                                 : tr("%1; large models were drawn coarse").arg(row.event.calls);
+        return row.event.calls;
     case Took:
         // The surface format is set before there is anything to time.
         if (row.event.kind == Kind::PreCreateWindow)

@@ -37,6 +37,7 @@ private:
         double firstSeconds = 0.0;
         double lastSeconds = 0.0;
         int count = 1;
+        int standIns = 0; ///< of these pictures, those with coarse models
         double totalMilliseconds = 0.0;
     };
 

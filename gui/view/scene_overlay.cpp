@@ -5,6 +5,7 @@
 #include "gui/view/frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace unprojector::gui {
@@ -37,7 +38,8 @@ void SceneOverlay::release()
     m_pick.release();
 }
 
-void SceneOverlay::draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair)
+void SceneOverlay::draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair,
+                        const std::optional<SnapMark> &mark)
 {
     const Picture &g = document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
@@ -55,6 +57,8 @@ void SceneOverlay::draw(const SceneDocument &document, const std::optional<Devic
     drawClipPlanes(document, *matrix);
     drawPick(document, *matrix);
     glDisable(GL_DEPTH_TEST);
+    if (mark)
+        drawMark(*mark, g, *matrix);
     drawAxes(*frame, *drawn);
     if (crosshair)
         drawCrosshair(*crosshair, g.surface);
@@ -73,16 +77,42 @@ void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat
 
 void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
-    const std::optional<Pick> &pick = document.pick();
-    if (!pick || !pick->hit() || !pick->point.world[Method::Formula])
+    const std::optional<WorldPoint> point = document.pickedPoint();
+    if (!point)
         return;
     const Picture &g = document.geometry();
-    const WorldPoint &point = *pick->point.world[Method::Formula];
-    const std::vector<LineSegment> drops = dropLines(point, document.ground());
+    const std::vector<LineSegment> drops = dropLines(*point, document.ground());
     m_lines.draw(drops, clipFromWorld, viewportPixels(g), 2.0f * pixelRatio(g));
     glDisable(GL_DEPTH_TEST);
     m_lines.draw(faded(drops), clipFromWorld, viewportPixels(g), 1.5f * pixelRatio(g));
-    m_pick.draw(point, clipFromWorld, viewportPixels(g), pixelRatio(g));
+    m_pick.draw(*point, clipFromWorld, viewportPixels(g), pixelRatio(g));
+}
+
+void SceneOverlay::drawMark(const SnapMark &mark, const Picture &g, const glm::dmat4 &clipFromWorld)
+{
+    constexpr float kWidthLogical = 2.0f, kRimLogical = 4.5f;
+    const SnapShape shape = snapShape(mark);
+    const auto draw = [&](const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource) {
+        m_lines.draw(dark(lines), clipFromSource, viewportPixels(g), kRimLogical * pixelRatio(g));
+        m_lines.draw(lines, clipFromSource, viewportPixels(g), kWidthLogical * pixelRatio(g));
+    };
+    m_faces.draw(shape.faces, clipFromWorld);
+    draw(shape.lines, clipFromWorld);
+    if (!shape.point)
+        return;
+    const glm::dvec4 clip = clipFromWorld * glm::dvec4(shape.point->coordinates(), 1.0);
+    if (!(clip.w > 0.0))
+        return;
+    // A square about it, as large at every distance.
+    constexpr double kHalfLogical = 5.0;
+    const glm::dvec2 middle = glm::dvec2(clip) / clip.w;
+    const glm::dvec2 half = 2.0 * kHalfLogical * g.surface.devicePixelRatio / glm::dvec2(viewportPixels(g));
+    std::vector<LineSegment> square;
+    constexpr std::array<glm::dvec2, 4> kCorners{{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
+    for (std::size_t i = 0; i < kCorners.size(); ++i)
+        square.push_back({glm::dvec3(middle + half * kCorners[i], 0.0),
+                          glm::dvec3(middle + half * kCorners[(i + 1) % kCorners.size()], 0.0), kSnapColor});
+    draw(square, glm::dmat4(1.0));
 }
 
 void SceneOverlay::drawAxes(const EyeFrame &frame, const Drawable &drawn)

@@ -5,6 +5,7 @@
 #include "gui/painters/face_painter.h"
 #include "gui/painters/line_painter.h"
 #include "gui/painters/pick_painter.h"
+#include "gui/painters/snap_shapes.h"
 
 #include <QOpenGLExtraFunctions>
 
@@ -12,8 +13,8 @@
 
 namespace unprojector::gui {
 
-/// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, the picked point, the directions
-/// of the axes in the corner and the crosshair of the keys. All calls need the OpenGL context current.
+/// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, the picked point, what a click would take,
+/// the directions of the axes in the corner and the crosshair of the keys. All calls need the OpenGL context current.
 class SceneOverlay : protected QOpenGLExtraFunctions {
 public:
     void initialize();
@@ -21,11 +22,14 @@ public:
 
     /// Onto a framebuffer that has the objects' colours and depths; it leaves the depths as they are.
     /// @param crosshair  the pixel that keys pick at, where it is to be shown
-    void draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair);
+    /// @param mark       what a click would take, where that is to be shown
+    void draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair,
+              const std::optional<SnapMark> &mark);
 
 private:
     void drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     void drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
+    void drawMark(const SnapMark &mark, const Picture &g, const glm::dmat4 &clipFromWorld);
     /// In the corner of the viewport, where that is large enough.
     void drawAxes(const EyeFrame &frame, const Drawable &drawn);
     void drawCrosshair(const DevicePixel &pixel, const Surface &surface);

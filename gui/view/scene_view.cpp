@@ -1,5 +1,6 @@
 #include "gui/view/scene_view.h"
 
+#include "core/scene/point_size.h"
 #include "gui/view/scene_overlay.h"
 
 #include <QElapsedTimer>
@@ -9,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-// The hand is in scene_view_input.cpp, the keys are in scene_view_keys.cpp.
+// The hand is in scene_view_input.cpp, the keys are in scene_view_keys.cpp, placed points are in scene_view_points.cpp.
 
 namespace unprojector::gui {
 namespace {
@@ -39,9 +40,19 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) // the former pick may be on one that went
             m_formerPick.reset();
+        if (changes & (kSeen | Change::Landmarks | Change::LandmarkSelection))
+            m_marks.reset();
         if (changes & kSeen)
             redraw();
-        else if (changes & Change::Pick) // its mark is drawn over the frame
+        else if (changes & (Change::Pick | Change::Ray | Change::Landmarks | Change::LandmarkSelection))
+            update(); // they are drawn over the frame
+        if (changes & Change::Snap)
+            clearMark();
+    });
+    // Only now it can be said which points are behind something.
+    connect(&m_document.rayCasters(), &RayCasters::built, this, [this] {
+        m_marks.reset();
+        if (!m_document.landmarks().empty())
             update();
     });
     connect(&m_hoverTimer, &QTimer::timeout, this, &SceneView::takeHover);
@@ -56,6 +67,7 @@ void SceneView::redraw()
 {
     m_isStale = true;
     m_stillPivot.reset();
+    m_mark.reset();
     update();
 }
 
@@ -104,23 +116,25 @@ void SceneView::onDraw()
         return;
     QElapsedTimer timer;
     timer.start();
-    const bool hasDrawnObjects = updateFrame();
-    if (showFrame())
-        m_overlay->draw(m_document, m_isCrosshairShown ? std::optional(crosshair()) : std::nullopt);
+    const Drawn drawn = updateFrame();
+    if (showFrame()) {
+        m_overlay->draw(m_document, m_isCrosshairShown ? std::optional(crosshair()) : std::nullopt, m_mark);
+        drawMarks();
+    }
     emit happened({LifecycleEvent::Kind::OnDraw, QString(),
-                   hasDrawnObjects ? kObjectCalls + QStringLiteral(", glDrawArrays")
-                                   : tr("glDrawArrays: the objects are as they were drawn before"),
-                   milliseconds(timer)});
+                   drawn == Drawn::Nothing ? tr("glDrawArrays: the objects are as they were drawn before")
+                                           : kObjectCalls + QStringLiteral(", glDrawArrays"),
+                   milliseconds(timer), drawn == Drawn::StandIns});
     requestHover();
 }
 
-bool SceneView::updateFrame()
+FrameView::Drawn SceneView::updateFrame()
 {
     // A pixel ratio can change without a change of size.
     if (m_document.geometry().surface != currentSurface())
         m_document.setSurface(currentSurface());
     if (!m_isStale)
-        return false;
+        return Drawn::Nothing;
     m_isStale = false;
     // What the pointer was to be told of the last picture is read in this one.
     if (const std::optional<WidgetPoint> dropped = std::exchange(m_requested, std::nullopt); dropped && !m_hovered)
@@ -130,7 +144,7 @@ bool SceneView::updateFrame()
     const Result<EyeFrame> frame = eyeFrame(g.camera());
     const Result<Drawable> drawn = drawable(g);
     if (!matrix || !frame || !drawn)
-        return false;
+        return Drawn::Nothing;
     return drawFrame({*drawn, m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes});
 }
 
@@ -158,16 +172,26 @@ std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)
     QElapsedTimer timer;
     timer.start();
     makeCurrent();
-    if (updateFrame())
+    if (updateFrame() != Drawn::Nothing)
         emit happened({LifecycleEvent::Kind::OnDraw, QString(), kObjectCalls, milliseconds(timer)});
     completeFrame();
     std::optional<DepthSample> sample;
     if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position)) {
         sample = frame().sample(*pixel);
-        if (!sample)
+        if (sample)
+            sample = withDot(*sample);
+        else
             emit failed(tr("The depth of this pixel could not be read: OpenGL reported an error."));
     }
     doneCurrent();
+    return sample;
+}
+
+DepthSample SceneView::withDot(DepthSample sample) const
+{
+    const std::vector<SceneObject> &objects = m_document.objects();
+    if (sample.object && *sample.object < objects.size() && objects[*sample.object].model->pointCount() > 0)
+        sample.dotPixels = pointPixels(m_document.geometry().surface);
     return sample;
 }
 

@@ -1,13 +1,24 @@
 #pragma once
 
 #include "gui/document/scene_document.h"
+#include "gui/painters/snap_mark.h"
+#include "gui/view/axis_dragger.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/lifecycle_event.h"
+#include "gui/view/point_marks.h"
 
+#include <QImage>
 #include <QTimer>
 #include <QUrl>
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <vector>
+
+class QHelpEvent;
+class QKeyEvent;
+class QMouseEvent;
 
 namespace unprojector::gui {
 
@@ -30,7 +41,13 @@ public:
     /// device pixels, while the event's position is relative to the view's logical corner.
     WidgetPoint widgetPosition(const QPointF &local) const;
 
+    /// Whether a click places a point, where it is released; a drag navigates as ever. Marks of points are selected and dragged
+    /// in either case.
+    bool isPlacing() const { return m_isPlacing; }
+    void setPlacing(bool isPlacing);
+
 signals:
+    void placingChanged(bool isPlacing);
     void hovered(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
     void pointerLeft();
     /// A step of the view's life has been taken; for a log.
@@ -58,7 +75,7 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
-    enum class Drag { None, Orbit, Pan };
+    enum class Drag { None, Orbit, Pan, Point, Axis };
 
     void onCreate();
     void onSize();
@@ -66,10 +83,12 @@ private:
     void onDestroy();
 
     /// Draws the objects into the frame where it does not show the document as it is.
-    /// @return whether it had to
-    bool updateFrame();
+    /// @return what it drew
+    Drawn updateFrame();
     /// What is under a position in a picture that is up to date.
     std::optional<DepthSample> sampleAt(const WidgetPoint &position);
+    /// Of an object that is a cloud: of the dot that a point is drawn as.
+    DepthSample withDot(DepthSample sample) const;
     void redraw();
 
     /// The point to turn about, to move with and to zoom to at a position.
@@ -81,6 +100,37 @@ private:
     void pan(const QPointF &way, const WorldPoint &pivot, const QString &mergeKey);
 
     void showMenu(const WidgetPoint &position, const QPoint &global);
+
+    /// Marks what a click at a position would take of the meshes; on a whole surface there is nothing to mark.
+    void markAt(const WidgetPoint &position);
+    void clearMark();
+
+    // Placed points: scene_view_points.cpp.
+
+    /// As they are seen now.
+    const std::vector<PointMark> &marks();
+    void drawMarks();
+    bool pressMark(const QMouseEvent &event);
+    bool isPointDragged() const { return m_drag == Drag::Point || m_drag == Drag::Axis; }
+    /// Slides the point on the surface under the pointer.
+    void dragPoint(const QPointF &local);
+    /// The arrows by which the current point is moved off the surface: while points are placed.
+    std::optional<std::array<AxisArrow, 3>> arrows() const;
+    /// @return whether one was pressed
+    bool pressArrow(const QPointF &pointer);
+    void dragAlongAxis(const QPointF &local);
+    void placePointAt(const QPointF &local);
+    /// Whether a key is for points as things are.
+    bool isPointKey(const QKeyEvent &event) const;
+    void pressPointKey(const QKeyEvent &event);
+    void showTip(const QHelpEvent &event);
+    /// Shows a place large while points are placed and dragged.
+    /// @param at  device pixels; nothing: no more
+    void aimLoupe(const std::optional<DevicePoint> &at);
+    /// The centre of the pixel under a position; nothing outside the view.
+    std::optional<DevicePoint> pointedAt(const QPointF &local) const;
+    /// The pixels about a place of what has been drawn, the top row first.
+    QImage pixelsAbout(const DevicePoint &at);
 
     // Keys do at the crosshair what the mouse does at the pointer.
 
@@ -98,9 +148,22 @@ private:
     SceneDocument &m_document;
     std::unique_ptr<SceneOverlay> m_overlay;
 
+    std::optional<SnapMark> m_mark;
     std::optional<WidgetPoint> m_hovered;   ///< to be read
     std::optional<WidgetPoint> m_requested; ///< being read
     QTimer m_hoverTimer;
+
+    bool m_isPlacing = false;
+    bool m_placesAtRelease = false;                ///< the press was not on a mark
+    std::optional<std::vector<PointMark>> m_marks; ///< nothing: to be looked for
+    std::size_t m_draggedPoint = 0;                ///< its place
+    QPointF m_pointGrab;                           ///< from the pointer to the dragged mark
+    int m_stepAtPress = 0;                         ///< of undo, when the drag of a point began
+    bool m_hasMovedPoint = false;
+    int m_draggedAxis = 0;
+    WorldPoint m_axisStart;  ///< where the dragged point was
+    double m_axisFrom = 0.0; ///< where along the axis it was grabbed, from there
+    std::optional<DevicePoint> m_loupeAt;
 
     Drag m_drag = Drag::None;
     bool m_hasMoved = false;               ///< far enough from the press to be a drag

@@ -43,7 +43,10 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     m_gesture = QStringLiteral("drag %1").arg(++m_gestureCount);
     const WidgetPoint position = widgetPosition(event->position());
     setCrosshairShown(false);
-    if (pans) {
+    if (!pans && pressMark(*event))
+        return;
+    m_placesAtRelease = m_isPlacing && !pans;
+    if (pans || m_placesAtRelease) {
         m_pivot = pivotAt(position);
     } else {
         m_pivot = m_document.geometry().camera().center; // where nothing can be read
@@ -72,6 +75,8 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     case Drag::None:
         if (event->buttons() == Qt::NoButton)
             reportHover(event->position());
+        if (m_isPlacing && event->buttons() == Qt::NoButton)
+            aimLoupe(pointedAt(event->position()));
         return;
     case Drag::Orbit: {
         // Half a turn for the height of the view.
@@ -82,6 +87,8 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
         return;
     }
     case Drag::Pan: pan(delta, m_pivot, m_gesture); return;
+    case Drag::Point: dragPoint(event->position()); return;
+    case Drag::Axis: dragAlongAxis(event->position()); return;
     }
 }
 
@@ -94,7 +101,11 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
     }
     if (event->buttons() != Qt::NoButton)
         return;
-    m_drag = Drag::None;
+    if (m_drag != Drag::None)
+        aimLoupe(m_isPlacing ? pointedAt(event->position()) : std::nullopt);
+    const bool isClick = std::exchange(m_drag, Drag::None) != Drag::None && !m_hasMoved;
+    if (std::exchange(m_placesAtRelease, false) && isClick)
+        placePointAt(event->position());
     m_formerPick.reset();
     if (rect().contains(event->position().toPoint()))
         reportHover(event->position());
@@ -103,7 +114,34 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
 void SceneView::reportHover(const QPointF &local)
 {
     m_hovered = widgetPosition(local);
+    markAt(*m_hovered);
     requestHover();
+}
+
+void SceneView::markAt(const WidgetPoint &position)
+{
+    const ray::Snap snap = m_document.snap();
+    const ray::SceneRays *rays = snap == ray::Snap::Surface ? nullptr : m_document.rays();
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position);
+    if (!rays || !pixel) {
+        clearMark();
+        return;
+    }
+    const Result<std::optional<ray::SceneHit>> hit = rays->at(pixelCenter(*pixel), snap);
+    if (!hit || !*hit) {
+        clearMark();
+        return;
+    }
+    m_mark = {snap, **hit, {}};
+    if (m_mark->hit.triangle)
+        m_mark->corners = rays->corners(m_mark->hit);
+    update();
+}
+
+void SceneView::clearMark()
+{
+    if (std::exchange(m_mark, std::nullopt))
+        update();
 }
 
 void SceneView::requestHover()
@@ -141,7 +179,7 @@ void SceneView::takeHover()
         return;
     }
     if (sample)
-        emit hovered(position, *sample);
+        emit hovered(position, withDot(*sample));
     requestHover();
 }
 
@@ -149,6 +187,10 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
 {
     if (m_drag != Drag::None || event->button() != Qt::LeftButton)
         return;
+    if (m_isPlacing) { // two points, one soon after the other
+        mousePressEvent(event);
+        return;
+    }
     const WidgetPoint position = widgetPosition(event->position());
     const std::optional<DepthSample> sample = sampleAt(position);
     if (!sample || !sample->hit())
@@ -207,6 +249,9 @@ void SceneView::leaveEvent(QEvent *event)
 {
     FrameView::leaveEvent(event);
     m_hovered.reset();
+    clearMark();
+    if (m_drag == Drag::None)
+        aimLoupe(std::nullopt);
     if (m_requested) {
         m_requested.reset();
         makeCurrent();

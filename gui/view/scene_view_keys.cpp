@@ -4,6 +4,7 @@
 
 #include "core/geometry/angle.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 
 #include <algorithm>
@@ -97,8 +98,15 @@ void SceneView::setCrosshairShown(bool isShown)
 bool SceneView::event(QEvent *event)
 {
     // The view's keys come before the window's shortcuts.
-    if (event->type() == QEvent::ShortcutOverride && deedOf(*static_cast<QKeyEvent *>(event))) {
-        event->accept();
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto &key = *static_cast<QKeyEvent *>(event);
+        if (isPointKey(key) || deedOf(key)) {
+            event->accept();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::ToolTip && !m_document.landmarks().empty()) {
+        showTip(*static_cast<QHelpEvent *>(event));
         return true;
     }
     return FrameView::event(event);
@@ -106,6 +114,10 @@ bool SceneView::event(QEvent *event)
 
 void SceneView::keyPressEvent(QKeyEvent *event)
 {
+    if (isPointKey(*event)) {
+        pressPointKey(*event);
+        return;
+    }
     const std::optional<KeyDeed> deed = deedOf(*event);
     if (!deed) {
         FrameView::keyPressEvent(event);
@@ -135,6 +147,7 @@ void SceneView::keyPressEvent(QKeyEvent *event)
     case KeyDeed::Kind::Aim:
         m_crosshair = {std::clamp(pixel.i + deed->way.x(), 0, surface.widthPixels - 1),
                        std::clamp(pixel.j + deed->way.y(), 0, surface.heightPixels - 1)};
+        markAt(widgetFromDevice(surface, pixelCenter(*m_crosshair)));
         update();
         return;
     case KeyDeed::Kind::Zoom: zoomAt(position, deed->notches, QStringLiteral("zoom by keys")); return;

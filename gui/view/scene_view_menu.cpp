@@ -3,6 +3,7 @@
 #include "gui/view/scene_view.h"
 
 #include "gui/text/number_text.h"
+#include "gui/text/ray_text.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>
@@ -47,18 +48,18 @@ void SceneView::showMenu(const WidgetPoint &position, const QPoint &global)
             putCrosshair(position);
             onLButtonDown(position);
         });
+    const bool isPrepared = m_document.snap() == ray::Snap::Surface || m_document.rays();
     add("copyPoint", tr("Pick and Copy Point"), {},
-        surface ? tr("Read the world coordinate of this pixel and copy it, all its digits")
-                : tr("Background: no surface here"),
-        surface.has_value(), [this, position] {
+        !surface      ? tr("Background: no surface here")
+        : !isPrepared ? rayPreparingText()
+                      : tr("Read the world coordinate of this pixel and copy it, all its digits"),
+        surface && isPrepared, [this, position] {
             putCrosshair(position);
             onLButtonDown(position);
-            const std::optional<Pick> &pick = m_document.pick();
-            if (!pick || !pick->hit() || !pick->point.world[Method::Formula])
-                return;
-            const WorldPoint &point = *pick->point.world[Method::Formula];
-            QGuiApplication::clipboard()->setText(
-                QStringLiteral("%1, %2, %3").arg(shortestText(point.x), shortestText(point.y), shortestText(point.z)));
+            if (const std::optional<WorldPoint> point = m_document.pickedPoint())
+                QGuiApplication::clipboard()->setText(
+                    QStringLiteral("%1, %2, %3")
+                        .arg(shortestText(point->x), shortestText(point->y), shortestText(point->z)));
         });
     add("lookHere", tr("Look at This Point"), {}, tr("Bring it to the middle; the view turns about it"),
         surface.has_value(), [this, surface] { m_document.setCamera(recentered(m_document.geometry(), *surface)); });

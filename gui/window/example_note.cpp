@@ -21,7 +21,7 @@ constexpr int kMostHeight = 520;
 } // namespace
 
 ExampleNote::ExampleNote(QWidget *parent)
-    : QWidget(parent), m_title(new QLabel), m_text(new QTextBrowser), m_source(new QLabel)
+    : QWidget(parent), m_title(new QLabel), m_close(new QToolButton), m_text(new QTextBrowser), m_source(new QLabel)
 {
     QFont bold = font();
     bold.setBold(true);
@@ -31,13 +31,13 @@ ExampleNote::ExampleNote(QWidget *parent)
     m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_title->setAccessibleName(tr("Example"));
 
-    auto *close = new QToolButton;
-    close->setText(QStringLiteral("×"));
-    close->setAutoRaise(true);
-    close->setFocusPolicy(Qt::TabFocus);
-    close->setToolTip(tr("Close the note; the example stays"));
-    close->setAccessibleName(tr("Close the note"));
-    connect(close, &QToolButton::clicked, this, &ExampleNote::closeRequested);
+    m_close->setText(QStringLiteral("×"));
+    m_close->setAutoRaise(true);
+    m_close->setFocusPolicy(Qt::TabFocus);
+    m_close->setToolTip(tr("Close the note; the example stays"));
+    m_close->setAccessibleName(tr("Close the note"));
+    m_close->hide();
+    connect(m_close, &QToolButton::clicked, this, &ExampleNote::closeRequested);
 
     m_text->setFrameShape(QFrame::NoFrame);
     m_text->setOpenLinks(false);
@@ -59,7 +59,7 @@ ExampleNote::ExampleNote(QWidget *parent)
 
     auto *head = new QHBoxLayout;
     head->addWidget(m_title, 1);
-    head->addWidget(close, 0, Qt::AlignTop);
+    head->addWidget(m_close, 0, Qt::AlignTop);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 8, 8, 8);
     layout->setSpacing(6);
@@ -92,6 +92,11 @@ void ExampleNote::clear()
 bool ExampleNote::isEmpty() const
 {
     return m_title->text().isEmpty();
+}
+
+void ExampleNote::setClosesItself(bool does)
+{
+    m_close->setVisible(does);
 }
 
 QString ExampleNote::text() const

@@ -6,6 +6,7 @@
 
 class QLabel;
 class QTextBrowser;
+class QToolButton;
 
 namespace unprojector::gui {
 
@@ -20,6 +21,8 @@ public:
     void showExample(const std::string &id);
     void clear();
     bool isEmpty() const;
+    /// Where the frame around the note has no button that closes it, the note has one. At first it has none.
+    void setClosesItself(bool does);
     /// Title, text and source, plain.
     QString text() const;
 
@@ -27,7 +30,7 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
-    /// The button was pressed.
+    /// Its own button was pressed.
     void closeRequested();
     /// A link to the formulas was followed.
     /// @param anchor  a name in formulas.html
@@ -35,6 +38,7 @@ signals:
 
 private:
     QLabel *m_title;
+    QToolButton *m_close;
     QTextBrowser *m_text;
     QLabel *m_source;
 };

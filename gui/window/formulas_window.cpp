@@ -40,8 +40,8 @@ public:
 protected:
     void resizeEvent(QResizeEvent *event) override
     {
+        fitColumn(); // before the text is laid out, which it is in the width that is left
         QTextBrowser::resizeEvent(event);
-        fitColumn();
     }
 
     /// The window keeps the zoom's limits; the text itself would not.

@@ -69,6 +69,15 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(tr("Ctrl + arrows"), tr("move the crosshair by a pixel, with Shift by ten"));
     rows += row(tr("Enter"), tr("read the world coordinate at the crosshair"));
     rows += row(tr("Esc"), tr("stop opening the files that are on their way"));
+    rows += heading(tr("Placed points"));
+    rows += row(tr("left button on a mark"), tr("select the point, with Ctrl besides the others"));
+    rows += row(tr("left drag of a mark"), tr("slide the point on the surface; Esc puts it back"));
+    rows += row(tr("left drag of an arrow at the selected point, while points are placed"),
+                tr("move the point along the axis, off the surface"));
+    rows += row(tr("left button, while points are placed"), tr("place a point; Esc ends it"));
+    rows += row(tr("arrows, while points are placed"),
+                tr("move the selected point by a pixel, with Shift by ten, with Alt by a tenth"));
+    rows += row(tr("Del"), tr("remove the selected points"));
     rows += heading(tr("View from Outside"));
     rows += row(tr("drag of a plane"), tr("move the near or the far plane"));
     rows += row(tr("left drag, or arrows"), tr("turn about the view volume"));

@@ -1,5 +1,8 @@
 #include "gui/window/main_window.h"
 
+#include "gui/document/point_files.h"
+#include "gui/document/point_templates.h"
+#include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/icons.h"
@@ -42,10 +45,11 @@ QSize startSize()
 
 MainWindow::MainWindow(const Options &options, QWidget *parent)
     : QMainWindow(parent), m_options(options), m_document(new SceneDocument(this)),
-      m_questions(std::make_unique<WindowQuestions>(*this)),
+      m_questions(std::make_unique<WindowQuestions>(*this)), m_templates(std::make_unique<PointTemplates>()),
+      m_pointFiles(new PointFiles(*m_document, options.remembers ? m_questions.get() : nullptr, this)),
       m_session(
           new Session(*m_document, *m_questions, {options.remembers, options.recoveryFolder, options.autosave}, this)),
-      m_lifecycle(new LifecycleLog(this))
+      m_series(new ScanSeries(*m_document, *m_session, this)), m_lifecycle(new LifecycleLog(this))
 {
     setWindowTitle(tr("Unprojector") + QStringLiteral("[*]"));
     setWindowIcon(programIcon());
@@ -94,6 +98,15 @@ void MainWindow::connectSession()
     connect(m_session, &Session::progressed, m_message, &QWidget::hide);
     connect(m_session, &Session::noticed, this,
             [this](const QString &text) { statusBar()->showMessage(text, kNoticeMilliseconds); });
+    connect(m_session, &Session::pointFilesOpened, this, [this](const std::vector<std::filesystem::path> &files) {
+        for (const std::filesystem::path &file : files)
+            m_pointFiles->importFrom(file);
+    });
+    connect(m_series, &ScanSeries::failed, this, &MainWindow::showFailure);
+    connect(m_series, &ScanSeries::noticed, m_session, &Session::noticed);
+    connect(m_pointFiles, &PointFiles::failed, this, &MainWindow::showFailure);
+    connect(m_pointFiles, &PointFiles::warned, m_message, &MessageBar::showMessage);
+    connect(m_pointFiles, &PointFiles::noticed, m_session, &Session::noticed);
     connect(m_session, &Session::recentFilesChanged, this, &MainWindow::updateRecentMenu);
 
     connect(m_session, &Session::loadingStarted, m_loading, &LoadingBar::start);
@@ -143,6 +156,7 @@ void MainWindow::createView()
     for (QWidget *bar :
          {static_cast<QWidget *>(m_recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_loading)})
         bar->raise();
+    connect(m_view, &SceneView::placingChanged, m_placingAction, &QAction::setChecked);
     connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
     connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
     connect(m_view, &SceneView::pointerLeft, this, [this] {
@@ -150,6 +164,8 @@ void MainWindow::createView()
         m_inspector->clearPointer();
     });
     connect(m_view, &SceneView::failed, this, &MainWindow::showFailure);
+    // Queued: it may be told while the view is painted.
+    connect(m_view, &SceneView::drawingProgressed, m_loading, &LoadingBar::setDrawn, Qt::QueuedConnection);
     connect(m_view, &SceneView::filesDropped, this, [this](const QList<QUrl> &urls) {
         std::vector<std::filesystem::path> files;
         for (const QUrl &url : urls)
@@ -205,12 +221,33 @@ void MainWindow::createStatusBar()
 {
     m_hover = new QLabel;
     m_hover->setAccessibleName(tr("World coordinate under the pointer"));
-    m_hover->setToolTip(tr("World coordinate under the pointer, with the digits that are certain"));
+    m_hover->setToolTip(tr("World coordinate under the pointer, with the digits that its pixel leaves certain"));
     m_camera = new QLabel;
     m_camera->setAccessibleName(tr("Projection"));
     m_camera->setToolTip(tr("Projection and distances of the near and far planes, world units"));
     statusBar()->addWidget(m_hover, 1);
+    m_preparing = new QLabel;
+    m_preparing->setAccessibleName(tr("Preparing the ray on the mesh"));
+    m_preparing->setToolTip(
+        tr("Clicks have the depth buffer's answer already; the ray's comes when the model is prepared "
+           "for it"));
+    m_preparing->hide();
+    statusBar()->addPermanentWidget(m_preparing);
     statusBar()->addPermanentWidget(m_camera);
+    connect(&m_document->rayCasters(), &RayCasters::progressed, this, &MainWindow::showPreparing);
+    connect(&m_document->rayCasters(), &RayCasters::finished, this, [this] {
+        m_sincePreparing.invalidate();
+        m_preparing->hide();
+    });
+}
+
+void MainWindow::showPreparing(double share)
+{
+    constexpr qint64 kUnnoticedMilliseconds = 500;
+    if (!m_sincePreparing.isValid())
+        m_sincePreparing.start();
+    m_preparing->setText(tr("Preparing the ray on the mesh: %1 %").arg(static_cast<int>(100.0 * share)));
+    m_preparing->setVisible(m_sincePreparing.hasExpired(kUnnoticedMilliseconds));
 }
 
 void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sample)
@@ -227,7 +264,7 @@ void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sampl
         return;
     }
     m_hover->setText(
-        tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], pick->uncertainty.world), pixel));
+        tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], pick->withinPixel.world), pixel));
 }
 
 void MainWindow::showCamera()

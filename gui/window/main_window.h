@@ -4,6 +4,7 @@
 
 #include "core/unproject/pick.h"
 
+#include <QElapsedTimer>
 #include <QKeySequence>
 #include <QMainWindow>
 #include <QSizeF>
@@ -32,9 +33,13 @@ class MessageBar;
 class ObserverInset;
 class ObserverPanel;
 class ParametersPanel;
+class PointFiles;
+class PointTemplates;
 class RecoveryBar;
+class ScanSeries;
 class SceneDocument;
 class SceneView;
+class SeriesPanel;
 class ViewportInspector;
 class WindowQuestions;
 class WorkPlaces;
@@ -56,6 +61,8 @@ public:
     Session &session() { return *m_session; }
     SceneDocument &document() { return *m_document; }
     SceneView &view() { return *m_view; }
+    PointFiles &pointFiles() { return *m_pointFiles; }
+    ScanSeries &series() { return *m_series; }
     WorkPlaces &places() { return *m_places; }
     ComparisonPanel &comparison() { return *m_comparison; }
     LifecycleLog &lifecycle() { return *m_lifecycle; }
@@ -101,7 +108,14 @@ private:
     void createActions();
     void createFileMenu(QToolBar &bar);
     void createExamplesMenu(QMenu &menu);
+    void importPoints();
+    void exportPoints();
+    void createPointActions(QMenu &menu);
     void createEditMenu(QToolBar &bar);
+    /// What clicks take on the meshes.
+    void createSnapActions(QMenu &menu, QToolBar &bar);
+    /// What is done with placed points in the view.
+    void createPlacingActions(QMenu &menu, QToolBar &bar);
     void createViewMenu(QToolBar &bar);
     void createPlaceActions(QMenu &menu);
     void createAppearanceMenu(QMenu &menu);
@@ -116,6 +130,7 @@ private:
     void showFailure(const QString &reason);
     void showHover(const WidgetPoint &position, const DepthSample &sample);
     void showCamera();
+    void showPreparing(double share);
     void showFormulas(const QString &anchor);
     void showKeys();
     void showFirstSteps(bool isShown);
@@ -125,7 +140,10 @@ private:
     bool m_smoothEdges = true;
     SceneDocument *m_document;
     std::unique_ptr<WindowQuestions> m_questions;
+    std::unique_ptr<PointTemplates> m_templates;
+    PointFiles *m_pointFiles;
     Session *m_session;
+    ScanSeries *m_series;
     LifecycleLog *m_lifecycle;
     SceneView *m_view = nullptr;
     ObserverPanel *m_observer = nullptr; ///< made when it is first asked for
@@ -143,13 +161,17 @@ private:
     ComparisonPanel *m_comparison = nullptr;
     ParametersPanel *m_parameters = nullptr;
     ViewportInspector *m_inspector = nullptr;
+    SeriesPanel *m_seriesPanel = nullptr;
     ExampleNote *m_exampleNote = nullptr;
     FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
     KeySheet *m_keys = nullptr;           ///< so is this
     FirstSteps *m_firstSteps = nullptr;   ///< and this
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;
+    QAction *m_placingAction = nullptr;
     QLabel *m_hover = nullptr;
+    QLabel *m_preparing = nullptr;  ///< how far the models are prepared for rays
+    QElapsedTimer m_sincePreparing; ///< invalid while nothing is prepared
     QLabel *m_camera = nullptr;
 };
 

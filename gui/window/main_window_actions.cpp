@@ -3,9 +3,14 @@
 #include "gui/window/main_window.h"
 
 #include "core/scene/examples.h"
+#include "gui/document/point_files.h"
+#include "gui/document/point_surface.h"
+#include "gui/document/point_views.h"
 #include "gui/document/recent_files.h"
+#include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/icons.h"
+#include "gui/panels/series_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/example_texts.h"
 #include "gui/view/scene_view.h"
@@ -107,12 +112,56 @@ void MainWindow::createFileMenu(QToolBar &bar)
     addAction(menu, tr("Save Scene &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Write the scene to another file"),
               [this] { m_session->saveAs(); });
     menu->addSeparator();
+    createPointActions(*menu);
+    menu->addSeparator();
     addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
               [this] { m_session->openBundledScene(); });
     createExamplesMenu(*menu->addMenu(tr("&Examples")));
     menu->addSeparator();
     addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"), [this] { close(); });
     updateRecentMenu();
+}
+
+void MainWindow::createPointActions(QMenu &menu)
+{
+    addAction(&menu, tr("&Import Points…"), {}, tr("Read points from a file of this or another program"),
+              [this] { importPoints(); });
+    addAction(&menu, tr("E&xport Points…"), {}, tr("Write the points to a file; its suffix says for which program"),
+              [this] { exportPoints(); });
+    QMenu *series = menu.addMenu(tr("Series of S&cans"));
+    addAction(series, tr("&Open Folder…"), {}, tr("Open a folder of scans, to place the same points on each"), [this] {
+        m_places->show("series");
+        m_seriesPanel->chooseFolder();
+    });
+    addAction(series, tr("&Next Scan"), Qt::CTRL | Qt::Key_PageDown, tr("Keep the points and show the next scan"),
+              [this] { m_series->next(); });
+    addAction(series, tr("&Previous Scan"), Qt::CTRL | Qt::Key_PageUp, tr("Keep the points and show the scan before"),
+              [this] { m_series->previous(); });
+}
+
+void MainWindow::importPoints()
+{
+    const QString name = QFileDialog::getOpenFileName(
+        this, tr("Import Points"), {}, PointFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
+    if (!name.isEmpty())
+        m_pointFiles->importFrom(std::filesystem::path(name.toStdU16String()));
+}
+
+void MainWindow::exportPoints()
+{
+    emit m_session->aboutToSaveOrLeave(); // what is being typed counts
+    QFileDialog dialog(this, tr("Export Points"), {}, PointFiles::exportFilters());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    // The dialog puts the suffix behind a name without one before it asks about a file that is there.
+    const auto takeSuffix = [&dialog](const QString &chosen) {
+        dialog.setDefaultSuffix(PointFiles::suffixOfFilter(chosen));
+    };
+    connect(&dialog, &QFileDialog::filterSelected, &dialog, takeSuffix);
+    takeSuffix(dialog.selectedNameFilter());
+    const std::filesystem::path proposed = m_session->proposedName().stem();
+    dialog.selectFile(pathText(proposed));
+    if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty())
+        m_pointFiles->exportTo(std::filesystem::path(dialog.selectedFiles().front().toStdU16String()));
 }
 
 void MainWindow::createExamplesMenu(QMenu &menu)
@@ -155,6 +204,64 @@ void MainWindow::createEditMenu(QToolBar &bar)
     onBar(bar, undo, Drawing::Undo);
     onBar(bar, redo, Drawing::Redo);
     bar.addSeparator();
+    menu->addSeparator();
+    createSnapActions(*menu, bar);
+    menu->addSeparator();
+    createPlacingActions(*menu, bar);
+}
+
+void MainWindow::createPlacingActions(QMenu &menu, QToolBar &bar)
+{
+    menu.addSection(tr("Points"));
+    m_placingAction = addAction(&menu, tr("&Place Points"), Qt::Key_P,
+                                tr("A click places a point; what is dragged turns the view"), {});
+    m_placingAction->setCheckable(true);
+    connect(m_placingAction, &QAction::toggled, this, [this](bool isOn) {
+        m_view->setPlacing(isOn);
+        if (isOn)
+            m_view->setFocus(); // arrow keys move the point
+    });
+    onBar(bar, m_placingAction, Drawing::Points);
+    bar.addSeparator();
+    const auto withCurrent = [this](auto deed) {
+        return [this, deed] {
+            if (const std::optional<std::size_t> place = m_document->points().current())
+                deed(*m_document, *place);
+        };
+    };
+    addAction(&menu, tr("&Go to Point"), Qt::Key_G, tr("Turn the camera to face the surface at the selected point"),
+              withCurrent([](SceneDocument &document, std::size_t place) { goToPoint(document, place); }));
+    addAction(&menu, tr("&Zoom to ± 0.01"), Qt::SHIFT | Qt::Key_G,
+              tr("Get closer to the selected point until its pixel leaves no more open than 0.01"),
+              withCurrent([](SceneDocument &document, std::size_t place) {
+                  constexpr double kHalf = 0.01;
+                  zoomToPoint(document, place, kHalf);
+              }));
+    addAction(&menu, tr("Put &Back on the Surface"), Qt::Key_B,
+              tr("Put the selected points onto the surface, where it is closest to them"),
+              [this] { static_cast<void>(putOnSurface(*m_document, m_document->points().selection())); });
+}
+
+void MainWindow::createSnapActions(QMenu &menu, QToolBar &bar)
+{
+    menu.addSection(tr("A Click Takes"));
+    auto *group = new QActionGroup(this);
+    const auto add = [&](ray::Snap snap, const QString &text, const QKeySequence &key, const QString &tip,
+                         Drawing drawing) {
+        QAction *action = addAction(&menu, text, key, tip, [this, snap] { m_document->setSnap(snap); });
+        action->setCheckable(true);
+        action->setChecked(snap == m_document->snap());
+        action->setActionGroup(group);
+        onBar(bar, action, drawing);
+    };
+    add(ray::Snap::Surface, tr("&Surface"), Qt::Key_S, tr("A click takes the surface under it"), Drawing::Surface);
+    add(ray::Snap::Vertex, tr("&Vertex"), Qt::Key_V,
+        tr("A click takes the vertex in sight within 8 pixels, its very coordinate"), Drawing::Vertex);
+    add(ray::Snap::Edge, tr("&Edge"), Qt::Key_E,
+        tr("A click takes the nearest point of an edge in sight within 8 pixels"), Drawing::Edge);
+    add(ray::Snap::Face, tr("&Face"), Qt::SHIFT | Qt::Key_F, tr("A click takes the face under it, with its plane"),
+        Drawing::Face);
+    bar.addSeparator();
 }
 
 void MainWindow::createViewMenu(QToolBar &bar)
@@ -173,17 +280,14 @@ void MainWindow::createViewMenu(QToolBar &bar)
           Drawing::Home);
     menu->addSeparator();
     bar.addSeparator();
-    onBar(bar, addAction(menu, tr("Fr&ont"), Qt::Key_1, tr("Look from the front, along −z"), look(StandardView::Front)),
-          Drawing::Front);
-    onBar(bar, addAction(menu, tr("&Right"), Qt::Key_3, tr("Look from the right, along −x"), look(StandardView::Right)),
-          Drawing::Right);
-    onBar(bar, addAction(menu, tr("&Top"), Qt::Key_7, tr("Look from the top, along −y"), look(StandardView::Top)),
-          Drawing::Top);
+    // These have keys, and no room on the bar of a small window.
+    addAction(menu, tr("Fr&ont"), Qt::Key_1, tr("Look from the front, along −z"), look(StandardView::Front));
+    addAction(menu, tr("&Right"), Qt::Key_3, tr("Look from the right, along −x"), look(StandardView::Right));
+    addAction(menu, tr("&Top"), Qt::Key_7, tr("Look from the top, along −y"), look(StandardView::Top));
     addAction(menu, tr("B&ack"), Qt::CTRL | Qt::Key_1, tr("Look from the back, along z"), look(StandardView::Back));
     addAction(menu, tr("&Left"), Qt::CTRL | Qt::Key_3, tr("Look from the left, along x"), look(StandardView::Left));
     addAction(menu, tr("Botto&m"), Qt::CTRL | Qt::Key_7, tr("Look from below, along y"), look(StandardView::Bottom));
     menu->addSeparator();
-    bar.addSeparator();
     m_projectionAction = addAction(menu, tr("&Perspective"), Qt::Key_5,
                                    tr("Switch between perspective (glFrustum) and orthographic (glOrtho)"),
                                    [this] { m_document->switchProjection(); });

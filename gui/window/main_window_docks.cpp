@@ -8,6 +8,8 @@
 #include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/panels/pipeline_panel.h"
+#include "gui/panels/points_panel.h"
+#include "gui/panels/series_panel.h"
 #include "gui/panels/viewport_inspector.h"
 #include "gui/view/observer_view.h"
 #include "gui/window/example_note.h"
@@ -43,6 +45,11 @@ public:
         setWidgetResizable(true);
         setWidget(panel);
     }
+    QSize sizeHint() const override
+    {
+        return {widget()->sizeHint().width() + verticalScrollBar()->sizeHint().width(),
+                QScrollArea::sizeHint().height()};
+    }
     QSize minimumSizeHint() const override
     {
         constexpr int kLeastDigits = 20, kLeastLines = 4;
@@ -75,6 +82,10 @@ void MainWindow::createPanels()
     constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea, kBottom = Qt::BottomDockWidgetArea;
     auto *objects = new ObjectsPanel(*m_document);
     connect(m_session, &Session::aboutToSaveOrLeave, objects, &ObjectsPanel::applyTyped);
+    auto *points = new PointsPanel(*m_document, *m_templates);
+    connect(m_session, &Session::aboutToSaveOrLeave, points, &PointsPanel::applyTyped);
+    connect(points, &PointsPanel::warned, m_session, &Session::warned);
+    m_seriesPanel = new SeriesPanel(*m_series);
     auto *pipeline = new PipelinePanel(*m_document);
     pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself
     const auto scrolled = [](QWidget *panel) { return new PanelScroll(panel); };
@@ -85,6 +96,8 @@ void MainWindow::createPanels()
         {"inspector", tr("Viewport"), scrolled(m_inspector), kBottom, Qt::ALT | Qt::Key_4},
         {"lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle), kBottom, Qt::ALT | Qt::Key_5},
         {"objects", tr("Objects"), objects, kRight, Qt::ALT | Qt::Key_6},
+        {"points", tr("Points"), points, kRight, Qt::ALT | Qt::Key_7},
+        {"series", tr("Series"), m_seriesPanel, kBottom, Qt::ALT | Qt::Key_8},
         {kObserver, tr("View from Outside"), m_observerHome, kRight, {}, true},
         {kExample, tr("Example"), m_exampleNote, kLeft, {}, true},
     };
@@ -95,12 +108,21 @@ void MainWindow::createPanels()
          tr("Every number and every matrix between an object and its pixel"),
          Qt::Key_F6,
          {"pipeline", "parameters", "inspector", "lifecycle"}},
+        {kPointsPlace,
+         tr("Points"),
+         tr("Place points on the surface, name them, move them, measure between them"),
+         Qt::Key_F7,
+         {"points", "objects"}},
     };
     Q_ASSERT(std::equal(places.begin(), places.end(), kPlaceIds.begin(), kPlaceIds.end(),
                         [](const WorkPlaces::Place &place, const char *id) { return qstrcmp(place.id, id) == 0; }));
     m_places = new WorkPlaces(*this, std::move(panels), std::move(places));
     connect(m_exampleNote, &ExampleNote::closeRequested, m_places->dock(kExample), &QWidget::close);
     connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
+    connect(m_places, &WorkPlaces::titled, this, [this](const char *panel, bool hasTitleBar) {
+        if (qstrcmp(panel, kExample) == 0)
+            m_exampleNote->setClosesItself(!hasTitleBar);
+    });
     connect(m_places, &WorkPlaces::laidOut, this, &MainWindow::showAccompanying);
     connect(m_places, &WorkPlaces::closed, this, [this](const char *panel) {
         if (qstrcmp(panel, kObserver) == 0)

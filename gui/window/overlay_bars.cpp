@@ -131,23 +131,22 @@ void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
 }
 
 LoadingBar::LoadingBar(QWidget *parent)
-    : QFrame(parent), m_text(new QLabel), m_progress(new QProgressBar), m_delay(new QTimer(this))
+    : QFrame(parent), m_text(new QLabel), m_progress(new QProgressBar), m_cancel(new QPushButton(tr("Cancel"))),
+      m_delay(new QTimer(this))
 {
     makeOverlay(this, "#f4f6f8", "#a9b3bd");
     m_text->setTextFormat(Qt::PlainText);
     m_progress->setRange(0, 100);
-    m_progress->setAccessibleName(tr("Opening"));
     constexpr int kDigits = 26;
     m_progress->setMinimumWidth(kDigits * fontMetrics().horizontalAdvance(u'0'));
-    auto *cancel = new QPushButton(tr("Cancel"));
-    cancel->setShortcut(Qt::Key_Escape);
-    cancel->setToolTip(tr("Stop opening and keep the scene as it is (Esc)"));
+    m_cancel->setShortcut(Qt::Key_Escape);
+    m_cancel->setToolTip(tr("Stop opening and keep the scene as it is (Esc)"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 6, 6, 6);
     layout->addWidget(m_text);
     layout->addWidget(m_progress, 1);
-    layout->addWidget(cancel);
-    connect(cancel, &QPushButton::clicked, this, &LoadingBar::cancelRequested);
+    layout->addWidget(m_cancel);
+    connect(m_cancel, &QPushButton::clicked, this, &LoadingBar::cancelRequested);
     m_delay->setSingleShot(true);
     m_delay->setInterval(150);
     connect(m_delay, &QTimer::timeout, this, [this] {
@@ -158,8 +157,11 @@ LoadingBar::LoadingBar(QWidget *parent)
 
 void LoadingBar::start()
 {
+    m_isOpening = true;
     m_text->setText(tr("Opening …"));
+    m_progress->setAccessibleName(tr("Opening"));
     m_progress->setValue(0);
+    m_cancel->show();
     m_delay->start();
 }
 
@@ -171,8 +173,25 @@ void LoadingBar::setProgress(const QString &fileName, double share)
 
 void LoadingBar::finish()
 {
+    m_isOpening = false;
     m_delay->stop();
     hide();
+}
+
+void LoadingBar::setDrawn(double share)
+{
+    if (m_isOpening)
+        return;
+    if (share >= 1.0) {
+        finish();
+        return;
+    }
+    m_text->setText(tr("Drawing …"));
+    m_progress->setAccessibleName(tr("Drawing"));
+    m_progress->setValue(static_cast<int>(std::lround(share * 100.0)));
+    m_cancel->hide(); // what is opened already is not given up
+    if (isHidden() && !m_delay->isActive())
+        m_delay->start();
 }
 
 } // namespace unprojector::gui

@@ -7,6 +7,7 @@
 class QComboBox;
 class QLabel;
 class QProgressBar;
+class QPushButton;
 class QTimer;
 class QToolButton;
 
@@ -46,7 +47,7 @@ private:
     QComboBox *m_choice; ///< shown where there are several
 };
 
-/// What is being opened, how far it is, and a button to stop it. Shown after a moment, so that small files don't flash.
+/// What is being opened, how far it is, and a button to stop it; then how much of it is drawn. Shown after a moment, so that small files don't flash.
 class LoadingBar : public QFrame {
     Q_OBJECT
 public:
@@ -54,6 +55,8 @@ public:
     void start();
     void setProgress(const QString &fileName, double share);
     void finish();
+    /// @param share  1: it is drawn
+    void setDrawn(double share);
 
 signals:
     void cancelRequested();
@@ -61,6 +64,8 @@ signals:
 private:
     QLabel *m_text;
     QProgressBar *m_progress;
+    QPushButton *m_cancel;
+    bool m_isOpening = false;
     QTimer *m_delay;
 };
 

@@ -7,7 +7,8 @@ namespace unprojector::gui {
 // The work places by the names that `--place` takes and layouts are kept by.
 inline constexpr char kClickPlace[] = "click";
 inline constexpr char kPipelinePlace[] = "pipeline";
+inline constexpr char kPointsPlace[] = "points";
 /// In the order of the tool bar; the first is where one starts.
-inline constexpr std::array<const char *, 2> kPlaceIds{kClickPlace, kPipelinePlace};
+inline constexpr std::array<const char *, 3> kPlaceIds{kClickPlace, kPipelinePlace, kPointsPlace};
 
 } // namespace unprojector::gui

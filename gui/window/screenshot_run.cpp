@@ -20,6 +20,17 @@
 
 namespace unprojector::gui {
 using namespace scene_file;
+namespace {
+
+std::optional<RayOnMesh> rayOf(const SceneDocument &document)
+{
+    const PickedRay *ray = document.pickedRay();
+    if (!ray || ray->state != PickedRay::State::Answered)
+        return std::nullopt;
+    return ray->met ? RayOnMesh{ray->met->hit, ray->met->objectName} : RayOnMesh{};
+}
+
+} // namespace
 
 ScreenshotRun::ScreenshotRun(Request request) : m_request(std::move(request)) {}
 
@@ -37,6 +48,8 @@ void ScreenshotRun::start()
     options.smoothEdges = m_request.smoothEdges;
     options.remembers = false;
     m_window = std::make_unique<MainWindow>(options);
+    if (m_request.clicks.empty())
+        m_window->document().rayCasters().waitUntilAsked();
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
     m_window->resize(m_request.windowSize);
     if (!m_request.place.isEmpty())
@@ -48,15 +61,15 @@ void ScreenshotRun::start()
     else
         m_window->session().openFiles(m_request.files);
 
-    // A picture that was composed after the loading ended is one that shows the model at its final size.
-    connect(&m_window->view(), &SceneView::frameSwapped, this, [this] {
-        if (!m_window->session().isLoading())
-            QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave);
-    });
-    connect(&m_window->session(), &Session::loadingEnded, this, [this] { m_window->view().update(); });
+    // The window is laid out and drawn into the picture alone: nobody waits for a screen, and no window flashes up on it.
+    m_window->setAttribute(Qt::WA_DontShowOnScreen);
+    const auto finish = [this] { QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave); };
+    connect(&m_window->session(), &Session::loadingEnded, this, finish);
     m_window->show();
     if (m_request.viewSize)
         m_window->setViewSize(*m_request.viewSize);
+    if (!m_window->session().isLoading())
+        finish();
 }
 
 void ScreenshotRun::fail(const QString &reason)
@@ -73,7 +86,10 @@ QString ScreenshotRun::savePicture()
     // The whole picture is encoded first: a name that no picture format has must not cost the file of that name.
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    if (!m_window->grab().save(&buffer, QFileInfo(m_request.picture).suffix().toLatin1().constData()))
+    const QByteArray format = QFileInfo(m_request.picture).suffix().toLatin1();
+    // PNG loses nothing at any quality: at this one it takes a quarter of the time, and a few more bytes.
+    const int quality = format.toLower() == "png" ? 75 : -1;
+    if (!m_window->grab().save(&buffer, format.constData(), quality))
         return tr("%1 is no picture's name; let it end in .png.").arg(m_request.picture);
     const files::Written written = files::replaceFile(std::filesystem::path(m_request.picture.toStdU16String()),
                                                       {bytes.constData(), static_cast<std::size_t>(bytes.size())});
@@ -96,9 +112,12 @@ void ScreenshotRun::pressAndSave()
             return;
         }
         m_window->setViewSize(*m_request.viewSize);
-        m_window->view().update();
+        QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave);
         return;
     }
+    // Rays say what a click meets, and which points are behind something.
+    if (!m_request.clicks.empty() || !m_window->document().landmarks().empty())
+        m_window->document().rayCasters().complete(m_window->document().objects());
     std::vector<Click> clicks;
     for (const WidgetPoint &position : m_request.clicks) {
         SceneView &view = m_window->view();
@@ -118,7 +137,7 @@ void ScreenshotRun::pressAndSave()
             fail(tr("The click %1,%2 could not be read.").arg(position.x).arg(position.y));
             return;
         }
-        clicks.push_back(clickOf(*document.pick(), document.scene()));
+        clicks.push_back(clickOf(*document.pick(), document.scene(), rayOf(document)));
     }
     const Result<std::string, SceneFileError> text = clicksText(clicks);
     if (!text) {
@@ -134,6 +153,7 @@ void ScreenshotRun::pressAndSave()
         return;
     }
     m_hasEnded = true;
+    m_window->setUpdatesEnabled(false); // nobody sees what would still be drawn
     emit ended(0);
 }
 

@@ -4,6 +4,7 @@
 
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
 namespace unprojector::gui {
 namespace {
@@ -16,6 +17,19 @@ QMessageBox::StandardButton ask(QWidget &window, const QString &title, const QSt
     box.setTextFormat(Qt::PlainText);
     box.setDefaultButton(proposed);
     return static_cast<QMessageBox::StandardButton>(box.exec());
+}
+
+/// The same with buttons of our own, "Cancel" besides.
+/// @return the place of the one that was pressed, -1 for Cancel
+int askOwn(QWidget &window, const QString &title, const QString &text, const QStringList &choices)
+{
+    QMessageBox box(QMessageBox::Question, title, text, QMessageBox::Cancel, &window);
+    box.setTextFormat(Qt::PlainText);
+    QList<QAbstractButton *> buttons;
+    for (const QString &choice : choices)
+        buttons << box.addButton(choice, QMessageBox::AcceptRole);
+    box.exec();
+    return static_cast<int>(buttons.indexOf(box.clickedButton()));
 }
 
 } // namespace
@@ -59,6 +73,30 @@ bool WindowQuestions::askDeleteKept(const QString &name)
     return ask(m_window, tr("Discard Unsaved Changes"), tr("Delete the unsaved changes to %1 for good?").arg(name),
                QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel)
            == QMessageBox::Discard;
+}
+
+PointFileQuestions::Join WindowQuestions::askJoin(int there, int coming)
+{
+    switch (
+        askOwn(m_window, tr("Import Points"),
+               tr("There are %1 points already, and the file has %2. Replace them, or put the new ones behind them?")
+                   .arg(there)
+                   .arg(coming),
+               {tr("&Replace"), tr("&Append")})) {
+    case 0: return Join::Replace;
+    case 1: return Join::Append;
+    default: return Join::Cancel;
+    }
+}
+
+PointFileQuestions::Stray WindowQuestions::askStray(const QString &text)
+{
+    switch (askOwn(m_window, tr("Import Points"), text,
+                   {tr("&Move Them onto the Mesh"), tr("&Leave Them Where They Are")})) {
+    case 0: return Stray::Tie;
+    case 1: return Stray::LeaveFree;
+    default: return Stray::Cancel;
+    }
 }
 
 } // namespace unprojector::gui

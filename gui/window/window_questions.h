@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/document/point_files.h"
 #include "gui/document/session.h"
 
 #include <QCoreApplication>
@@ -8,8 +9,8 @@ class QWidget;
 
 namespace unprojector::gui {
 
-/// Asks the session's questions in message boxes over a window.
-class WindowQuestions : public SessionQuestions {
+/// Asks the questions of the session and of files of points in message boxes over a window.
+class WindowQuestions : public SessionQuestions, public PointFileQuestions {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::WindowQuestions)
 public:
     explicit WindowQuestions(QWidget &window) : m_window(window) {}
@@ -19,6 +20,8 @@ public:
     bool askOverwrite(const std::filesystem::path &file) override;
     bool askOverwriteChanged(const std::filesystem::path &file) override;
     bool askDeleteKept(const QString &name) override;
+    Join askJoin(int there, int coming) override;
+    Stray askStray(const QString &text) override;
 
 private:
     QWidget &m_window;

@@ -21,7 +21,7 @@ namespace {
 
 /// Raised when docks or tool bars change, so that an old layout is not put onto
 /// a new window.
-constexpr int kLayoutVersion = 3;
+constexpr int kLayoutVersion = 4;
 
 // Sizes in digits and lines of the window's font.
 constexpr int kWideWindow = 150;
@@ -201,12 +201,18 @@ WorkPlaces::Sizes WorkPlaces::firstSizes(bool isWide) const
     const int digit = metrics.horizontalAdvance(u'0'), line = metrics.lineSpacing();
     const int oneSide = static_cast<int>((isWide ? kMostOfOneSide : kMostOfANarrowWindow) * m_window.width());
     const QList<const char *> &shown = m_places[m_current].panels;
-    const bool hasLeft = std::any_of(m_panels.begin(), m_panels.end(), [&shown](const Panel &panel) {
-        const auto isIt = [&panel](const char *id) { return isSame(id, panel.id); };
-        return panel.area == Qt::LeftDockWidgetArea && std::any_of(shown.begin(), shown.end(), isIt);
-    });
+    bool hasLeft = false;
+    int right = kRightDigits * digit;
+    for (const Panel &panel : m_panels) {
+        if (std::none_of(shown.begin(), shown.end(), [&panel](const char *id) { return isSame(id, panel.id); }))
+            continue;
+        hasLeft = hasLeft || panel.area == Qt::LeftDockWidgetArea;
+        // What is on the right shows numbers, and says what room they need.
+        if (panel.area == Qt::RightDockWidgetArea)
+            right = std::max(right, panel.widget->sizeHint().width());
+    }
     return {{Qt::LeftDockWidgetArea, std::min((hasLeft ? kLeftDigits : kNoteDigits) * digit, oneSide)},
-            {Qt::RightDockWidgetArea, std::min(kRightDigits * digit, oneSide)},
+            {Qt::RightDockWidgetArea, std::min(right, oneSide)},
             {Qt::TopDockWidgetArea, kBottomLines * line},
             {Qt::BottomDockWidgetArea, kBottomLines * line}};
 }
@@ -335,6 +341,7 @@ void WorkPlaces::setTitleBars()
             continue;
         panel.dock->setTitleBarWidget(isTab ? new QWidget(panel.dock) : nullptr);
         delete bar;
+        emit titled(panel.id, !isTab);
     }
 }
 

@@ -73,6 +73,8 @@ signals:
     /// The user closed this panel by the button of its frame or by its key.
     void closed(const char *panel);
     void panelsHidden(bool isHidden);
+    /// A panel has got a title bar, which closes it, or has lost it to a tab, which does not.
+    void titled(const char *panel, bool hasTitleBar);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

@@ -1,0 +1,300 @@
+// What the hand does with placed points in the view, and how they are shown.
+
+#include "gui/view/scene_view.h"
+
+#include "gui/view/point_loupe.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QOpenGLPaintDevice>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Landmark;
+
+DevicePoint deviceOf(const Surface &surface, const QPointF &logical)
+{
+    return deviceFromWidget(surface, WidgetPoint(logical.x(), logical.y()));
+}
+
+/// How far an arrow key moves a point, device pixels; nothing for another key.
+std::optional<QPointF> nudgeOf(const QKeyEvent &event)
+{
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
+    double pixels = 1.0;
+    if (modifiers == Qt::ShiftModifier)
+        pixels = 10.0;
+    else if (modifiers == Qt::AltModifier)
+        pixels = 0.1;
+    else if (modifiers != Qt::NoModifier)
+        return std::nullopt;
+    switch (event.key()) {
+    case Qt::Key_Left: return QPointF(-pixels, 0.0);
+    case Qt::Key_Right: return QPointF(pixels, 0.0);
+    case Qt::Key_Up: return QPointF(0.0, -pixels);
+    case Qt::Key_Down: return QPointF(0.0, pixels);
+    default: return std::nullopt;
+    }
+}
+
+} // namespace
+
+void SceneView::setPlacing(bool isPlacing)
+{
+    if (std::exchange(m_isPlacing, isPlacing) == isPlacing)
+        return;
+    aimLoupe(std::nullopt);
+    emit placingChanged(isPlacing);
+}
+
+const std::vector<PointMark> &SceneView::marks()
+{
+    if (!m_marks)
+        m_marks = pointMarks(m_document);
+    return *m_marks;
+}
+
+void SceneView::drawMarks()
+{
+    const std::vector<PointMark> &shown = marks();
+    if (shown.empty() && !m_loupeAt)
+        return;
+    const QImage loupe = m_loupeAt ? pixelsAbout(*m_loupeAt) : QImage();
+    {
+        // Not onto the widget itself: while that is grabbed, what is painted on it goes elsewhere.
+        const Surface surface = currentSurface();
+        QOpenGLPaintDevice device(surface.widthPixels, surface.heightPixels);
+        device.setDevicePixelRatio(surface.devicePixelRatio);
+        QPainter painter(&device);
+        QFont letters = font(); // in pixels, since this device has no points of its own
+        letters.setPixelSize(QFontInfo(font()).pixelSize());
+        painter.setFont(letters);
+        const auto shownArrows = arrows();
+        std::vector<QLineF> lines;
+        for (const AxisArrow &arrow : shownArrows.value_or(std::array<AxisArrow, 3>())) {
+            if (arrow.isUsable)
+                lines.emplace_back(arrow.from, arrow.to);
+        }
+        drawPoints(painter, shown, placedLabels(shown, QFontMetricsF(letters), QRectF(rect()), lines));
+        if (shownArrows)
+            drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_draggedAxis) : std::nullopt);
+        if (m_loupeAt) {
+            const ray::SceneRays *rays = m_document.rays();
+            drawLoupe(painter, loupeBox(m_document.geometry().surface, *m_loupeAt), *m_loupeAt, loupe,
+                      rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
+        }
+    }
+    // What the painter leaves switched on, the next picture does not expect.
+    for (const GLenum what : {GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_TEST})
+        glDisable(what);
+}
+
+void SceneView::aimLoupe(const std::optional<DevicePoint> &at)
+{
+    if (!at && !m_loupeAt)
+        return;
+    m_loupeAt = at;
+    update();
+}
+
+std::optional<DevicePoint> SceneView::pointedAt(const QPointF &local) const
+{
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, widgetPosition(local));
+    return pixel ? std::optional(pixelCenter(*pixel)) : std::nullopt;
+}
+
+QImage SceneView::pixelsAbout(const DevicePoint &at)
+{
+    const QRect wanted = loupePixels(at);
+    const Surface surface = currentSurface();
+    const QRect there = wanted & QRect(0, 0, surface.widthPixels, surface.heightPixels);
+    QImage pixels(wanted.size(), QImage::Format_RGBA8888);
+    pixels.fill(Qt::black);
+    if (there.isEmpty())
+        return pixels;
+    QImage read(there.size(), QImage::Format_RGBA8888);
+    // Four bytes a pixel: no row is padded.
+    glReadPixels(there.left(), framebufferRow(surface, {there.left(), there.bottom()}), there.width(), there.height(),
+                 GL_RGBA, GL_UNSIGNED_BYTE, read.bits());
+    for (int row = 0; row < there.height(); ++row) {
+        const uchar *from = read.constScanLine(there.height() - 1 - row);
+        const std::ptrdiff_t beside = there.left() - wanted.left();
+        uchar *to = pixels.scanLine(there.top() - wanted.top() + row) + 4 * beside;
+        for (std::ptrdiff_t i = 0; i < there.width(); ++i) {
+            std::copy_n(from + 4 * i, 3, to + 4 * i);
+            to[4 * i + 3] = 255; // whatever the framebuffer has there
+        }
+    }
+    return pixels;
+}
+
+/// @return whether a mark was pressed: it is selected; one in sight that was selected before, and any while points are placed, can
+/// be dragged
+bool SceneView::pressMark(const QMouseEvent &event)
+{
+    const WidgetPoint position = widgetPosition(event.position());
+    const QPointF pointer(position.x, position.y);
+    const PointMark *mark = markUnder(marks(), pointer);
+    if (!mark)
+        return pressArrow(pointer);
+    const PointMark pressed = *mark; // what is selected now has other marks
+    if (event.modifiers().testFlag(Qt::ControlModifier)) {
+        m_document.points().toggle(pressed.place);
+    } else if (m_document.points().isSelected(pressed.place)) {
+        m_document.points().select(m_document.points().selection(), pressed.place);
+    } else {
+        m_document.points().selectOnly(pressed.place);
+    }
+    // A hand that turns the view must not take a point along that nobody has chosen.
+    const bool isToBeMoved = m_isPlacing || pressed.isSelected;
+    if (pressed.isBehind || !isToBeMoved) {
+        m_pivot = pivotAt(position);
+        m_drag = Drag::Orbit;
+        return true;
+    }
+    m_draggedPoint = pressed.place;
+    m_pointGrab = pressed.at - pointer;
+    m_hasMovedPoint = false;
+    m_stepAtPress = m_document.undoStack().index();
+    m_drag = Drag::Point;
+    return true;
+}
+
+void SceneView::dragPoint(const QPointF &local)
+{
+    if (m_draggedPoint >= m_document.landmarks().size())
+        return;
+    const WidgetPoint position = widgetPosition(local);
+    const QPointF wanted = QPointF(position.x, position.y) + m_pointGrab;
+    const std::optional<Landmark> there = m_document.points().onMeshAt(deviceOf(m_document.geometry().surface, wanted));
+    if (!there) // beside the mesh it waits where it was last on it
+        return;
+    m_hasMovedPoint = true;
+    static_cast<void>(m_document.points().move(m_draggedPoint, *there, m_gesture));
+    aimLoupe(deviceOf(m_document.geometry().surface, wanted));
+}
+
+std::optional<std::array<AxisArrow, 3>> SceneView::arrows() const
+{
+    const std::optional<std::size_t> current = m_document.points().current();
+    if (!m_isPlacing || !current)
+        return std::nullopt;
+    const Landmark &point = m_document.landmarks()[*current];
+    if (point.isMissing() || point.isHidden)
+        return std::nullopt;
+    return axisArrows(m_document.geometry(), *point.world);
+}
+
+bool SceneView::pressArrow(const QPointF &pointer)
+{
+    const auto shown = arrows();
+    const std::optional<int> axis = shown ? axisUnder(*shown, pointer) : std::nullopt;
+    const ray::SceneRays *rays = axis ? m_document.rays() : nullptr;
+    if (!rays)
+        return false;
+    m_draggedPoint = *m_document.points().current();
+    m_axisStart = *m_document.landmarks()[m_draggedPoint].world;
+    const auto ray = rays->rays().at(deviceOf(m_document.geometry().surface, pointer));
+    const std::optional<double> from = ray ? wayAlong(m_axisStart, *axis, *ray) : std::nullopt;
+    if (!from)
+        return false;
+    m_draggedAxis = *axis;
+    m_axisFrom = *from;
+    m_hasMovedPoint = false;
+    m_stepAtPress = m_document.undoStack().index();
+    m_drag = Drag::Axis;
+    return true;
+}
+
+void SceneView::dragAlongAxis(const QPointF &local)
+{
+    const ray::SceneRays *rays = m_document.rays();
+    if (!rays || m_draggedPoint >= m_document.landmarks().size())
+        return;
+    const WidgetPoint position = widgetPosition(local);
+    const auto ray = rays->rays().at(deviceFromWidget(m_document.geometry().surface, position));
+    const std::optional<double> way = ray ? wayAlong(m_axisStart, m_draggedAxis, *ray) : std::nullopt;
+    if (!way)
+        return;
+    WorldPoint to = m_axisStart;
+    to[m_draggedAxis] += *way - m_axisFrom;
+    m_hasMovedPoint = true;
+    static_cast<void>(m_document.points().moveTo(m_draggedPoint, to, m_gesture));
+}
+
+void SceneView::placePointAt(const QPointF &local)
+{
+    const WidgetPoint position = widgetPosition(local);
+    const std::optional<Landmark> there = m_document.points().placedAt(position, sampleAt(position));
+    if (there) {
+        static_cast<void>(m_document.points().place(*there));
+        return;
+    }
+    QToolTip::showText(mapToGlobal(local).toPoint(), tr("Background: no surface here"), this);
+}
+
+bool SceneView::isPointKey(const QKeyEvent &event) const
+{
+    const bool isPlain = (event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier)) == Qt::NoModifier;
+    if (event.key() == Qt::Key_Escape)
+        return isPlain && (isPointDragged() || m_isPlacing);
+    if (event.key() == Qt::Key_Delete)
+        return isPlain && !m_document.points().selection().empty();
+    return m_isPlacing && m_document.points().current() && nudgeOf(event);
+}
+
+void SceneView::pressPointKey(const QKeyEvent &event)
+{
+    if (event.key() == Qt::Key_Escape) {
+        if (!isPointDragged()) {
+            setPlacing(false);
+            return;
+        }
+        m_drag = Drag::None;
+        aimLoupe(std::nullopt);
+        if (m_hasMovedPoint && m_document.undoStack().index() > m_stepAtPress) // not what was done before
+            m_document.undoStack().undo();
+        return;
+    }
+    if (m_drag != Drag::None)
+        return; // a hand has it already
+    if (event.key() == Qt::Key_Delete) {
+        const std::vector<std::size_t> selected = m_document.points().selection();
+        static_cast<void>(m_document.points().remove(selected));
+        return;
+    }
+    const std::size_t place = *m_document.points().current();
+    const QPointF way = *nudgeOf(event);
+    for (const PointMark &mark : marks()) {
+        if (mark.place != place || mark.isBehind)
+            continue;
+        DevicePoint to = deviceOf(m_document.geometry().surface, mark.at);
+        to.x += way.x();
+        to.y += way.y();
+        // As exact as the step: who moves by tenths of a pixel means one of them.
+        const double pixels = std::min(1.0, std::abs(way.x()) + std::abs(way.y()));
+        if (const std::optional<Landmark> there = m_document.points().onSurfaceAt(to, pixels)) {
+            static_cast<void>(m_document.points().move(place, *there, QStringLiteral("nudge %1").arg(place)));
+            aimLoupe(to);
+        }
+        return;
+    }
+}
+
+void SceneView::showTip(const QHelpEvent &event)
+{
+    const WidgetPoint position = widgetPosition(QPointF(event.pos()));
+    const PointMark *mark = markUnder(marks(), QPointF(position.x, position.y));
+    QToolTip::showText(event.globalPos(), mark ? pointTip(m_document, *mark) : QString(), this);
+}
+
+} // namespace unprojector::gui
