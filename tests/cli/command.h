@@ -38,6 +38,13 @@ inline Run runCommand(const QStringList &arguments, const QByteArray &input = {}
             errors};
 }
 
+/// That a run has done what it was told, and has nothing to complain of.
+#define VERIFY_SUCCEEDED(run)                                                                                          \
+    do {                                                                                                               \
+        QCOMPARE((run).errors, QByteArray());                                                                          \
+        QCOMPARE((run).exitCode, 0);                                                                                   \
+    } while (false)
+
 /// A folder of files that a test makes.
 class Folder {
 public:

@@ -96,8 +96,7 @@ void TestClicksCommand::theSamePointsToTheLastDigit()
     QVERIFY(clicks[0].object && clicks[0].object->name == "right");
     const QString file = m_folder.write("clicks.json", textOf(clicks));
     const Run run = runCommand({"points", "--space", space, file});
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     const auto lines = run.lines();
     QCOMPARE(lines.size(), 3);
     QCOMPARE(lines[0], QByteArray("px,py,depth,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference"));

@@ -120,8 +120,7 @@ void TestCloudCommand::everyFormatGivesTheSamePoints()
     QFETCH(QStringList, options);
     const QString output = m_folder.path("out.ply");
     const Run run = runCommand(QStringList{"cloud", m_scene, m_folder.write("depth", image), "-o", output} + options);
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     QFile file(output);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray ply = file.readAll();

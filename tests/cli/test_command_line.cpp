@@ -2,6 +2,8 @@
 
 #include "tests/cli/command.h"
 
+#include <QDir>
+
 class TestCommandLine : public QObject {
     Q_OBJECT
 
@@ -21,7 +23,7 @@ private:
 void TestCommandLine::helpHasExamplesThatWork_data()
 {
     QTest::addColumn<QString>("command");
-    for (const char *command : {"points", "project", "cloud", "compare", "matrices", "scene"})
+    for (const char *command : {"points", "project", "cloud", "compare", "matrices", "scene", "landmarks"})
         QTest::newRow(command) << command;
 }
 
@@ -47,6 +49,13 @@ void TestCommandLine::helpHasExamplesThatWork()
     m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(qsizetype(800) * 600 * 4, '\0'));
     m_folder.write("depth.raw", QByteArray(qsizetype(1920) * 1080 * 4, '\0'));
     m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
+    const QByteArray skull = "<PickedPoints><point x=\"1\" y=\"2\" z=\"3\" name=\"N\"/></PickedPoints>";
+    m_folder.write("skull.pp", skull);
+    m_folder.write("points.fcsv",
+                   "# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n0,1,2,3,0,0,0,1,1,1,0,N,,\n");
+    QVERIFY(QDir().mkpath(m_folder.path("skulls")));
+    m_folder.write("skulls/1.pp", skull);
+    m_folder.write("skulls/2.pts", "Version 1.0\n1\nN 1 2 3\n\n");
     examples.replace("\n      ", " "); // a long one goes on in the next line
     for (const QByteArray &line : examples.trimmed().split('\n')) {
         const QByteArray example = line.trimmed();
@@ -67,8 +76,8 @@ void TestCommandLine::helpNamesAllCommandsAndExitCodes()
 {
     const Run run = runCommand({"--help"});
     QCOMPARE(run.exitCode, 0);
-    for (const char *word : {"points", "project", "cloud", "compare", "matrices", "scene", "0 done", "1 some rows bad",
-                             "2 unusable input"})
+    for (const char *word : {"points", "project", "cloud", "compare", "matrices", "scene", "landmarks", "0 done",
+                             "1 some rows bad", "2 unusable input"})
         QVERIFY2(run.output.contains(word), word);
     QVERIFY(runCommand({"--version"}).output.startsWith("unproject "));
 }
@@ -82,7 +91,8 @@ void TestCommandLine::wordsAreChecked_data()
     };
     row("no command", {}, "A subcommand is required");
     row("no such command", {"pionts", "scene.json"},
-        "\"pionts\" is no command; give one of points, project, scene, cloud, compare, matrices\n");
+        "\"pionts\" is no command; give one of points, pick, project, info, scene, cloud, compare, matrices, "
+        "landmarks\n");
     row("an empty word", {""}, "\"\" is no command");
     row("no scene", {"points"}, "SCENE is required");
     row("an empty name", {"points", ""}, "SCENE: give the name of a file");

@@ -79,8 +79,7 @@ void TestCompareCommand::formulaHoldsItsPromise()
     QFETCH(QByteArray, projection);
     QFETCH(double, matrixUlpsAtLeast);
     const Run run = runCommand({"compare", "--json", m_folder.write("scene.json", sceneWith(projection))});
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     const QHash<QString, QJsonObject> found = ways(run.output);
     QCOMPARE(found.size(), 4);
     QVERIFY2(found["formula double"]["ulps"].toObject()["percentile99.99"].toDouble() <= 20.0, run.output.constData());

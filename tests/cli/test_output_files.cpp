@@ -254,12 +254,10 @@ void TestOutputFiles::devicesAreWrittenTo()
 {
 #ifdef Q_OS_WIN
     const Run run = runCommand(cloudTo("NUL"));
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
 #else
     const Run run = runCommand(cloudTo("/dev/null"));
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     struct stat status {};
     QVERIFY(stat("/dev/null", &status) == 0 && S_ISCHR(status.st_mode));
     if (QFile::exists("/dev/full")) {
@@ -299,8 +297,7 @@ void TestOutputFiles::aNamedPipeIsWrittenTo()
     reader.start("cat", {path("pipe")});
     QVERIFY(reader.waitForStarted());
     const Run run = runCommand(cloudTo(path("pipe")));
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     QVERIFY(reader.waitForFinished());
     QFile file(m_folder->path("read"));
     QVERIFY(file.open(QIODevice::ReadOnly));

@@ -78,8 +78,7 @@ void TestPassedColumns::otherColumnsStayWhereTheyStood()
     QFETCH(QByteArray, input);
     QFETCH(QByteArray, output);
     const Run run = points(input);
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     QCOMPARE(run.output, output);
 }
 

@@ -68,8 +68,7 @@ void TestPointsCommand::literalPoints()
     QFETCH(QByteArray, row);
     QFETCH(QList<double>, world);
     const Run run = points("px,py,depth\n" + row + "\n");
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     QCOMPARE(run.lines().size(), 2);
     QCOMPARE(run.lines()[0], kHeader);
     QVERIFY(run.lines()[1].startsWith(row + ','));
@@ -127,8 +126,7 @@ void TestPointsCommand::numbersAreRead()
     QFETCH(QByteArray, input);
     QFETCH(int, rows);
     const Run run = points(input);
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     const QByteArray expected = points("px,py,depth\n100,200,0.5\n").lines().at(1);
     QCOMPARE(run.lines(), QList<QByteArray>{kHeader} + QList<QByteArray>(rows, expected));
 }

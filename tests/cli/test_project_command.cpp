@@ -61,8 +61,7 @@ void TestProjectCommand::literalStages()
     QFETCH(QByteArray, row);
     const QList<QByteArray> cells = row.split(',');
     const Run run = runCommand({"project", m_scene}, "x,y,z\n" + cells.mid(0, 3).join(',') + '\n');
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     QCOMPARE(run.lines().at(0), kHeader);
     const QList<QByteArray> written = run.lines().at(1).split(',');
     QCOMPARE(written.size(), cells.size());

@@ -54,8 +54,7 @@ void TestRowInput::cellsAreFound()
 {
     QFETCH(QByteArray, input);
     const Run run = points(input);
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     QCOMPARE(run.output.count(",0,0,4\n"), 1); // a row can have line breaks of its own
     QVERIFY2(run.output.endsWith(",0,0,4\n"), run.output.constData());
 }

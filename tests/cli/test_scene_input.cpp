@@ -372,8 +372,7 @@ void TestSceneInput::otherEncodingsOfTheSameScene()
 {
     QFETCH(QByteArray, scene);
     const Run run = with(scene);
-    QCOMPARE(run.errors, QByteArray());
-    QCOMPARE(run.exitCode, 0);
+    VERIFY_SUCCEEDED(run);
     QCOMPARE(run.output, with(kScene).output);
 }
 

@@ -108,6 +108,14 @@ Q_DECLARE_METATYPE(unprojector::mesh_import::ImportErrorCode)
 
 #define REQUIRE_MODEL(result) QVERIFY2((result).hasValue(), (result).hasValue() ? "" : (result).error().detail.c_str())
 
+/// That a file is the box of every format, with these notes.
+#define VERIFY_BOX_WITH_NOTES(result, notes)                                                                           \
+    do {                                                                                                               \
+        REQUIRE_MODEL(result);                                                                                         \
+        QCOMPARE((result).value()->triangleCount(), std::size_t{12});                                                  \
+        QCOMPARE(notesOf(**(result)), notes);                                                                          \
+    } while (false)
+
 /// That a file is refused as it should be.
 /// @param detail  a part of the message; the vertex where the code is NotFinite
 #define VERIFY_REFUSED(result, expectedCode, detail_)                                                                  \

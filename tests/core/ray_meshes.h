@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/ray/ray_caster.h"
+#include "tests/support/mesh_model.h"
 
 #include <glm/geometric.hpp>
 
@@ -20,14 +21,7 @@ using namespace unprojector::ray;
 
 using ObjectVector = Vector<ObjectSpace>;
 
-/// A model of one mesh.
-inline std::shared_ptr<Model> modelOf(Mesh mesh)
-{
-    auto model = std::make_shared<Model>();
-    model->meshes.push_back(std::move(mesh));
-    model->bounds = boundsOf(model->meshes);
-    return model;
-}
+using ::modelOf;
 
 inline std::shared_ptr<Model> modelOf(const std::vector<glm::vec3> &positions, std::vector<std::uint32_t> indices = {})
 {

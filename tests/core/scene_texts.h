@@ -21,6 +21,17 @@ inline const char *const kFullScene = R"({
     {"name": "Gr\u00fcn", "bundled": "Teapot", "transform": [], "hidden": true}
   ],
   "clipPlanes": [[0, 1, 0, 0], [1, 0, 0, -0.25]],
+  "landmarks": {
+    "name": "skull 7", "mesh": "face.obj", "unit": "mm", "axes": "RAS",
+    "points": [
+      {"name": "Nasion", "position": [0.1, 2.5, -3], "object": "face",
+       "held": {"triangle": 4294967295, "barycentric": [0.2, 0.3, 0.5]}, "uncertainty": [0.01, 0.02, 0.03],
+       "note": "w\u00e9ll", "color": [255, 128, 1], "hidden": true},
+      {"name": "", "position": [1e-300, 2, 3], "held": {"vertex": 7}},
+      {"name": "e", "position": [1, 2, 3], "held": {"edge": [5, 6], "share": 0.75}},
+      {"name": "gone", "position": null}
+    ]
+  },
   "ui": {
     "viewportRule": {"kind": "keepAspect", "aspect": 1.5, "fixed": {"x": 1, "y": 2, "width": 3, "height": 4}},
     "projectionFollowsViewport": true,

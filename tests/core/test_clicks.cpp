@@ -10,6 +10,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 using namespace unprojector;
 using namespace unprojector::geometry;
@@ -100,6 +101,7 @@ private slots:
     void everyClickComputedFromItsJsonIsTheSame_data();
     void everyClickComputedFromItsJsonIsTheSame();
     void aClickOnTheBackgroundHasItsRay();
+    void theRayOnTheMeshIsWritten();
     void aClicksSceneIsASceneFile();
     void whatIsNotNeededMayBeLeftOut();
     void malformedClicksAreRefusedWithTheirPlace_data();
@@ -133,6 +135,10 @@ void TestClicks::everyClickComputedFromItsJsonIsTheSame()
         QVERIFY(isSameBits(click.window.coordinates(), pick->window.coordinates()));
         QVERIFY(isSame(click.eye.surface, pick->point.eye) && isSame(click.world.surface, pick->point.world));
 
+        QVERIFY(click.uncertainty);
+        QVERIFY(isSameBits(click.uncertainty->eye, pick->uncertainty.eye.coordinates()));
+        QVERIFY(isSameBits(click.uncertainty->world, pick->uncertainty.world.coordinates()));
+
         const Picture picture = pictureOf(click.scene);
         QVERIFY(picture.surface == pick->geometry.surface && picture.viewport == pick->geometry.viewport);
         QVERIFY(picture.depthRange == pick->geometry.depthRange);
@@ -156,12 +162,45 @@ void TestClicks::aClickOnTheBackgroundHasItsRay()
     const Pick pick = randomPick(random, oracle::RandomKind::Perspective, false).value();
     const std::string text = clicksText({clickOf(pick, sceneAround(pick.geometry, {}))}).value();
     const Json json = Json::parse(text).at(0);
-    QVERIFY(json["hit"] == false && json["object"].is_null());
+    QVERIFY(json["hit"] == false && json["object"].is_null() && !json.contains("uncertainty"));
     QVERIFY(json["eye"].contains("near") && json["eye"].contains("far") && !json["eye"].contains("formula"));
     const Click click = readAgain({clickOf(pick, sceneAround(pick.geometry, {}))}).at(0);
     QVERIFY(!click.hit && !click.object);
     QVERIFY(isSame(click.eye.rayNear, pick.rayNear.eye) && isSame(click.eye.rayFar, pick.rayFar.eye));
     QVERIFY(isSame(click.world.rayNear, pick.rayNear.world) && isSame(click.world.rayFar, pick.rayFar.world));
+}
+
+void TestClicks::theRayOnTheMeshIsWritten()
+{
+    oracle::Random random(3);
+    const Pick pick = randomPick(random, oracle::RandomKind::Perspective, true).value();
+    const Scene scene = sceneAround(pick.geometry, {});
+    const auto written = [&](const std::optional<RayOnMesh> &ray) {
+        const std::string text = clicksText({clickOf(pick, scene, ray)}).value();
+        const Click again = std::get<std::vector<Click>>(parseSceneOrClicks(text, "clicks.json").value()).at(0);
+        if (!isSameBits(again.window.coordinates(), pick.window.coordinates()))
+            qFatal("it is not read");
+        return Json::parse(text).at(0);
+    };
+    QVERIFY(!written({}).contains("rayOnMesh"));
+    QVERIFY(written(RayOnMesh{})["rayOnMesh"] == Json::parse(R"({"hit": false})"));
+
+    ray::SceneHit hit;
+    hit.world = WorldPoint(0.1, -2.0, 3.5);
+    hit.objectPoint = ObjectPoint(1.0, 2.0, 3.0);
+    hit.distance = 7.25;
+    hit.vertex = {12, WorldPoint(0.0, -2.0, 3.0), 0.5};
+    hit.uncertainty = {1e-9, 2e-9, std::numeric_limits<double>::infinity()}; // of a surface that is edge on
+    const Json point = written(RayOnMesh{hit, "cloud"})["rayOnMesh"];
+    QVERIFY(point == Json::parse(R"({"hit": true, "object": "cloud", "triangle": null, "barycentric": null,
+        "world": [0.1, -2, 3.5], "objectPoint": [1, 2, 3], "normal": null, "distance": 7.25,
+        "vertex": {"id": 12, "world": [0, -2, 3], "distance": 0.5}, "edge": null, "uncertainty": [1e-9, 2e-9, null]})"));
+    hit.triangle = ray::TriangleDetail{
+        4, {0.25, 0.25, 0.5}, {12, 13, 14}, {0.0, 0.0, -1.0}, {{12, 14}, WorldPoint(0.0, -1.0, 3.0), 0.125}};
+    const Json triangle = written(RayOnMesh{hit, "mesh"})["rayOnMesh"];
+    QVERIFY(triangle["triangle"] == 4 && triangle["barycentric"] == Json::parse("[0.25, 0.25, 0.5]"));
+    QVERIFY(triangle["normal"] == Json::parse("[0, 0, -1]"));
+    QVERIFY(triangle["edge"] == Json::parse(R"({"ids": [12, 14], "world": [0, -1, 3], "distance": 0.125})"));
 }
 
 void TestClicks::aClicksSceneIsASceneFile()
@@ -194,7 +233,7 @@ void TestClicks::whatIsNotNeededMayBeLeftOut()
     oracle::Random random(3);
     const Pick pick = randomPick(random, oracle::RandomKind::Ortho, true).value();
     Json json = Json::parse(clicksText({clickOf(pick, sceneAround(pick.geometry, {}))}).value());
-    for (const char *key : {"widget", "devicePixel", "hit", "eye", "world", "object"})
+    for (const char *key : {"widget", "devicePixel", "hit", "eye", "world", "uncertainty", "object"})
         json[0].erase(key);
     const auto read = std::get<std::vector<Click>>(parseSceneOrClicks(json.dump(), "clicks.json").value());
     QVERIFY(read.at(0).hit && !read[0].object && !read[0].eye.surface[0]);

@@ -81,6 +81,7 @@ private slots:
     void theMatricesAreTheTutorials_data();
     void theMatricesAreTheTutorials();
     void inTwoDimensionsThePointIsFollowed();
+    void theNamesOfTheAxesCanBeRead();
     void theCubeOfSide10TakesHalfOfTheVolume();
     void farCubesAreSmaller();
     void theMiddleOfTheVolumeOf50PixelsHasDepth075();
@@ -227,6 +228,32 @@ void TestExamples::inTwoDimensionsThePointIsFollowed()
     // It is the middle of the plate that can be clicked.
     const Box plate = boundsOf({example("zhangci-2d").scene.objects.at(0).model->meshes.back()});
     QVERIFY(isAt(plate.center(), {1, 1, 0}, kCorner));
+}
+
+void TestExamples::theNamesOfTheAxesCanBeRead()
+{
+    const Scene scene = example("zhangci-2d").scene;
+    const Result<Picture> picture = pictureOf(scene, {800, 600, 1.0}, {});
+    QVERIFY(picture);
+    constexpr std::size_t kCornersOfC = 7 * 6, kCornersOfStroke = 6;
+    for (const SceneObject &object : scene.objects) {
+        const Mesh &name = object.model->meshes.at(2); // behind the two axes
+        const glm::dmat4 placement = worldFromObject(object.transform);
+        const auto middle = [&](std::size_t first, std::size_t end) {
+            glm::dvec2 sum(0.0);
+            for (std::size_t i = first; i < end; ++i) {
+                const glm::dvec4 world = placement * glm::dvec4(name.position(name.vertexAt(i)), 1.0);
+                const WindowPoint at = *windowFromWorld(*picture, WorldPoint(glm::dvec3(world)));
+                sum += glm::dvec2(at.x, at.y);
+            }
+            return sum / double(end - first);
+        };
+        const std::size_t end = name.elementCount();
+        QVERIFY(end > kCornersOfC);
+        const glm::dvec2 before = middle(0, end - kCornersOfC), c = middle(end - kCornersOfC, end);
+        QVERIFY2(c.x > before.x + 10.0 && std::abs(c.y - before.y) < 5.0, object.name.c_str()); // left to right
+        QVERIFY2(middle(end - kCornersOfStroke, end).y < c.y - 5.0, object.name.c_str());       // a C ends below
+    }
 }
 
 void TestExamples::theCubeOfSide10TakesHalfOfTheVolume()

@@ -61,6 +61,20 @@ std::vector<WorldPoint> cloud(const glm::dvec3 &center, const glm::dvec3 &half)
     return points;
 }
 
+/// As a scan's, those that follow each other lie close together: a ball wound up, and then a little larger again.
+std::vector<WorldPoint> woundUp(const glm::dvec3 &center, const glm::dvec3 &half, int count, bool isBackwards)
+{
+    std::vector<WorldPoint> points;
+    for (const double size : {0.98, 1.0}) {
+        for (int k = 0; k < count; ++k) {
+            const double share = (k + 0.5) / count, turn = 40.0 * kPi * share, radius = std::sin(kPi * share);
+            const glm::dvec3 place(radius * std::cos(turn), radius * std::sin(turn), std::cos(kPi * share));
+            points.emplace_back(center + size * half * (isBackwards ? -place : place));
+        }
+    }
+    return points;
+}
+
 Picture pictureWith(const Projection &projection)
 {
     return {{1200, 800, 1.5},
@@ -79,6 +93,7 @@ private slots:
     void pointsFillThePicture_data();
     void pointsFillThePicture();
     void itDoesNotMatterWhereTheCameraIs();
+    void aModelIsFramedByItsTriangles_data();
     void aModelIsFramedByItsTriangles();
     void littleIsShownWithItsSurroundings_data();
     void littleIsShownWithItsSurroundings();
@@ -153,16 +168,30 @@ void TestFraming::itDoesNotMatterWhereTheCameraIs()
     QVERIFY(distance(a.eye, again.eye) < kRounding && distance(a.center, again.center) < kRounding);
 }
 
+void TestFraming::aModelIsFramedByItsTriangles_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::addColumn<bool>("isSoup");
+    for (const int count : {3, 200, 3000, 30000}) {
+        QTest::addRow("%d", count) << count << false;
+        QTest::addRow("%d, a soup", count) << count << true;
+    }
+}
+
 void TestFraming::aModelIsFramedByItsTriangles()
 {
-    const std::vector<WorldPoint> points = cloud({1.0, 2.0, 3.0}, {1.0, 2.0, 0.5});
+    QFETCH(int, count);
+    QFETCH(bool, isSoup);
+    const std::vector<WorldPoint> points = woundUp({1.0, 2.0, 3.0}, {1.0, 2.0, 0.5}, count, isSoup);
     auto model = std::make_shared<scene::Model>();
     scene::Mesh &mesh = model->meshes.emplace_back();
     for (const WorldPoint &point : points) {
-        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+        if (!isSoup && mesh.positions.size() % 500 == 2)
+            mesh.positions.emplace_back(1000.0f, 0.0f, 0.0f); // of no triangle
+        if (!isSoup)
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
         mesh.positions.emplace_back((point.coordinates() - glm::dvec3(1.0, 2.0, 3.0)) / 4.0);
     }
-    mesh.positions.emplace_back(1000.0f, 0.0f, 0.0f); // of no triangle
     const scene::SceneObject object{"cloud", {}, model, {Translate{{1.0, 2.0, 3.0}}, Scale{{4.0, 4.0, 4.0}}}};
     const Picture picture = pictureWith(Perspective{kPi / 4.0, 1.5, 0.1, 100.0});
     Framing framing(picture);

@@ -102,6 +102,7 @@ private slots:
     void appliesMorphWeights();
     void readsColorsOfAllKinds_data();
     void readsColorsOfAllKinds();
+    void movesTextureCoordinates_data();
     void movesTextureCoordinates();
     void pointsAloneArePoints();
     void saysWhatIsLeftOut_data();
@@ -250,22 +251,44 @@ void TestImportGltf::readsColorsOfAllKinds()
         QVERIFY(color == glm::u8vec4(255, 128, 0, 255));
 }
 
+void TestImportGltf::movesTextureCoordinates_data()
+{
+    QTest::addColumn<QByteArray>("transform");
+    QTest::addColumn<double>("u");
+    QTest::addColumn<double>("v");
+    // Of (1/4, 1/2), v down, by translation * rotation * scale; the columns of the extension's rotation are (cos, -sin) and
+    // (sin, cos).
+    const double root = std::sqrt(3.0) / 2.0; // cos 30 degrees
+    QTest::newRow("nothing") << QByteArray() << 0.25 << 0.5;
+    QTest::newRow("scaled and moved") << QByteArray(R"("offset":[0.125,0.25],"scale":[2,0.5],)") << 0.625 << 0.5;
+    QTest::newRow("turned") << QByteArray(R"("rotation":1.5707963267948966,)") << 0.5 << -0.25;
+    QTest::newRow("turned by 30 degrees")
+        << QByteArray(R"("rotation":0.5235987755982988,)") << 0.25 * root + 0.25 << -0.125 + 0.5 * root;
+    // Scaled to (1/2, 1/4), turned to (1/4, -1/2), moved.
+    QTest::newRow("all of it") << QByteArray(R"("offset":[0.125,0.25],"scale":[2,0.5],"rotation":1.5707963267948966,)")
+                               << 0.375 << -0.25;
+}
+
 void TestImportGltf::movesTextureCoordinates()
 {
+    QFETCH(QByteArray, transform);
+    QFETCH(double, u);
+    QFETCH(double, v);
     GltfBuilder file;
     file.add(kQuadCorners, "VEC3", kFloat);
     file.add(std::vector<float>{0.25f, 0.5f, 0.25f, 0.5f, 0.25f, 0.5f, 0.25f, 0.5f}, "VEC2", kFloat);
     const auto result =
         imported(file.json(shown(R"("attributes":{"POSITION":0,"TEXCOORD_1":1},"mode":5,"material":0)", {},
                                  R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":
-                        {"KHR_texture_transform":{"offset":[0.125,0.25],"scale":[2,0.5],"texCoord":1}}}}}],
+                        {"KHR_texture_transform":{)"
+                                     + transform + R"("texCoord":1}}}}}],
                         "textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)"
                                      + kPicture.toBase64() + "\"}]")));
     REQUIRE_MODEL(result);
     const Mesh &mesh = (*result)->meshes.front();
     QCOMPARE(mesh.texture, 0);
     QCOMPARE(mesh.texcoords.size(), std::size_t(4));
-    QVERIFY(glm::distance(mesh.texcoords.front(), glm::vec2(0.625f, 1.0f - 0.5f)) < 1e-6f);
+    QVERIFY(glm::distance(mesh.texcoords.front(), glm::vec2(glm::dvec2(u, 1.0 - v))) < 1e-6f);
 }
 
 void TestImportGltf::pointsAloneArePoints()

@@ -62,9 +62,7 @@ void TestImportOff::saysWhatIsLeftOut()
     QFETCH(QByteArray, content);
     QFETCH(QByteArray, notes);
     const auto result = m_folder.imported("more.off", content);
-    REQUIRE_MODEL(result);
-    QCOMPARE(result.value()->triangleCount(), std::size_t{12});
-    QCOMPARE(notesOf(**result), notes);
+    VERIFY_BOX_WITH_NOTES(result, notes);
 }
 
 void TestImportOff::saysWhyAFileCannotBeOpened_data()

@@ -82,7 +82,7 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("pixel ratio 0", changed("600}", "600, \"devicePixelRatio\": 0}"),
         ": window.devicePixelRatio: 0 must be greater than 0");
     row("pixel ratio huge", changed("600}", "600, \"devicePixelRatio\": 1e9}"),
-        ": window.devicePixelRatio: 1e+09 must lie between 0.0008333333333333334 and 81.92");
+        ": window.devicePixelRatio: 1000000000 must lie between 0.0008333333333333334 and 81.92");
     row("viewport a list", withMember("\"viewport\": [0, 0, 8, 6]"),
         ": viewport: expected an object in { }, found a list in [ ]");
     row("viewport empty", withMember(R"("viewport": {"x": 0, "y": 0, "width": 8, "height": 0})"),
@@ -163,6 +163,23 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
         ": ui.viewportRule.aspect: 0 must be greater than 0");
     row("flag a number", withMember("\"ui\": {\"clipDistancesFitObjects\": 1}"),
         ": ui.clipDistancesFitObjects: expected true or false, found a number");
+    const auto landmark = [](const char *members) {
+        return withMember(QByteArray("\"landmarks\": {\"points\": [{") + members + "}]}");
+    };
+    row("landmark of two coordinates", landmark("\"position\": [1, 2]"),
+        ": landmarks.points[0].position: has 2 elements; it must have 3");
+    row("landmark held by two", landmark("\"held\": {\"vertex\": 1, \"triangle\": 2}"),
+        ": landmarks.points[0].held: must have exactly one of triangle, vertex or edge");
+    row("landmark on no triangle", landmark("\"held\": {\"triangle\": -1}"),
+        ": landmarks.points[0].held.triangle: -1 must lie between 0 and 4294967295");
+    row("landmark on half a triangle", landmark("\"held\": {\"triangle\": 0.5}"),
+        ": landmarks.points[0].held.triangle: 0.5 must be a whole number");
+    row("edge of three", landmark("\"held\": {\"edge\": [1, 2, 3], \"share\": 0}"),
+        ": landmarks.points[0].held.edge: has 3 elements; it must have 2");
+    row("colour of a landmark", landmark("\"color\": [1, 2, 256]"),
+        ": landmarks.points[0].color[2]: 256 must lie between 0 and 255");
+    row("axes of the landmarks", withMember("\"landmarks\": {\"axes\": \"IJK\"}"),
+        ": landmarks.axes: \"IJK\" must be LPS or RAS");
     row("place of a plane", withMember("\"ui\": {\"clipPlanesOff\": [{\"place\": 7, \"plane\": [0, 1, 0, 0]}]}"),
         ": ui.clipPlanesOff[0].place: 7 must lie between 0 and 0");
 }

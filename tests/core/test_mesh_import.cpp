@@ -34,15 +34,24 @@ private slots:
     void appliesNodeTransforms();
     void triangulatesConcavePolygonsAndDropsLines();
     void readsTriangleStrips();
+    void saysWhatCannotBeSeen_data();
+    void saysWhatCannotBeSeen();
     void keepsHardEdgesAndSmoothsRoundOnes();
     void saysWhyAFileCannotBeOpened_data();
     void saysWhyAFileCannotBeOpened();
     void reportsNotAFile();
     void survivesTruncation_data();
     void survivesTruncation();
+    void survivesBeingShortenedWhileItIsRead_data();
+    void survivesBeingShortenedWhileItIsRead();
     void progressNeverFallsAndCancelStops_data();
     void progressNeverFallsAndCancelStops();
     void severalImportsRunAtOnce();
+    void longTextsAreReadAsShortOnes_data();
+    void longTextsAreReadAsShortOnes();
+    void longTextsNameTheLine_data();
+    void longTextsNameTheLine();
+    void normalsAreTheSameByAllCores();
 
 private:
     std::filesystem::path write(const QString &name, const QByteArray &content)
@@ -283,6 +292,36 @@ void TestMeshImport::readsTriangleStrips()
         QVERIFY(normal == glm::vec3(0, 0, 1));
 }
 
+void TestMeshImport::saysWhatCannotBeSeen_data()
+{
+    QTest::addColumn<QByteArray>("vertices");
+    QTest::addColumn<QByteArray>("notes");
+    const auto row = [](const char *name, const QByteArray &vertices, const char *notes) {
+        QTest::newRow(name) << vertices << QByteArray(notes);
+    };
+    row("a triangle as others", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "");
+    row("as large as singles can be", "v 0 0 0\nv 3e38 0 0\nv 0 3e38 0\n", "");
+    row("thin but not flat", "v 0 0 0\nv 1 1e-7 0\nv 2 1e-7 0\n", "");
+    row("one that is 0 in single precision", "v 0 0 0\nv 1e-300 0 0\nv 0 1e-300 0\n",
+        "not used: 1 triangle without an area");
+    row("all corners equal", "v 1 2 3\nv 1 2 3\nv 1 2 3\n", "not used: 1 triangle without an area");
+    row("corners on one line", "v 0 0 0\nv 1 2 3\nv 2 4 6\n", "not used: 1 triangle without an area");
+    row("a hair's breadth that singles do not have", "v 1 0 0\nv 1.00000000001 0 0\nv 1 5 0\n",
+        "not used: 1 triangle without an area");
+    row("smaller than is drawn", "v 0 0 0\nv 7.52316384526264e-37 0 0\nv 0 1e-37 0\n",
+        "not used: drawing, since graphics cards round 7.52316384526264e-37");
+}
+
+void TestMeshImport::saysWhatCannotBeSeen()
+{
+    QFETCH(QByteArray, vertices);
+    QFETCH(QByteArray, notes);
+    const auto result = imported("seen.obj", vertices + "f 1 2 3\n");
+    REQUIRE_MODEL(result);
+    const QByteArray text = notesOf(**result);
+    QVERIFY2(notes.isEmpty() ? text.isEmpty() : text.startsWith(notes), text.constData());
+}
+
 void TestMeshImport::keepsHardEdgesAndSmoothsRoundOnes()
 {
     // A gable roof over the y axis, its edge turning by the given angle.
@@ -304,8 +343,8 @@ void TestMeshImport::saysWhyAFileCannotBeOpened_data()
     QTest::addColumn<QString>("detail"); // a part of it
     using enum ImportErrorCode;
     QTest::newRow("empty") << "bad.obj" << QByteArray() << EmptyFile << "";
-    QTest::newRow("unknown-suffix") << "bad.txt" << objBox() << UnknownFormat << "txt";
-    QTest::newRow("no-suffix") << "bad" << objBox() << UnknownFormat << "";
+    QTest::newRow("unknown-suffix") << "bad.txt" << objBox() << UnknownFormat << "its contents look like obj";
+    QTest::newRow("no-suffix") << "bad" << objBox() << UnknownFormat << "give it the suffix .obj";
     QTest::newRow("gltf-truncated") << "bad.gltf" << gltfBox().chopped(9) << Malformed << "JSON";
     QTest::newRow("gltf-buffer-missing") << "bad.gltf" << gltfJson("nowhere.bin") << Malformed << "nowhere.bin";
     QTest::newRow("gltf-accessor-too-long")
@@ -382,6 +421,46 @@ void TestMeshImport::survivesTruncation()
     }
 }
 
+void TestMeshImport::survivesBeingShortenedWhileItIsRead_data()
+{
+    QTest::addColumn<double>("share");
+    QTest::newRow("before") << 0.0;
+    QTest::newRow("while it is read") << 0.01;
+    QTest::newRow("while it is looked at") << 0.11;
+    QTest::newRow("while corners are taken out") << 0.4;
+}
+
+/// As another program does it that writes the file anew.
+void TestMeshImport::survivesBeingShortenedWhileItIsRead()
+{
+    QFETCH(double, share);
+    constexpr std::size_t kTriangles = 200000;
+    QByteArray bytes(80, ' ');
+    bytes += little(quint32(kTriangles));
+    for (std::size_t t = 0; t < kTriangles; ++t) {
+        bytes += QByteArray(12, '\0');
+        for (const auto &[y, z] : {std::pair(0.0f, 0.0f), std::pair(1.0f, 0.0f), std::pair(0.0f, 1.0f)})
+            bytes += little(float(t)) + little(y) + little(z);
+        bytes += little(quint16(0));
+    }
+    const std::filesystem::path file = write("shortened.stl", bytes);
+    bool isShortened = false;
+    const auto result = importModel(file, [&](double done) {
+        if (!isShortened && done >= share) {
+            isShortened = true;
+            std::filesystem::resize_file(file, 5000);
+        }
+        return true;
+    });
+    QVERIFY(isShortened);
+    // What was read by then is whole; else it is refused.
+    if (result)
+        QCOMPARE(result.value()->triangleCount(), kTriangles);
+    else
+        VERIFY_REFUSED(result, ImportErrorCode::Malformed, QString());
+    QVERIFY(share < 0.1 || result.hasValue());
+}
+
 void TestMeshImport::progressNeverFallsAndCancelStops_data()
 {
     addFormatRows();
@@ -428,6 +507,162 @@ void TestMeshImport::severalImportsRunAtOnce()
     for (std::thread &thread : threads)
         thread.join();
     QCOMPARE(good.load(), 120);
+}
+
+namespace {
+
+/// A wavy grid, so many points each way that its text is read in parts by all cores.
+constexpr int kGridPoints = 260;
+
+QByteArray gridWords(int i)
+{
+    const double x = i % kGridPoints, y = i / kGridPoints;
+    return QByteArray::number(x * 0.1, 'f', 7) + ' ' + QByteArray::number(y * 0.1, 'f', 7) + ' '
+           + QByteArray::number(std::sin(x * 0.2) + std::cos(y * 0.3), 'f', 7);
+}
+
+glm::dvec3 gridPoint(int i)
+{
+    static const std::vector<glm::dvec3> kPoints = [] {
+        std::vector<glm::dvec3> points;
+        for (int k = 0; k < kGridPoints * kGridPoints; ++k) {
+            const QList<QByteArray> words = gridWords(k).split(' ');
+            points.emplace_back(words[0].toDouble(), words[1].toDouble(), words[2].toDouble());
+        }
+        return points;
+    }();
+    return kPoints[static_cast<std::size_t>(i)];
+}
+
+std::vector<std::array<int, 3>> gridTriangles()
+{
+    std::vector<std::array<int, 3>> triangles;
+    for (int y = 0; y + 1 < kGridPoints; ++y) {
+        for (int x = 0; x + 1 < kGridPoints; ++x) {
+            const int a = y * kGridPoints + x;
+            triangles.push_back({a, a + 1, a + kGridPoints + 1});
+            triangles.push_back({a, a + kGridPoints + 1, a + kGridPoints});
+        }
+    }
+    return triangles;
+}
+
+/// @param lineEnd  and blank lines here and there
+QByteArray gridPly(const QByteArray &lineEnd)
+{
+    const auto triangles = gridTriangles();
+    QByteArray text = "ply\nformat ascii 1.0\nelement vertex " + QByteArray::number(kGridPoints * kGridPoints)
+                      + "\nproperty double x\nproperty double y\nproperty double z\nelement face "
+                      + QByteArray::number(qsizetype(triangles.size()))
+                      + "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (int i = 0; i < kGridPoints * kGridPoints; ++i)
+        text += gridWords(i) + "\n" + (i % 1000 == 999 ? " \t\n" : "");
+    for (const auto &[a, b, c] : triangles)
+        text += "3 " + QByteArray::number(a) + ' ' + QByteArray::number(b) + ' ' + QByteArray::number(c) + "\n";
+    return lineEnd == "\n" ? text : text.replace("\n", lineEnd);
+}
+
+QByteArray gridStl(const QByteArray &lineEnd)
+{
+    QByteArray text = "solid facet by facet\n";
+    for (const auto &triangle : gridTriangles()) {
+        text += "  facet normal 0 0 nan\n outer loop\n";
+        for (const int i : triangle)
+            text += "   vertex " + gridWords(i) + "\n";
+        text += " endloop\n endfacet\n";
+    }
+    text += "endsolid\n";
+    return lineEnd == "\n" ? text : text.replace("\n", lineEnd);
+}
+
+} // namespace
+
+void TestMeshImport::longTextsAreReadAsShortOnes_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("PLY") << "grid.ply" << gridPly("\n");
+    QTest::newRow("PLY, CRLF") << "grid.ply" << gridPly("\r\n");
+    QTest::newRow("PLY, CR") << "grid.ply" << gridPly("\r");
+    QTest::newRow("STL") << "grid.stl" << gridStl("\n");
+    QTest::newRow("STL, CRLF") << "grid.stl" << gridStl("\r\n");
+}
+
+void TestMeshImport::longTextsAreReadAsShortOnes()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    QVERIFY(content.size() > 4 << 20);
+    const auto result = imported(name, content);
+    REQUIRE_MODEL(result);
+    const Mesh &mesh = (*result)->meshes.front();
+    const auto triangles = gridTriangles();
+    QCOMPARE(mesh.triangleCount(), triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const glm::vec3 expected(gridPoint(triangles[t][c]) - mesh.origin);
+            if (mesh.positions[mesh.vertexAt(3 * t + c)] != expected)
+                QFAIL(qPrintable(QStringLiteral("triangle %1").arg(t)));
+        }
+    }
+    if (name.endsWith(".ply")) {
+        for (int i = 0; i < kGridPoints * kGridPoints; ++i)
+            QVERIFY(mesh.positions[std::size_t(i)] == glm::vec3(gridPoint(i) - mesh.origin));
+    }
+}
+
+void TestMeshImport::longTextsNameTheLine_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QByteArray>("right");
+    QTest::addColumn<QByteArray>("wrong");
+    // The last of them in the file.
+    QTest::newRow("a vertex") << "grid.ply" << gridPly("\n") << gridWords(kGridPoints * kGridPoints - 1)
+                              << QByteArray("1 2 x");
+    QTest::newRow("a face") << "grid.ply" << gridPly("\n") << QByteArray("\n3 66000 ") << QByteArray("\n3 66000z ");
+    QTest::newRow("a corner") << "grid.stl" << gridStl("\n") << QByteArray("vertex " + gridWords(66000))
+                              << QByteArray("vertex 1 2");
+    QTest::newRow("a facet") << "grid.stl" << gridStl("\n") << QByteArray(" endfacet\nendsolid")
+                             << QByteArray(" oops\nendsolid");
+}
+
+void TestMeshImport::longTextsNameTheLine()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    QFETCH(QByteArray, right);
+    QFETCH(QByteArray, wrong);
+    const qsizetype at = content.lastIndexOf(right);
+    QVERIFY(at > content.size() / 3);
+    const auto line = content.left(at).count('\n') + 1 + (right.startsWith('\n') ? 1 : 0);
+    const auto result = imported(name, content.replace(at, right.size(), wrong));
+    VERIFY_REFUSED(result, ImportErrorCode::Malformed, QStringLiteral("line %1: ").arg(line));
+}
+
+/// Singles are added in the order of the faces, whoever adds them.
+void TestMeshImport::normalsAreTheSameByAllCores()
+{
+    const auto result = imported("grid.ply", gridPly("\n"));
+    REQUIRE_MODEL(result);
+    const Mesh &mesh = (*result)->meshes.front();
+    Box box;
+    for (const glm::vec3 &position : mesh.positions)
+        box.add(glm::dvec3(position));
+    std::vector<glm::vec3> sums(mesh.positions.size(), glm::vec3(0.0f));
+    for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+        const auto corner = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[3 * t + k]]); };
+        const double scale = 1.0 / box.diagonal();
+        const glm::dvec3 normal = glm::cross((corner(1) - corner(0)) * scale, (corner(2) - corner(0)) * scale);
+        const double area = glm::length(normal);
+        for (std::size_t k = 0; k < 3; ++k)
+            sums[mesh.indices[3 * t + k]] += glm::vec3(normal / area) * static_cast<float>(area);
+    }
+    QCOMPARE(mesh.normals.size(), mesh.positions.size());
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        const glm::dvec3 sum(sums[v]);
+        QVERIFY2(mesh.normals[v] == glm::vec3(sum / glm::length(sum)), qPrintable(QString::number(v)));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestMeshImport)

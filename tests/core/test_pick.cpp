@@ -76,12 +76,12 @@ private slots:
     void whatCannotBePickedIsRefused_data();
     void whatCannotBePickedIsRefused();
     void aDepthOutsideItsRangeIsRefusedOnASurfaceOnly();
-    void certaintyIsTheDepthStepAndThePixel_data();
-    void certaintyIsTheDepthStepAndThePixel();
+    void certaintyHasTheDepthStepAndThePixel_data();
+    void certaintyHasTheDepthStepAndThePixel();
     void thePickKeepsTheCertaintyOfItsDistance();
     void eachAxisHasItsOwnUncertainty_data();
     void eachAxisHasItsOwnUncertainty();
-    void whatIsLeftOpenLiesWithinTheUncertainty();
+    void whatHasTheDepthAndThePixelLiesWithinThePixel();
 };
 
 void TestPick::aClickIsFollowedBackToTheWorld_data()
@@ -261,57 +261,51 @@ void TestPick::aDepthOutsideItsRangeIsRefusedOnASurfaceOnly()
     }
 }
 
-void TestPick::certaintyIsTheDepthStepAndThePixel_data()
+void TestPick::certaintyHasTheDepthStepAndThePixel_data()
 {
     QTest::addColumn<Picture>("geometry");
     QTest::addColumn<double>("distance");
     QTest::addColumn<int>("bits");
     QTest::addColumn<glm::dvec3>("expected"); // half a depth step, pixel's width and height
-    QTest::addColumn<double>("radius");
 
     // 25 x 9 / 10 / (2^24 - 1) / 2; 2 x 5 / 800, 1.5 x 5 / 600
-    QTest::newRow("frustum, 24 bits") << plainFrustum() << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125)
-                                      << 0.00625;
+    QTest::newRow("frustum, 24 bits") << plainFrustum() << 5.0 << 24
+                                      << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125);
     // 25 x 9 / 10 / 65535 / 2
     QTest::newRow("frustum, 16 bits") << plainFrustum() << 5.0 << 16
-                                      << glm::dvec3(1.7166399633783476e-4, 0.0125, 0.0125) << 0.00625;
-    // 81 x 9 / 10 / 255 / 2: the depth step is the largest of the three
+                                      << glm::dvec3(1.7166399633783476e-4, 0.0125, 0.0125);
+    // 81 x 9 / 10 / 255 / 2
     QTest::newRow("frustum, 8 bits, far away")
-        << plainFrustum() << 9.0 << 8 << glm::dvec3(0.14294117647058824, 0.0225, 0.0225) << 0.14294117647058824;
+        << plainFrustum() << 9.0 << 8 << glm::dvec3(0.14294117647058824, 0.0225, 0.0225);
     // 8 / (2^24 - 1) / 2; 6 / 600, 4 / 400, wherever it lies
-    QTest::newRow("ortho, 24 bits") << offsetBox() << 3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01)
-                                    << 0.005;
+    QTest::newRow("ortho, 24 bits") << offsetBox() << 3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01);
     QTest::newRow("ortho, 24 bits, behind the eye")
-        << offsetBox() << -3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01) << 0.005;
+        << offsetBox() << -3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01);
     Picture half = offsetBox();
     half.depthRange = {0.75, 0.25};
-    QTest::newRow("ortho, half the depth range")
-        << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01) << 0.005;
+    QTest::newRow("ortho, half the depth range") << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01);
     // gluPerspective(90 degrees, 2, 0.5, 8): window 2 x 1 at n = 0.5; 16 x 7.5 / 4 / (2^24 - 1) / 2; 2 x 4 / 0.5 / 800, 4 / 0.5 / 600
     Picture perspective = plainFrustum();
     perspective.projection() = Perspective{1.5707963267948966, 2.0, 0.5, 8.0};
     QTest::newRow("perspective, wide pixels")
-        << perspective << 4.0 << 24 << glm::dvec3(8.940697249215677e-7, 0.02, 4.0 / 300.0) << 0.01;
+        << perspective << 4.0 << 24 << glm::dvec3(8.940697249215677e-7, 0.02, 4.0 / 300.0);
     // A mirrored window: sizes stay positive.
     Picture mirrored = plainFrustum();
     mirrored.projection() = Frustum{1.0, -1.0, 0.75, -0.75, 1.0, 10.0};
-    QTest::newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125)
-                                      << 0.00625;
+    QTest::newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125);
 }
 
-void TestPick::certaintyIsTheDepthStepAndThePixel()
+void TestPick::certaintyHasTheDepthStepAndThePixel()
 {
     QFETCH(Picture, geometry);
     QFETCH(double, distance);
     QFETCH(int, bits);
     QFETCH(glm::dvec3, expected);
-    QFETCH(double, radius);
-    const Certainty certainty = certaintyAt(geometry, distance, bits);
+    const Certainty certainty = certaintyAt(geometry, distance, {DepthFormat(bits).halfStep(0.5), 0.0});
     constexpr double kLiteral = 1e-9; // the digits written above
     QVERIFY(isRelativelyNear(certainty.halfDepthStep, expected.x, kLiteral));
     QVERIFY(isRelativelyNear(certainty.footprintWidth, expected.y, kLiteral));
     QVERIFY(isRelativelyNear(certainty.footprintHeight, expected.z, kLiteral));
-    QVERIFY(isRelativelyNear(certainty.radius(), radius, kLiteral));
 }
 
 void TestPick::thePickKeepsTheCertaintyOfItsDistance()
@@ -362,14 +356,19 @@ void TestPick::eachAxisHasItsOwnUncertainty()
     QFETCH(EyePoint, point);
     QFETCH(glm::dvec3, inEye);
     QFETCH(glm::dvec3, inWorld);
-    const Uncertainty uncertainty = uncertaintyOf(geometry, point, {0.5, 0.2, 0.1});
+    const Uncertainty uncertainty = withinPixel(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.5});
+    // The pixel's centre is exact: what is left goes along the ray, and is as much of it on each axis.
+    const Uncertainty along = uncertaintyOf(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.5});
+    const Uncertainty pixelAlone = withinPixel(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.0});
     for (int axis = 0; axis < 3; ++axis) {
         QVERIFY(std::abs(uncertainty.eye[axis] - inEye[axis]) < 1e-12);
         QVERIFY(std::abs(uncertainty.world[axis] - inWorld[axis]) < 1e-12);
+        QVERIFY(std::abs(along.eye[axis] + pixelAlone.eye[axis] - inEye[axis]) < 1e-12);
+        QVERIFY(std::abs(along.world[axis] + pixelAlone.world[axis] - inWorld[axis]) < 1e-12);
     }
 }
 
-void TestPick::whatIsLeftOpenLiesWithinTheUncertainty()
+void TestPick::whatHasTheDepthAndThePixelLiesWithinThePixel()
 {
     // Every corner of the pixel, half a step of a coarse depth buffer before and behind.
     Picture geometry = plainFrustum();
@@ -385,7 +384,7 @@ void TestPick::whatIsLeftOpenLiesWithinTheUncertainty()
                 const WorldVector off =
                     *unprojector.worldAt(Method::Formula, corner) - *pick->point.world[Method::Formula];
                 for (int axis = 0; axis < 3; ++axis) // to first order
-                    QVERIFY(std::abs(off[axis]) <= pick->uncertainty.world[axis] * 1.01);
+                    QVERIFY(std::abs(off[axis]) <= pick->withinPixel.world[axis] * 1.01);
             }
         }
     }

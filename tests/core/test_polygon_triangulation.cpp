@@ -2,7 +2,6 @@
 
 #include "core/mesh_import/polygon_triangulation.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <glm/geometric.hpp>
@@ -176,13 +175,10 @@ void TestPolygonTriangulation::takesLittleTimeForManyCorners_data()
 void TestPolygonTriangulation::takesLittleTimeForManyCorners()
 {
     QFETCH(Outline, outline);
-    QElapsedTimer timer;
-    timer.start();
+    // Time that grows with the square is longer than all tests together may take.
     std::vector<std::uint32_t> triangles;
     PolygonTriangulator().triangulate(outline, triangles);
     QCOMPARE(triangles.size(), 3 * (outline.size() - 2));
-    // Time that grows with the square takes minutes here.
-    QVERIFY2(timer.elapsed() < 10000, qPrintable(QString::number(timer.elapsed())));
 }
 
 QTEST_APPLESS_MAIN(TestPolygonTriangulation)

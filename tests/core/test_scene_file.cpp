@@ -60,7 +60,7 @@ void TestSceneFile::everyKeyIsRead()
     QCOMPARE(scene.objects[1].name, "Gr\xC3\xBCn");
     QCOMPARE(scene.objects[1].bundled, "Teapot");
     QVERIFY(!scene.objects[0].isHidden && scene.objects[1].isHidden);
-    QCOMPARE(written(scene).count("hidden"), 1); // only where it is so
+    QCOMPARE(written(scene).count("hidden"), 2); // only where it is so: of an object, and a landmark
     QVERIFY(scene.objects[1].file.empty());
     QVERIFY(scene.clipPlanes == (std::vector<glm::dvec4>{{0, 1, 0, 0}, {1, 0, 0, -0.25}}));
     QVERIFY(scene.ui.viewportRule == (ViewportRule{ViewportRule::Kind::KeepAspect, {1, 2, 3, 4}, 1.5}));
@@ -70,6 +70,24 @@ void TestSceneFile::everyKeyIsRead()
     QCOMPARE(scene.ui.clipPlanesOff.size(), std::size_t(1));
     QCOMPARE(scene.ui.clipPlanesOff[0].place, std::size_t(1));
     QVERIFY(scene.ui.clipPlanesOff[0].plane == glm::dvec4(0, 0, 1, 2));
+
+    using namespace unprojector::landmarks;
+    const LandmarkSet &set = scene.landmarks;
+    QVERIFY(set.name == "skull 7" && set.mesh == "face.obj" && set.unit == "mm" && set.axes == Axes::Ras);
+    QCOMPARE(set.landmarks.size(), std::size_t(4));
+    QVERIFY(set.landmarks[0]
+            == (Landmark{"Nasion",
+                         WorldPoint(0.1, 2.5, -3),
+                         "face",
+                         OnTriangle{4294967295u, {0.2, 0.3, 0.5}},
+                         WorldVector(0.01, 0.02, 0.03),
+                         "w\xC3\xA9ll",
+                         glm::u8vec3(255, 128, 1),
+                         true,
+                         {}}));
+    QVERIFY(set.landmarks[1] == (Landmark{"", WorldPoint(1e-300, 2, 3), "", AtVertex{7}, {}, "", {}, false, {}}));
+    QVERIFY(set.landmarks[2].hold == Hold(OnEdge{{5, 6}, 0.75}));
+    QVERIFY(set.landmarks[3].isMissing());
 
     const Picture geometry = pictureOf(scene);
     QVERIFY(geometry.surface == (Surface{801, 599, 1.25}));

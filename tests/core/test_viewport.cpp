@@ -1,37 +1,15 @@
 // The only place with a y flip, a pixel ratio or half a pixel. Both unprojections start from the same window point,
 // so that an error here would leave them in agreement: these rows are literal numbers, written out by hand.
 
-#include "core/geometry/viewport.h"
+#include "viewport_checks.h"
 
 #include <QTest>
 
-#include <limits>
-
 using namespace unprojector;
 using namespace unprojector::geometry;
+using namespace viewport_checks;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// A few roundings of numbers up to 4000.
-constexpr double kRoundingPixels = 1e-11;
-constexpr double kRoundingNdc = 1e-14;
-
-bool isNear(double a, double b, double tolerance)
-{
-    if (std::abs(a - b) <= tolerance)
-        return true;
-    qWarning("%.17g is not %.17g", a, b);
-    return false;
-}
-
-const Error &errorOf(const auto &result)
-{
-    Q_ASSERT(!result);
-    return result.error();
-}
 
 bool isPixel(const Result<DevicePixel> &result, int i, int j)
 {
@@ -42,12 +20,6 @@ bool isPixel(const Result<DevicePixel> &result, int i, int j)
     else
         qWarning("no pixel instead of (%d, %d)", i, j);
     return false;
-}
-
-/// Same number, or both NaN.
-bool isSame(double a, double b)
-{
-    return a == b || (std::isnan(a) && std::isnan(b));
 }
 
 } // namespace
@@ -71,14 +43,6 @@ private slots:
     void aPositionOffTheSurfaceIsRefused_data();
     void aPositionOffTheSurfaceIsRefused();
     void windowAndDeviceAreInverse();
-    void ndcCornersAreTheViewportsCorners_data();
-    void ndcCornersAreTheViewportsCorners();
-    void ndcAndWindowAreInverse();
-    void theMatrixDoesWhatTheFunctionDoes();
-    void depthIsMappedBackToUnitDepth_data();
-    void depthIsMappedBackToUnitDepth();
-    void depthOutsideTheRangeIsRefused_data();
-    void depthOutsideTheRangeIsRefused();
     void theWholeSurfaceIsAViewport();
 };
 
@@ -327,145 +291,6 @@ void TestViewport::windowAndDeviceAreInverse()
         const DevicePoint back = deviceFromWindow(surface, windowFromDevice(surface, DevicePoint(12.25, y), 0.5));
         QVERIFY(back.coordinates() == glm::dvec2(12.25, y));
     }
-}
-
-void TestViewport::ndcCornersAreTheViewportsCorners_data()
-{
-    QTest::addColumn<Viewport>("viewport");
-    QTest::addColumn<DepthRange>("range");
-    QTest::addColumn<glm::dvec3>("ndc");
-    QTest::addColumn<glm::dvec3>("window");
-
-    const auto row = [](const char *name, const Viewport &viewport, const DepthRange &range, const glm::dvec3 &ndc,
-                        const glm::dvec3 &window) { QTest::newRow(name) << viewport << range << ndc << window; };
-    const Viewport square{0, 0, 50, 50}, offset{100, -20, 640, 480};
-    row("near bottom left", square, {}, {-1, -1, -1}, {0, 0, 0});
-    row("far top right", square, {}, {1, 1, 1}, {50, 50, 1});
-    row("middle, depth one half", square, {}, {0, 0, 0.5}, {25, 25, 0.75});
-    row("offset: near bottom left", offset, {}, {-1, -1, -1}, {100, -20, 0});
-    row("offset: far top right", offset, {}, {1, 1, 1}, {740, 460, 1});
-    row("offset: middle", offset, {}, {0, 0, 0}, {420, 220, 0.5});
-    row("offset: outside", offset, {}, {2, -3, 3}, {1060, -500, 2});
-    row("reversed depth: near", offset, {1, 0}, {0, 0, -1}, {420, 220, 1});
-    row("reversed depth: far", offset, {1, 0}, {0, 0, 1}, {420, 220, 0});
-    row("reversed depth: three quarters", offset, {1, 0}, {0, 0, 0.5}, {420, 220, 0.25});
-    row("partial depth: near", offset, {0.25, 0.75}, {0, 0, -1}, {420, 220, 0.25});
-    row("partial depth: far", offset, {0.25, 0.75}, {0, 0, 1}, {420, 220, 0.75});
-    row("partial depth: middle", offset, {0.25, 0.75}, {0, 0, 0}, {420, 220, 0.5});
-}
-
-void TestViewport::ndcCornersAreTheViewportsCorners()
-{
-    QFETCH(Viewport, viewport);
-    QFETCH(DepthRange, range);
-    QFETCH(glm::dvec3, ndc);
-    QFETCH(glm::dvec3, window);
-    QVERIFY(windowFromNdc(viewport, range, NdcPoint(ndc)).coordinates() == window);
-    QVERIFY(ndcFromWindow(viewport, range, WindowPoint(window)).coordinates() == ndc);
-    QVERIFY(windowFromNdc(viewport, range) * glm::dvec4(ndc, 1) == glm::dvec4(window, 1));
-}
-
-void TestViewport::ndcAndWindowAreInverse()
-{
-    const Viewport viewport{13, -7, 641, 479};
-    for (const DepthRange &range : {DepthRange{}, DepthRange{1, 0}, DepthRange{0.2, 0.7}}) {
-        for (int step = -150; step <= 150; ++step) {
-            const double t = step / 100.0;
-            const NdcPoint ndc(t, -t / 2.0, t / 1.5);
-            const NdcPoint back = ndcFromWindow(viewport, range, windowFromNdc(viewport, range, ndc));
-            for (int k = 0; k < 3; ++k)
-                QVERIFY(isNear(back[k], ndc[k], kRoundingNdc));
-        }
-    }
-}
-
-void TestViewport::theMatrixDoesWhatTheFunctionDoes()
-{
-    const Viewport viewport{13, -7, 641, 479};
-    for (const DepthRange &range : {DepthRange{}, DepthRange{1, 0}, DepthRange{0.2, 0.7}}) {
-        const glm::dmat4 matrix = windowFromNdc(viewport, range);
-        for (int step = -150; step <= 150; ++step) {
-            const double t = step / 100.0;
-            const NdcPoint ndc(t, -t / 2.0, t / 1.5);
-            const WindowPoint window = windowFromNdc(viewport, range, ndc);
-            const glm::dvec4 product = matrix * glm::dvec4(ndc.coordinates(), 1.0);
-            for (int k = 0; k < 3; ++k)
-                QVERIFY(isNear(product[k], window[k], k < 2 ? kRoundingPixels : kRoundingNdc));
-            QCOMPARE(product.w, 1.0);
-        }
-    }
-}
-
-void TestViewport::depthIsMappedBackToUnitDepth_data()
-{
-    QTest::addColumn<DepthRange>("range");
-    QTest::addColumn<double>("depth");
-    QTest::addColumn<double>("unit");
-
-    const auto row = [](const char *name, const DepthRange &range, double depth, double unit) {
-        QTest::newRow(name) << range << depth << unit;
-    };
-    row("near end", {}, 0, 0);
-    row("far end", {}, 1, 1);
-    row("inside", {}, 0.3, 0.3);
-    row("smallest step above the near end", {}, 5e-324, 5e-324);
-    row("smallest step below the far end", {}, 1 - 0x1p-53, 1 - 0x1p-53);
-    row("reversed: near end", {1, 0}, 1, 0);
-    row("reversed: far end", {1, 0}, 0, 1);
-    row("reversed: inside", {1, 0}, 0.25, 0.75);
-    row("partial: near end", {0.25, 0.75}, 0.25, 0);
-    row("partial: far end", {0.25, 0.75}, 0.75, 1);
-    row("partial: inside", {0.25, 0.75}, 0.375, 0.25);
-    row("partial, reversed: inside", {0.75, 0.25}, 0.375, 0.75);
-}
-
-void TestViewport::depthIsMappedBackToUnitDepth()
-{
-    QFETCH(DepthRange, range);
-    QFETCH(double, depth);
-    QFETCH(double, unit);
-    const Result<double> result = unitDepth(range, depth);
-    QVERIFY(result);
-    QVERIFY(*result == unit);
-}
-
-void TestViewport::depthOutsideTheRangeIsRefused_data()
-{
-    QTest::addColumn<DepthRange>("range");
-    QTest::addColumn<double>("depth");
-    QTest::addColumn<ErrorCode>("code");
-    QTest::addColumn<double>("value");
-
-    const auto row = [](const char *name, const DepthRange &range, double depth, ErrorCode code, double value) {
-        QTest::newRow(name) << range << depth << code << value;
-    };
-    using enum ErrorCode;
-    row("NaN", {}, kNan, DepthOutsideRange, kNan);
-    row("-0.1", {}, -0.1, DepthOutsideRange, -0.1);
-    row("1.1", {}, 1.1, DepthOutsideRange, 1.1);
-    row("infinite", {}, kInfinity, DepthOutsideRange, kInfinity);
-    row("minus infinite", {}, -kInfinity, DepthOutsideRange, -kInfinity);
-    row("smallest step below the near end", {}, -5e-324, DepthOutsideRange, -5e-324);
-    row("smallest step above the far end", {}, 1 + 0x1p-52, DepthOutsideRange, 1 + 0x1p-52);
-    row("reversed: 1.1", {1, 0}, 1.1, DepthOutsideRange, 1.1);
-    row("partial: below", {0.25, 0.75}, 0.2, DepthOutsideRange, 0.2);
-    row("partial: above", {0.25, 0.75}, 0.8, DepthOutsideRange, 0.8);
-    row("partial, reversed: above", {0.75, 0.25}, 0.8, DepthOutsideRange, 0.8);
-    row("equal ends", {0.5, 0.5}, 0.5, EmptyDepthRange, 0.5);
-    row("NaN end", {kNan, 1}, 0.5, NotFinite, kNan);
-    row("infinite end", {0, kInfinity}, 0.5, NotFinite, kInfinity);
-}
-
-void TestViewport::depthOutsideTheRangeIsRefused()
-{
-    QFETCH(DepthRange, range);
-    QFETCH(double, depth);
-    QFETCH(ErrorCode, code);
-    QFETCH(double, value);
-    const Result<double> unit = unitDepth(range, depth);
-    QVERIFY(!unit);
-    QCOMPARE(errorOf(unit).code, code);
-    QVERIFY(isSame(errorOf(unit).value, value));
 }
 
 void TestViewport::theWholeSurfaceIsAViewport()

@@ -2,6 +2,7 @@
 
 #include "core/unproject/pick.h"
 #include "gui/document/scene_document.h"
+#include "gui/panels/comparison_model.h"
 #include "gui/panels/comparison_panel.h"
 #include "tests/support/unprojecting.h"
 
@@ -74,6 +75,11 @@ struct PanelOfPicks : WithDocument, gui::ComparisonPanel {
             document.clearPick();
     }
 };
+
+inline QVariant cell(const gui::ComparisonModel &model, int row, int column, int role = Qt::DisplayRole)
+{
+    return model.index(row, column).data(role);
+}
 
 inline bool hasPlaceholder(const QString &text)
 {

@@ -9,6 +9,7 @@
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QStyleOptionFrame>
+#include <QTextDocument>
 
 #include <algorithm>
 
@@ -34,6 +35,14 @@ struct Text {
 Text textOf(const QLabel &label)
 {
     const QSize room = label.contentsRect().size();
+    if (label.textFormat() == Qt::RichText) {
+        QTextDocument set;
+        set.setDocumentMargin(0.0);
+        set.setDefaultFont(label.font());
+        set.setHtml(label.text());
+        set.setTextWidth(room.width());
+        return {set.toPlainText(), set.size().toSize(), room};
+    }
     const int flags = Qt::TextShowMnemonic | (label.wordWrap() ? Qt::TextWordWrap : 0);
     return {label.text(), label.fontMetrics().boundingRect(QRect(QPoint(), room), flags, label.text()).size(), room};
 }

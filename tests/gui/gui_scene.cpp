@@ -1,6 +1,7 @@
 #include "tests/gui/gui_scene.h"
 
 #include "core/scene/solids.h"
+#include "tests/support/mesh_model.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -41,18 +42,6 @@ const std::array<Face, 6> &cubeFaces()
     }};
     return faces;
 }
-
-namespace {
-
-std::shared_ptr<const Model> modelOf(Mesh mesh)
-{
-    auto model = std::make_shared<Model>();
-    model->meshes.push_back(std::move(mesh));
-    model->bounds = boundsOf(model->meshes);
-    return model;
-}
-
-} // namespace
 
 std::vector<SceneObject> cubeScene()
 {
@@ -129,6 +118,13 @@ int differentPixels(const QImage &a, const QImage &b)
 
 // ---- windows -----------------------------------------------------------------------------------------------------
 
+void bringUp(MainWindow &window)
+{
+    window.show();
+    if (!QTest::qWaitForWindowExposed(&window) || !QTest::qWaitFor([&] { return window.view().isReady(); }))
+        qFatal("the window does not come up");
+}
+
 std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock)
 {
     MainWindow::Options options;
@@ -139,10 +135,9 @@ std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, boo
         window->hidePanels(true);
     window->resize(size);
     window->move(0, 0);
-    window->show();
-    const bool shown = QTest::qWaitForWindowExposed(window.get());
-    if (!shown || !QTest::qWaitFor([&] { return window->view().isReady(); }) || !resized(*window, size))
-        qFatal("the window does not come up");
+    bringUp(*window);
+    if (!resized(*window, size))
+        qFatal("the window does not have the size that is asked for");
     return window;
 }
 

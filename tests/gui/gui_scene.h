@@ -60,6 +60,8 @@ int differentPixels(const QImage &a, const QImage &b);
 
 // ---- windows -----------------------------------------------------------------------------------------------------
 
+/// Shows a window, and waits until it is on the screen and its view ready.
+void bringUp(MainWindow &window);
 /// On the screen, its view ready, without the dock unless asked for. Remembers nothing.
 std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock = false);
 /// The cube, seen from the right, above and in front, in a window of 500 x 400.

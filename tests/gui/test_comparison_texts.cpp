@@ -36,6 +36,7 @@ private slots:
     void theFormulaIsWrittenWithItsNumbers_data();
     void theFormulaIsWrittenWithItsNumbers();
     void theRayOfABackgroundIsWritten();
+    void coordinatesOfASurveyCanBeRead();
     void theCauseOfADifferenceIsNamed();
     void theCertaintyIsNamed();
     void everyErrorHasItsSentence_data();
@@ -51,6 +52,22 @@ void TestComparisonTexts::numbersAreWritten_data()
     QTest::newRow("shortest") << shortestText(0.1) << "0.1";
     QTest::newRow("shortest, all digits") << shortestText(0.1 + 0.2) << "0.30000000000000004";
     QTest::newRow("shortest, tiny") << shortestText(1e-17) << "1e-17";
+    QTest::newRow("shortest, far from zero") << shortestText(4000000.0) << "4000000";
+    QTest::newRow("shortest, to the millimetre") << shortestText(-4000000.123) << "-4000000.123";
+    QTest::newRow("shortest, ten thousand million") << shortestText(1e10) << "1e+10";
+    QTest::newRow("written, far from zero") << writtenText(4000000.123, 4) << "4000000";
+    QTest::newRow("written, nearly ten thousand million") << writtenText(9.5e9, 2) << "9500000000";
+    QTest::newRow("written, ten thousand million") << writtenText(1e10, 2) << "1e+10";
+    QTest::newRow("written, a ten-thousandth") << writtenText(0.000123456, 3) << "0.000123";
+    QTest::newRow("written, less") << writtenText(1.234567e-8, 5) << "1.2346e-08";
+    QTest::newRow("written, less, in few digits") << writtenText(0.00002, 5) << "0.00002";
+    QTest::newRow("written, tiny") << writtenText(-1.23456e-88, 5) << "-1.2346e-88";
+    QTest::newRow("written, not a number") << writtenText(std::numeric_limits<double>::quiet_NaN(), 5) << "nan";
+    QTest::newRow("written, infinite") << writtenText(-std::numeric_limits<double>::infinity()) << "-inf";
+    QTest::newRow("certain, far from zero") << certainText(4000000.1234, 0.0005) << "4000000.123";
+    QTest::newRow("certain, farther") << certainText(123456789012.0, 300.0) << "1.23456789e+11";
+    QTest::newRow("certain, farther, rounded to nothing") << certainText(4e10, 1e12) << "0";
+    QTest::newRow("how large") << significantText(1234567.0, 2) << "1.2e+06";
     QTest::newRow("significant") << significantText(0.82842712, 4) << "0.8284";
     QTest::newRow("significant, negative zero") << significantText(-0.0, 4) << "0";
     QTest::newRow("fixed") << fixedText(-1.5, 3) << "-1.500";
@@ -67,6 +84,8 @@ void TestComparisonTexts::numbersAreWritten_data()
     QTest::newRow("readable, tiny") << readableText(7.9e-9) << "8 × 10⁻⁹";
     QTest::newRow("readable, huge") << readableText(1.26e9) << "1.3 × 10⁹";
     QTest::newRow("readable, nothing") << readableText(0.0) << "0";
+    QTest::newRow("point of a survey") << pointText({4000000.1234, 500000.4567, 300.7891}, {0.0005, 0.0005, 0.02})
+                                       << "(4000000.123, 500000.457, 300.8)";
     QTest::newRow("certain place") << QString::number(certainPlace(0.002)) << "-2";
     QTest::newRow("certain place, a power of ten") << QString::number(certainPlace(0.001)) << "-3";
     QTest::newRow("certain place of hundreds") << QString::number(certainPlace(300.0)) << "3";
@@ -177,6 +196,29 @@ void TestComparisonTexts::theRayOfABackgroundIsWritten()
                                                  "at (10.505, 20.795, 21)."));
 }
 
+/// Where a survey is, every text has the digits that are certain, down to thousandths, and no power of ten.
+void TestComparisonTexts::coordinatesOfASurveyCanBeRead()
+{
+    Picture survey = boxGeometry(Ortho{-0.3, 0.3, -0.2, 0.2, 1.0, 9.0});
+    survey.camera() = LookAt{WorldPoint(4000000.1231, 500000.4561, 305.789),
+                             WorldPoint(4000000.1231, 500000.4561, 300.789),
+                             {0.0, 1.0, 0.0}};
+    // x = 350.5 x 0.6 / 600 - 0.3 = 0.0505, y = 279.5 x 0.4 / 400 - 0.2 = 0.0795; z = 3.
+    const QString surface = withPlainSpaces(formulasOf(picked(survey, 350.0, 120.0, 0.25)).text());
+    QVERIFY2(surface.contains(QStringLiteral("(4000000.123, 500000.456, 305.789) + 0.0505 × (1, 0, 0)"))
+                 && surface.endsWith(QStringLiteral("= (4000000.174, 500000.536, 302.789)")),
+             qPrintable(surface));
+    const Pick background = picked(survey, 350.0, 120.0, 1.0, false);
+    QCOMPARE(certaintyText(background),
+             QStringLiteral("The ray enters the view volume at (4000000.174, 500000.536, 304.789) and leaves it at "
+                            "(4000000.174, 500000.536, 296.789)."));
+    QVERIFY(formulasOf(background).text().contains(QStringLiteral("(4000000.174, 500000.536, 304.789)")));
+    QVERIFY(errorText(Error{ErrorCode::NearNotBeforeFar, 5000000.0, 4000000.0})
+                .contains(QStringLiteral("Near is 5000000; "
+                                         "it must be smaller "
+                                         "than far (4000000)")));
+}
+
 void TestComparisonTexts::theCauseOfADifferenceIsNamed()
 {
     QVERIFY(differenceCauseText(pickWith({1.0, 2.0, 4.0}, {1.0, 2.0, 4.0}, {1.0, 2.0, 4.0}, 0.01))
@@ -192,10 +234,16 @@ void TestComparisonTexts::theCauseOfADifferenceIsNamed()
 void TestComparisonTexts::theCertaintyIsNamed()
 {
     Pick pick = picked(frustumGeometry(), 412.0, 299.0, 0.75);
-    pick.certainty = {1.26e-6, 0.008, 0.0124};
+    pick.certainty = {1.26e-6, 0.008, 0.0124, 2.26e-6};
     const QString text = withPlainSpaces(certaintyText(pick));
-    QVERIFY2(text.contains(QStringLiteral("± 0.0000013 along the view")), qPrintable(text));
-    QVERIFY2(text.contains(QStringLiteral("± 0.004 × 0.006 across it")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("± 0.000003 along the view")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("half a depth step is 0.0000013")), qPrintable(text));
+    // What is a bound is rounded up.
+    for (const auto &[bound, expected] :
+         {std::pair{2.26e-6, "0.000003"}, std::pair{3e-6, "0.000003"}, std::pair{1.21e-6, "0.0000013"},
+          std::pair{1.95e-6, "0.000002"}, std::pair{9.1e-3, "0.010"}, std::pair{0.25, "0.3"}, std::pair{0.0, "0"}})
+        QCOMPARE(boundText(bound), QString::fromLatin1(expected));
+    QVERIFY2(text.contains(QStringLiteral("A pixel is 0.008 × 0.012 here")), qPrintable(text));
 }
 
 void TestComparisonTexts::everyErrorHasItsSentence_data()

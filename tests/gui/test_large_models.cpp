@@ -2,8 +2,12 @@
 
 #include "core/scene/solids.h"
 #include "gui/document/model_store.h"
+#include "gui/window/overlay_bars.h"
 #include "tests/gui/gui_scene.h"
 
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -44,6 +48,7 @@ struct LargeView {
         document.setObjects(largeScene(), kFromBefore);
         view.setModelStore(models);
         view.setSmoothEdges(false);
+        view.setMotionBudget(0.0); // a fast machine would need no stand-ins
         QSignalSpy made(&models, &ModelStore::standInReady);
         view.resize(320, 240);
         view.show();
@@ -72,6 +77,8 @@ private slots:
     void standInsAreOfWhatIsTooLarge();
     void whatIsReadIsWhole();
     void aPictureIsWhole();
+    void coarsePicturesAreTold();
+    void longDrawingIsTold();
     void restBringsAll();
     void smallModelsAreDrawnAtOnce();
     void aFileIsReadOnce();
@@ -94,10 +101,11 @@ void TestLargeModels::standInsAreOfWhatIsTooLarge()
     QCOMPARE(standIns->size(), objects.size());
     for (std::size_t i = 0; i < objects.size(); ++i) {
         QCOMPARE(standIns->at(i).name, objects[i].name);
-        QVERIFY(standIns->at(i).model->triangleCount() < 200'000);
+        QVERIFY(standIns->at(i).model->triangleCount() < 100'000);
         QVERIFY(standIns->at(i).model->triangleCount() > 20'000);
     }
-    objects[1].isHidden = true;
+    for (SceneObject &object : objects)
+        object.isHidden = true;
     QVERIFY2(!models.standInsFor(objects), "what is hidden takes no time");
 }
 
@@ -135,6 +143,64 @@ void TestLargeModels::aPictureIsWhole()
     shown.view.setModelStore(shown.models);
     QVERIFY(shown.rest());
     QCOMPARE(differentPixels(grabbed, shown.view.grabFramebuffer()), 0);
+}
+
+void TestLargeModels::coarsePicturesAreTold()
+{
+    LargeView shown;
+    QVERIFY(shown.show());
+    qRegisterMetaType<LifecycleEvent>();
+    QSignalSpy steps(&shown.view, &SceneView::happened);
+    const auto coarse = [&steps] {
+        int count = 0;
+        for (const QList<QVariant> &step : steps)
+            count += step.at(0).value<LifecycleEvent>().hasStandIns ? 1 : 0;
+        return count;
+    };
+    QVERIFY(shown.turn(30.0));
+    QTRY_COMPARE(coarse(), 1);
+    QVERIFY(shown.rest());
+    QVERIFY(shown.turn(0.0));
+    QTRY_COMPARE(coarse(), 2);
+    shown.view.onLButtonDown(WidgetPoint(160.0, 120.0));
+    QTest::qWait(20);
+    QCOMPARE(coarse(), 2); // a click needs all of it, and that is no coarse picture
+}
+
+void TestLargeModels::longDrawingIsTold()
+{
+    LargeView shown;
+    QSignalSpy told(&shown.view, &FrameView::drawingProgressed);
+    QVERIFY(shown.show());
+    // Before there were stand-ins nothing was to be seen.
+    const auto shareAt = [&told](qsizetype i) { return told.at(i).at(0).toDouble(); };
+    QVERIFY(told.size() > 2);
+    for (qsizetype i = 1; i < told.size(); ++i)
+        QVERIFY(shareAt(i) >= shareAt(i - 1) || shareAt(i) == 0.0);
+    QCOMPARE(shareAt(0), 0.0);
+    QCOMPARE(shareAt(told.size() - 1), 1.0);
+    bool isBetween = false;
+    for (qsizetype i = 0; i < told.size(); ++i)
+        isBetween = isBetween || (shareAt(i) > 0.05 && shareAt(i) < 0.95);
+    QVERIFY2(isBetween, "only the beginning and the end are told");
+    told.clear();
+    QVERIFY(shown.turn(25.0));
+    QVERIFY(shown.rest());
+    QVERIFY2(told.isEmpty(), "stand-ins are seen");
+
+    LoadingBar bar;
+    bar.setDrawn(0.25);
+    QTRY_VERIFY(bar.isVisible());
+    QVERIFY(bar.findChild<QLabel *>()->text().startsWith(QStringLiteral("Drawing")));
+    QCOMPARE(bar.findChild<QProgressBar *>()->value(), 25);
+    QVERIFY(bar.findChild<QPushButton *>()->isHidden());
+    bar.setDrawn(1.0);
+    QVERIFY(bar.isHidden());
+    bar.start();
+    bar.setDrawn(0.5); // of the scene that is there
+    QVERIFY(bar.findChild<QLabel *>()->text().startsWith(QStringLiteral("Opening")));
+    QTRY_VERIFY(bar.isVisible());
+    QVERIFY(!bar.findChild<QPushButton *>()->isHidden());
 }
 
 void TestLargeModels::restBringsAll()

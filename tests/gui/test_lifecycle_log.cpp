@@ -61,6 +61,7 @@ class TestLifecycleLog : public QObject {
 private slots:
     void aStepIsShownAsACallWithWhatItStandsFor();
     void picturesInARowAreOneRow();
+    void coarsePicturesAreTold();
     void anotherStepEndsTheRow();
     void theOldestRowsGo();
     void thePanelFollowsUnlessScrolledUp();
@@ -103,6 +104,26 @@ void TestLifecycleLog::picturesInARowAreOneRow()
     QCOMPARE(log.rowCount(), 2);
     QCOMPARE(cell(log, 1, LifecycleLog::Step), QStringLiteral("OnDraw × 3"));
     QCOMPARE(cell(log, 1, LifecycleLog::Took), QStringLiteral("0.50 ms, mean 1.50 ms"));
+}
+
+void TestLifecycleLog::coarsePicturesAreTold()
+{
+    LifecycleLog log;
+    LifecycleEvent coarse = draw(1.0);
+    coarse.hasStandIns = true;
+    log.append(coarse);
+    QCOMPARE(cell(log, 0, LifecycleLog::StandsFor),
+             QStringLiteral("glClear, glDrawElements; large models were drawn coarse"));
+    log.append(coarse);
+    log.append(draw(1.0)); // at rest
+    QCOMPARE(log.rowCount(), 1);
+    QCOMPARE(cell(log, 0, LifecycleLog::StandsFor),
+             QStringLiteral("glClear, glDrawElements; in 2 of 3 pictures large models were drawn coarse"));
+    const QString tip = log.index(0, LifecycleLog::StandsFor).data(Qt::ToolTipRole).toString();
+    QVERIFY2(tip.contains(QStringLiteral("Clicks always read the full model")), qPrintable(tip));
+    log.append(size(800));
+    log.append(draw(1.0));
+    QVERIFY(!cell(log, 2, LifecycleLog::StandsFor).contains(QStringLiteral("coarse")));
 }
 
 void TestLifecycleLog::anotherStepEndsTheRow()

@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QScrollBar>
 #include <QTest>
+#include <QTextDocument>
 #include <QToolButton>
 
 #include <functional>
@@ -111,7 +112,15 @@ QStringList cutTexts(const QWidget &panel)
             continue;
         const QRect inside = label->contentsRect();
         const int indent = std::max(0, label->indent());
-        if (label->wordWrap()) {
+        if (label->textFormat() == Qt::RichText) {
+            QTextDocument set;
+            set.setDocumentMargin(0.0);
+            set.setDefaultFont(label->font());
+            set.setHtml(label->text());
+            set.setTextWidth(inside.width());
+            need(set.toPlainText(), set.size().height(), inside.height());
+            need(set.toPlainText(), set.size().width(), inside.width());
+        } else if (label->wordWrap()) {
             const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, inside.width(), 1 << 16),
                                                                    Qt::TextWordWrap, label->text());
             need(label->text(), needed.height(), inside.height());

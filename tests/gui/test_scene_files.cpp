@@ -22,6 +22,7 @@ private slots:
     void initTestCase() { redirectSettings(); }
     void whatIsSavedOpensAgainAsItWas();
     void modelsAreFoundBesideTheScene();
+    void landmarksStay();
     void matricesStayUntilTheyAreChanged();
     void modelsOpenedByARelativeNameAreFoundAgain();
     void aSceneThatCannotBeOpenedChangesNothing_data();
@@ -95,6 +96,29 @@ void TestSceneFiles::modelsAreFoundBesideTheScene()
     QVERIFY(window->document().objects()[0].transform == (std::vector<TransformStep>{Translate{{0.25, 0.0, 0.0}}}));
     const auto *ortho = std::get_if<Ortho>(&window->document().scene().projection);
     QVERIFY(ortho && *ortho == (Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0}));
+}
+
+/// No window shows them yet, and none loses them.
+void TestSceneFiles::landmarksStay()
+{
+    const QByteArray landmarks =
+        R"({"unit": "mm", "points": [{"name": "Nasion", "position": [0.1, 0.2, 0.3], "more": 1}]})";
+    write("landmarks.json", R"({"unprojector": 1, "window": {"width": 300, "height": 200},
+        "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
+        "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, "landmarks": )"
+                                + landmarks + "}");
+    const auto window = shownWindow(false, {640, 480});
+    openAndWait(*window, path("landmarks.json"));
+    QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    LookAt camera = window->document().scene().camera;
+    camera.eye = WorldPoint(1.0, 2.0, 7.0);
+    QVERIFY(window->document().editCamera(camera, {}));
+    window->document().undoStack().undo();
+    QVERIFY(window->session().saveScene(path("saved.json")));
+    QFile file(m_folder.filePath("saved.json"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    QVERIFY2(text.contains(landmarks), text.constData());
 }
 
 void TestSceneFiles::matricesStayUntilTheyAreChanged()

@@ -63,6 +63,7 @@ private slots:
     void whatNeedsASurfaceIsGreyedWithoutOne();
     void pickHerePicksThatPixel();
     void theCopiedPointHasAllDigits();
+    void whatTheModeTakesIsCopied();
     void lookingAtAPointBringsItToTheMiddle();
     void fittingShowsTheObjectThatWasClicked();
     void aHiddenObjectIsNeitherDrawnNorPicked();
@@ -188,6 +189,21 @@ void TestViewMenu::theCopiedPointHasAllDigits()
     QCOMPARE(numbers[0].toDouble(), point.x);
     QCOMPARE(numbers[1].toDouble(), point.y);
     QCOMPARE(numbers[2].toDouble(), point.z);
+}
+
+void TestViewMenu::whatTheModeTakesIsCopied()
+{
+    const auto window = cubeWindow(false);
+    window->document().setSnap(ray::Snap::Vertex);
+    const glm::dvec3 corner = kCubeCenter + glm::dvec3(1.0, 1.0, 1.0);
+    choose(window->view(), localOf(*window, corner) + QPointF(-2.5, 3.0), "copyPoint");
+    QCOMPARE(QApplication::clipboard()->text(),
+             QStringLiteral("%1, %2, %3").arg(shortestText(corner.x), shortestText(corner.y), shortestText(corner.z)));
+    // Where no vertex is within reach, it is what is picked instead: the surface.
+    const QPointF onFace = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
+    choose(window->view(), onFace, "copyPoint");
+    QCOMPARE(window->document().pickedPoint(), std::optional(*window->document().pick()->point.world[Method::Formula]));
+    QVERIFY(QApplication::clipboard()->text().startsWith(shortestText(window->document().pickedPoint()->x)));
 }
 
 void TestViewMenu::lookingAtAPointBringsItToTheMiddle()

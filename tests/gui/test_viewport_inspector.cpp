@@ -14,6 +14,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
+#include <QTextDocument>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -75,6 +76,7 @@ private slots:
     void thePointersRowFollowsIt();
     void theProportionsHaveTheirNumbers_data();
     void theProportionsHaveTheirNumbers();
+    void indexesAreSetAsSuch();
     void textsOfThePointerKeepTheirWidth();
     void aDistortedCircleIsNamed_data();
     void aDistortedCircleIsNamed();
@@ -226,6 +228,30 @@ void TestViewportInspector::theProportionsHaveTheirNumbers()
              qPrintable(without));
 }
 
+void TestViewportInspector::indexesAreSetAsSuch()
+{
+    const QString markup = proportionMarkup(QStringLiteral("(3) (x_w − left) = (x_v − vx) / width\n  = (y_v − vy)"));
+    QVERIFY2(markup.contains(QStringLiteral("(x<sub>w</sub> − left) = (x<sub>v</sub> − v<sub>x</sub>) / width<br>"
+                                            "  = (y<sub>v</sub> − v<sub>y</sub>)")),
+             qPrintable(markup));
+    // In the panel too, where copied words stay plain.
+    SceneDocument document;
+    document.setSurface({800, 600, 1.0});
+    ViewportInspector panel(document);
+    panel.resize(900, 400);
+    panel.show();
+    const QString symbols = labelNamed(panel, "Proportion (3)")->text();
+    QVERIFY2(symbols.contains(QStringLiteral("(x<sub>w</sub> − left)")), qPrintable(symbols));
+    const QLabel *numbers = labelNamed(panel, "Numbers of proportion (4)");
+    QVERIFY2(numbers->text().contains(QStringLiteral("(y<sub>v</sub> − 0) / 600")), qPrintable(numbers->text()));
+    QVERIFY2(panel.text().contains(QStringLiteral("(x_w - ")), qPrintable(panel.text()));
+
+    panel.setPointer(WidgetPoint(412.0, 300.0));
+    QVERIFY2(numbers->text().endsWith(QStringLiteral("= (299.5 − 0) / 600 = 0.4992")), qPrintable(numbers->text()));
+    panel.clearPointer();
+    QCOMPARE(numbers->textFormat(), Qt::RichText);
+}
+
 void TestViewportInspector::textsOfThePointerKeepTheirWidth()
 {
     const Picture geometry{{800, 600, 1.0}, {0, 0, 800, 600}, {}, Ortho{-12, 9, -1, 1, 1, 100}, {}};
@@ -344,10 +370,17 @@ void TestViewportInspector::atAnyWidthNothingIsCutOff()
             continue;
         const QRect there(label->mapTo(&panel, QPoint(0, 0)), label->size());
         QVERIFY2(panel.rect().contains(there), qPrintable(label->text()));
-        QVERIFY2(label->fontMetrics().size(0, label->text()).width() <= label->width(), qPrintable(label->text()));
+        QTextDocument set;
+        set.setDocumentMargin(0.0);
+        set.setDefaultFont(label->font());
+        if (label->textFormat() == Qt::RichText)
+            set.setHtml(label->text());
+        else
+            set.setPlainText(label->text());
+        QVERIFY2(set.idealWidth() <= label->width(), qPrintable(label->text()));
     }
     const auto *table = panel.findChild<QTableView *>();
-    QVERIFY(table->isVisible() || labelNamed(panel, "Proportions (3) and (4)")->isVisible());
+    QVERIFY(table->isVisible() || labelNamed(panel, "Proportion (3)")->isVisible());
     if (table->isVisible())
         QVERIFY(panel.rect().contains(QRect(table->mapTo(&panel, QPoint(0, 0)), table->size())));
 }

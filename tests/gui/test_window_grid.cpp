@@ -110,6 +110,7 @@ void TestWindowGrid::everythingFits()
     QFont font = before;
     font.setPointSize(points);
     QApplication::setFont(font);
+    bool wasLookedAt = false;
     {
         const Translation translation({language});
         MainWindow::Options options;
@@ -122,6 +123,13 @@ void TestWindowGrid::everythingFits()
         QStringList all;
         for (const QSize &size : sizes) {
             window.resize(size);
+            QTest::qWait(10);
+            // Windows makes no window larger than the screen.
+            if (window.size() != size && !QRect(QPoint(), window.screen()->size()).contains(QRect(QPoint(), size))) {
+                qInfo("The screen has no room for %d x %d.", size.width(), size.height());
+                continue;
+            }
+            wasLookedAt = true;
             for (const char *place : {"click", "pipeline"}) {
                 window.places().enter(place);
                 window.places().reset(); // as it starts at this size
@@ -163,6 +171,8 @@ void TestWindowGrid::everythingFits()
         QVERIFY2(all.isEmpty(), qPrintable(all.join(QStringLiteral("\n"))));
     }
     QApplication::setFont(before);
+    if (!wasLookedAt)
+        QSKIP("the screen has no room for any of the sizes");
 }
 
 QTEST_MAIN(TestWindowGrid)

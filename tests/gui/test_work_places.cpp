@@ -9,11 +9,13 @@
 #include "gui/window/first_steps.h"
 #include "gui/window/observer_inset.h"
 #include "gui/window/overlay_bars.h"
+#include "gui/window/place_ids.h"
 
 #include <QLabel>
 #include <QMenu>
 #include <QSettings>
 #include <QStatusBar>
+#include <QToolButton>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -64,6 +66,8 @@ private slots:
     void theViewFromOutsideComesBackAsItWasLeft_data();
     void theViewFromOutsideComesBackAsItWasLeft();
     void theViewFromOutsideIsOffOnceItsDockIsClosed();
+    void aNoteHasOneButtonThatClosesIt_data();
+    void aNoteHasOneButtonThatClosesIt();
     void aClosedNoteStaysClosedUntilTheNextExample();
     void hiddenPanelsComeBackAsTheyAreNow();
     void aRightClickOffersNoEmptyPanel();
@@ -242,6 +246,39 @@ void TestWorkPlaces::theViewFromOutsideIsOffOnceItsDockIsClosed()
     QTRY_VERIFY(isSeen(*window, "observer"));
     window->places().enter("pipeline");
     QTRY_VERIFY(!dockOf(*window, "observer")->isHidden());
+}
+
+void TestWorkPlaces::aNoteHasOneButtonThatClosesIt_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<bool>("isTab");
+    QTest::newRow("wide") << QSize(1280, 800) << false;
+    QTest::newRow("small") << QSize(700, 560) << true;
+}
+
+void TestWorkPlaces::aNoteHasOneButtonThatClosesIt()
+{
+    QFETCH(QSize, size);
+    QFETCH(bool, isTab);
+    const auto window = windowOfSize(size);
+    for (const char *place : {kClickPlace, kPipelinePlace}) {
+        window->places().enter(place);
+        window->session().openExample(examples().front().id);
+        const QDockWidget *note = dockOf(*window, "example");
+        QTRY_VERIFY(note->isVisible());
+        QCOMPARE(note->titleBarWidget() != nullptr, isTab);
+        QToolButton *own = nullptr;
+        for (QToolButton *button : note->findChildren<QToolButton *>()) {
+            if (button->accessibleName() == QStringLiteral("Close the note"))
+                own = button;
+        }
+        QVERIFY(own);
+        QCOMPARE(own->isVisible(), isTab);
+        if (isTab) {
+            own->click();
+            QVERIFY(note->isHidden());
+        }
+    }
 }
 
 void TestWorkPlaces::aClosedNoteStaysClosedUntilTheNextExample()

@@ -39,9 +39,7 @@ inline std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remember
     if (!remembers)
         window->resize(size);
     window->session().openBundledScene();
-    window->show();
-    if (!QTest::qWaitForWindowExposed(window.get()) || !QTest::qWaitFor([&] { return window->view().isReady(); }))
-        qFatal("the window does not come up");
+    bringUp(*window);
     QTest::qWait(50);
     return window;
 }

@@ -63,8 +63,8 @@ inline std::shared_ptr<unprojector::scene::Model> cubeSphere(std::uint32_t n, do
             square(numberOf(u, q, 0), numberOf(p, q, 0), numberOf(p, v, 0), numberOf(u, v, 0));
             square(numberOf(n, u, v), numberOf(n, p, v), numberOf(n, p, q), numberOf(n, u, q));
             square(numberOf(0, u, q), numberOf(0, p, q), numberOf(0, p, v), numberOf(0, u, v));
-            square(numberOf(v, n, u), numberOf(q, n, u), numberOf(q, n, p), numberOf(v, n, p));
-            square(numberOf(v, 0, p), numberOf(q, 0, p), numberOf(q, 0, u), numberOf(v, 0, u));
+            square(numberOf(v, n, p), numberOf(q, n, p), numberOf(q, n, u), numberOf(v, n, u));
+            square(numberOf(v, 0, u), numberOf(q, 0, u), numberOf(q, 0, p), numberOf(v, 0, p));
         }
     }
     model->meshes.push_back(std::move(mesh));

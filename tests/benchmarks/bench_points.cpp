@@ -1,0 +1,131 @@
+// What 500 placed points on a mesh of a million triangles cost. All of it together is to stay below a frame, 16.7 ms; the mesh
+// itself is not drawn again for them.
+//
+//   QT_QPA_PLATFORM=offscreen bench_points
+
+#include "gui/document/scene_document.h"
+#include "gui/view/point_marks.h"
+
+#include <benchmark/benchmark.h>
+
+#include <QGuiApplication>
+#include <QImage>
+#include <QPainter>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using landmarks::Landmark;
+
+constexpr int kWidth = 1280, kHeight = 800;
+constexpr std::size_t kPoints = 500;
+
+/// Hills, of 708 x 708 squares.
+std::shared_ptr<const Model> hills()
+{
+    constexpr std::uint32_t kSide = 708;
+    auto model = std::make_shared<Model>();
+    Mesh mesh;
+    for (std::uint32_t j = 0; j <= kSide; ++j) {
+        for (std::uint32_t i = 0; i <= kSide; ++i) {
+            const float x = 4.0f * float(i) / kSide - 2.0f, y = 4.0f * float(j) / kSide - 2.0f;
+            mesh.positions.emplace_back(x, y, 0.3f * std::sin(5.0f * x) * std::cos(4.0f * y));
+        }
+    }
+    for (std::uint32_t j = 0; j < kSide; ++j) {
+        for (std::uint32_t i = 0; i < kSide; ++i) {
+            const std::uint32_t a = j * (kSide + 1) + i, b = a + 1, c = a + kSide + 1, d = c + 1;
+            for (const std::uint32_t corner : {a, b, c, c, b, d})
+                mesh.indices.push_back(corner);
+        }
+    }
+    model->meshes.push_back(std::move(mesh));
+    model->bounds = boundsOf(model->meshes);
+    return model;
+}
+
+/// The hills with their points, made once.
+SceneDocument &document()
+{
+    static SceneDocument *made = [] {
+        auto *fresh = new SceneDocument(qApp);
+        fresh->setSurface({kWidth, kHeight, 1.0});
+        fresh->setObjects({{"hills", {}, hills(), {}}},
+                          {WorldPoint(0.0, -4.5, 3.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 0.0, 1.0}});
+        fresh->rayCasters().complete(fresh->objects());
+        std::mt19937 random(1);
+        std::vector<Landmark> points;
+        while (points.size() < kPoints) {
+            const auto at =
+                fresh->points().onSurfaceAt({double(random() % kWidth) + 0.5, double(random() % kHeight) + 0.5});
+            if (at)
+                points.push_back(*at);
+        }
+        const Check placed = fresh->editLandmarks(std::move(points), {QStringLiteral("points")});
+        Q_ASSERT(placed.hasValue());
+        return fresh;
+    }();
+    return *made;
+}
+
+/// Which are behind the surface: when the camera has moved.
+void marks(benchmark::State &state)
+{
+    SceneDocument &points = document();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(pointMarks(points));
+}
+
+void labels(benchmark::State &state)
+{
+    const std::vector<PointMark> shown = pointMarks(document());
+    const QFontMetricsF metrics{QFont()};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(placedLabels(shown, metrics, QRectF(0, 0, kWidth, kHeight)));
+}
+
+/// By the processor alone; the view has the graphics card do it.
+void drawing(benchmark::State &state)
+{
+    const std::vector<PointMark> shown = pointMarks(document());
+    const std::vector<PlacedLabel> placed = placedLabels(shown, QFontMetricsF{QFont()}, QRectF(0, 0, kWidth, kHeight));
+    QImage image(kWidth, kHeight, QImage::Format_RGB32);
+    for (auto _ : state) {
+        QPainter painter(&image);
+        drawPoints(painter, shown, placed);
+    }
+}
+
+/// One step of a drag: onto the mesh, into the document, with the undo stack.
+void drag(benchmark::State &state)
+{
+    SceneDocument &points = document();
+    int step = 0;
+    for (auto _ : state) {
+        ++step;
+        const DevicePoint to(double(kWidth / 2 + step % 100), double(kHeight / 2 + step % 37));
+        if (const auto there = points.points().onMeshAt(to))
+            static_cast<void>(points.points().move(0, *there, QStringLiteral("drag")));
+    }
+}
+
+BENCHMARK(marks)->Unit(benchmark::kMillisecond);
+BENCHMARK(labels)->Unit(benchmark::kMillisecond);
+BENCHMARK(drawing)->Unit(benchmark::kMillisecond);
+BENCHMARK(drag)->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const QGuiApplication application(argc, argv);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -1,0 +1,221 @@
+// `unproject landmarks`: from one file of landmarks to another, and tables of folders of them.
+
+#include "tests/cli/command.h"
+
+#include <QDir>
+
+namespace {
+
+const QByteArray kPicked = "<!DOCTYPE PickedPoints>\n<PickedPoints>\n"
+                           " <point x=\"0.1\" y=\"-2\" z=\"3\" active=\"1\" name=\"Nasion\"/>\n"
+                           " <point x=\"0\" y=\"0\" z=\"0\" active=\"0\" name=\"gone\"/>\n</PickedPoints>\n";
+const QByteArray kTable = "name,x,y,z,object,face,u,v,w,note\nNasion,0.1,-2,3,,,,,,\ngone,,,,,,,,,\n";
+const QByteArray kPts = "Version 1.0\n2\nNasion 0.1 -2 3\ngone 9999 9999 9999\n\n";
+
+QByteArray bytesOf(const QString &file)
+{
+    QFile opened(file);
+    return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray("none");
+}
+
+} // namespace
+
+class TestLandmarksCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFileToAnother();
+    void throughPipes();
+    void whatIsLostIsSaid();
+    void ontoAMesh();
+    void ontoAMeshOfOthers();
+    void aFolderToATable();
+    void tablesOfAllKinds();
+    void specimensOfOneName();
+    void refused_data();
+    void refused();
+
+private:
+    Folder m_folder;
+};
+
+void TestLandmarksCommand::aFileToAnother()
+{
+    const QString input = m_folder.write("a.pp", kPicked), output = m_folder.path("a.PTS");
+    VERIFY_SUCCEEDED(runCommand({"landmarks", input, output}));
+    QCOMPARE(bytesOf(output), kPts);
+    VERIFY_SUCCEEDED(runCommand({"landmarks", output, m_folder.path("a.csv")}));
+    QCOMPARE(bytesOf(m_folder.path("a.csv")), kTable);
+}
+
+void TestLandmarksCommand::throughPipes()
+{
+    const Run run = runCommand({"landmarks", "--from", "pp", "--to", "pts", "-", "-"}, kPicked);
+    VERIFY_SUCCEEDED(run);
+    QCOMPARE(run.output, kPts);
+    const Run named =
+        runCommand({"landmarks", "--from", "pp", m_folder.write("points.txt", kPicked), "-", "--to", "csv"});
+    VERIFY_SUCCEEDED(named);
+    QCOMPARE(named.output, kTable);
+}
+
+void TestLandmarksCommand::whatIsLostIsSaid()
+{
+    const Run run =
+        runCommand({"landmarks", "--from", "csv", "--to", "tps", "-", "-"}, "name,x,y,z,note\nN,1,2,3,worn\n");
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.output, QByteArray("LM3=1\n1 2 3\n\n"));
+    QCOMPARE(run.errors, QByteArray("stdout: the names of 1 point are left out; only their order is kept\n"
+                                    "stdout: the notes of 1 point are left out\n"));
+}
+
+void TestLandmarksCommand::ontoAMesh()
+{
+    const QString mesh = m_folder.write("roof.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 2 3\nf 1 3 4\n");
+    const Run run = runCommand({"landmarks", "--from", "csv", "--to", "csv", "--mesh", mesh, "-", "-"},
+                               "name,x,y,z\non,1,1,0\nabove,1,2,0.01\ngone,,,\ncorner,-0.01,4.01,0\n");
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.errors, mesh.toUtf8() + ": 3 points moved onto the mesh, by at most 0.0141 (\"corner\")\n");
+    QCOMPARE(run.output,
+             QByteArray("name,x,y,z,object,face,u,v,w,note,mesh\non,1,1,0,roof.obj,0,0.5,0.25,0.25,,roof.obj\n"
+                        "above,1,2,0,roof.obj,0,0.25,0.25,0.5,,roof.obj\ngone,,,,,,,,,,roof.obj\n"
+                        "corner,0,4,0,roof.obj,0,0,0,1,,roof.obj\n"));
+}
+
+/// A point in RAS on a mesh in LPS, say.
+void TestLandmarksCommand::ontoAMeshOfOthers()
+{
+    const QString mesh = m_folder.write("face.obj", "v 1 1 0\nv 4 1 0\nv 1 5 0\nf 1 2 3\n");
+    const Run run = runCommand({"landmarks", "--from", "csv", "--to", "pts", "--mesh", mesh, "-", "-"},
+                               "name,x,y,z\n,-2,1,0\nN,2,1,0.04\n");
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(run.errors.startsWith(
+                 mesh.toUtf8()
+                 + ": point 1 was 3 from the mesh, 60 % of its size; are the points of another mesh, or in "
+                   "other axes?\n"
+                 + mesh.toUtf8() + ": 2 points moved onto the mesh, by at most 3 (point 1)\n"),
+             run.errors.constData());
+    QVERIFY(run.output.contains("\nN 2 1 0\n"));
+    const Run none = runCommand(
+        {"landmarks", "--from", "csv", "--to", "csv", "--mesh", m_folder.path("none.obj"), "-", "-"}, "x,y,z\n1,2,3\n");
+    QCOMPARE(none.exitCode, 2);
+    QVERIFY(none.errors.contains("none.obj"));
+}
+
+/// A hundred files, one of them broken.
+void TestLandmarksCommand::aFolderToATable()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("many")));
+    for (int i = 0; i < 100; ++i) {
+        const QString name = QString("many/skull%1").arg(i, 2, 10, QLatin1Char('0'));
+        if (i == 42)
+            m_folder.write(name + ".pts", "Version 1.0\n2\nNasion 1 2\n");
+        else if (i % 3 == 0)
+            m_folder.write(name + ".pp", kPicked);
+        else if (i % 3 == 1)
+            m_folder.write(name + ".pts", kPts);
+        else
+            m_folder.write(name + ".mrk.json",
+                           R"({"markups": [{"controlPoints": [{"label": "Nasion", "position": [0.1, -2, 3]},
+                           {"label": "gone", "positionStatus": "undefined"}]}]})");
+    }
+    m_folder.write("many/readme.txt", "no landmarks");
+    m_folder.write("many/scene.json", "{\"unprojector\": 1}");
+    const QString output = m_folder.path("many/all.csv");
+    for (int time = 0; time < 2;
+         ++time) { // the table lies in the folder itself: the second time it is not one of the files
+        const Run run = runCommand({"landmarks", "--table", m_folder.path("many"), "-o", output});
+        QCOMPARE(run.exitCode, 1);
+        QCOMPARE(run.errors, m_folder.path("many/skull42.pts").toUtf8()
+                                 + ":3: \"Nasion 1 2\" is no point; write its name, x, y and z\n");
+        const QList<QByteArray> lines = bytesOf(output).trimmed().split('\n');
+        QCOMPARE(lines.size(), 1 + 2 * 99);
+        QCOMPARE(lines[0], QByteArray("specimen,name,x,y,z,object,face,u,v,w,note"));
+        for (int i = 0, row = 1; i < 100; ++i) {
+            if (i == 42)
+                continue;
+            const QByteArray name = "skull" + QByteArray::number(i).rightJustified(2, '0');
+            QCOMPARE(lines[row++], name + ",Nasion,0.1,-2,3,,,,,,");
+            QCOMPARE(lines[row++], name + ",gone,,,,,,,,,");
+        }
+    }
+}
+
+void TestLandmarksCommand::tablesOfAllKinds()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("two")));
+    m_folder.write("two/a.pp", kPicked);
+    m_folder.write("two/A.MRK.JSON", "{\"markups\": [{\"controlPoints\": [{\"label\": \"Nasion\", \"position\": [1, 1, "
+                                     "1]}, {\"label\": \"gone\"}]}]}");
+    m_folder.write("two/other.json", "{}");
+    m_folder.write("two/b.tps", "LM3=2\n1 2 3\n4 5 6\nID=late\n\nLM3=2\n7 8 9\n10 11 12\n");
+    const auto table = [&](const char *format) {
+        return runCommand({"landmarks", "--table", m_folder.path("two"), "-o", "-", "--format", format});
+    };
+    const Run wide = table("wide");
+    VERIFY_SUCCEEDED(wide);
+    QCOMPARE(wide.output,
+             QByteArray("specimen,Nasion_x,Nasion_y,Nasion_z,gone_x,gone_y,gone_z,1_x,1_y,1_z,2_x,2_y,2_z\n"
+                        "A,1,1,1,,,,,,,,,\na,0.1,-2,3,,,,,,,,,\nlate,,,,,,,1,2,3,4,5,6\nb_2,,,,,,,7,8,9,10,11,12\n"));
+    QCOMPARE(
+        table("tps").output,
+        QByteArray("LM3=2\n1 1 1\nNA NA NA\nID=A\n\nLM3=2\n0.1 -2 3\nNA NA NA\nID=a\n\nLM3=2\n1 2 3\n4 5 6\nID=late\n\n"
+                   "LM3=2\n7 8 9\n10 11 12\nID=b_2\n\n"));
+    QCOMPARE(table("nts").output, QByteArray("1 4L 6 1 9999 DIM=3\nA\na\nlate\nb_2\n1 1 1 9999 9999 9999\n0.1 -2 3 "
+                                             "9999 9999 9999\n1 2 3 4 5 6\n7 8 9 10 11 12\n"));
+}
+
+/// a.pp beside a.pts, and a file whose specimens have one name: each is a specimen of its own.
+void TestLandmarksCommand::specimensOfOneName()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("same")));
+    m_folder.write("same/a.pts", kPts);
+    m_folder.write("same/a.csv", kTable);
+    const Run table = runCommand({"landmarks", "--table", m_folder.path("same"), "-o", "-", "--format", "wide"});
+    VERIFY_SUCCEEDED(table);
+    QCOMPARE(
+        table.output,
+        QByteArray("specimen,Nasion_x,Nasion_y,Nasion_z,gone_x,gone_y,gone_z\na,0.1,-2,3,,,\na (a.pts),0.1,-2,3,,,\n"));
+    const Run csv = runCommand({"landmarks", "--from", "tps", "--to", "csv", "-", "-"},
+                               "LM3=1\n1 2 3\nLM3=1\n4 5 6\nID=2\nLM3=0\n");
+    QCOMPARE(csv.exitCode, 0);
+    QCOMPARE(csv.output, QByteArray("specimen,name,x,y,z,object,face,u,v,w,note\n1,,1,2,3,,,,,,\n2,,4,5,6,,,,,,\n"));
+    QCOMPARE(csv.errors, QByteArray("stdout: the name \"\" as \"1\"\nstdout: the name \"\" as \"3\"\n"
+                                    "stdout: the specimen \"3\" has no points and is left out\n"));
+}
+
+void TestLandmarksCommand::refused_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("message");
+    const QString input = m_folder.write("in.pp", kPicked);
+    QTest::newRow("nothing") << QStringList() << "IN (or --table) is required";
+    QTest::newRow("no output") << QStringList{input} << "OUT (or --table) is required";
+    QTest::newRow("a table to nowhere") << QStringList{"--table", m_folder.path(".")} << "-o,--output is required";
+    QTest::newRow("a pipe that says nothing")
+        << QStringList{"-", "a.csv"} << "stdin: the name does not say what this is; give --from";
+    QTest::newRow("another suffix") << QStringList{input, m_folder.path("a.xyz")}
+                                    << "a.xyz: the name does not say what this is; give --to";
+    QTest::newRow("another format") << QStringList{"--to", "xyz", input, "-"} << "\"xyz\" is none of csv, pp, pptpl";
+    QTest::newRow("over itself") << QStringList{input, input} << "in.pp";
+    QTest::newRow("no file") << QStringList{m_folder.path("none.pp"), "-", "--to", "csv"} << "none.pp";
+    QTest::newRow("no folder") << QStringList{"--table", m_folder.path("none"), "-o", "-"}
+                               << "none: the folder cannot be read: ";
+    QVERIFY(QDir().mkpath(m_folder.path("empty")));
+    QTest::newRow("an empty folder") << QStringList{"--table", m_folder.path("empty"), "-o", "-"}
+                                     << "there are no files of landmarks";
+}
+
+void TestLandmarksCommand::refused()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, message);
+    const Run run = runCommand(QStringList{"landmarks"} + arguments);
+    QCOMPARE(run.exitCode, 2);
+    QVERIFY2(run.errors.contains(message.toUtf8()), run.errors.constData());
+    QCOMPARE(run.output, QByteArray());
+    QCOMPARE(bytesOf(m_folder.path("in.pp")), kPicked);
+}
+
+QTEST_GUILESS_MAIN(TestLandmarksCommand)
+#include "test_landmarks_command.moc"

@@ -1,0 +1,274 @@
+// `unproject pick`: positions in a picture to what their rays meet.
+
+#include "tests/cli/command.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cmath>
+
+namespace {
+
+/// A square of side 2 in the plane z = 0; kFrustumScene doubles it and puts it to z = 3: 2 in front of the eye, 4 wide where
+/// the picture is 4 wide and 3 high.
+const QByteArray kFace = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
+const QStringList kColumns{"x",        "y",        "z",         "object",   "triangle", "u",        "v",
+                           "w",        "object_x", "object_y",  "object_z", "normal_x", "normal_y", "normal_z",
+                           "distance", "vertex",   "edge_from", "edge_to",  "dx",       "dy",       "dz"};
+
+QList<double> numbers(const QJsonValue &array)
+{
+    QList<double> values;
+    for (const QJsonValue value : array.toArray())
+        values << value.toDouble();
+    return values;
+}
+
+bool isNear(const QList<double> &a, const QList<double> &b)
+{
+    for (int k = 0; k < b.size(); ++k) {
+        if (a.size() != b.size() || !(std::abs(a[k] - b[k]) < 1e-12))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+class TestPickCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void aHitInJson();
+    void positionsAnswerInTheirOrder();
+    void aModelIsSeenAsTheWindowStarts();
+    void aSceneHasItsOwnPictureOrTheSizeGiven();
+    void whatIsInReachIsTaken_data();
+    void whatIsInReachIsTaken();
+    void rowsGoThrough();
+    void jsonLines();
+    void manyRowsKeepTheirOrder();
+    void badRowsAreNamed();
+    void words();
+    void bundledModels();
+    void unusable_data();
+    void unusable();
+
+private:
+    QJsonObject pick(const QStringList &arguments) const
+    {
+        const Run run = runCommand(QStringList{"pick", "--json"} + arguments);
+        if (!run.errors.isEmpty())
+            qWarning("%s", run.errors.constData());
+        return QJsonDocument::fromJson(run.output).object();
+    }
+
+    Folder m_folder;
+    QString m_scene, m_model;
+};
+
+void TestPickCommand::initTestCase()
+{
+    m_model = m_folder.write("face.obj", kFace);
+    m_scene = m_folder.write("scene.json", kFrustumScene);
+}
+
+void TestPickCommand::aHitInJson()
+{
+    const QJsonObject hit = pick({m_scene, "--at", "500,150"});
+    QCOMPARE(hit.keys(), QStringList({"barycentric", "distance", "edge", "hit", "normal", "object", "objectPoint",
+                                      "pixel", "triangle", "uncertainty", "vertex", "world"}));
+    QCOMPARE(numbers(hit["pixel"]), QList<double>({500, 150}));
+    QVERIFY(hit["hit"].toBool());
+    QCOMPARE(hit["object"].toString(), QString("face"));
+    QCOMPARE(hit["triangle"].toInt(), 1);
+    // 100 pixels right of the middle and 150 above it, 200 pixels a unit.
+    QVERIFY(isNear(numbers(hit["world"]), {0.5, 0.75, 3.0}));
+    QVERIFY(isNear(numbers(hit["objectPoint"]), {0.25, 0.375, 0.0}));
+    QVERIFY(isNear(numbers(hit["barycentric"]), {0.3125, 0.625, 0.0625}));
+    QVERIFY(isNear(numbers(hit["normal"]), {0, 0, 1}));
+    QVERIFY(std::abs(hit["distance"].toDouble() - std::sqrt(0.25 + 0.5625 + 4.0)) < 1e-14);
+    QCOMPARE(hit["vertex"]["id"].toInt(), 2);
+    QCOMPARE(numbers(hit["vertex"]["world"]), QList<double>({2, 2, 3}));
+    QCOMPARE(numbers(hit["edge"]["ids"]), QList<double>({0, 2}));
+    QVERIFY(isNear(numbers(hit["edge"]["world"]), {0.625, 0.625, 3.0}));
+    for (const double uncertainty : numbers(hit["uncertainty"]))
+        QVERIFY(uncertainty > 0.0 && uncertainty < 1e-6);
+}
+
+void TestPickCommand::positionsAnswerInTheirOrder()
+{
+    const Run run = runCommand({"pick", "--json", m_scene, "--at", "400,300", "--at", "799.5,599.5", "--at=-1,2"});
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.lines().size(), 3);
+    QVERIFY(run.lines()[0].startsWith("{\"pixel\": [400, 300], \"hit\": true, \"object\": \"face\""));
+    QVERIFY(run.lines()[1].startsWith("{\"pixel\": [799.5, 599.5], \"hit\": true"));
+    QCOMPARE(run.lines()[2], QByteArray("{\"pixel\": [-1, 2], \"hit\": false}"));
+    QVERIFY(run.errors.contains("--at -1,2: lies outside the viewport of the picture of 800x600"));
+}
+
+void TestPickCommand::aModelIsSeenAsTheWindowStarts()
+{
+    // The middle of what is framed is in the middle of the picture, whatever its size.
+    for (const QStringList &size :
+         {QStringList{"--at", "400,300"}, QStringList{"--size", "300x500", "--at", "150,250"}}) {
+        const QJsonObject hit = pick(QStringList{m_model} + size);
+        QVERIFY(hit["hit"].toBool());
+        QCOMPARE(hit["object"].toString(), QString("face.obj"));
+        const QList<double> world = numbers(hit["world"]);
+        QVERIFY(std::abs(world[0]) < 0.2 && std::abs(world[1]) < 0.2);
+        QVERIFY(std::abs(world[2]) < 1e-15);
+    }
+    QVERIFY(!pick({m_model, "--at", "5,5"})["hit"].toBool());
+}
+
+void TestPickCommand::aSceneHasItsOwnPictureOrTheSizeGiven()
+{
+    // With half the size the projection stays: half the pixels.
+    QVERIFY(isNear(numbers(pick({m_scene, "--size", "400x300", "--at", "250,75"})["world"]), {0.5, 0.75, 3.0}));
+    QVERIFY(!pick({m_scene, "--size", "400x300", "--at", "500,150"})["hit"].toBool());
+}
+
+void TestPickCommand::whatIsInReachIsTaken_data()
+{
+    QTest::addColumn<QString>("snap");
+    QTest::addColumn<QString>("at");
+    QTest::addColumn<QList<double>>("world"); // empty: nothing
+    // The face from (-1, -1, 3) to (1, 1, 3), 200 pixels a unit: its upper right corner is at (600, 100).
+    QTest::newRow("surface") << "surface"
+                             << "603,97" << QList<double>();
+    QTest::newRow("vertex") << "vertex"
+                            << "603,97" << QList<double>{1, 1, 3};
+    QTest::newRow("vertex, too far") << "vertex"
+                                     << "609,97" << QList<double>();
+    QTest::newRow("edge") << "edge"
+                          << "603,250" << QList<double>{1, 0.25, 3};
+    QTest::newRow("face") << "face"
+                          << "599,150" << QList<double>{0.995, 0.75, 3};
+}
+
+void TestPickCommand::whatIsInReachIsTaken()
+{
+    QFETCH(QString, snap);
+    QFETCH(QString, at);
+    QFETCH(QList<double>, world);
+    const QString scene = m_folder.write("small.json", QByteArray(kFrustumScene).replace("[2, 2, 2]", "[1, 1, 1]"));
+    const QJsonObject one = pick({"--snap", snap, scene, "--at", at});
+    const Run rows = runCommand({"pick", "--format", "jsonl", "--snap", snap, scene}, "px,py\n" + at.toLatin1() + '\n');
+    VERIFY_SUCCEEDED(rows);
+    const QJsonObject row = QJsonDocument::fromJson(rows.lines()[0]).object();
+    QCOMPARE(one["hit"].toBool(), !world.isEmpty());
+    QCOMPARE(row["x"].isDouble(), !world.isEmpty());
+    if (world.isEmpty())
+        return;
+    QVERIFY(isNear(numbers(one["world"]), world));
+    QVERIFY(isNear({row["x"].toDouble(), row["y"].toDouble(), row["z"].toDouble()}, world));
+}
+
+void TestPickCommand::rowsGoThrough()
+{
+    const Run run = runCommand({"pick", m_scene, "-"}, "name,px,py,x\n\"a, b\",500,150,7\nmiss,-1,0,8\n");
+    VERIFY_SUCCEEDED(run);
+    QCOMPARE(run.lines().size(), 3);
+    QCOMPARE(run.lines()[0], ("name,px,py," + kColumns.join(',')).toUtf8());
+    QVERIFY(run.lines()[1].startsWith("\"a, b\",500,150,0.5,0.75,3,face,1,0.3125,0.625,0.0625,0.25,0.375,0,0,0,1,"));
+    QCOMPARE(run.lines()[1].count(','), run.lines()[0].count(',') + 1);
+    QCOMPARE(run.lines()[2], QByteArray("miss,-1,0" + QByteArray(kColumns.size(), ',')));
+}
+
+void TestPickCommand::jsonLines()
+{
+    const Run run = runCommand({"pick", "--format", "jsonl", m_scene}, "px,py\n500,150\n-1,0\n");
+    QCOMPARE(run.exitCode, 0);
+    const QJsonObject hit = QJsonDocument::fromJson(run.lines()[0]).object();
+    QCOMPARE(hit["object"].toString(), QString("face"));
+    QVERIFY(std::abs(hit["y"].toDouble() - 0.75) < 1e-14);
+    const QJsonObject miss = QJsonDocument::fromJson(run.lines()[1]).object();
+    QVERIFY(miss["object"].isNull() && miss["x"].isNull());
+    QCOMPARE(miss["px"].toDouble(), -1.0);
+}
+
+void TestPickCommand::manyRowsKeepTheirOrder()
+{
+    QByteArray input = "px,py,number\n";
+    for (int i = 0; i < 60000; ++i)
+        input +=
+            QByteArray::number(i % 800) + ".5," + QByteArray::number(i % 599) + ".5," + QByteArray::number(i) + '\n';
+    const Run one = runCommand({"pick", "--threads", "1", m_scene}, input);
+    const Run four = runCommand({"pick", "--threads", "4", m_scene}, input);
+    QCOMPARE(one.lines().size(), 60001);
+    QVERIFY(one.lines()[60000].contains(",59999,"));
+    QVERIFY(one.output == four.output);
+}
+
+void TestPickCommand::badRowsAreNamed()
+{
+    const Run run = runCommand({"pick", m_scene}, "py,px\n150,500\n1,foo\n2\n150,500\n");
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY2(run.errors.contains("stdin:3:3: px: \"foo\" is not a number"), run.errors.constData());
+    QVERIFY2(run.errors.contains("stdin:4") && run.errors.contains("px is missing"), run.errors.constData());
+    QCOMPARE(run.lines().size(), 5);
+    QVERIFY(run.lines()[4].startsWith("150,500,0.5,"));
+    QVERIFY(run.lines()[2].startsWith("1,foo,,"));
+}
+
+void TestPickCommand::words()
+{
+    const Run run = runCommand({"pick", m_scene, "--at", "500,150", "--at", "-1,0"});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(run.output.contains("object       face\n"), run.output.constData());
+    QVERIFY(run.output.contains("nothing is met"));
+}
+
+void TestPickCommand::bundledModels()
+{
+    const QString scene = m_folder.write(
+        "bundled.json", QByteArray(kFrustumScene).replace("\"file\": \"face.obj\"", "\"bundled\": \"Cube\""));
+    QVERIFY(pick({scene, "--at", "400,300"})["hit"].toBool());
+}
+
+void TestPickCommand::unusable_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QByteArray>("reason");
+    const auto row = [](const char *name, const QStringList &arguments, const char *reason) {
+        QTest::newRow(name) << arguments << QByteArray(reason);
+    };
+    row("no scene", {}, "SCENE is required");
+    row("no such scene", {"gone.json", "--at", "1,2"}, "gone.json");
+    row("no such model", {"gone.stl", "--at", "1,2"}, "gone.stl: there is no such file");
+    row("a position that is none", {"SCENE", "--at", "1;2"}, "--at 1;2: give device pixels");
+    row("a position without an end", {"SCENE", "--at", "1,2,3"}, "--at 1,2,3");
+    row("a position that is not finite", {"SCENE", "--at", "1,nan"}, "--at 1,nan");
+    row("a size that is none", {"SCENE", "--at", "1,2", "--size", "800"}, "--size 800: give width and height");
+    row("a size of nothing", {"SCENE", "--at", "1,2", "--size", "0x5"}, "--size 0x5");
+    row("a snap that is none", {"SCENE", "--at", "1,2", "--snap", "corner"}, "\"corner\" is none of");
+    row("both ways", {"SCENE", "rows.csv", "--at", "1,2"}, "PIXELS excludes --at");
+    row("rows' format for a position", {"SCENE", "--at", "1,2", "--format", "jsonl"}, "--at excludes --format");
+    row("an object farther away than can be computed", {"far.json", "--at", "1,2"},
+        "far.json: face: an object reaches to -1e+300, farther than can be computed");
+    row("an object smaller than can be computed", {"small.json", "--at", "1,2"},
+        "small.json: face: an object measures");
+    row("all from stdin", {"-"}, "cannot both come from standard input");
+}
+
+void TestPickCommand::unusable()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QByteArray, reason);
+    arguments.replaceInStrings("SCENE", m_scene);
+    for (const auto &[name, scale] : {std::pair("far.json", "1e300"), std::pair("small.json", "1e-300")})
+        arguments.replaceInStrings(
+            name, m_folder.write(name, QByteArray(kFrustumScene)
+                                           .replace("[2, 2, 2]", QByteArray("[S, S, S]").replace("S", scale))
+                                           .replace("{\"translate\": [0, 0, 3]}, ", "")));
+    const Run run = runCommand(QStringList{"pick"} + arguments);
+    QCOMPARE(run.exitCode, 2);
+    QCOMPARE(run.output, QByteArray());
+    QVERIFY2(run.errors.contains(reason), run.errors.constData());
+}
+
+QTEST_GUILESS_MAIN(TestPickCommand)
+#include "test_pick_command.moc"

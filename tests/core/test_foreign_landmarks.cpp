@@ -1,0 +1,217 @@
+// Files of landmarks as the other programs write them, each with a trap of its format, and files that are broken.
+
+#include "tests/core/strict_landmarks.h"
+
+#include <QTest>
+
+using namespace strict_landmarks;
+
+class TestForeignLandmarks : public QObject {
+    Q_OBJECT
+
+private slots:
+    void filesOfOtherPrograms_data();
+    void filesOfOtherPrograms();
+    void badFilesAreRefusedWithTheirLine_data();
+    void badFilesAreRefusedWithTheirLine();
+};
+
+void TestForeignLandmarks::filesOfOtherPrograms_data()
+{
+    QTest::addColumn<Format>("format");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("asCsv");
+    QTest::addColumn<QStringList>("notes");
+    const QByteArray head = "name,x,y,z,object,face,u,v,w,note", empty = ",,,,,,\n";
+    const QString turned = QStringLiteral(
+        "the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads one (LPS)");
+
+    QTest::newRow("MeshLab: CRLF, a date, a user, a point that is not placed")
+        << Format::MeshLab
+        << QByteArray("<!DOCTYPE PickedPoints>\r\n<PickedPoints>\r\n <DocumentData>\r\n  <DateTime time=\"12:00:00\" "
+                      "date=\"2026-10-01\"/>"
+                      "\r\n  <User name=\"\"/>\r\n  <DataFileName name=\"face.ply\"/>\r\n  <templateName "
+                      "name=\"\"/>\r\n </DocumentData>\r\n"
+                      " <point x=\"-1.5\" y=\"2\" z=\"3e-2\" active=\"1\" name=\"A &amp; B\"/>\r\n"
+                      " <point active=\"0\" x=\"0\" y=\"0\" z=\"0\" name=\"gone\"/>\r\n</PickedPoints>\r\n")
+        << head + ",mesh\nA & B,-1.5,2,0.03,,,,,,,face.ply\ngone,,,,,,,,,,face.ply\n"
+        << QStringList();
+    QTest::newRow("MeshLab: all on one line, a comment, coordinates of a point that is not placed")
+        << Format::MeshLab
+        << QByteArray("<?xml version='1.0'?><PickedPoints><!-- <point/> --><point z='3' y='2' x='1' name='it&#39;s'/>"
+                      "<point x='9' y='9' z='9' active='0' name=''/></PickedPoints>")
+        << head + "\nit's,1,2,3" + empty + ",,,,,,,,,\n"
+        << QStringList{"1 comment is left out",
+                       "1 point is marked as not placed and had coordinates, which are left out"};
+    QTest::newRow("MeshLab template")
+        << Format::MeshLabTemplate
+        << QByteArray("<!DOCTYPE PickPointsTemplate>\n<PickPointsTemplate>\n <point name=\"N\"/>\n"
+                      " <point name=\"0x10\"/>\n</PickPointsTemplate>\n")
+        << head + "\nN,,,,,,,,,\n0x10,,,,,,,,,\n"
+        << QStringList();
+    QTest::newRow("Slicer JSON: least, no axes")
+        << Format::SlicerJson
+        << QByteArray(
+               R"({"markups": [{"type": "Fiducial", "controlPoints": [{"label": "F-1", "position": [1, -2, 3.25]}]}]})")
+        << head + "\nF-1,1,-2,3.25" + empty << QStringList();
+    QTest::newRow("Slicer JSON: RAS, undefined, hidden, a note")
+        << Format::SlicerJson
+        << QByteArray(
+               R"({"@schema": "s", "markups": [{"type": "Fiducial", "coordinateSystem": "RAS", "coordinateUnits": "mm",
+             "locked": false, "labelFormat": "%N-%d", "controlPoints": [
+             {"id": "1", "label": "a,b", "description": "d", "associatedNodeID": "", "position": [1, -2, 3],
+              "orientation": [1,0,0,0,1,0,0,0,1], "selected": true, "locked": false, "visibility": false, "positionStatus": "defined"},
+             {"id": "2", "label": "u", "position": [0, 0, 0], "positionStatus": "undefined"},
+             {"id": "9", "label": "m", "position": null, "positionStatus": "missing"}]}]})")
+        << QByteArray("name,x,y,z,object,face,u,v,w,note,hidden,unit,id\n\"a,b\",-1,2,3,,,,,,d,1,mm,\nu,,,,,,,,,,,mm,"
+                      "\nm,,,,,,,,,,,mm,9\n")
+        << QStringList{turned, "other values of 1 specimen are left out: locked, labelFormat"};
+    QTest::newRow("Slicer CSV: LPS, a comma in a label, newer fields")
+        << Format::SlicerCsv
+        << QByteArray("# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n"
+                      "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n"
+                      "0,-19.9,13.9,29.4,0,0,0,1,1,1,0,\"F \"\"1\"\", left\",,,2,0\n1,0,0,0,0,0,0,1,0,1,0,gone,,,0,0\n")
+        << head + ",hidden\n\"F \"\"1\"\", left\",-19.9,13.9,29.4,,,,,,,\ngone,,,,,,,,,,1\n"
+        << QStringList();
+    QTest::newRow("Slicer CSV: the axes as a number, RAS")
+        << Format::SlicerCsv
+        << QByteArray("# Markups fiducial file version = 4.4\r\n# CoordinateSystem = 0\r\n# columns = id,x,y,z\r\n"
+                      "vtkMRMLMarkupsFiducialNode_0,1,2,3,0,0,0,1,1,0,1,F-1,desc,\r\n")
+        << QByteArray("name,x,y,z,object,face,u,v,w,note,id,selected,locked\nF-1,-1,-2,3,,,,,,desc,"
+                      "vtkMRMLMarkupsFiducialNode_0,false,true\n")
+        << QStringList{turned};
+    QTest::newRow("Slicer CSV: the axes as a number, LPS")
+        << Format::SlicerCsv
+        << QByteArray("# Markups fiducial file version = 4.4\n# CoordinateSystem = 1\n0,1,2,3,0,0,0,1,1,1,0,F-1,,\n")
+        << head + "\nF-1,1,2,3" + empty << QStringList();
+    QTest::newRow("Slicer CSV: Slicer 3")
+        << Format::SlicerCsv
+        << QByteArray("# Fiducial List file old.fcsv\n# numPoints = 1\n# columns = label,x,y,z,sel,vis\nL1,1,2,3,1,1\n")
+        << head + "\nL1,-1,-2,3" + empty << QStringList{"2 comments are left out", turned};
+    QTest::newRow("IDAV: missing, tabs, no blank line at the end")
+        << Format::Idav << QByteArray("Version 1.0\n3\nS000 1 2 3\nS001\t9999\t9999\t9999\nleft eye 4 5 6")
+        << head + "\nS000,1,2,3" + empty + "S001,,,,,,,,,\nleft eye,4,5,6" + empty << QStringList();
+    QTest::newRow("IDAV: names that look like numbers, one coordinate of 9999")
+        << Format::Idav << QByteArray("Version 1.0\n2\n0x1F 9999 2 3\n12 -1 1e5 +3\n\n")
+        << head + "\n0x1F,9999,2,3" + empty + "12,-1,1e+05,3" + empty << QStringList();
+    QTest::newRow("TPS: small letters, SCALE, IMAGE, curves")
+        << Format::Tps
+        << QByteArray("lm3=2\n1 2 3\nNA NA NA\nCURVES=1\nPOINTS=2\n7 7 7\n8 8 8\nIMAGE=a b.ply\nSCALE=0.5\nID = s 1\n")
+        << "specimen," + head + ",mesh\ns 1,,0.5,1,1.5,,,,,,,a b.ply\ns 1,,,,,,,,,,,a b.ply\n"
+        << QStringList{"2 points of curves are left out", "coordinates are multiplied by the SCALE of the file, 0.5"};
+    QTest::newRow("TPS: two coordinates, several specimens")
+        << Format::Tps << QByteArray("LM=1\n1 2\nID=a\n\nLM=1\n3 4\nID=b\n")
+        << "specimen," + head + "\na,,1,2,0" + empty + "b,,3,4,0" + empty
+        << QStringList{"2 points have two coordinates; z is 0"};
+    QTest::newRow("CSV: a byte order mark, other columns, capitals, CRLF, a line break in a name")
+        << Format::Csv
+        << QByteArray("\xef\xbb\xbf"
+                      "Name,X,Y,Z,observer\r\n\"a\r\nb\",1,2,3,\"K, L\"\r\n\r\nc,,,,\r\n")
+        << head + ",observer\n\"a\r\nb\",1,2,3,,,,,,,\"K, L\"\nc,,,,,,,,,,\n"
+        << QStringList();
+}
+
+void TestForeignLandmarks::filesOfOtherPrograms()
+{
+    QFETCH(Format, format);
+    QFETCH(QByteArray, text);
+    const auto read = parseLandmarks(text.toStdString(), format, "file");
+    QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+    const auto csv = landmarksText(read->sets, Format::Csv);
+    QVERIFY(csv);
+    QTEST(QByteArray::fromStdString(csv->text), "asCsv");
+    QFETCH(QStringList, notes);
+    QStringList told = noteTexts(read->notes) + noteTexts(csv->notes);
+    told.removeIf([](const QString &note) { return note.contains("DocumentData"); }); // a table has no room for it
+    QCOMPARE(told, notes);
+}
+
+void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
+{
+    QTest::addColumn<Format>("format");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("message");
+    const auto add = [](const char *row, Format format, const QByteArray &text, const char *message) {
+        QTest::newRow(row) << format << text << QString(message);
+    };
+    add("csv: empty", Format::Csv, "", "f:1: the file is empty; the first line names the columns, name,x,y,z at least");
+    add("csv: no z", Format::Csv, "name,x,y\na,1,2\n",
+        "f:1: there is no column z; the first line names the columns, name,x,y,z at least");
+    add("csv: semicolons", Format::Csv, "name;x;y;z\na;1,5;2;3\n",
+        "f:1: the columns are separated by semicolons; save the table with commas, and numbers with a decimal point");
+    add("csv: a decimal comma", Format::Csv, "name,x,y,z\na,\"1,5\",2,3\n",
+        "f:2: x is \"1,5\"; write a number with a decimal point");
+    add("csv: half a point", Format::Csv, "name,x,y,z\na,1,,3\n",
+        "f:2: y is empty and its neighbours are not; give all three, or none");
+    add("csv: too many cells", Format::Csv, "name,x,y,z\na,b,1,2,3\n",
+        "f:2: here are 5 cells, and the first line names 4 columns; put cells that have commas in quotes");
+    add("csv: an open quote", Format::Csv, "name,x,y,z\na,1,2,3\n\"b,1,2,3\n",
+        "f:3: a quote is opened here and never closed; close it, or double it within quotes");
+    add("csv: not finite", Format::Csv, "name,x,y,z\n\na,nan,2,3\n", "f:3: x is \"nan\"; write a number");
+    add("csv: a face without its place", Format::Csv, "name,x,y,z,face\na,1,2,3,7\n",
+        "f:2: face and u, v, w belong together; give all of them, or none");
+    add("csv: a colour", Format::Csv, "x,y,z,color\n1,2,3,red\n", "f:2: color is \"red\"; write it as #rrggbb");
+    add("csv: a column twice", Format::Csv, "x,y,z,X\n1,2,3,4\n",
+        "f:1: the column \"X\" is there twice; rename one of them");
+    add("csv: a cell of no column", Format::Csv, "x,y,z,\n1,2,3,5\n",
+        "f:2: the cell \"5\" stands in a column without a name; give it one in the first line");
+    add("tps: SCALE twice", Format::Tps, "LM3=1\n1 2 3\nSCALE=2\nscale=2\n",
+        "f:4: SCALE stands here for the second time in a specimen; remove one of them");
+    add("csv: UTF-16", Format::Csv, QByteArray("\xff\xfen\0a\0", 6), "f: this is no text in UTF-8; save it as UTF-8");
+    add("pp: no XML", Format::MeshLab, "<PickedPoints>\n<point x=\"1\"\n", "f:3: this is no XML: ");
+    add("pp: another document", Format::MeshLab, "<MeshLabProject/>",
+        "f:1: there is no <PickedPoints>, which holds the points of MeshLab; is it another file?");
+    add("pp: not a number", Format::MeshLab,
+        "<PickedPoints>\n<!-- <point>\n-->\n<point x=\"1\" y=\"2\" z=\"3\" name=\"a\"/>\n<point x=\"1\" y=\"2,5\" "
+        "z=\"3\" name=\"N\"/>\n</PickedPoints>",
+        "f:5: y of point 2 (\"N\") is \"2,5\"; write a number with a decimal point");
+    add("pp: too deep", Format::MeshLab, QByteArray("<a>").repeated(100000),
+        "f:1: elements are nested deeper than 64 levels; ");
+    add("mrk.json: no JSON", Format::SlicerJson, "{\"markups\": [\n}", "f:2: ");
+    add("mrk.json: another document", Format::SlicerJson, "{\"unprojector\": 1}", "f:1: there is no list \"markups\"");
+    add("mrk.json: two coordinates", Format::SlicerJson, R"({"markups": [{"controlPoints": [{"position": [1, 2]}]}]})",
+        "f: markups[0].controlPoints[0].position: has 2 elements; it must have 3");
+    add("mrk.json: other axes", Format::SlicerJson,
+        R"({"markups": [{"coordinateSystem": "IJK", "controlPoints": []}]})",
+        "f: markups[0].coordinateSystem: \"IJK\" must be LPS or RAS");
+    add("fcsv: a comma in a label", Format::SlicerCsv,
+        "# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n0,1,2,3,0,0,0,1,1,1,0,F-1, left,,,2,0\n",
+        "f:3: \"0,1,2,3,0,0,0,1,1,1,0,F-1, left,,,2,0\" is no point; write id,x,y,z");
+    add("fcsv: other axes", Format::SlicerCsv, "# Markups fiducial file version = 5.8\n# CoordinateSystem = IJK\n",
+        "f:2: the coordinate system is \"IJK\"; it must be LPS or RAS (1 or 0)");
+    add("pts: dlib", Format::Idav, "version: 1\nn_points: 68\n{\n1 2\n}\n",
+        "f:1: this is a .pts of dlib, points in a picture; only those of IDAV Landmark, which begin with \"Version "
+        "1.0\", are points in space");
+    add("pts: a point cloud", Format::Idav, "3\n1 2 3\n1 2 3\n1 2 3\n",
+        "f:1: this .pts begins with \"3\", not with \"Version 1.0\" as those of IDAV Landmark do; is it a point cloud? "
+        "Open it as a model then");
+    add("pts: cut off", Format::Idav, "Version 1.0\n3\nS0 1 2 3\nS1 1 2 3\n",
+        "f:4: the file ends after 2 of 3 points; is it cut off?");
+    add("pts: one more", Format::Idav, "Version 1.0\n1\nS0 1 2 3\nS1 1 2 3\n",
+        "f:4: line 2 says 1 points, and here is one more; write the right number there");
+    add("pts: no name", Format::Idav, "Version 1.0\n1\n1 2 3\n",
+        "f:3: \"1 2 3\" is no point; write its name, x, y and z");
+    add("tps: a row is missing", Format::Tps, "LM3=2\n1 2 3\nID=a\n",
+        "f:3: \"ID=a\" is no row of 3 numbers, which line 1 announces; write the right number of points there");
+    add("tps: a row too many", Format::Tps, "LM3=1\n1 2 3\n4 5 6\n", "f:3: \"4 5 6\" belongs to nothing; ");
+    add("tps: half missing", Format::Tps, "LM3=1\n1 NA 3\n",
+        "f:2: some coordinates are NA and some are not; a point is missing as a whole");
+    add("tps: cut off", Format::Tps, "LM3=4000000000\n1 2 3\n",
+        "f:2: the file ends within the points that line 1 announces; is it cut off?");
+    add("nts", Format::Nts, "1 1L 3 0 DIM=3\na\n1 2 3\n", "f: .nts is only written; give another file");
+}
+
+void TestForeignLandmarks::badFilesAreRefusedWithTheirLine()
+{
+    QFETCH(Format, format);
+    QFETCH(QByteArray, text);
+    QFETCH(QString, message);
+    const auto read = parseLandmarks(text.toStdString(), format, "f");
+    QVERIFY(!read);
+    const QString said = QString::fromStdString(errorText(read.error()));
+    QCOMPARE(said.left(message.size()), message);
+    QVERIFY(said.size() > 10);
+}
+
+QTEST_GUILESS_MAIN(TestForeignLandmarks)
+#include "test_foreign_landmarks.moc"

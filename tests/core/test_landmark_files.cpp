@@ -1,0 +1,384 @@
+// Landmarks through the files of other programs: what is written reads back the same, by our readers and by strict ones of
+// this test; what has no place in them is said.
+
+#include "core/landmark_files/landmark_file.h"
+#include "tests/core/strict_landmarks.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::landmark_files;
+using namespace strict_landmarks;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kPoints = 500;
+
+/// Any finite double, all exponents as likely.
+double anyDouble(std::mt19937_64 &engine)
+{
+    for (;;) {
+        const double value = std::bit_cast<double>(engine());
+        if (std::isfinite(value))
+            return value == 9999.0 ? 1.0 : value;
+    }
+}
+
+glm::dvec3 anyPlace(std::mt19937_64 &engine)
+{
+    return {anyDouble(engine), anyDouble(engine), anyDouble(engine)};
+}
+
+/// Names that formats stumble over: separators, quotes, what looks like a number, other alphabets.
+const char *const kNames[] = {"Nasion",       "a, b",      "say \"hi\"", "1e5",   "0x1F",   "Ma\xc3\x9f",
+                              "\xe9\xbc\xbb", "<a&b>'c'/", "NA",         "-9999", "x=1; y", "Prosthion 2"};
+
+/// Points that use only what a format has a place for.
+LandmarkSet setFor(Format format)
+{
+    std::mt19937_64 engine(20261122);
+    LandmarkSet set;
+    const bool isCsv = format == Format::Csv, isJson = format == Format::SlicerJson,
+               isFcsv = format == Format::SlicerCsv;
+    const bool isTps = format == Format::Tps, isMeshLab = format == Format::MeshLab;
+    if (isTps || isJson || isCsv)
+        set.name = "skull 7";
+    if (isTps || isMeshLab || isCsv)
+        set.mesh = "scans/skull \"7\".ply";
+    if (isCsv || isJson)
+        set.unit = "mm";
+    if (isJson || isFcsv)
+        set.axes = Axes::Ras;
+    if (isTps)
+        set.extra["COMMENT"] = "left side broken";
+    if (isMeshLab)
+        set.extra["DocumentData"] = {{"DateTime", {{"date", "2026-10-01"}, {"time", "12:00:00"}}},
+                                     {"User", {{"name", "A & B"}}}};
+    if (isJson)
+        set.extra = {{"type", "Curve"}, {"display", {{"color", {0.5, 0.25, 1.0}}}}};
+    for (int i = 0; i < kPoints; ++i) {
+        Landmark landmark;
+        if (format != Format::Tps)
+            landmark.name =
+                format == Format::Idav ? "S" + std::to_string(i) : kNames[std::size_t(i) % std::size(kNames)];
+        if (i % 7 != 3 && format != Format::MeshLabTemplate && !(isFcsv && i % 7 == 3))
+            landmark.world = WorldPoint(anyPlace(engine));
+        if (isFcsv && !landmark.world)
+            landmark.world = WorldPoint(1, 2, 3);
+        if (isCsv || isJson || isFcsv) {
+            landmark.note = i % 3 == 0 ? "first, \"second\"" : "";
+            landmark.isHidden = i % 5 == 0;
+        }
+        if (isCsv) {
+            landmark.object = i % 2 == 0 ? "skull, left" : "";
+            landmark.note += i % 4 == 0 ? "line\nbreak\r\n" : "";
+            if (i % 4 == 1)
+                landmark.hold = OnTriangle{0xffffffffu - std::uint32_t(i), anyPlace(engine)};
+            else if (i % 4 == 2)
+                landmark.hold = AtVertex{std::uint32_t(i)};
+            else if (i % 4 == 3)
+                landmark.hold = OnEdge{{std::uint32_t(i), 7}, anyDouble(engine)};
+            if (i % 2 == 0)
+                landmark.uncertainty = WorldVector(anyPlace(engine));
+            if (i % 3 == 1)
+                landmark.color = glm::u8vec3(255, i % 256, 8);
+            if (i % 6 == 0)
+                landmark.extra = {{"sex, age", "f, \"3\""}, {"count", 5}, {"done", true}, {"code", "007"}};
+        }
+        if (isJson && i % 6 == 0)
+            landmark.extra = {
+                {"id", "p" + std::to_string(i)}, {"orientation", {0, 1, 0, 1, 0, 0, 0, 0, -1}}, {"locked", true}};
+        if (isFcsv && i % 6 == 0)
+            landmark.extra = {
+                {"id", "vtkMRMLMarkups_" + std::to_string(i)}, {"selected", false}, {"associatedNodeID", "a,b"}};
+        set.landmarks.push_back(landmark);
+    }
+    return set;
+}
+
+std::string written(std::span<const LandmarkSet> sets, Format format)
+{
+    const auto text = landmarksText(sets, format);
+    if (!text)
+        qFatal("%s", errorText(text.error()).c_str());
+    return text->text;
+}
+
+bool isSameDouble(double a, double b)
+{
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+} // namespace
+
+class TestLandmarkFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsWrittenReadsBackTheSame_data();
+    void whatIsWrittenReadsBackTheSame();
+    void whatHasNoPlaceIsSaid_data();
+    void whatHasNoPlaceIsSaid();
+    void manySpecimens();
+    void namesThatReadersStumbleOver();
+    void otherKeysAreNotTakenForOurs();
+    void whatAFormatCannotHoldIsRefused();
+    void filesOnDisk();
+};
+
+void TestLandmarkFiles::whatIsWrittenReadsBackTheSame_data()
+{
+    QTest::addColumn<Format>("format");
+    for (const Format format : kFormats) {
+        if (format != Format::Nts)
+            QTest::newRow(suffixOf(format)) << format;
+    }
+}
+
+void TestLandmarkFiles::whatIsWrittenReadsBackTheSame()
+{
+    QFETCH(Format, format);
+    const LandmarkSet set = setFor(format);
+    const auto text = landmarksText({&set, 1}, format);
+    QVERIFY(text);
+    QCOMPARE(noteTexts(text->notes), QStringList());
+
+    const auto read = parseLandmarks(text->text, format, "points");
+    QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+    QCOMPARE(read->sets.size(), std::size_t(1));
+    for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
+        const Landmark &landmark = read->sets[0].landmarks.at(i), &expected = set.landmarks[i];
+        QCOMPARE(landmark.name, expected.name);
+        QCOMPARE(landmark.isMissing(), expected.isMissing());
+        for (int axis = 0; axis < 3 && landmark.world; ++axis)
+            QVERIFY(isSameDouble((*landmark.world)[axis], (*expected.world)[axis]));
+        QCOMPARE(landmark.note, expected.note);
+        QCOMPARE(QString::fromStdString(landmark.extra.dump()), QString::fromStdString(expected.extra.dump()));
+        QVERIFY(landmark == expected);
+    }
+    QCOMPARE(QString::fromStdString(read->sets[0].extra.dump()), QString::fromStdString(set.extra.dump()));
+    QVERIFY(read->sets[0] == set);
+
+    const QList<StrictPoint> points = strictPoints(QByteArray::fromStdString(text->text), format);
+    QCOMPARE(std::size_t(points.size()), set.landmarks.size());
+    for (qsizetype i = 0; i < points.size(); ++i) {
+        const Landmark &expected = set.landmarks[std::size_t(i)];
+        QCOMPARE(points[i].name, QString::fromStdString(expected.name));
+        if (format == Format::MeshLabTemplate)
+            continue;
+        QCOMPARE(points[i].isMissing, expected.isMissing());
+        for (int axis = 0; axis < 3 && expected.world; ++axis)
+            QVERIFY(isSameDouble(points[i].place[axis], (*expected.world)[axis]));
+    }
+}
+
+void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
+{
+    QTest::addColumn<Format>("format");
+    QTest::addColumn<QStringList>("notes");
+    const QString object = "the objects of 1 point are left out",
+                  hold = "the triangles, vertices or edges of 1 point are left out",
+                  uncertainty = "the uncertainties of 1 point are left out", note = "the notes of 1 point are left out",
+                  color = "the colours of 1 point are left out", hidden = "1 hidden point is written as any other",
+                  keys = "the other values of 1 point are left out: sex, code",
+                  specimen = "the name of the specimen, \"skull 7\", is left out",
+                  mesh = "the name of the mesh, \"skull.ply\", is left out", unit = "the unit, mm, is left out",
+                  more = "other values of 1 specimen are left out: more";
+    QTest::newRow("csv") << Format::Csv << QStringList{more};
+    QTest::newRow("pp") << Format::MeshLab
+                        << QStringList{object, hold, uncertainty, note, color, hidden, specimen, unit, keys, more};
+    QTest::newRow("pptpl") << Format::MeshLabTemplate
+                           << QStringList{"the coordinates of 1 point are left out",
+                                          object,
+                                          hold,
+                                          uncertainty,
+                                          note,
+                                          color,
+                                          hidden,
+                                          specimen,
+                                          mesh,
+                                          unit,
+                                          keys,
+                                          more};
+    QTest::newRow("mrk.json") << Format::SlicerJson << QStringList{object, hold, uncertainty, color, mesh};
+    QTest::newRow("fcsv")
+        << Format::SlicerCsv
+        << QStringList{object,      hold,
+                       uncertainty, color,
+                       specimen,    mesh,
+                       unit,        keys,
+                       more,        "1 missing point is written at 0, 0, 0 with a field that older readers pass over"};
+    QTest::newRow("pts")
+        << Format::Idav
+        << QStringList{object,   hold,  uncertainty,
+                       note,     color, hidden,
+                       specimen, mesh,  unit,
+                       keys,     more,  "\"N\" has a coordinate of 9999, which readers take for a missing point"};
+    QTest::newRow("tps") << Format::Tps
+                         << QStringList{"the names of 2 points are left out; only their order is kept",
+                                        object,
+                                        hold,
+                                        uncertainty,
+                                        note,
+                                        color,
+                                        hidden,
+                                        unit,
+                                        keys,
+                                        more};
+    QTest::newRow("nts") << Format::Nts
+                         << QStringList{"the names of 2 points are left out; only their order is kept",
+                                        object,
+                                        hold,
+                                        uncertainty,
+                                        note,
+                                        color,
+                                        hidden,
+                                        mesh,
+                                        unit,
+                                        keys,
+                                        more,
+                                        "the name \"skull 7\" as \"skull_7\"",
+                                        "\"N\" has a coordinate of 9999, which readers take for a missing point"};
+}
+
+void TestLandmarkFiles::whatHasNoPlaceIsSaid()
+{
+    QFETCH(Format, format);
+    LandmarkSet set{"skull 7", "skull.ply", "mm", Axes::Lps, {}, {{"more", {1, 2}}}};
+    Landmark full{
+        "N",  WorldPoint(1, 9999, 3),         "skull", AtVertex{4}, WorldVector(1, 1, 1), "worn", glm::u8vec3(1, 2, 3),
+        true, {{"sex", "f"}, {"code", "007"}}};
+    Landmark missing;
+    missing.name = "gone";
+    set.landmarks = {full, missing};
+    const auto text = landmarksText({&set, 1}, format);
+    QVERIFY(text);
+    QTEST(noteTexts(text->notes), "notes");
+}
+
+void TestLandmarkFiles::manySpecimens()
+{
+    LandmarkSet a{"a", {}, {}, Axes::Lps, {}, {}}, b{"b", {}, {}, Axes::Lps, {}, {}};
+    a.landmarks.resize(2);
+    b.landmarks.resize(2);
+    a.landmarks[0] = {"N", WorldPoint(1, 2, 3), {}, {}, {}, {}, {}, false, {}};
+    a.landmarks[1] = {"P", WorldPoint(4, 5, 6), {}, {}, {}, {}, {}, false, {}};
+    b.landmarks[0] = {"P", WorldPoint(7, 8, 9.5), {}, {}, {}, {}, {}, false, {}};
+    b.landmarks[1] = {"P", std::nullopt, {}, {}, {}, {}, {}, false, {}};
+    const std::vector<LandmarkSet> sets{a, b};
+    const std::string csv = written(sets, Format::Csv);
+    QCOMPARE(
+        csv,
+        std::string("specimen,name,x,y,z,object,face,u,v,w,note\na,N,1,2,3,,,,,,\na,P,4,5,6,,,,,,\nb,P,7,8,9.5,,,,,,\n"
+                    "b,P,,,,,,,,,\n"));
+    QVERIFY(parseLandmarks(csv, Format::Csv, "f").value().sets == sets);
+    QCOMPARE(wideTable(sets).text, std::string("specimen,N_x,N_y,N_z,P_x,P_y,P_z,P (2)_x,P (2)_y,P (2)_z\n"
+                                               "a,1,2,3,4,5,6,,,\nb,,,,7,8,9.5,,,\n"));
+    QCOMPARE(written(sets, Format::Tps),
+             std::string("LM3=2\n1 2 3\n4 5 6\nID=a\n\nLM3=2\n7 8 9.5\nNA NA NA\nID=b\n\n"));
+    QCOMPARE(written(sets, Format::Nts),
+             std::string("1 2L 6 1 9999 DIM=3\na\nb\n1 2 3 4 5 6\n7 8 9.5 9999 9999 9999\n"));
+    QCOMPARE(written({sets.data(), 1}, Format::Nts), std::string("1 1L 6 0 DIM=3\na\n1 2 3 4 5 6\n"));
+    QCOMPARE(parseLandmarks(written(sets, Format::SlicerJson), Format::SlicerJson, "f").value().sets.size(),
+             std::size_t(2));
+}
+
+void TestLandmarkFiles::namesThatReadersStumbleOver()
+{
+    LandmarkSet set;
+    for (const char *name : {"left eye", "a#b", "left_eye", "", "say \"x\""}) {
+        Landmark landmark;
+        landmark.name = name;
+        landmark.world = WorldPoint(1, 2, 3);
+        landmark.note = landmark.name == "a#b" ? "two\nlines #1" : "";
+        set.landmarks.push_back(landmark);
+    }
+    const auto pts = landmarksText({&set, 1}, Format::Idav);
+    QVERIFY(pts);
+    QCOMPARE(pts->text,
+             std::string("Version 1.0\n5\nleft_eye 1 2 3\na_b 1 2 3\nleft_eye_2 1 2 3\nS3 1 2 3\nsay__x_ 1 2 3\n\n"));
+    QCOMPARE(noteTexts(pts->notes),
+             QStringList({"the notes of 1 point are left out", "the name \"left eye\" as \"left_eye\"",
+                          "the name \"a#b\" as \"a_b\"", "the name \"left_eye\" as \"left_eye_2\"",
+                          "the name \"\" as \"S3\"", "the name \"say \"x\"\" as \"say__x_\""}));
+    const auto fcsv = landmarksText({&set, 1}, Format::SlicerCsv);
+    QVERIFY(fcsv);
+    QCOMPARE(noteTexts(fcsv->notes),
+             QStringList({"the name \"a#b\" as \"a_b\"", "the note of \"a#b\" is written without line breaks and #"}));
+    QVERIFY(fcsv->text.find("\n1,1,2,3,0,0,0,1,1,1,0,a_b,two_lines _1,\n") != std::string::npos);
+}
+
+/// What one program says of a landmark must not become another one's coordinates.
+void TestLandmarkFiles::otherKeysAreNotTakenForOurs()
+{
+    LandmarkSet set;
+    set.extra = {{"SCALE", "2"}, {"LM3", "5"}, {"COMMENT", "c"}};
+    set.landmarks.resize(1);
+    set.landmarks[0].world = WorldPoint(1, 2, 3);
+    set.landmarks[0].extra = {{"X", 5}, {"deep", Json::parse("[[1, {\"a\": 2}]]")}};
+    const auto tps = landmarksText({&set, 1}, Format::Tps);
+    QVERIFY(tps);
+    QCOMPARE(tps->text, std::string("LM3=1\n1 2 3\nCOMMENT=c\n\n"));
+    QCOMPARE(noteTexts(tps->notes), QStringList({"the other values of 1 point are left out: X, deep",
+                                                 "other values of 1 specimen are left out: SCALE",
+                                                 "other values of 1 specimen are left out: LM3"}));
+    const auto csv = landmarksText({&set, 1}, Format::Csv);
+    QVERIFY(csv);
+    QCOMPARE(csv->text, std::string("name,x,y,z,object,face,u,v,w,note,deep\n,1,2,3,,,,,,,\"[[1,{\"\"a\"\":2}]]\"\n"));
+    QVERIFY(noteTexts(csv->notes).contains("the other values of 1 point are left out: X"));
+    QVERIFY(parseLandmarks(csv->text, Format::Csv, "f").value().sets[0].landmarks[0].extra["deep"]
+            == set.landmarks[0].extra["deep"]);
+    const std::string deep = "x,y,z,deep\n1,2,3," + std::string(200000, '[') + std::string(200000, ']') + '\n';
+    const auto read = parseLandmarks(deep, Format::Csv, "f");
+    QVERIFY(read && read->sets[0].landmarks[0].extra["deep"].is_string());
+}
+
+void TestLandmarkFiles::whatAFormatCannotHoldIsRefused()
+{
+    std::vector<LandmarkSet> sets(2);
+    sets[0].landmarks.resize(1);
+    const auto said = [&](Format format) {
+        const auto text = landmarksText(sets, format);
+        return text ? QString("written") : QString::fromStdString(errorText(text.error()));
+    };
+    QCOMPARE(said(Format::MeshLab),
+             QString(".pp holds one specimen, and there are 2; take .csv, .tps, .nts or .mrk.json"));
+    QCOMPARE(said(Format::Nts),
+             QString(".nts is a table, in which all specimens have the same points: \"\" has 0, \"\" has 1; take "
+                     ".tps, or leave one of them out"));
+    sets.resize(1);
+    sets[0].landmarks[0].name = "\xe9";
+    QCOMPARE(said(Format::SlicerJson),
+             QString("markups[0].controlPoints[0].label is not UTF-8 and cannot be written as JSON; rename it"));
+}
+
+void TestLandmarkFiles::filesOnDisk()
+{
+    const QTemporaryDir folder;
+    const auto path = [&](const char *name) { return std::filesystem::path(folder.filePath(name).toStdU16String()); };
+    const LandmarkSet set = setFor(Format::SlicerJson);
+    QVERIFY(writeLandmarkFile(path("a.MRK.json"), {&set, 1}));
+    const auto read = readLandmarkFile(path("a.MRK.json"));
+    QVERIFY(read && read->sets.front() == set);
+    const auto said = [](const auto &result) {
+        return QString::fromStdString(errorText(result.error())).section(": ", -1);
+    };
+    QCOMPARE(said(readLandmarkFile(path("none.pp"))), QString("there is no such file"));
+    QCOMPARE(said(readLandmarkFile(path("a.txt"))),
+             QString("the name must end in .csv, .pp, .pptpl, .mrk.json, .fcsv, .pts, .tps or .nts"));
+    QVERIFY(QDir(folder.path()).mkdir("d.csv"));
+    QCOMPARE(said(readLandmarkFile(path("d.csv"))), QString("this is a folder, not a file of landmarks"));
+    QVERIFY(!writeLandmarkFile(path("d.csv"), {&set, 1}));
+}
+
+QTEST_GUILESS_MAIN(TestLandmarkFiles)
+#include "test_landmark_files.moc"

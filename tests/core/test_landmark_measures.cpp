@@ -1,0 +1,246 @@
+// Measuring with landmarks, and how far what is measured can be off.
+
+#include "core/landmarks/measure.h"
+#include "core/landmarks/symmetry.h"
+
+#include <QTest>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace unprojector::geometry;
+using namespace unprojector::landmarks;
+
+namespace {
+
+Landmark at(double x, double y, double z, std::optional<double> uncertainty = std::nullopt)
+{
+    Landmark landmark;
+    landmark.world = WorldPoint(x, y, z);
+    if (uncertainty)
+        landmark.uncertainty = WorldVector(*uncertainty, *uncertainty, *uncertainty);
+    return landmark;
+}
+
+Landmark named(const char *name, double x, double y, double z)
+{
+    Landmark landmark = at(x, y, z);
+    landmark.name = name;
+    return landmark;
+}
+
+const Landmark kMissing;
+
+using Points = std::vector<Landmark>;
+using Measuring = std::function<Measured(const Points &)>;
+
+Measured lengthOf(const Points &points)
+{
+    std::vector<const Landmark *> pointers;
+    for (const Landmark &point : points)
+        pointers.push_back(&point);
+    return lengthAlong(pointers);
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Measuring)
+
+class TestLandmarkMeasures : public QObject {
+    Q_OBJECT
+
+private slots:
+    void values();
+    void errorsAreTheWorstThatCanBe_data();
+    void errorsAreTheWorstThatCanBe();
+    void errorsWithoutADirection();
+    void unknownUncertainties();
+    void whatCannotBeMeasured();
+    void pairsHaveNames();
+    void aMirrorPlaneIsFound();
+    void asymmetryIsMeasured();
+    void noMirrorPlane();
+};
+
+void TestLandmarkMeasures::values()
+{
+    QCOMPARE(distanceOf(at(1, 2, 3), at(4, 6, 3)).value().value, 5.0);
+    QCOMPARE(lengthOf({at(0, 0, 0), at(3, 4, 0), at(3, 4, 2), at(3, 4, 0)}).value().value, 9.0);
+    QCOMPARE(angleAt(at(1, 1, 1), at(5, 1, 1), at(1, 1, 9)).value().value, std::acos(0.0));
+    QCOMPARE(angleAt(at(0, 0, 0), at(1, 0, 0), at(-2, 0, 0)).value().value, std::acos(-1.0));
+    QCOMPARE(angleAt(at(0, 0, 0), at(1, 0, 0), at(1, 1e-9, 0)).value().value, 1e-9); // acos of the cosine would say 0
+    QCOMPARE(heightOver(at(0, 0, 1), at(4, 0, 1), at(0, 5, 1), at(9, 9, 3)).value().value, 2.0);
+    QCOMPARE(heightOver(at(0, 0, 1), at(0, 5, 1), at(4, 0, 1), at(9, 9, 3)).value().value, -2.0);
+}
+
+void TestLandmarkMeasures::errorsAreTheWorstThatCanBe_data()
+{
+    QTest::addColumn<Measuring>("measure");
+    QTest::addColumn<int>("count");
+    QTest::newRow("distance") << Measuring([](const Points &p) { return distanceOf(p[0], p[1]); }) << 2;
+    QTest::newRow("polyline") << Measuring(lengthOf) << 5;
+    QTest::newRow("angle") << Measuring([](const Points &p) { return angleAt(p[0], p[1], p[2]); }) << 3;
+    QTest::newRow("height") << Measuring([](const Points &p) { return heightOver(p[0], p[1], p[2], p[3]); }) << 4;
+}
+
+/// To first order the worst is at corners: each coordinate to the side that the value grows on, found by moving it.
+void TestLandmarkMeasures::errorsAreTheWorstThatCanBe()
+{
+    QFETCH(Measuring, measure);
+    QFETCH(int, count);
+    std::mt19937_64 engine(4);
+    std::uniform_real_distribution<double> anywhere(-1.0, 1.0), small(0.0, 1e-6);
+    for (int round = 0; round < 200; ++round) {
+        Points points;
+        for (int i = 0; i < count; ++i) {
+            points.push_back(at(anywhere(engine), anywhere(engine), anywhere(engine)));
+            points.back().uncertainty = WorldVector(small(engine), small(engine), small(engine));
+        }
+        const Measured exact = measure(points);
+        QVERIFY(exact && exact->error);
+        Points worst = points;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                Points moved = points;
+                (*moved[i].world)[axis] += 1e-6;
+                const double side = measure(moved).value().value > exact->value ? 1.0 : -1.0;
+                (*worst[i].world)[axis] += side * (*points[i].uncertainty)[axis];
+            }
+        }
+        const double off = measure(worst).value().value - exact->value;
+        QVERIFY2(std::abs(off - *exact->error) <= 1e-3 * *exact->error + 1e-9,
+                 qPrintable(QString("%1 %2").arg(off).arg(*exact->error)));
+    }
+}
+
+void TestLandmarkMeasures::errorsWithoutADirection()
+{
+    const double length = std::sqrt(3.0);
+    QCOMPARE(*distanceOf(at(1, 1, 1, 0.5), at(1, 1, 1, 0.25)).value().error, 0.75 * length);
+    QCOMPARE(*angleAt(at(0, 0, 0, 0.0), at(2, 0, 0, 0.5), at(4, 0, 0, 0.5)).value().error,
+             0.5 * length / 2.0 + 0.5 * length / 4.0);
+    QCOMPARE(*angleAt(at(0, 0, 0, 0.5), at(2, 0, 0, 0.0), at(4, 0, 0, 0.0)).value().error, 0.5 * length * 0.75);
+}
+
+void TestLandmarkMeasures::unknownUncertainties()
+{
+    QVERIFY(!distanceOf(at(0, 0, 0, 1.0), at(1, 0, 0)).value().error);
+    QVERIFY(!heightOver(at(0, 0, 1), at(4, 0, 1, 1.0), at(0, 5, 1, 1.0), at(9, 9, 3, 1.0)).value().error);
+    QCOMPARE(*distanceOf(at(0, 0, 0, 0.0), at(1, 0, 0, 0.0)).value().error, 0.0);
+}
+
+void TestLandmarkMeasures::whatCannotBeMeasured()
+{
+    using Code = MeasureError::Code;
+    const auto is = [](const Measured &measured, Code code, std::size_t point) {
+        return !measured && measured.error().code == code && measured.error().point == point;
+    };
+    QVERIFY(is(distanceOf(at(0, 0, 0), kMissing), Code::Missing, 1));
+    QVERIFY(is(lengthOf({at(0, 0, 0)}), Code::TooFew, 0));
+    QVERIFY(is(angleAt(at(1, 0, 0), at(2, 0, 0), at(1, 0, 0)), Code::SamePoint, 2));
+    QVERIFY(is(heightOver(at(0, 0, 0), at(1, 1, 1), at(3, 3, 3), at(1, 0, 0)), Code::NoPlane, 0));
+}
+
+void TestLandmarkMeasures::pairsHaveNames()
+{
+    const Points points{named("Nasion", 0, 0, 0),         named("L_eye", 0, 0, 0),         named("R_eye", 0, 0, 0),
+                        named("Orbitale right", 0, 0, 0), named("orbitale LEFT", 0, 0, 0), named("ear (l)", 0, 0, 0),
+                        named("ear (r)", 0, 0, 0),        named("lip", 0, 0, 0),           named("rip", 0, 0, 0),
+                        named("left brow", 0, 0, 0),      named("brow right", 0, 0, 0),    named("R", 0, 0, 0),
+                        named("jaw-l", 0, 0, 0),          named("jaw-r", 0, 0, 0),         named("jaw-r", 0, 0, 0),
+                        named("cheek.L", 0, 0, 0),        named("cheek.l", 0, 0, 0),       named("cheek.R", 0, 0, 0)};
+    const std::vector<Pair> expected{{1, 2}, {4, 3}, {5, 6}};
+    QVERIFY(pairsByName(points) == expected);
+}
+
+namespace {
+
+/// Symmetric about a plane, far from the origin.
+Points symmetric(const glm::dvec3 &normal, const glm::dvec3 &on)
+{
+    Points points;
+    std::mt19937_64 engine(11);
+    std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+    const auto add = [&points](const std::string &name, const glm::dvec3 &p) {
+        points.push_back(named(name.c_str(), p.x, p.y, p.z));
+    };
+    for (int i = 0; i < 6; ++i) {
+        const glm::dvec3 p(anywhere(engine), anywhere(engine), anywhere(engine));
+        const glm::dvec3 foot = p - glm::dot(p, normal) * normal;
+        const double half = 0.2 + std::abs(anywhere(engine));
+        add("L " + std::to_string(i), on + foot - half * normal);
+        add("R " + std::to_string(i), on + foot + half * normal);
+        add("mid " + std::to_string(i), on + foot * 0.5);
+    }
+    return points;
+}
+
+} // namespace
+
+void TestLandmarkMeasures::aMirrorPlaneIsFound()
+{
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(1, -2, 0.5)), on(1000, 2000, -300);
+    Points points = symmetric(normal, on);
+    points.push_back(named("L gone", 5, 5, 5));
+    points.push_back(kMissing);
+    points.back().name = "R gone";
+    const std::vector<Pair> pairs = pairsByName(points);
+    QCOMPARE(pairs.size(), std::size_t(7));
+    const auto plane = mirrorPlaneOf(points, pairs);
+    QVERIFY(plane);
+    QVERIFY(glm::length(plane->normal.coordinates() - normal) < 1e-11);
+    QVERIFY(std::abs(plane->offset - glm::dot(normal, on)) < 1e-8);
+    const auto off = asymmetriesOf(points, pairs, *plane);
+    for (std::size_t i = 0; i < 18; ++i)
+        QVERIFY(off[i] && *off[i] < 1e-10);
+    QVERIFY(!off[18] && !off[19]);
+}
+
+void TestLandmarkMeasures::asymmetryIsMeasured()
+{
+    // A plane that is given: what moved by (3, 4, 0) square to its normal is 5 off, on both sides.
+    const MirrorPlane plane{WorldVector(0, 0, 1), 2.0};
+    const Points points{named("L a", 0, 0, 1), named("R a", 3, 4, 3), named("mid", 7, 7, 2.25)};
+    const auto off = asymmetriesOf(points, pairsByName(points), plane);
+    QCOMPARE(*off[0], 5.0);
+    QCOMPARE(*off[1], 5.0);
+    QCOMPARE(*off[2], 0.5);
+
+    // And one that is found: no plane near it is better.
+    Points moved = symmetric({1, 0, 0}, {0, 0, 0});
+    std::mt19937_64 engine(12);
+    std::uniform_real_distribution<double> little(-0.05, 0.05);
+    for (Landmark &landmark : moved)
+        *landmark.world += WorldVector(little(engine), little(engine), little(engine));
+    const std::vector<Pair> pairs = pairsByName(moved);
+    const auto best = mirrorPlaneOf(moved, pairs);
+    QVERIFY(best);
+    const auto sumOf = [&](const MirrorPlane &other) {
+        double sum = 0.0;
+        for (const auto &one : asymmetriesOf(moved, pairs, other))
+            sum += *one * *one;
+        return sum;
+    };
+    const double least = sumOf(*best);
+    for (int i = 0; i < 500; ++i) {
+        MirrorPlane other = *best;
+        other.normal = normalized(other.normal + 0.1 * WorldVector(little(engine), little(engine), little(engine)));
+        other.offset += 0.1 * little(engine);
+        QVERIFY(sumOf(other) >= least);
+    }
+}
+
+void TestLandmarkMeasures::noMirrorPlane()
+{
+    QVERIFY(!mirrorPlaneOf({}, {}));
+    const Points midline{named("a", 0, 0, 0), named("b", 1, 0, 0), named("c", 0, 1, 0)};
+    QVERIFY(!mirrorPlaneOf(midline, pairsByName(midline)));
+    const Points one{named("L a", 1, 1, 1), named("R a", 1, 1, 1)};
+    QVERIFY(!mirrorPlaneOf(one, pairsByName(one)));
+}
+
+QTEST_GUILESS_MAIN(TestLandmarkMeasures)
+#include "test_landmark_measures.moc"

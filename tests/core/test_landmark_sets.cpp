@@ -1,0 +1,223 @@
+// Templates, repeated placings, landmarks tied to objects, and what files beside scans are called.
+
+#include "core/landmark_files/landmark_folder.h"
+#include "core/landmarks/point_template.h"
+#include "core/landmarks/repeats.h"
+#include "core/ray/tie_landmark.h"
+
+#include <QTest>
+
+#include <cmath>
+
+namespace {
+using namespace unprojector::landmarks;
+using namespace unprojector::landmark_files;
+using unprojector::ray::ClosestPlaces;
+using unprojector::ray::Tied;
+using unprojector::ray::tieToMesh;
+using unprojector::ray::TyingTarget;
+using unprojector::scene::Mesh;
+using unprojector::scene::Model;
+
+Landmark named(const char *name, std::optional<glm::dvec3> world = {}, const char *note = "")
+{
+    Landmark landmark;
+    landmark.name = name;
+    if (world)
+        landmark.world = WorldPoint(*world);
+    landmark.note = note;
+    return landmark;
+}
+
+QStringList namesOf(const std::vector<Landmark> &landmarks)
+{
+    QStringList names;
+    for (const Landmark &landmark : landmarks)
+        names << QString::fromStdString(landmark.name);
+    return names;
+}
+
+/// The triangle (0, 0, z), (1, 0, z), (0, 1, z).
+std::shared_ptr<const ClosestPlaces> triangleAt(float z)
+{
+    auto model = std::make_shared<Model>();
+    Mesh mesh;
+    mesh.positions = {{0.0F, 0.0F, z}, {1.0F, 0.0F, z}, {0.0F, 1.0F, z}};
+    mesh.indices = {0, 1, 2};
+    model->meshes.push_back(std::move(mesh));
+    model->bounds.add(glm::dvec3(0.0, 0.0, z));
+    model->bounds.add(glm::dvec3(1.0, 1.0, z));
+    return ClosestPlaces::build(std::move(model), {});
+}
+
+} // namespace
+
+class TestLandmarkSets : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aTemplateAddsWhatIsLacking_data();
+    void aTemplateAddsWhatIsLacking();
+    void hintsGoByName();
+    void repeatsOfThreePlacings();
+    void farFromTheOriginRepeatsAreAsSure();
+    void tiedToTheClosest();
+    void tiedToTheObjectThatIsNamed();
+    void aHoldThatIsWhereItIsStays();
+    void filesBesideScans_data();
+    void filesBesideScans();
+};
+
+void TestLandmarkSets::aTemplateAddsWhatIsLacking_data()
+{
+    QTest::addColumn<QStringList>("there");
+    QTest::addColumn<QStringList>("wanted");
+    QTest::addColumn<QStringList>("all");
+    using L = QStringList;
+    QTest::newRow("none yet") << L{} << L{"a", "b"} << L{"a", "b"};
+    QTest::newRow("one is there") << L{"b"} << L{"a", "b"} << L{"b", "a"};
+    QTest::newRow("in another case") << L{"Nasion"} << L{"nasion"} << L{"Nasion"};
+    QTest::newRow("all are there") << L{"a", "b"} << L{"b", "a"} << L{"a", "b"};
+    QTest::newRow("others stay in front") << L{"x"} << L{"a"} << L{"x", "a"};
+    QTest::newRow("a name twice") << L{"a"} << L{"a", "a"} << L{"a", "a"};
+}
+
+void TestLandmarkSets::aTemplateAddsWhatIsLacking()
+{
+    QFETCH(QStringList, there);
+    QFETCH(QStringList, wanted);
+    QFETCH(QStringList, all);
+    std::vector<Landmark> landmarks, names;
+    for (const QString &name : there)
+        landmarks.push_back(named(qPrintable(name), glm::dvec3(1.0)));
+    for (const QString &name : wanted)
+        names.push_back(named(qPrintable(name), glm::dvec3(2.0), "where"));
+    const std::vector<Landmark> filled = withTemplate(landmarks, names);
+    QCOMPARE(namesOf(filled), all);
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+        QCOMPARE(filled[i].isMissing(), i >= landmarks.size());
+        QCOMPARE(filled[i].note, std::string()); // the template's words are not the scan's
+    }
+}
+
+void TestLandmarkSets::hintsGoByName()
+{
+    const std::vector<Landmark> names{named("nasion", {}, "between the eyes"), named("tip")};
+    QCOMPARE(hintFor("Nasion", names), std::string_view("between the eyes"));
+    QCOMPARE(hintFor("tip", names), std::string_view());
+    QCOMPARE(hintFor("chin", names), std::string_view());
+}
+
+void TestLandmarkSets::repeatsOfThreePlacings()
+{
+    std::vector<LandmarkSet> placings(3);
+    placings[0].landmarks = {named("a", glm::dvec3(1, 0, 0)), named("b", glm::dvec3(5, 5, 5)), named("c")};
+    placings[1].landmarks = {named("c"), named("a", glm::dvec3(-1, 0, 0))};
+    placings[2].landmarks = {named("a", glm::dvec3(0, 3, 0)), named("a", glm::dvec3(7, 7, 7))};
+    const std::vector<RepeatedLandmark> repeats = repeatsOf(placings);
+    QCOMPARE(repeats.size(), std::size_t(4));
+    QCOMPARE(repeats[0].name, std::string("a"));
+    QCOMPARE(repeats[0].count, std::size_t(3));
+    QCOMPARE(repeats[0].mean->coordinates(), glm::dvec3(0, 1, 0));
+    QCOMPARE(*repeats[0].error, std::sqrt((2.0 + 2.0 + 4.0) / 2.0));
+    QCOMPARE(repeats[0].farthest, 2.0);
+    QCOMPARE(repeats[1].count, std::size_t(1));
+    QVERIFY(repeats[1].mean && !repeats[1].error);
+    QCOMPARE(repeats[2].name, std::string("c"));
+    QVERIFY(!repeats[2].mean && repeats[2].count == 0);
+    QCOMPARE(repeats[3].name, std::string("a (2)"));
+    QVERIFY(repeatsOf({}).empty());
+}
+
+void TestLandmarkSets::farFromTheOriginRepeatsAreAsSure()
+{
+    std::vector<LandmarkSet> placings(2);
+    placings[0].landmarks = {named("a", glm::dvec3(1e15, 0, 0))};
+    placings[1].landmarks = {named("a", glm::dvec3(1e15 + 2.0, 0, 0))};
+    const RepeatedLandmark repeated = repeatsOf(placings).front();
+    QCOMPARE(repeated.mean->coordinates().x, 1e15 + 1.0);
+    QCOMPARE(*repeated.error, std::sqrt(2.0));
+}
+
+void TestLandmarkSets::tiedToTheClosest()
+{
+    TyingTarget low{"low", triangleAt(0.0F)}, high{"high", triangleAt(0.0F)};
+    high.worldFromObject[3] = glm::dvec4(0.0, 0.0, 10.0, 1.0);
+    high.worldFromObject[2][2] = 2.0;
+    const std::vector<TyingTarget> targets{low, high};
+    Landmark landmark = named("a", glm::dvec3(0.25, 0.25, 9.5));
+    landmark.object = "gone";
+    const std::optional<Tied> tied = tieToMesh(landmark, targets);
+    QVERIFY(tied);
+    QCOMPARE(tied->distance, 0.5);
+    QCOMPARE(tied->target, std::size_t(1));
+    QCOMPARE(landmark.object, std::string("high"));
+    QCOMPARE(landmark.world->coordinates(), glm::dvec3(0.25, 0.25, 10.0));
+    QVERIFY(std::holds_alternative<OnTriangle>(landmark.hold));
+
+    Landmark missing = named("b");
+    QVERIFY(!tieToMesh(missing, targets));
+    QCOMPARE(missing, named("b"));
+    Landmark alone = named("c", glm::dvec3(1.0));
+    QVERIFY(!tieToMesh(alone, {}));
+    QCOMPARE(alone, named("c", glm::dvec3(1.0)));
+}
+
+void TestLandmarkSets::tiedToTheObjectThatIsNamed()
+{
+    const std::vector<TyingTarget> targets{{"low", triangleAt(0.0F)}, {"high", triangleAt(10.0F)}};
+    Landmark landmark = named("a", glm::dvec3(0.25, 0.25, 9.5));
+    landmark.object = "low";
+    const std::optional<Tied> tied = tieToMesh(landmark, targets);
+    QVERIFY(tied);
+    QCOMPARE(tied->target, std::size_t(0));
+    QCOMPARE(tied->distance, 9.5);
+}
+
+void TestLandmarkSets::aHoldThatIsWhereItIsStays()
+{
+    const std::vector<TyingTarget> targets{{"low", triangleAt(0.0F)}};
+    Landmark landmark = named("a", glm::dvec3(1.0, 0.0, 0.0));
+    landmark.object = "low";
+    landmark.hold = AtVertex{1};
+    const Landmark before = landmark;
+    QVERIFY(tieToMesh(landmark, targets));
+    QCOMPARE(landmark, before);
+    // Held by another mesh's vertex: that is elsewhere here.
+    landmark.hold = AtVertex{0};
+    QVERIFY(tieToMesh(landmark, targets));
+    QVERIFY(std::holds_alternative<OnTriangle>(landmark.hold));
+    QCOMPARE(landmark.world->coordinates(), glm::dvec3(1.0, 0.0, 0.0));
+}
+
+void TestLandmarkSets::filesBesideScans_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("specimen");
+    QTest::newRow("beside a scan") << "dir/face.ply.points.csv"
+                                   << "face";
+    QTest::newRow("a second placing") << "face.ply.points-2.csv"
+                                      << "face";
+    QTest::newRow("a scan with dots") << "face.v2.obj.points.csv"
+                                      << "face.v2";
+    QTest::newRow("no scan before it") << "face.points.csv"
+                                       << "face";
+    QTest::newRow("a name that only looks like it") << "face.pointsmap.csv"
+                                                    << "face.pointsmap";
+    QTest::newRow("markups") << "face.mrk.json"
+                             << "face";
+    QTest::newRow("picked points") << "face.ply.pp"
+                                   << "face.ply";
+}
+
+void TestLandmarkSets::filesBesideScans()
+{
+    QFETCH(QString, file);
+    QFETCH(QString, specimen);
+    QCOMPARE(QString::fromStdString(specimenOf(file.toStdU16String())), specimen);
+    QCOMPARE(landmarksBeside("dir/face.ply"), std::filesystem::path("dir/face.ply.points.csv"));
+    QCOMPARE(landmarksBeside("face.ply", 2), std::filesystem::path("face.ply.points-2.csv"));
+}
+
+QTEST_GUILESS_MAIN(TestLandmarkSets)
+#include "test_landmark_sets.moc"

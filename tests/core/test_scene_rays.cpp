@@ -1,0 +1,417 @@
+// Clicks on a picture of a scene: which object they meet, where, and what is told about it.
+
+#include "core/geometry/angle.h"
+#include "core/geometry/view_matrix.h"
+#include "core/ray/scene_rays.h"
+#include "tests/core/ray_meshes.h"
+
+#include "tests/support/cube_sphere.h"
+
+#include <QTest>
+
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace ray_meshes;
+using unprojector::scene::SceneObject;
+
+const LookAt kCamera{WorldPoint(1.0, 2.0, 6.0), WorldPoint(0.1, -0.2, 0.3), {0.0, 1.0, 0.1}};
+
+Picture pictureWith(const Lens &lens, const DepthRange &range = {}, const Pose &pose = kCamera)
+{
+    const Surface surface{640, 480, 1.0};
+    return {surface, wholeSurface(surface), range, lens, pose};
+}
+
+Picture usualPicture()
+{
+    return pictureWith(Perspective{radiansFromDegrees(45.0), 4.0 / 3.0, 1.0, 20.0});
+}
+
+/// What is clicked: objects with trees of their own.
+struct Clicked {
+    std::vector<SceneObject> objects;
+    std::vector<glm::dvec4> clipPlanes = {};
+
+    SceneRays rays(const Picture &picture) const
+    {
+        std::vector<std::shared_ptr<const RayCaster>> casters;
+        for (const SceneObject &object : objects)
+            casters.push_back(RayCaster::build(object.model, {}));
+        return SceneRays(*Unprojector::of(picture), objects, casters, clipPlanes);
+    }
+    std::optional<SceneHit> at(const DevicePoint &position) const { return *rays(usualPicture()).at(position); }
+};
+
+SceneObject objectOf(std::shared_ptr<const Model> model, std::vector<TransformStep> transform = {})
+{
+    return {"object", {}, std::move(model), std::move(transform)};
+}
+
+/// Large, parallel to the picture of kStraight, at a height.
+std::shared_ptr<Model> wallAt(float z)
+{
+    return modelOf({{-9, -9, z}, {9, -9, z}, {9, 9, z}, {-9, 9, z}}, {0, 1, 2, 0, 2, 3});
+}
+
+/// Looks down -z from z = 5; near 1, far 11: z from 4 to -6.
+Picture straightPicture()
+{
+    return pictureWith(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0}, {},
+                       LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+}
+
+glm::dmat4 reversedInfinite(double near)
+{
+    glm::dmat4 m(0.0);
+    m[0][0] = 1.8;
+    m[1][1] = 2.4;
+    m[2][3] = -1.0;
+    m[3][2] = near;
+    return m;
+}
+
+const DevicePoint kMiddle(320.0, 240.0);
+
+} // namespace
+
+class TestSceneRays : public QObject {
+    Q_OBJECT
+
+private slots:
+    void hitsAreSeenWhereTheClickWas_data();
+    void hitsAreSeenWhereTheClickWas();
+    void placedObjectsAnswerAsTheirTrianglesInTheWorld_data();
+    void placedObjectsAnswerAsTheirTrianglesInTheWorld();
+    void nearAndFarEndTheRay();
+    void outsideThePictureNothingIsMet();
+    void clipPlanesCut_data();
+    void clipPlanesCut();
+    void hiddenAndUnbuiltObjectsAreNotMet();
+    void theNearestObjectAnswersAndOfEqualOnesTheFirst();
+    void normalsLookOut_data();
+    void normalsLookOut();
+    void distances();
+    void nearestVertexAndEdge();
+    void farWorldsKeepTheirMillimetres();
+    void uncertaintyHoldsWhatFloatsHaveRounded_data();
+    void uncertaintyHoldsWhatFloatsHaveRounded();
+};
+
+void TestSceneRays::hitsAreSeenWhereTheClickWas_data()
+{
+    QTest::addColumn<Picture>("picture");
+    const Perspective perspective{radiansFromDegrees(40.0), 4.0 / 3.0, 0.5, 50.0};
+    const Ortho ortho{-2.0, 2.0, -1.5, 1.5, 0.5, 50.0};
+    const auto matrixOf = [](const Projection &projection) {
+        return MatrixProjection{*clipFromEye(projection), std::nullopt};
+    };
+    QTest::newRow("perspective") << pictureWith(perspective);
+    QTest::newRow("off-centre frustum") << pictureWith(Frustum{-0.2, 0.1, -0.1, 0.15, 0.5, 50.0});
+    QTest::newRow("mirrored frustum") << pictureWith(Frustum{0.2, -0.2, -0.15, 0.15, 0.5, 50.0});
+    QTest::newRow("ortho") << pictureWith(ortho);
+    QTest::newRow("ortho, near behind the eye") << pictureWith(Ortho{-2.0, 2.0, -1.5, 1.5, -30.0, 50.0});
+    QTest::newRow("oblique") << pictureWith(Oblique{ortho, radiansFromDegrees(80.0), radiansFromDegrees(100.0)});
+    QTest::newRow("reversed depth range") << pictureWith(perspective, {1.0, 0.0});
+    QTest::newRow("matrix of a perspective") << pictureWith(matrixOf(perspective));
+    QTest::newRow("matrix of a box") << pictureWith(matrixOf(ortho));
+    QTest::newRow("matrix, reversed, far at infinity")
+        << pictureWith(MatrixProjection{reversedInfinite(0.5), NdcDepth::ZeroToOne});
+    glm::dmat4 sheared = *clipFromEye(Projection(perspective));
+    sheared[1][0] += 0.1; // no known projection
+    QTest::newRow("matrix of no known form") << pictureWith(MatrixProjection{sheared, std::nullopt});
+    QTest::newRow("view by matrix") << pictureWith(perspective, {}, eyeFromWorld(*eyeFrame(kCamera)));
+    Picture part = pictureWith(perspective);
+    part.viewport = {100.0, 50.0, 320.0, 240.0};
+    QTest::newRow("viewport in a part of the window") << part;
+}
+
+void TestSceneRays::hitsAreSeenWhereTheClickWas()
+{
+    QFETCH(Picture, picture);
+    const SceneRays rays = Clicked{{objectOf(cubeSphere(40))}}.rays(picture);
+    Aim aim(1);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
+        const auto hit = rays.at(click);
+        QVERIFY(hit.hasValue());
+        if (!*hit)
+            continue;
+        ++hits;
+        const DevicePoint seen = deviceFromWindow(picture.surface, *windowFromWorld(picture, (*hit)->world));
+        QVERIFY2(distance(seen, click) < 1e-9, qPrintable(QString::number(distance(seen, click))));
+        // The near side: the surface looks at the eye.
+        const Ray<WorldSpace> ray = *rays.rays().at(click);
+        QVERIFY(dot((*hit)->triangle->normal, ray.along) < 0.0);
+    }
+    QVERIFY2(hits > 50, qPrintable(QString::number(hits)));
+}
+
+void TestSceneRays::placedObjectsAnswerAsTheirTrianglesInTheWorld_data()
+{
+    QTest::addColumn<std::vector<TransformStep>>("transform");
+    const auto row = [](const char *name, std::vector<TransformStep> steps) { QTest::newRow(name) << steps; };
+    row("none", {});
+    row("turned and moved", {Translate{{0.5, -0.3, 1.0}}, Rotate{37.0, {1.0, 2.0, 0.5}}});
+    row("mirrored", {Scale{{-1.0, 1.0, 1.0}}});
+    row("scaled unevenly", {Rotate{20.0, {0.0, 1.0, 1.0}}, Scale{{3.0, 0.2, 1.0}}, Rotate{-50.0, {1.0, 0.0, 0.0}}});
+    row("tiny object", {Scale{{1e-6, 1e-6, 1e-6}}, Scale{{1e6, -1e6, 1e6}}});
+}
+
+void TestSceneRays::placedObjectsAnswerAsTheirTrianglesInTheWorld()
+{
+    QFETCH(std::vector<TransformStep>, transform);
+    const auto model = soup(1500, 2);
+    const SceneRays rays = Clicked{{objectOf(model, transform)}}.rays(usualPicture());
+    const glm::dmat4 m = worldFromObject(transform);
+    Aim aim(3);
+    int hits = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
+        const Ray<WorldSpace> ray = *rays.rays().at(click);
+        const LineCrossing line(ray.from.coordinates(), ray.along.coordinates());
+        std::optional<double> t;
+        for (std::uint32_t k = 0; k < model->meshes[0].triangleCount(); ++k) {
+            auto corners = cornersOf(model->meshes[0], k);
+            for (glm::dvec3 &corner : corners)
+                corner = glm::dvec3(m * glm::dvec4(corner, 1.0));
+            const auto crossing = line.with(corners[0], corners[1], corners[2]);
+            if (crossing && crossing->t >= 0.0 && crossing->t <= t.value_or(1.0))
+                t = crossing->t;
+        }
+        const auto hit = *rays.at(click);
+        QCOMPARE(hit.has_value(), t.has_value());
+        if (!hit)
+            continue;
+        ++hits;
+        QVERIFY(std::abs(hit->t - *t) < 1e-9);
+        QVERIFY(distance(hit->world, ray.at(*t)) < 1e-9);
+        const glm::dvec3 back(m * glm::dvec4(hit->objectPoint.coordinates(), 1.0));
+        QVERIFY(distance(WorldPoint(back), hit->world) < 1e-12);
+    }
+    QVERIFY2(hits > 50, qPrintable(QString::number(hits)));
+}
+
+void TestSceneRays::nearAndFarEndTheRay()
+{
+    const auto hitAt = [](float z) {
+        return (*Clicked{{objectOf(wallAt(z))}}.rays(straightPicture()).at(kMiddle)).has_value();
+    };
+    QVERIFY(!hitAt(4.001f));
+    QVERIFY(hitAt(4.0f));
+    QVERIFY(hitAt(-6.0f));
+    QVERIFY(!hitAt(-6.001f));
+}
+
+void TestSceneRays::outsideThePictureNothingIsMet()
+{
+    Picture picture = straightPicture();
+    picture.viewport = {100.0, 60.0, 320.0, 240.0}; // from the top: 180 to 420
+    const SceneRays rays = Clicked{{objectOf(wallAt(0.0f))}}.rays(picture);
+    const auto isHit = [&rays](double x, double y) { return (*rays.at(DevicePoint(x, y))).has_value(); };
+    QVERIFY(isHit(100.5, 180.5) && isHit(419.5, 419.5));
+    QVERIFY(!isHit(99.5, 200.5) && !isHit(420.5, 200.5) && !isHit(200.5, 179.5) && !isHit(200.5, 420.5));
+}
+
+void TestSceneRays::clipPlanesCut_data()
+{
+    QTest::addColumn<std::vector<glm::dvec4>>("planes");
+    QTest::addColumn<double>("z"); // of the wall that is met; 9: none
+    const auto row = [](const char *name, std::vector<glm::dvec4> planes, double z) {
+        QTest::newRow(name) << planes << z;
+    };
+    row("none", {}, 2.0);
+    row("cuts the first wall off", {{0.0, 0.0, -1.0, 1.0}}, 0.0);
+    row("goes through the second wall, which stays", {{0.0, 0.0, -1.0, 0.0}}, 0.0);
+    row("cuts all but the last off", {{0.0, 0.0, -2.0, -1.0}}, -2.0);
+    row("from both sides", {{0.0, 0.0, -1.0, 1.0}, {0.0, 0.0, 1.0, -0.5}}, 9.0);
+    row("along the ray, which is outside", {{1.0, 0.0, 0.0, -1.0}}, 9.0);
+    row("along the ray, which is inside", {{1.0, 0.0, 0.0, 1.0}}, 2.0);
+}
+
+void TestSceneRays::clipPlanesCut()
+{
+    QFETCH(std::vector<glm::dvec4>, planes);
+    QFETCH(double, z);
+    const auto hit = *Clicked{{objectOf(wallAt(2.0f)), objectOf(wallAt(0.0f)), objectOf(wallAt(-2.0f))}, planes}
+                          .rays(straightPicture())
+                          .at(kMiddle);
+    QCOMPARE(hit ? hit->world.z : 9.0, z);
+}
+
+void TestSceneRays::hiddenAndUnbuiltObjectsAreNotMet()
+{
+    Clicked clicked{{objectOf(wallAt(2.0f)), objectOf(wallAt(1.0f)), objectOf(wallAt(0.0f))}};
+    clicked.objects[0].isHidden = true;
+    QCOMPARE((*clicked.rays(straightPicture()).at(kMiddle))->object, std::size_t(1));
+    const std::vector<std::shared_ptr<const RayCaster>> casters{nullptr, nullptr,
+                                                                RayCaster::build(clicked.objects[2].model, {})};
+    const SceneRays rays(*Unprojector::of(straightPicture()), clicked.objects, casters, {});
+    QCOMPARE((*rays.at(kMiddle))->object, std::size_t(2));
+}
+
+void TestSceneRays::theNearestObjectAnswersAndOfEqualOnesTheFirst()
+{
+    const Clicked clicked{{objectOf(wallAt(0.0f)), objectOf(wallAt(1.0f), {Scale{{1.0, 1.0, -1.0}}}),
+                           objectOf(wallAt(-1.0f), {Scale{{1.0, 1.0, -1.0}}}), objectOf(wallAt(1.0f))}};
+    const auto hit = *clicked.rays(straightPicture()).at(kMiddle);
+    QCOMPARE(hit->object, std::size_t(2));
+    QCOMPARE(hit->world.z, 1.0);
+    QCOMPARE(hit->objectPoint.z, -1.0);
+}
+
+void TestSceneRays::normalsLookOut_data()
+{
+    QTest::addColumn<std::vector<TransformStep>>("transform");
+    const auto row = [](const char *name, std::vector<TransformStep> steps) { QTest::newRow(name) << steps; };
+    row("as it is", {});
+    row("mirrored", {Scale{{1.0, 1.0, -1.0}}});
+    row("flattened", {Rotate{30.0, {0.0, 0.0, 1.0}}, Scale{{1.0, 0.1, 1.0}}});
+}
+
+void TestSceneRays::normalsLookOut()
+{
+    QFETCH(std::vector<TransformStep>, transform);
+    const auto model = cubeSphere(30, 0.0);
+    const SceneRays rays = Clicked{{objectOf(model, transform)}}.rays(usualPicture());
+    const glm::dmat3 normalMatrix = glm::inverse(glm::transpose(glm::dmat3(worldFromObject(transform))));
+    Aim aim(4);
+    for (int i = 0; i < 500; ++i) {
+        const auto hit = *rays.at(DevicePoint(640.0 * aim.share(), 480.0 * aim.share()));
+        if (!hit)
+            continue;
+        const glm::dvec3 &normal = hit->triangle->normal.coordinates();
+        QVERIFY(std::abs(glm::length(normal) - 1.0) < 1e-15);
+        // The ball's own normal there points from its middle.
+        const glm::dvec3 expected = glm::normalize(normalMatrix * hit->objectPoint.coordinates());
+        QVERIFY(glm::dot(normal, expected) > 0.98);
+    }
+}
+
+void TestSceneRays::distances()
+{
+    const Clicked clicked{{objectOf(wallAt(2.0f))}};
+    const DevicePoint corner(0.0, 0.0);
+    const auto hit = *clicked.rays(straightPicture()).at(corner);
+    QVERIFY(std::abs(hit->distance - std::sqrt(9.0 + 9.0 + 81.0 / 16.0)) < 1e-14); // from (0, 0, 5) to (-3, 9/4, 2)
+    Picture box = straightPicture();
+    box.lens = Ortho{-1.0, 1.0, -1.0, 1.0, 1.0, 11.0};
+    QCOMPARE((*clicked.rays(box).at(corner))->distance, 2.0); // from the near plane, z = 4
+}
+
+void TestSceneRays::nearestVertexAndEdge()
+{
+    // The second mesh's triangle: its vertices are counted behind the four of the first.
+    auto model = std::make_shared<Model>(*wallAt(-3.0f));
+    Mesh second;
+    second.positions = {{9, 9, 9}, {-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}};
+    second.indices = {1, 2, 3};
+    model->meshes.push_back(second);
+    model->bounds = boundsOf(model->meshes);
+    const SceneRays rays = Clicked{{objectOf(model, {Scale{{2.0, 2.0, 2.0}}})}}.rays(straightPicture());
+    // The world point (-1.6, -1.2, 0), seen at 5 in front of the eye where the picture is 10 wide.
+    const auto hit = *rays.at(DevicePoint(320.0 - 1.6 * 64.0, 240.0 + 1.2 * 64.0));
+    QVERIFY(hit.has_value());
+    QCOMPARE(hit->triangle->triangle, 2u);
+    QCOMPARE(hit->triangle->ids[0], 5u);
+    QVERIFY(distance(hit->world, WorldPoint(-1.6, -1.2, 0.0)) < 1e-14);
+    QCOMPARE(hit->vertex.id, 5u);
+    QCOMPARE(hit->vertex.world, WorldPoint(-2.0, -2.0, 0.0));
+    QVERIFY(std::abs(hit->vertex.distance - std::sqrt(0.16 + 0.64)) < 1e-14);
+    QCOMPARE(hit->triangle->edge.ids[0], 7u);
+    QCOMPARE(hit->triangle->edge.ids[1], 5u);
+    QVERIFY(distance(hit->triangle->edge.world, WorldPoint(-2.0, -1.2, 0.0)) < 1e-14);
+    QVERIFY(std::abs(hit->triangle->edge.distance - 0.4) < 1e-14);
+}
+
+void TestSceneRays::farWorldsKeepTheirMillimetres()
+{
+    const auto model = cubeSphere(40);
+    const glm::dvec3 place(4e6, 5e5, 300.0);
+    model->meshes[0].origin = place;
+    model->bounds = boundsOf(model->meshes);
+    Picture far = usualPicture();
+    far.camera() = {WorldPoint(place + glm::dvec3(1, 2, 6)), WorldPoint(place + glm::dvec3(0.1, -0.2, 0.3)),
+                    kCamera.up};
+    const SceneRays farRays = Clicked{{objectOf(model)}}.rays(far);
+    // Moved back by its transform it is where it would be without an origin.
+    const SceneRays backRays = Clicked{{objectOf(model, {Translate{-place}})}}.rays(usualPicture());
+    const SceneRays nearRays = Clicked{{objectOf(cubeSphere(40))}}.rays(usualPicture());
+    Aim aim(5);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
+        const auto farHit = *farRays.at(click), backHit = *backRays.at(click), hit = *nearRays.at(click);
+        if (!hit || !farHit || !backHit)
+            continue;
+        ++hits;
+        // The eye's own digits end at 1e-9 there, and grazing rays make more of it.
+        const WorldVector uncertainty = farHit->uncertainty + hit->uncertainty;
+        const glm::dvec3 off = farHit->world.coordinates() - place - hit->world.coordinates();
+        QVERIFY(glm::all(glm::lessThanEqual(glm::abs(off), uncertainty.coordinates() + 1e-9)));
+        const glm::dvec3 backOff = backHit->world.coordinates() - hit->world.coordinates();
+        QVERIFY(glm::all(glm::lessThanEqual(glm::abs(backOff), backHit->uncertainty.coordinates())));
+        // On the triangle, relative to the origin.
+        const auto corners = cornersOf(model->meshes[0], backHit->triangle->triangle);
+        const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        QVERIFY(std::abs(glm::dot(backHit->world.coordinates() - corners[0], normal)) < 1e-12);
+    }
+    QVERIFY2(hits > 50, qPrintable(QString::number(hits)));
+}
+
+void TestSceneRays::uncertaintyHoldsWhatFloatsHaveRounded_data()
+{
+    QTest::addColumn<double>("offset");
+    QTest::newRow("about the origin") << 0.0;
+    QTest::newRow("beside it") << 100.0;
+}
+
+/// The truth has the vertices in double; the mesh has them rounded.
+void TestSceneRays::uncertaintyHoldsWhatFloatsHaveRounded()
+{
+    QFETCH(double, offset);
+    Aim aim(6);
+    std::vector<glm::dvec3> exact;
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 center = glm::dvec3(offset, 0.0, 0.0) + 2.0 * aim.share() * aim.direction();
+        for (int k = 0; k < 3; ++k)
+            exact.push_back(center + 0.3 * aim.direction());
+    }
+    const auto model = modelOf(std::vector<glm::vec3>(exact.begin(), exact.end()));
+    Picture picture = usualPicture();
+    picture.camera() = {WorldPoint(offset, 0.0, 9.0), WorldPoint(offset, 0.0, 0.0), kCamera.up};
+    const SceneRays rays = Clicked{{objectOf(model)}}.rays(picture);
+    int hits = 0, outside = 0;
+    std::vector<double> ratios;
+    for (int i = 0; i < 20000; ++i) {
+        const DevicePoint click(200.0 + 240.0 * aim.share(), 120.0 + 240.0 * aim.share());
+        const auto hit = *rays.at(click);
+        if (!hit)
+            continue;
+        const Ray<WorldSpace> ray = *rays.rays().at(click);
+        const std::size_t first = std::size_t{3} * hit->triangle->triangle;
+        const auto truth = LineCrossing(ray.from.coordinates(), ray.along.coordinates())
+                               .with(exact[first], exact[first + 1], exact[first + 2]);
+        if (!truth)
+            continue; // its rim has passed the ray
+        ++hits;
+        const glm::dvec3 off = glm::abs(ray.at(truth->t).coordinates() - hit->world.coordinates());
+        const glm::dvec3 &bound = hit->uncertainty.coordinates();
+        outside += glm::all(glm::lessThanEqual(off, bound)) ? 0 : 1;
+        ratios.push_back(bound.z / std::max(off.z, 1e-300));
+    }
+    std::sort(ratios.begin(), ratios.end());
+    QVERIFY2(hits > 2000, qPrintable(QString::number(hits)));
+    QCOMPARE(outside, 0);
+    QVERIFY2(ratios[ratios.size() / 2] < 10.0, qPrintable(QString::number(ratios[ratios.size() / 2])));
+}
+
+QTEST_GUILESS_MAIN(TestSceneRays)
+#include "test_scene_rays.moc"

@@ -1,0 +1,362 @@
+// What a click snaps to, and points of point clouds.
+
+#include "core/ray/scene_rays.h"
+#include "core/scene/point_size.h"
+#include "tests/core/ray_meshes.h"
+
+#include "tests/support/cube_sphere.h"
+
+#include <QTest>
+
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using namespace ray_meshes;
+using unprojector::scene::SceneObject;
+
+/// Looks down -z from z = 5: the plane z = 0 is 10 wide and 7.5 high, 64 pixels a unit.
+Picture straightPicture()
+{
+    const Surface surface{640, 480, 1.0};
+    return {surface,
+            wholeSurface(surface),
+            {},
+            Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0},
+            LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+}
+
+SceneRays raysOf(const std::vector<std::shared_ptr<Model>> &models, const std::vector<glm::dvec4> &planes = {},
+                 const Picture &picture = straightPicture())
+{
+    std::vector<SceneObject> objects;
+    std::vector<std::shared_ptr<const RayCaster>> casters;
+    for (const auto &model : models) {
+        objects.push_back({"object", {}, model, {}});
+        casters.push_back(RayCaster::build(model, {}));
+    }
+    return SceneRays(*Unprojector::of(picture), objects, casters, planes);
+}
+
+/// Where a point of the plane z = 0 is seen, and so many pixels beside it.
+DevicePoint seen(double x, double y, double right = 0.0, double down = 0.0)
+{
+    return DevicePoint(320.0 + 64.0 * x + right, 240.0 - 64.0 * y + down);
+}
+
+std::shared_ptr<Model> triangle(float z = 0.0f)
+{
+    return modelOf({{-1, -1, z}, {1, -1, z}, {-1, 1, z}});
+}
+
+std::shared_ptr<Model> pointsAt(const std::vector<glm::vec3> &positions)
+{
+    Mesh mesh;
+    mesh.kind = Mesh::Kind::Points;
+    mesh.positions = positions;
+    return modelOf(std::move(mesh));
+}
+
+} // namespace
+
+class TestSnap : public QObject {
+    Q_OBJECT
+
+private slots:
+    void verticesSnapWithinEightPixels_data();
+    void verticesSnapWithinEightPixels();
+    void edgesSnapWithinEightPixels_data();
+    void edgesSnapWithinEightPixels();
+    void edgesSeenInPerspective();
+    void facesSnapFromBeside();
+    void hiddenAndClippedCornersAreNotTaken();
+    void everySnapIsExactOnAMesh();
+    void whatIsTakenIsAsSureAsItsVertices();
+    void theFrontPointNearestToTheClickIsTaken_data();
+    void theFrontPointNearestToTheClickIsTaken();
+    void pointsBehindASurfaceAreHidden();
+    void besideADotTheSurfaceIsMet();
+    void pointsAnswerAsTestingAll_data();
+    void pointsAnswerAsTestingAll();
+};
+
+void TestSnap::verticesSnapWithinEightPixels_data()
+{
+    QTest::addColumn<DevicePoint>("click");
+    QTest::addColumn<int>("vertex"); // -1: none
+    QTest::newRow("on it") << seen(1.0, -1.0) << 1;
+    QTest::newRow("inside the triangle") << seen(-1.0, -1.0, 3.0, -3.0) << 0;
+    QTest::newRow("beside the triangle") << seen(-1.0, -1.0, -5.0, 5.0) << 0;
+    QTest::newRow("7.9 pixels away") << seen(-1.0, -1.0, 0.0, -7.9) << 0;
+    QTest::newRow("8.1 pixels away, on the triangle") << seen(-1.0, -1.0, 0.1, -8.1) << -1;
+    QTest::newRow("far away") << seen(3.0, 3.0) << -1;
+}
+
+void TestSnap::verticesSnapWithinEightPixels()
+{
+    QFETCH(DevicePoint, click);
+    QFETCH(int, vertex);
+    const auto hit = *raysOf({triangle()}).at(click, Snap::Vertex);
+    QCOMPARE(hit ? int(hit->vertex.id) : -1, vertex);
+    if (!hit)
+        return;
+    QCOMPARE(hit->vertex.distance, 0.0);
+    const std::array<WorldPoint, 3> corners{WorldPoint(-1, -1, 0), WorldPoint(1, -1, 0), WorldPoint(-1, 1, 0)};
+    QCOMPARE(hit->world, corners[std::size_t(vertex)]);
+    QCOMPARE(hit->objectPoint.coordinates(), corners[std::size_t(vertex)].coordinates());
+    QCOMPARE(hit->triangle->barycentric[vertex], 1.0);
+}
+
+void TestSnap::edgesSnapWithinEightPixels_data()
+{
+    QTest::addColumn<DevicePoint>("click");
+    QTest::addColumn<bool>("isTaken");
+    QTest::addColumn<WorldPoint>("world");
+    QTest::newRow("below the lower edge") << seen(0.25, -1.0, 0.0, 5.0) << true << WorldPoint(0.25, -1.0, 0.0);
+    QTest::newRow("above it") << seen(-0.5, -1.0, 0.0, -7.5) << true << WorldPoint(-0.5, -1.0, 0.0);
+    QTest::newRow("beside the slanted one") << seen(0.25, -0.25, 3.0, -3.0) << true << WorldPoint(0.25, -0.25, 0.0);
+    QTest::newRow("beyond a corner") << seen(1.0, -1.0, 4.0, 4.0) << true << WorldPoint(1.0, -1.0, 0.0);
+    QTest::newRow("in the middle") << seen(-0.4, -0.4) << false << WorldPoint();
+    QTest::newRow("9 pixels beside") << seen(0.0, -1.0, 0.0, 9.0) << false << WorldPoint();
+}
+
+void TestSnap::edgesSnapWithinEightPixels()
+{
+    QFETCH(DevicePoint, click);
+    QFETCH(bool, isTaken);
+    QFETCH(WorldPoint, world);
+    const auto hit = *raysOf({triangle()}).at(click, Snap::Edge);
+    QCOMPARE(hit.has_value(), isTaken);
+    if (hit) {
+        QVERIFY2(distance(hit->world, world) < 1e-12, qPrintable(QString::number(distance(hit->world, world))));
+        QVERIFY(hit->triangle->edge.distance < 1e-12);
+    }
+}
+
+/// An edge that runs away from the eye, and behind it.
+void TestSnap::edgesSeenInPerspective()
+{
+    const auto model = modelOf({{-1, -1, 9}, {-1, -1, -5}, {-9, -1, -5}});
+    const SceneRays rays = raysOf({model});
+    // At z = 1 the picture is 8 wide, 80 pixels a unit.
+    const DevicePoint click(320.0 - 80.0 + 2.0, 240.0 + 80.0 - 2.0);
+    const auto hit = *rays.at(click, Snap::Edge);
+    QVERIFY(hit.has_value());
+    QVERIFY(std::abs(hit->world.x + 1.0) < 1e-12 && std::abs(hit->world.y + 1.0) < 1e-12);
+    const DevicePoint at = deviceFromWindow(straightPicture().surface, *windowFromWorld(straightPicture(), hit->world));
+    // The edge is drawn towards the picture's middle, and the nearest point of that line is the corner of a right angle.
+    QVERIFY(std::abs((at.x - click.x) * 1.0 + (at.y - click.y) * -1.0) < 1e-6);
+}
+
+void TestSnap::facesSnapFromBeside()
+{
+    const SceneRays rays = raysOf({triangle()});
+    QVERIFY(!*rays.at(seen(0.0, -1.0, 0.0, 5.0), Snap::Surface));
+    const auto hit = *rays.at(seen(0.0, -1.0, 0.0, 5.0), Snap::Face);
+    QVERIFY(hit.has_value() && hit->world.y >= -1.0 && hit->world.y < -0.9);
+    QVERIFY(!*rays.at(seen(0.0, -1.0, 0.0, 9.5), Snap::Face));
+    const auto own = *rays.at(seen(-0.3, -0.2), Snap::Face);
+    QVERIFY(distance(own->world, WorldPoint(-0.3, -0.2, 0.0)) < 1e-12);
+}
+
+void TestSnap::hiddenAndClippedCornersAreNotTaken()
+{
+    const auto vertexOf = [](const SceneRays &rays, const DevicePoint &click) {
+        const auto hit = *rays.at(click, Snap::Vertex);
+        return hit ? std::pair(int(hit->object), int(hit->vertex.id)) : std::pair(-1, -1);
+    };
+    // The wall in front covers the triangle's lower left corner, and ends 4 pixels right of it.
+    const float rim = -1.0f * 0.8f + 4.0f / 80.0f;
+    const auto wall = modelOf({{-3, -3, 1}, {rim, -3, 1}, {rim, 3, 1}, {-3, 3, 1}}, {0, 1, 2, 0, 2, 3});
+    const DevicePoint beside = seen(-1.0, -1.0, 6.0, -2.0);
+    QCOMPARE(vertexOf(raysOf({triangle()}), beside), std::pair(0, 0));
+    QCOMPARE(vertexOf(raysOf({triangle(), wall}), beside), std::pair(-1, -1));
+    QCOMPARE(vertexOf(raysOf({triangle()}, {{1.0, 0.0, 0.0, 0.95}}), beside), std::pair(-1, -1));
+    QCOMPARE(vertexOf(raysOf({triangle()}, {{1.0, 0.0, 0.0, 1.05}}), beside), std::pair(0, 0));
+}
+
+/// Whatever is taken is a vertex, or lies on an edge, and is seen within reach.
+void TestSnap::everySnapIsExactOnAMesh()
+{
+    const auto model = cubeSphere(12);
+    const Picture picture = straightPicture();
+    const SceneRays rays = raysOf({model});
+    Aim aim(1);
+    int vertices = 0, edges = 0;
+    for (int i = 0; i < 60; ++i) {
+        const DevicePoint click = seen(2.4 * aim.share() - 1.2, 2.4 * aim.share() - 1.2);
+        const auto pixels = [&](const SceneHit &hit) {
+            return distance(deviceFromWindow(picture.surface, *windowFromWorld(picture, hit.world)), click);
+        };
+        const auto vertex = *rays.at(click, Snap::Vertex), edge = *rays.at(click, Snap::Edge);
+        if (vertex) {
+            ++vertices;
+            const glm::dvec3 place(model->meshes[0].positions[vertex->vertex.id]);
+            QVERIFY(vertex->world.coordinates() == place && vertex->vertex.distance == 0.0);
+            QVERIFY(pixels(*vertex) <= kSnapPixels + 1e-9);
+            QVERIFY(edge && pixels(*edge) <= pixels(*vertex) + 1e-6); // a vertex is on edges
+        }
+        if (edge) {
+            ++edges;
+            QVERIFY(edge->triangle->edge.distance < 1e-12 && pixels(*edge) <= kSnapPixels + 1e-9);
+        }
+    }
+    QVERIFY2(vertices > 10 && edges > 20, qPrintable(QStringLiteral("%1 %2").arg(vertices).arg(edges)));
+}
+
+/// The file's coordinates have more digits than single precision holds.
+void TestSnap::whatIsTakenIsAsSureAsItsVertices()
+{
+    Aim aim(3);
+    int vertices = 0, edges = 0;
+    for (int i = 0; i < 300; ++i) {
+        std::array<glm::dvec3, 3> file;
+        std::vector<glm::vec3> held;
+        for (glm::dvec3 &corner : file) {
+            corner = aim.direction();
+            held.emplace_back(corner);
+        }
+        const Picture picture = straightPicture();
+        const SceneRays rays = raysOf({modelOf(held)}, {}, picture);
+        const auto off = [](const glm::dvec3 &a, const WorldPoint &b) { return glm::abs(a - b.coordinates()); };
+        const DevicePoint corner = deviceFromWindow(picture.surface, *windowFromWorld(picture, WorldPoint(file[0])));
+        if (const auto hit = *rays.at(corner, Snap::Vertex)) {
+            ++vertices;
+            const glm::dvec3 stated = hit->uncertainty.coordinates();
+            QVERIFY(glm::all(glm::lessThanEqual(off(file[hit->vertex.id], hit->world), stated)));
+            QVERIFY(glm::all(glm::lessThan(stated, glm::dvec3(6.1e-8)))); // 2^-24 of 1, and rounding in double
+        }
+        const WorldPoint middle(0.5 * (file[0] + file[1]));
+        const DevicePoint between = deviceFromWindow(picture.surface, *windowFromWorld(picture, middle));
+        if (const auto hit = *rays.at(between, Snap::Edge)) {
+            ++edges;
+            const auto &[from, to] = hit->triangle->edge.ids;
+            const glm::dvec3 w = hit->triangle->barycentric;
+            const glm::dvec3 place = w.x * file[0] + w.y * file[1] + w.z * file[2];
+            QVERIFY(w[static_cast<int>(3 - from - to)] == 0.0);
+            QVERIFY(glm::all(glm::lessThanEqual(off(place, hit->world), hit->uncertainty.coordinates())));
+        }
+    }
+    QVERIFY(vertices > 100 && edges > 100);
+}
+
+void TestSnap::theFrontPointNearestToTheClickIsTaken_data()
+{
+    QTest::addColumn<std::vector<glm::vec3>>("points");
+    QTest::addColumn<int>("taken"); // -1: none
+    const auto row = [](const char *name, std::vector<glm::vec3> points, int taken) {
+        QTest::newRow(name) << points << taken;
+    };
+    // The click is at the middle of the picture, 64 pixels a unit at z = 0.
+    row("nothing", {}, -1);
+    row("one within reach", {{0.1f, 0, 0}}, 0);
+    row("one 9.6 pixels away", {{0.15f, 0, 0}}, -1);
+    row("the nearer to the click of two", {{0.1f, 0, 0.1f}, {0.01f, 0, 0}}, 1);
+    row("beside dots the front one, not one seen through the gap", {{0.05f, 0, 2}, {0.06f, 0, -2}}, 0);
+    row("on a dot its own point, though another is before it", {{0.05f, 0, 2}, {0, 0, -2}}, 1);
+    row("of two dots the front one", {{0.01f, 0, -2}, {0.01f, 0, 2}, {0, 0, 0}}, 1);
+    row("none behind the far plane", {{0, 0, -6.5f}}, -1);
+    row("none before the near plane", {{0, 0, 4.5f}, {0.05f, 0, 0}}, 1);
+}
+
+void TestSnap::theFrontPointNearestToTheClickIsTaken()
+{
+    QFETCH(std::vector<glm::vec3>, points);
+    QFETCH(int, taken);
+    for (const Snap snap : {Snap::Surface, Snap::Vertex}) {
+        const auto hit = *raysOf({pointsAt(points)}).at(seen(0.0, 0.0), snap);
+        QCOMPARE(hit ? int(hit->vertex.id) : -1, taken);
+        if (!hit)
+            continue;
+        QVERIFY(!hit->triangle);
+        QCOMPARE(hit->world.coordinates(), glm::dvec3(points[std::size_t(taken)]));
+    }
+}
+
+void TestSnap::pointsBehindASurfaceAreHidden()
+{
+    const auto cloud = pointsAt({{-0.3f, -0.3f, 0}});
+    const DevicePoint click = seen(-0.3, -0.3, 1.0);
+    const auto objectOf = [&](float z) { return (*raysOf({cloud, triangle(z)}).at(click))->object; };
+    QCOMPARE(objectOf(-0.5f), std::size_t(0));
+    QCOMPARE(objectOf(0.5f), std::size_t(1));
+    // A plane that cuts the surface off shows the point again, one that cuts the point off the surface behind it.
+    QCOMPARE((*raysOf({cloud, triangle(0.5f)}, {{0.0, 0.0, -1.0, 0.25}}).at(click))->object, std::size_t(0));
+    QCOMPARE((*raysOf({cloud, triangle(-0.5f)}, {{0.0, 0.0, -1.0, -0.25}}).at(click))->object, std::size_t(1));
+}
+
+void TestSnap::besideADotTheSurfaceIsMet()
+{
+    const auto wall = triangle(-0.5f);
+    for (const double pixels : {0.0, 1.4, 1.6, 7.0}) {
+        const auto hit = *raysOf({wall, pointsAt({{-0.5f, -0.5f, 0}})}).at(seen(-0.5, -0.5, pixels));
+        QCOMPARE(hit->object, std::size_t(pixels < 1.5 ? 1 : 0));
+    }
+}
+
+void TestSnap::pointsAnswerAsTestingAll_data()
+{
+    QTest::addColumn<Lens>("lens");
+    QTest::newRow("perspective") << Lens(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0});
+    QTest::newRow("ortho") << Lens(Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0});
+    QTest::newRow("oblique") << Lens(Oblique{Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}, 1.3, 1.8});
+}
+
+void TestSnap::pointsAnswerAsTestingAll()
+{
+    QFETCH(Lens, lens);
+    Picture picture = straightPicture();
+    picture.lens = lens;
+    Aim aim(2);
+    std::vector<glm::vec3> points;
+    for (int i = 0; i < 3000; ++i)
+        points.emplace_back(2.0 * aim.share() * aim.direction());
+    const SceneRays rays = raysOf({pointsAt(points)}, {}, picture);
+    const auto placeOf = [&picture](const WorldPoint &point) {
+        return deviceFromWindow(picture.surface, *windowFromWorld(picture, point));
+    };
+    std::vector<DevicePoint> places;
+    for (const glm::vec3 &point : points)
+        places.push_back(placeOf(WorldPoint(glm::dvec3(point))));
+    int hits = 0, dots = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
+        // The points within reach, by the way forward; the front ones are those up to a depth that is judged from outside.
+        std::optional<std::size_t> front, drawn;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            if (distance(places[k], click) > kSnapPixels)
+                continue;
+            if (!front || points[k].z > points[*front].z)
+                front = k;
+            const double off = std::max(std::abs(places[k].x - click.x), std::abs(places[k].y - click.y));
+            if (off <= pointPixels(picture.surface) / 2.0 && (!drawn || points[k].z > points[*drawn].z))
+                drawn = k;
+        }
+        const auto hit = *rays.at(click);
+        QCOMPARE(hit.has_value(), front.has_value());
+        if (!hit)
+            continue;
+        ++hits;
+        if (drawn) {
+            ++dots;
+            QCOMPARE(std::size_t(hit->vertex.id), *drawn);
+            continue;
+        }
+        const glm::dvec3 &world = hit->world.coordinates();
+        const double pixel =
+            lens.index() == 0 && isPerspective(picture.projection()) ? (5.0 - points[*front].z) / 320.0 : 4.0 / 640.0;
+        QVERIFY(points[*front].z - world.z <= 1.001 * 4.0 * 2.0 * kSnapPixels * pixel);
+        const double own = distance(placeOf(hit->world), click);
+        for (std::size_t k = 0; k < points.size(); ++k) // no other front one is nearer to the click
+            QVERIFY(points[k].z < world.z || distance(places[k], click) >= own - 1e-9);
+    }
+    QVERIFY2(dots > 20 && hits > 2 * dots, qPrintable(QStringLiteral("%1 hits, %2 on dots").arg(hits).arg(dots)));
+}
+
+QTEST_GUILESS_MAIN(TestSnap)
+#include "test_snap.moc"

@@ -1,0 +1,15 @@
+LM3=2
+1 2 3
+NA NA NA
+IMAGE=a b.ply
+SCALE=0.5
+COMMENT=x
+ID=s 1
+
+lm=1
+3 4
+CURVES=1
+POINTS=2
+7 7
+8 8
+ID=b

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/scene/scene.h"
+#include "tests/support/inside_share.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+/// Clicks on models that OpenGL draws, beside what the mesh says: where the exact ray of the pixel's centre meets it, in
+/// double, without a depth buffer.
+namespace drawnclicks {
+
+using namespace unprojector::scene;
+
+// Models of the trial's own.
+
+/// Triangles of the size of a few pixels, each inclined another way.
+std::shared_ptr<Model> roughTerrain(std::uint32_t n);
+/// A twisted wall of triangles that are hundreds of times as long as wide.
+std::shared_ptr<Model> slivers(std::uint32_t n);
+/// The same model somewhere else, about another origin, as it is read from a file of national coordinates.
+std::shared_ptr<Model> movedFarAway(const Model &model);
+
+/// Of what was clicked, how much lies in the box that was stated.
+struct Shares {
+    InsideShare byTriangle;   ///< where the triangle is known that the ray meets
+    InsideShare byNeighbours; ///< where the depths around the pixel tell the slope
+    void add(const Shares &other)
+    {
+        byTriangle.add(other.byTriangle);
+        byNeighbours.add(other.byNeighbours);
+    }
+};
+
+/// OpenGL without a window. It lives no longer than the application.
+class Stage {
+public:
+    Stage();
+    ~Stage();
+
+    /// A random picture of a model: each number has another projection, pixel ratio, depth range and size; of some the clip
+    /// distances are far apart, some show a small part.
+    /// @param number  from 0
+    /// @param clicks  on the model, at random pixels
+    /// @return nothing when OpenGL draws no picture
+    std::optional<Shares> clicked(const std::shared_ptr<const Model> &model, int number, int clicks);
+
+    /// measuredCornerShift of the OpenGL that draws.
+    double cornerShift(double grid);
+    /// What draws, as OpenGL names it; empty without one.
+    std::string rendererName();
+
+private:
+    struct Drawing;
+    std::unique_ptr<Drawing> m_drawing;
+};
+
+} // namespace drawnclicks

@@ -1,0 +1,568 @@
+// The placed points of a document: what is done to them, what is selected, how they go with their objects, and where clicks place
+// them. No window.
+
+#include "told_changes.h"
+
+#include "core/geometry/camera.h"
+#include "core/ray/closest_place.h"
+#include "core/scene_file/scene_file.h"
+
+#include <QTest>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace documenttest;
+using landmarks::Landmark;
+
+namespace {
+
+Landmark pointAt(double x, const char *name = "")
+{
+    Landmark point;
+    point.name = name;
+    point.world = WorldPoint(x, 2.0, 3.0);
+    return point;
+}
+
+QStringList pointNames(const SceneDocument &document)
+{
+    QStringList names;
+    for (const Landmark &point : document.landmarks())
+        names << QString::fromStdString(point.name);
+    return names;
+}
+
+using Places = std::vector<std::size_t>;
+
+/// Three points, "a" at 0, "b" at 1, "c" at 2.
+void openPoints(SceneDocument &document)
+{
+    openScene(document);
+    QVERIFY(document.editLandmarks({pointAt(0, "a"), pointAt(1, "b"), pointAt(2, "c")}, kDeed));
+}
+
+/// One triangle (0,0,0) (4,0,0) (0,4,0), looked at from (1, 1, 10).
+void openTriangle(SceneDocument &document, ray::Snap snap = ray::Snap::Surface)
+{
+    auto model = std::make_shared<Model>();
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    model->meshes.push_back(mesh);
+    model->bounds = boundsOf(model->meshes);
+    document.setSurface({801, 601, 1.0});
+    document.setObjects({{"triangle", {}, model, {}}},
+                        {WorldPoint(1.0, 1.0, 10.0), WorldPoint(1.0, 1.0, 0.0), {0.0, 1.0, 0.0}});
+    document.setSnap(snap);
+}
+
+/// The device position of a world point, by hand.
+DevicePoint deviceOf(const SceneDocument &document, const glm::dvec3 &world)
+{
+    const Picture &g = document.geometry();
+    const glm::dvec4 clip = *clipFromWorld(g) * glm::dvec4(world, 1.0);
+    return {(clip.x / clip.w + 1.0) / 2.0 * g.surface.widthPixels,
+            (1.0 - clip.y / clip.w) / 2.0 * g.surface.heightPixels};
+}
+
+} // namespace
+
+class TestDocumentLandmarks : public QObject {
+    Q_OBJECT
+
+private slots:
+    void eachVerbIsOneStepByName_data();
+    void eachVerbIsOneStepByName();
+    void aDragIsOneStep();
+    void whatWaitsIsPlacedFirst();
+    void anUndonePlacingWaitsAgain();
+    void aTwinIsAnotherPoint();
+    void theSelectionGoesWithThePoints_data();
+    void theSelectionGoesWithThePoints();
+    void anotherSceneHasItsOwn();
+    void pointsGoWithTheirObject_data();
+    void pointsGoWithTheirObject();
+    void turnedUncertaintyDoesNotGrow();
+    void clicksAreHeldByTheMesh_data();
+    void clicksAreHeldByTheMesh();
+    void aHandIsAsSureAsItsPixel();
+    void aDepthWithoutAMeshIsFree();
+    void aThousandStepsAndBack();
+    void pointsAreInTheSceneFile();
+};
+
+void TestDocumentLandmarks::eachVerbIsOneStepByName_data()
+{
+    QTest::addColumn<Verb>("verb");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QStringList>("names");
+    const auto row = [](const char *name, const char *text, const char *names, const Verb &verb) {
+        QTest::newRow(name) << verb << QString::fromLatin1(text) << QString::fromLatin1(names).split(u' ');
+    };
+    row("place", "Place nasion", "a b c nasion", [](auto &d) { QVERIFY(d.points().place(pointAt(5, "nasion"))); });
+    row("move", "Move b", "a b c", [](auto &d) { QVERIFY(d.points().move(1, pointAt(9))); });
+    row("move to", "Move b", "a b c", [](auto &d) { QVERIFY(d.points().moveTo(1, WorldPoint(7, 7, 7))); });
+    row("rename", "Rename b", "a x c", [](auto &d) { QVERIFY(d.points().rename(1, QStringLiteral(" x "))); });
+    row("note", "Note on c", "a b c", [](auto &d) { QVERIFY(d.points().setNote(2, QStringLiteral("chipped"))); });
+    row("colour", "Colour of a", "a b c", [](auto &d) { QVERIFY(d.points().setColor({0}, glm::u8vec3(1, 2, 3))); });
+    row("hide", "Hide a", "a b c", [](auto &d) { QVERIFY(d.points().setHidden({0}, true)); });
+    row("hide two", "Hide 2 points", "a b c", [](auto &d) { QVERIFY(d.points().setHidden({0, 2}, true)); });
+    row("remove", "Remove a", "b c", [](auto &d) { QVERIFY(d.points().remove({0})); });
+    row("remove two", "Remove 2 points", "b", [](auto &d) { QVERIFY(d.points().remove({2, 0})); });
+    row("missing", "b missing", "a b c", [](auto &d) { QVERIFY(d.points().setMissing({1})); });
+    row("reorder", "Order of points", "c a b", [](auto &d) { QVERIFY(d.points().reorder(2, 0)); });
+    row("sort", "Order of points", "c b a", [](auto &d) { QVERIFY(d.points().arrange({2, 1, 0})); });
+    row("another set", "Import points", "z", [](auto &d) {
+        QVERIFY(d.editLandmarkSet({"skull", "skull.ply", "mm", {}, {pointAt(0, "z")}, {}},
+                                  {QStringLiteral("Import points")}));
+    });
+}
+
+void TestDocumentLandmarks::eachVerbIsOneStepByName()
+{
+    QFETCH(Verb, verb);
+    QFETCH(QString, text);
+    QFETCH(QStringList, names);
+    SceneDocument document;
+    openPoints(document);
+    document.markSaved();
+    const landmarks::LandmarkSet before = document.landmarkSet();
+    const int steps = document.undoStack().count();
+    Told told(document);
+    verb(document);
+    QCOMPARE(told.count(), std::size_t{1});
+    QVERIFY(told.all().testFlag(Change::Landmarks));
+    QVERIFY(!(told.all() & kSeen)); // the mesh is not drawn again for it
+    QCOMPARE(document.undoStack().count(), steps + 1);
+    QCOMPARE(document.undoStack().undoText(), text);
+    QCOMPARE(pointNames(document), names);
+    QVERIFY(document.isEdited());
+    const landmarks::LandmarkSet after = document.landmarkSet();
+    QVERIFY(after != before);
+    document.undoStack().undo();
+    QVERIFY(document.landmarkSet() == before);
+    QVERIFY(!document.isEdited());
+    document.undoStack().redo();
+    QVERIFY(document.landmarkSet() == after);
+}
+
+void TestDocumentLandmarks::aDragIsOneStep()
+{
+    SceneDocument document;
+    openPoints(document);
+    const int steps = document.undoStack().count();
+    for (int i = 0; i < 5; ++i)
+        QVERIFY(document.points().move(1, pointAt(10.0 + i), QStringLiteral("drag 1")));
+    QVERIFY(document.points().move(1, pointAt(20.0), QStringLiteral("drag 2")));
+    QCOMPARE(document.undoStack().count(), steps + 2);
+    document.undoStack().undo();
+    QCOMPARE(document.landmarks()[1].world->x, 14.0);
+    document.undoStack().undo();
+    QCOMPARE(document.landmarks()[1].world->x, 1.0);
+    QCOMPARE(document.landmarks()[1].name, std::string("b")); // only its place was taken
+}
+
+void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
+{
+    SceneDocument document;
+    openScene(document);
+    Landmark missing;
+    missing.note = "a hint";
+    missing.name = "nasion";
+    std::vector<Landmark> points{missing, pointAt(1, "there"), missing};
+    points[2].name = "gnathion";
+    QVERIFY(document.editLandmarks(points, kDeed));
+    ScenePoints &list = document.points();
+    QVERIFY(!list.waiting());
+    list.waitForNext(std::nullopt);
+    QVERIFY(list.waiting() == 0u);
+    QVERIFY(list.place(pointAt(5)));
+    QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion"}));
+    QCOMPARE(document.landmarks()[0].world->x, 5.0);
+    QCOMPARE(document.landmarks()[0].note, std::string("a hint"));
+    QVERIFY(list.selection() == Places{0});
+    QVERIFY(list.waiting() == 2u);
+    list.selectOnly(1); // a look at another does not skip it
+    QVERIFY(list.waiting() == 2u);
+    document.undoStack().undo();
+    QVERIFY(document.landmarks()[0].isMissing());
+    list.selectOnly(0); // chosen, it waits
+    QVERIFY(list.waiting() == 0u);
+    QVERIFY(list.place(pointAt(6)));
+    QVERIFY(list.place(pointAt(7)));
+    QVERIFY(!list.waiting());
+    QVERIFY(list.place(pointAt(8)));
+    QVERIFY(list.place(pointAt(9)));
+    QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion", "Point 4", "Point 5"}));
+    QVERIFY(list.current() == 4u);
+    list.setWaiting(1);
+    QVERIFY(!list.waiting()); // it has its place
+}
+
+void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
+{
+    SceneDocument document;
+    openScene(document);
+    Landmark first, second;
+    first.name = "first";
+    second.name = "second";
+    QVERIFY(document.editLandmarks({first, second}, kDeed));
+    ScenePoints &points = document.points();
+    points.waitForNext(std::nullopt);
+    QVERIFY(points.place(pointAt(1)));
+    QVERIFY(points.waiting() == 1u);
+    document.undoStack().undo();
+    QVERIFY(points.waiting() == 0u);
+    QVERIFY(points.place(pointAt(2)) && points.place(pointAt(3)));
+    QCOMPARE(points.all()[0].world->x, 2.0);
+    document.undoStack().undo(); // the last of all
+    QVERIFY(points.waiting() == 1u);
+    document.undoStack().redo();
+    QVERIFY(!points.waiting());
+    QVERIFY(points.setMissing({0})); // it is not there: nothing to be placed
+    QVERIFY(!points.waiting());
+}
+
+void TestDocumentLandmarks::aTwinIsAnotherPoint()
+{
+    SceneDocument document;
+    openScene(document);
+    QVERIFY(document.editLandmarks({pointAt(1, "a"), pointAt(1, "a")}, kDeed));
+    document.points().selectOnly(0);
+    QVERIFY(document.points().moveTo(0, WorldPoint(7, 7, 7)));
+    QVERIFY(document.points().selection() == Places{0});
+    document.undoStack().undo();
+    QVERIFY(document.points().selection() == Places{0});
+}
+
+void TestDocumentLandmarks::theSelectionGoesWithThePoints_data()
+{
+    QTest::addColumn<Verb>("verb");
+    QTest::addColumn<Places>("places");
+    const auto row = [](const char *name, const Places &places, const Verb &verb) {
+        QTest::newRow(name) << verb << places;
+    };
+    row("moved", {1, 2}, [](auto &d) { QVERIFY(d.points().move(1, pointAt(9))); });
+    row("one before it removed", {0, 1}, [](auto &d) { QVERIFY(d.points().remove({0})); });
+    row("one of them removed", {1}, [](auto &d) { QVERIFY(d.points().remove({1})); });
+    row("reordered", {0, 2}, [](auto &d) { QVERIFY(d.points().reorder(2, 0)); });
+    row("all removed", {}, [](auto &d) { QVERIFY(d.points().remove({0, 1, 2})); });
+    row("removed and undone", {0, 1}, [](auto &d) {
+        QVERIFY(d.points().reorder(2, 0));
+        QVERIFY(d.points().remove({1}));
+        QVERIFY(d.points().rename(0, QStringLiteral("C")));
+    });
+    row("places that are none", {1}, [](auto &d) { d.points().select({7, 1, 1}); });
+}
+
+void TestDocumentLandmarks::theSelectionGoesWithThePoints()
+{
+    QFETCH(Verb, verb);
+    QFETCH(Places, places);
+    SceneDocument document;
+    openPoints(document);
+    document.points().select({2, 1}, 2);
+    QVERIFY(document.points().selection() == (Places{1, 2}));
+    QVERIFY(document.points().current() == 2u);
+    verb(document);
+    QVERIFY(document.points().selection() == places);
+    QCOMPARE(document.points().current().has_value(), !places.empty());
+    QVERIFY(!document.points().current() || document.points().isSelected(*document.points().current()));
+    // It is no step of undo.
+    const int steps = document.undoStack().count();
+    Told told(document);
+    document.points().clearSelection();
+    QVERIFY(document.points().selection().empty());
+    QCOMPARE(document.undoStack().count(), steps);
+    QVERIFY(places.empty() || told.all() == Change::LandmarkSelection);
+}
+
+void TestDocumentLandmarks::anotherSceneHasItsOwn()
+{
+    SceneDocument document;
+    openPoints(document);
+    document.points().select({1});
+    Told told(document);
+    Scene other = document.scene();
+    other.landmarks.landmarks = {pointAt(4, "other")};
+    QVERIFY(document.open(other));
+    QVERIFY(told.all().testFlag(Change::Landmarks));
+    QCOMPARE(pointNames(document), QStringList("other"));
+    QVERIFY(document.points().selection().empty());
+    document.setObjects(bundledScene());
+    QVERIFY(document.landmarks().empty());
+}
+
+void TestDocumentLandmarks::pointsGoWithTheirObject_data()
+{
+    QTest::addColumn<Verb>("verb");
+    QTest::addColumn<QString>("object");
+    QTest::addColumn<glm::dvec3>("held");
+    QTest::addColumn<glm::dvec3>("free");
+    const glm::dvec3 held(1.0, 1.0, 0.0), free(1.0, 1.0, 2.0);
+    const auto transform = [](const std::vector<TransformStep> &steps) {
+        return [steps](SceneDocument &d) { QVERIFY(d.editTransform(0, steps, kDeed)); };
+    };
+    QTest::newRow("moved") << Verb(transform({Translate{{10, 0, 0}}})) << "triangle" << held + glm::dvec3(10, 0, 0)
+                           << free + glm::dvec3(10, 0, 0);
+    QTest::newRow("scaled") << Verb(transform({Scale{{2, 3, 4}}})) << "triangle" << glm::dvec3(2, 3, 0)
+                            << glm::dvec3(2, 3, 8);
+    QTest::newRow("turned") << Verb(transform({Rotate{90.0, {0, 0, 1}}})) << "triangle" << glm::dvec3(-1, 1, 0)
+                            << glm::dvec3(-1, 1, 2);
+    QTest::newRow("renamed") << Verb([](auto &d) {
+        QCOMPARE(d.renameObject(0, QStringLiteral("skull")), NameFault::None);
+    }) << "skull" << held << free;
+    QTest::newRow("removed") << Verb([](auto &d) { QVERIFY(d.removeObject(0)); }) << "" << held << free;
+    QTest::newRow("hidden") << Verb([](auto &d) { QVERIFY(d.setObjectHidden(0, true)); }) << "triangle" << held << free;
+    QTest::newRow("another added") << Verb([](auto &d) {
+        QVERIFY(d.addObjects({bundledScene()[0]}));
+        QVERIFY(d.moveObject(1, 0));
+    }) << "triangle" << held << free;
+}
+
+void TestDocumentLandmarks::pointsGoWithTheirObject()
+{
+    QFETCH(Verb, verb);
+    QFETCH(QString, object);
+    QFETCH(glm::dvec3, held);
+    QFETCH(glm::dvec3, free);
+    SceneDocument document;
+    openTriangle(document);
+    Landmark onMesh = *document.points().onMeshAt(deviceOf(document, {1.0, 1.0, 0.0}));
+    Landmark above = onMesh, elsewhere = onMesh;
+    above.hold = landmarks::Free{};
+    above.world = WorldPoint(1.0, 1.0, 2.0);
+    elsewhere.hold = landmarks::Free{};
+    elsewhere.object.clear();
+    QVERIFY(document.editLandmarks({onMesh, above, elsewhere}, kDeed));
+    const landmarks::LandmarkSet before = document.landmarkSet();
+    const int steps = document.undoStack().count();
+    verb(document);
+    const std::vector<Landmark> &now = document.landmarks();
+    QCOMPARE(QString::fromStdString(now[0].object), object);
+    QCOMPARE(QString::fromStdString(now[1].object), object);
+    QVERIFY(glm::length(now[0].world->coordinates() - held) < 1e-12);
+    QVERIFY(glm::length(now[1].world->coordinates() - free) < 1e-12);
+    QVERIFY(now[2] == before.landmarks[2]); // on nothing, it stays
+    QCOMPARE(std::holds_alternative<landmarks::OnTriangle>(now[0].hold), !object.isEmpty());
+    while (document.undoStack().count() > steps && document.undoStack().index() > steps)
+        document.undoStack().undo();
+    QVERIFY(document.landmarkSet() == before); // and with the object they are back
+}
+
+void TestDocumentLandmarks::turnedUncertaintyDoesNotGrow()
+{
+    SceneDocument document;
+    openTriangle(document);
+    Landmark point = *document.points().onMeshAt(deviceOf(document, {1.0, 1.0, 0.0}));
+    point.uncertainty = WorldVector(0.1, 0.2, 0.2);
+    QVERIFY(document.editLandmarks({point}, kDeed));
+    for (int degrees = 1; degrees <= 360; ++degrees)
+        QVERIFY(document.editTransform(0, {Rotate{double(degrees), {1, 2, 3}}}, {QStringLiteral("turn")}));
+    QVERIFY(std::abs(length(*document.landmarks()[0].uncertainty) - 0.3) < 1e-9);
+    QVERIFY(document.editTransform(0, {Scale{{2, 2, 2}}}, kDeed));
+    QVERIFY(std::abs(length(*document.landmarks()[0].uncertainty) - 0.6) < 1e-9);
+}
+
+void TestDocumentLandmarks::clicksAreHeldByTheMesh_data()
+{
+    QTest::addColumn<ray::Snap>("snap");
+    QTest::addColumn<glm::dvec3>("world");
+    QTest::addColumn<landmarks::Hold>("hold");
+    using namespace landmarks;
+    QTest::newRow("surface") << ray::Snap::Surface << glm::dvec3(1, 1, 0)
+                             << Hold(OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)});
+    QTest::newRow("vertex") << ray::Snap::Vertex << glm::dvec3(4, 0, 0) << Hold(AtVertex{1});
+    QTest::newRow("edge") << ray::Snap::Edge << glm::dvec3(1, 0, 0) << Hold(OnEdge{{0, 1}, 0.25});
+    QTest::newRow("slanting edge") << ray::Snap::Edge << glm::dvec3(3, 1, 0) << Hold(OnEdge{{1, 2}, 0.25});
+    QTest::newRow("face") << ray::Snap::Face << glm::dvec3(1, 2, 0) << Hold(OnTriangle{0, glm::dvec3(0.25, 0.25, 0.5)});
+}
+
+void TestDocumentLandmarks::clicksAreHeldByTheMesh()
+{
+    QFETCH(ray::Snap, snap);
+    QFETCH(glm::dvec3, world);
+    QFETCH(landmarks::Hold, hold);
+    SceneDocument document;
+    openTriangle(document, snap);
+    const std::optional<Landmark> point = document.points().onMeshAt(deviceOf(document, world));
+    QVERIFY(point);
+    QCOMPARE(point->object, std::string("triangle"));
+    QCOMPARE(point->hold.index(), hold.index());
+    const Model &model = *document.objects()[0].model;
+    QVERIFY(glm::length(ray::placeOf(point->hold, model)->coordinates() - world) < 1e-9);
+    QVERIFY(glm::length(ray::placeOf(hold, model)->coordinates() - world) < 1e-9); // the row itself
+    QVERIFY(glm::length(ray::placeOf(point->hold, model)->coordinates() - point->world->coordinates()) < 1e-14);
+    QVERIFY(!document.points().onMeshAt(deviceOf(document, {4.0, 4.0, 0.0})));
+}
+
+void TestDocumentLandmarks::aHandIsAsSureAsItsPixel()
+{
+    SceneDocument document;
+    openTriangle(document);
+    const Picture &g = document.geometry();
+    const DevicePoint at = deviceOf(document, {1.0, 1.0, 0.0});
+    const ProjectionWindow window = projectionWindow(g.projection());
+    const double footprint = (window.right - window.left) / window.nearDistance * 10.0 / g.surface.widthPixels;
+    const WorldVector off = *document.points().onMeshAt(at)->uncertainty;
+    QVERIFY(std::abs(off.x - footprint / 2.0) < 1e-3 * footprint); // the surface faces the eye
+    QVERIFY(std::abs(off.y - footprint / 2.0) < 1e-3 * footprint);
+    QVERIFY(off.z < 1e-3 * footprint);
+    const WorldVector tenth = *document.points().onMeshAt(at, 0.1)->uncertainty;
+    QVERIFY(std::abs(tenth.x - footprint / 20.0) < 1e-3 * footprint);
+    // Tilted by 60 degrees about the x axis, it is twice as long a way up the surface: y stays, z is tan 60 degrees of it.
+    QVERIFY(document.editTransform(0, {Translate{{1, 1, 0}}, Rotate{60.0, {1, 0, 0}}, Translate{{-1, -1, 0}}}, kDeed));
+    const WorldVector tilted = *document.points().onMeshAt(deviceOf(document, {1.0, 1.0, 0.0}))->uncertainty;
+    QVERIFY(std::abs(tilted.x - footprint / 2.0) < 0.01 * footprint);
+    QVERIFY(std::abs(tilted.z - std::tan(kPi / 3.0) * footprint / 2.0) < 0.01 * footprint);
+    // A vertex is where the file has it.
+    document.setSnap(ray::Snap::Vertex);
+    const glm::dvec3 corner = ray::cornersOf(document.objects()[0].model->meshes[0], 0)[0];
+    const glm::dvec3 there(worldFromObject(document.objects()[0].transform) * glm::dvec4(corner, 1.0));
+    QVERIFY(length(*document.points().onMeshAt(deviceOf(document, there))->uncertainty) < 1e-6 * footprint);
+}
+
+void TestDocumentLandmarks::aDepthWithoutAMeshIsFree()
+{
+    SceneDocument document;
+    openTriangle(document);
+    QVERIFY(document.editTransform(0, {Translate{{0, 0, 0}}}, kDeed));
+    // Beside the triangle no ray meets it, but the frame may have drawn its rim there.
+    const DevicePoint beside = deviceOf(document, {-0.5, 1.0, 0.0});
+    const WidgetPoint position = widgetFromDevice(document.geometry().surface, beside);
+    const std::optional<Landmark> point = document.points().placedAt(position, DepthSample{0.5, 0, 24});
+    QVERIFY(point);
+    QVERIFY(std::holds_alternative<landmarks::Free>(point->hold));
+    QCOMPARE(point->object, std::string("triangle"));
+    const Result<Pick> pick = document.unprojected(position, {0.5, 0, 24});
+    QVERIFY(*point->world == *pick->point.world[Method::Formula]);
+    QVERIFY(length(*point->uncertainty) > 0.0);
+    QVERIFY(!document.points().placedAt(position, DepthSample{1.0, std::nullopt, 24})); // the background
+    QVERIFY(!document.points().placedAt(position, std::nullopt));
+    QVERIFY(!document.points().placedAt(WidgetPoint(-5, 5), DepthSample{0.5, 0, 24}));
+}
+
+void TestDocumentLandmarks::aThousandStepsAndBack()
+{
+    SceneDocument document;
+    document.undoStack().setUndoLimit(0);
+    openScene(document);
+    QVERIFY(document.editLandmarks({pointAt(0, "a"), pointAt(1, "b")}, kDeed));
+    for (Landmark point : {pointAt(5, "c"), pointAt(6, "d")}) {
+        point.object = document.objects()[1].name;
+        point.hold = landmarks::OnTriangle{1, glm::dvec3(0.25, 0.25, 0.5)};
+        QVERIFY(document.points().place(point));
+    }
+    document.markSaved();
+    const landmarks::LandmarkSet begin = document.landmarkSet();
+    const int first = document.undoStack().index();
+    std::mt19937 random(20240607);
+    const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+    std::vector<landmarks::LandmarkSet> states; // by index of the stack, from first on
+    states.push_back(begin);
+    ScenePoints &points = document.points();
+    const auto isSelectionValid = [&] {
+        const auto &selection = points.selection();
+        return std::is_sorted(selection.begin(), selection.end())
+               && (selection.empty() || selection.back() < document.landmarks().size())
+               && points.current().has_value() == !selection.empty()
+               && (!points.current() || points.isSelected(*points.current()))
+               && (!points.waiting()
+                   || (*points.waiting() < document.landmarks().size()
+                       && document.landmarks()[*points.waiting()].isMissing()));
+    };
+    for (int step = 0; step < 1000; ++step) {
+        const std::size_t count = document.landmarks().size();
+        const std::size_t some = count ? below(count) : 0, other = count ? below(count) : 0;
+        const int kind = static_cast<int>(below(17));
+        if (kind < 3 || count == 0) {
+            QVERIFY(points.place(pointAt(double(random() % 1000))));
+        } else if (kind == 3) {
+            QVERIFY(points.move(some, pointAt(double(random() % 1000)), QStringLiteral("drag %1").arg(below(2))));
+        } else if (kind == 4) {
+            QVERIFY(points.moveTo(some, WorldPoint(double(random() % 1000), 1.0, 1.0)));
+        } else if (kind == 5) {
+            QVERIFY(points.rename(some, QString::number(random() % 10)));
+        } else if (kind == 6) {
+            QVERIFY(points.remove({some, other}));
+        } else if (kind == 7) {
+            QVERIFY(points.reorder(some, other));
+        } else if (kind == 8) {
+            QVERIFY(points.setHidden({some, other}, random() % 2 == 0));
+        } else if (kind == 9) {
+            QVERIFY(points.setColor({some}, glm::u8vec3(random() % 3)));
+        } else if (kind == 10) {
+            QVERIFY(points.setMissing({some}));
+            points.waitForNext(some);
+        } else if (kind == 11) {
+            points.toggle(some);
+        } else if (kind == 12) {
+            const auto objects = document.objects().size();
+            QVERIFY(document.editTransform(below(objects), {Translate{{double(random() % 9), 0, 0}}}, kDeed));
+        } else if (kind == 13) {
+            static_cast<void>(
+                document.renameObject(below(document.objects().size()), QStringLiteral("object %1").arg(random() % 5)));
+        } else if (kind == 14 && document.objects().size() > 2) {
+            QVERIFY(document.removeObject(below(document.objects().size())));
+        } else if (kind == 15) {
+            document.undoStack().undo();
+            if (document.undoStack().index() < first)
+                document.undoStack().redo();
+        } else {
+            document.undoStack().redo();
+        }
+        QVERIFY(isSelectionValid());
+        const auto index = static_cast<std::size_t>(document.undoStack().index() - first);
+        if (index < states.size() && kind >= 15) {
+            QVERIFY(states[index] == document.landmarkSet());
+        } else {
+            states.resize(index + 1);
+            states[index] = document.landmarkSet();
+        }
+    }
+    QVERIFY(states.size() > 100);
+    const auto last = document.undoStack().index();
+    const landmarks::LandmarkSet end = document.landmarkSet();
+    while (document.undoStack().index() > first) {
+        document.undoStack().undo();
+        QVERIFY(states[static_cast<std::size_t>(document.undoStack().index() - first)] == document.landmarkSet());
+        QVERIFY(isSelectionValid());
+    }
+    QVERIFY(document.landmarkSet() == begin);
+    QVERIFY(!document.isModified());
+    QVERIFY(!document.isEdited());
+    document.undoStack().setIndex(last);
+    QVERIFY(document.landmarkSet() == end);
+}
+
+void TestDocumentLandmarks::pointsAreInTheSceneFile()
+{
+    SceneDocument document;
+    openScene(document);
+    document.rayCasters().complete(document.objects());
+    std::optional<Landmark> held;
+    for (double x = 5.5; x < 800.0 && !held; x += 5.0)
+        held = document.points().onMeshAt({x, 300.5});
+    QVERIFY(held);
+    QVERIFY(document.points().place(*held));
+    QVERIFY(document.points().place(pointAt(0.1, "b")));
+    QVERIFY(document.points().setNote(1, QStringLiteral("chipped")));
+    QVERIFY(document.points().setHidden({1}, true));
+    QVERIFY(document.points().setMissing({1}));
+    const scene_file::SceneFile file =
+        scene_file::sceneFileFrom(document.scene(), document.geometry(), "scene.json", {});
+    const auto text = scene_file::sceneText(file);
+    QVERIFY(text);
+    const auto read = scene_file::parseScene(*text, "scene.json");
+    QVERIFY(read);
+    QVERIFY(read->landmarks == document.landmarkSet());
+    QVERIFY(std::holds_alternative<landmarks::OnTriangle>(read->landmarks.landmarks[0].hold));
+}
+
+QTEST_GUILESS_MAIN(TestDocumentLandmarks)
+#include "test_document_landmarks.moc"

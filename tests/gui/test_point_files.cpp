@@ -1,0 +1,501 @@
+// Points from files and into files, alone and with their models, and series of scans.
+
+#include "core/landmark_files/landmark_file.h"
+#include "gui/document/point_files.h"
+#include "gui/document/scan_series.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/session.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using landmarks::Landmark;
+
+namespace {
+
+struct FixedAnswers : SessionQuestions, PointFileQuestions {
+    SaveAnswer askSave(const QString &) override
+    {
+        ++saveQuestions;
+        return SaveAnswer::Discard;
+    }
+    std::filesystem::path askFileName(const std::filesystem::path &) override { return {}; }
+    bool askOverwrite(const std::filesystem::path &) override { return true; }
+    bool askOverwriteChanged(const std::filesystem::path &) override { return true; }
+    bool askDeleteKept(const QString &) override { return true; }
+    Join askJoin(int, int) override
+    {
+        ++joinQuestions;
+        return join;
+    }
+    PointFileQuestions::Stray askStray(const QString &text) override
+    {
+        strayText = text;
+        return stray;
+    }
+
+    Join join = Join::Replace;
+    PointFileQuestions::Stray stray = PointFileQuestions::Stray::Tie;
+    int saveQuestions = 0, joinQuestions = 0;
+    QString strayText;
+};
+
+/// A square of two triangles from (0, 0, 0) to (10, 10, 0).
+const QByteArray kSquare = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n";
+
+} // namespace
+
+class TestPointFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void pointFilesByName_data();
+    void pointFilesByName();
+    void openedWithTheirModel();
+    void openedAlone();
+    void importedPointsAreTied();
+    void straysAreAskedAbout_data();
+    void straysAreAskedAbout();
+    void thoseThatAreThere_data();
+    void thoseThatAreThere();
+    void whatCannotBeReadSaysWhy_data();
+    void whatCannotBeReadSaysWhy();
+    void exportedAndReadBack_data();
+    void exportedAndReadBack();
+    void whatIsLostIsSaid();
+    void aSeriesGoesOnWhereItWasLeft();
+    void anotherSceneIsNoneOfTheSeries();
+    void aScanThatIsGivenUpLeavesTheOneShown();
+    void lookingAroundWritesNothing();
+    void aSeriesWithABrokenScan();
+    void aDamagedFileOfPointsIsNotWrittenOver();
+    void tablesOfASeries();
+    void repeatsOfASeries();
+
+private:
+    QString path(const QString &name) const { return m_folder->filePath(name); }
+    std::filesystem::path file(const QString &name) const { return path(name).toStdU16String(); }
+    void write(const QString &name, const QByteArray &text) const
+    {
+        QFile out(path(name));
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        QCOMPARE(out.write(text), text.size());
+    }
+    QByteArray read(const QString &name) const
+    {
+        QFile in(path(name));
+        return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray("no file");
+    }
+    void open(const QStringList &names)
+    {
+        std::vector<std::filesystem::path> files;
+        for (const QString &name : names)
+            files.push_back(file(name));
+        m_session->openFiles(files);
+        QTRY_VERIFY(!m_session->isLoading());
+    }
+    const std::vector<Landmark> &points() const { return m_document->landmarks(); }
+    void placeAll(double x)
+    {
+        while (m_document->points().waiting()) {
+            Landmark placed;
+            placed.world = WorldPoint(x, 1.0, 0.0);
+            QVERIFY(m_document->points().place(placed));
+        }
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<SceneDocument> m_document;
+    std::unique_ptr<FixedAnswers> m_answers;
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<PointFiles> m_files;
+    std::unique_ptr<ScanSeries> m_series;
+    QStringList m_failures, m_warnings;
+};
+
+void TestPointFiles::init()
+{
+    m_series.reset();
+    m_files.reset();
+    m_session.reset();
+    m_failures.clear();
+    m_warnings.clear();
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_answers = std::make_unique<FixedAnswers>();
+    m_document = std::make_unique<SceneDocument>();
+    m_document->setSurface({800, 600, 1.0});
+    Session::Options options;
+    options.remembers = true;
+    options.recoveryFolder = path(QStringLiteral("recovery"));
+    m_session = std::make_unique<Session>(*m_document, *m_answers, options);
+    m_files = std::make_unique<PointFiles>(*m_document, m_answers.get());
+    m_series = std::make_unique<ScanSeries>(*m_document, *m_session);
+    const auto note = [](QStringList &list) { return [&list](const QString &text) { list << text; }; };
+    connect(m_files.get(), &PointFiles::failed, this, note(m_failures));
+    connect(m_series.get(), &ScanSeries::failed, this, note(m_failures));
+    connect(m_session.get(), &Session::failed, this, note(m_failures));
+    connect(m_files.get(), &PointFiles::warned, this, note(m_warnings));
+    connect(m_session.get(), &Session::pointFilesOpened, this,
+            [this](const std::vector<std::filesystem::path> &opened) {
+                for (const std::filesystem::path &one : opened)
+                    m_files->importFrom(one);
+            });
+    write(QStringLiteral("square.obj"), kSquare);
+}
+
+void TestPointFiles::pointFilesByName_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<bool>("is");
+    QTest::newRow("picked points") << "a.pp" << true;
+    QTest::newRow("in capitals") << "A.PP" << true;
+    QTest::newRow("markups") << "a.mrk.json" << true;
+    QTest::newRow("a scene") << "a.json" << false;
+    QTest::newRow("a template") << "a.pptpl" << false;
+    QTest::newRow("only written") << "a.nts" << false;
+    QTest::newRow("a model") << "a.ply" << false;
+    QTest::newRow("no suffix") << "points" << false;
+}
+
+void TestPointFiles::pointFilesByName()
+{
+    QFETCH(QString, name);
+    QFETCH(bool, is);
+    QCOMPARE(PointFiles::isPointFile(name.toStdU16String()), is);
+}
+
+void TestPointFiles::openedWithTheirModel()
+{
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0\n");
+    open({QStringLiteral("p.csv"), QStringLiteral("square.obj")});
+    QCOMPARE(m_failures, QStringList());
+    QCOMPARE(points().size(), std::size_t(1));
+    QCOMPARE(points()[0].object, std::string("square.obj"));
+    // Without the model there is nothing that they belong to.
+    init();
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0\n");
+    open({QStringLiteral("p.csv"), QStringLiteral("none.obj")});
+    QCOMPARE(m_failures.size(), 1);
+    QVERIFY(points().empty());
+}
+
+void TestPointFiles::openedAlone()
+{
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0\nb,,,\n");
+    open({QStringLiteral("p.csv")});
+    QCOMPARE(m_document->objects().size(), std::size_t(1));
+    QCOMPARE(points().size(), std::size_t(2));
+    QVERIFY(points()[1].isMissing());
+    m_document->undoStack().undo();
+    QVERIFY(points().empty());
+}
+
+void TestPointFiles::importedPointsAreTied()
+{
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0.125\n");
+    QSignalSpy noticed(m_files.get(), &PointFiles::noticed);
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    QCOMPARE(points()[0].world->coordinates(), glm::dvec3(1.0, 2.0, 0.0));
+    QVERIFY(std::holds_alternative<landmarks::OnTriangle>(points()[0].hold));
+    QCOMPARE(m_answers->strayText, QString());
+    QCOMPARE(noticed.count(), 1);
+    QVERIFY2(noticed[0][0].toString().contains(QStringLiteral("0.13 (a)"))
+                 || noticed[0][0].toString().contains(QStringLiteral("0.12 (a)")),
+             qPrintable(noticed[0][0].toString()));
+}
+
+void TestPointFiles::straysAreAskedAbout_data()
+{
+    QTest::addColumn<int>("answer");
+    QTest::addColumn<bool>("isRead");
+    QTest::addColumn<double>("z");
+    QTest::newRow("moved onto the mesh") << int(PointFileQuestions::Stray::Tie) << true << 0.0;
+    QTest::newRow("left where they are") << int(PointFileQuestions::Stray::LeaveFree) << true << 5.0;
+    QTest::newRow("given up") << int(PointFileQuestions::Stray::Cancel) << false << 0.0;
+}
+
+void TestPointFiles::straysAreAskedAbout()
+{
+    QFETCH(int, answer);
+    QFETCH(bool, isRead);
+    QFETCH(double, z);
+    m_answers->stray = static_cast<PointFileQuestions::Stray>(answer);
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0\nfar,3,4,5\n");
+    QCOMPARE(m_files->importFrom(file(QStringLiteral("p.csv"))), isRead);
+    QVERIFY2(m_answers->strayText.contains(QStringLiteral("“far” is 5 off")), qPrintable(m_answers->strayText));
+    QCOMPARE(points().size(), std::size_t(isRead ? 2 : 0));
+    if (isRead) {
+        QCOMPARE(points()[1].world->z, z);
+        QCOMPARE(std::holds_alternative<landmarks::Free>(points()[1].hold), z != 0.0);
+    }
+}
+
+void TestPointFiles::thoseThatAreThere_data()
+{
+    QTest::addColumn<int>("answer");
+    QTest::addColumn<int>("count");
+    QTest::newRow("replaced") << int(PointFileQuestions::Join::Replace) << 1;
+    QTest::newRow("joined") << int(PointFileQuestions::Join::Append) << 2;
+    QTest::newRow("given up") << int(PointFileQuestions::Join::Cancel) << 1;
+}
+
+void TestPointFiles::thoseThatAreThere()
+{
+    QFETCH(int, answer);
+    QFETCH(int, count);
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0\n");
+    m_answers->join = static_cast<PointFileQuestions::Join>(answer);
+    m_files->importFrom(file(QStringLiteral("p.csv")));
+    QCOMPARE(m_answers->joinQuestions, 0);
+    m_files->importFrom(file(QStringLiteral("p.csv")));
+    QCOMPARE(m_answers->joinQuestions, 1);
+    QCOMPARE(static_cast<int>(points().size()), count);
+}
+
+void TestPointFiles::whatCannotBeReadSaysWhy_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("a word for a number") << "p.csv" << QByteArray("name,x,y,z\na,1,two,3\n") << "p.csv:2:";
+    QTest::newRow("not there") << "none.csv" << QByteArray() << "none.csv";
+    QTest::newRow("of no known kind") << "p.txt" << QByteArray("1 2 3") << "p.txt";
+}
+
+void TestPointFiles::whatCannotBeReadSaysWhy()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, text);
+    QFETCH(QString, said);
+    if (!text.isEmpty())
+        write(name, text);
+    open({QStringLiteral("square.obj")});
+    QVERIFY(!m_files->importFrom(file(name)));
+    QCOMPARE(m_failures.size(), 1);
+    QVERIFY2(m_failures[0].contains(said), qPrintable(m_failures[0]));
+}
+
+void TestPointFiles::exportedAndReadBack_data()
+{
+    QTest::addColumn<QString>("suffix");
+    for (const char *suffix : {"csv", "pp", "mrk.json", "fcsv", "pts", "tps"})
+        QTest::newRow(suffix) << suffix;
+}
+
+void TestPointFiles::exportedAndReadBack()
+{
+    QFETCH(QString, suffix);
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1.1,2.3,0\nb,3,4,0\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    const std::vector<Landmark> before = points();
+    QVERIFY(m_files->exportTo(file(QStringLiteral("out.") + suffix)));
+    QVERIFY(m_files->importFrom(file(QStringLiteral("out.") + suffix)));
+    QCOMPARE(points().size(), std::size_t(2));
+    for (std::size_t i = 0; i < 2; ++i)
+        QCOMPARE(points()[i].world->coordinates(), before[i].world->coordinates());
+    QCOMPARE(m_failures, QStringList());
+    QCOMPARE(PointFiles::suffixOfFilter(QStringLiteral("x (*.%1)").arg(suffix)), suffix);
+}
+
+void TestPointFiles::whatIsLostIsSaid()
+{
+    open({QStringLiteral("square.obj")});
+    Landmark point;
+    point.name = "a";
+    point.note = "worn";
+    point.world = WorldPoint(1.0, 2.0, 0.0);
+    QVERIFY(m_document->editLandmarks({point}, {QStringLiteral("test")}));
+    QVERIFY(m_files->exportTo(file(QStringLiteral("out.csv"))));
+    QCOMPARE(m_warnings, QStringList());
+    QVERIFY(m_files->exportTo(file(QStringLiteral("out.pts"))));
+    QCOMPARE(m_warnings.size(), 1);
+    QVERIFY2(m_warnings[0].contains(QStringLiteral("out.pts")) && m_warnings[0].contains(QStringLiteral("note")),
+             qPrintable(m_warnings[0]));
+    QVERIFY(!m_files->exportTo(file(QStringLiteral("out.doc"))));
+    QVERIFY(!m_files->exportTo(file(QStringLiteral("no/such/folder/out.csv"))));
+    QCOMPARE(m_failures.size(), 2);
+}
+
+void TestPointFiles::aSeriesGoesOnWhereItWasLeft()
+{
+    for (const char *name : {"b.obj", "c.obj"})
+        write(QLatin1String(name), kSquare);
+    QFile::rename(path(QStringLiteral("square.obj")), path(QStringLiteral("a.obj")));
+    open({QStringLiteral("a.obj")});
+    Landmark first, second;
+    first.name = "first";
+    second.name = "second";
+    QVERIFY(m_document->editLandmarks({first, second}, {QStringLiteral("template")}));
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->scans().size(), std::size_t(3));
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
+    QCOMPARE(points().size(), std::size_t(2)); // what was to be placed is what is to be placed
+    m_answers->saveQuestions = 0;
+    placeAll(1.0);
+    m_series->next();
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_answers->saveQuestions, 0);
+    QVERIFY(read(QStringLiteral("a.obj.points.csv")).contains("first,1,1,0"));
+    QCOMPARE(points().size(), std::size_t(2));
+    QVERIFY(points()[0].isMissing());
+    QCOMPARE(m_document->points().waiting(), std::optional<std::size_t>(0));
+    placeAll(2.0);
+    m_series->next();
+    QTRY_VERIFY(!m_session->isLoading());
+    m_series->next(); // there is none
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
+    m_series->previous();
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(points()[1].world->x, 2.0);
+    QVERIFY(!m_document->isModified());
+    QVERIFY(!m_document->undoStack().canUndo());
+    // Nothing was placed on the third: there is nothing of it to keep.
+    QVERIFY(!QFile::exists(path(QStringLiteral("c.obj.points.csv"))));
+
+    // Whoever leaves the program keeps the points, without a question.
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(9.0, 9.0, 0.0)));
+    QVERIFY(m_session->mayLeave());
+    QCOMPARE(m_answers->saveQuestions, 0);
+    QVERIFY(read(QStringLiteral("b.obj.points.csv")).contains("first,9,9,0"));
+
+    // Opened again, the series goes on at the one that lacks points.
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
+    open({QStringLiteral("a.obj")}); // another scene
+    QCOMPARE(m_series->current(), std::optional<std::size_t>());
+}
+
+void TestPointFiles::anotherSceneIsNoneOfTheSeries()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->scans()[0].placedCount(), std::size_t(1));
+    m_session->openBundledScene();
+    QVERIFY(points().empty());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>());
+    QCOMPARE(m_series->scans()[0].placedCount(), std::size_t(1)); // as a table of the series has it
+}
+
+void TestPointFiles::aScanThatIsGivenUpLeavesTheOneShown()
+{
+    write(QStringLiteral("other.obj"), kSquare);
+    write(QStringLiteral("other.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,2,2,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    m_series->next();
+    m_session->cancelLoading();
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 5.0, 0.0)));
+    QVERIFY(m_series->keep());
+    QVERIFY(read(QStringLiteral("other.obj.points.csv")).contains("a,5,5,0"));
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,2,2,0"));
+    // And what is opened next is not taken for it.
+    m_session->openBundledScene();
+    QVERIFY(points().empty());
+}
+
+void TestPointFiles::lookingAroundWritesNothing()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,7,7,0\n"); // by another program
+    LookAt camera = m_document->scene().camera;
+    camera.eye.x += 1.0;
+    m_document->setCamera(camera);
+    QVERIFY(m_series->keep());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,7,7,0"));
+}
+
+void TestPointFiles::aSeriesWithABrokenScan()
+{
+    write(QStringLiteral("broken.obj"), "v 1 2\n");
+    write(QStringLiteral("broken2.ply"), "ply\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
+    QVERIFY(!m_series->scans()[0].problem.isEmpty());
+    m_series->next();
+    QTRY_VERIFY(!m_session->isLoading());
+    m_series->next();
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
+    QCOMPARE(m_document->objects()[0].name, std::string("square.obj"));
+    QVERIFY(m_series->scans()[2].problem.isEmpty());
+
+    QVERIFY(QDir(path(QString())).mkdir(QStringLiteral("empty")));
+    QVERIFY(!m_series->open(file(QStringLiteral("empty"))));
+    QVERIFY(!m_series->open(file(QStringLiteral("nowhere"))));
+    QCOMPARE(m_series->scans().size(), std::size_t(3)); // the one before is still there
+}
+
+void TestPointFiles::aDamagedFileOfPointsIsNotWrittenOver()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,two,3\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QVERIFY(m_series->scans()[0].problem.contains(QStringLiteral("square.obj.points.csv:2:")));
+    QVERIFY(m_series->keep());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("two"));
+}
+
+void TestPointFiles::tablesOfASeries()
+{
+    write(QStringLiteral("other.obj"), kSquare);
+    write(QStringLiteral("other.obj.points.csv"), "name,x,y,z\nb,1,2,0\na,3,4,0\n");
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,5,6,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->pointNames(), (QStringList{"b", "a"}));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
+    QCOMPARE(read(QStringLiteral("wide.csv")),
+             QByteArray("specimen,b_x,b_y,b_z,a_x,a_y,a_z\nother,1,2,0,3,4,0\nsquare,,,,5,6,0\n"));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("all.tps")), ScanSeries::Table::Tps));
+    QCOMPARE(read(QStringLiteral("all.tps")),
+             QByteArray("LM3=2\n1 2 0\n3 4 0\nID=other\n\nLM3=2\nNA NA NA\n5 6 0\nID=square\n\n"));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("all.nts")), ScanSeries::Table::Nts));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("long.csv")), ScanSeries::Table::Long));
+    QVERIFY(read(QStringLiteral("long.csv")).startsWith("specimen,name,x,y,z"));
+    QVERIFY(!m_series->exportTable(file(QStringLiteral("no/folder/x.csv")), ScanSeries::Table::Wide));
+}
+
+void TestPointFiles::repeatsOfASeries()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,0,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    m_series->setPlacing(2);
+    QCOMPARE(points().size(), std::size_t(1));
+    QVERIFY(points()[0].isMissing());
+    m_document->points().waitForNext(std::nullopt);
+    placeAll(3.0);
+    QVERIFY(m_series->exportTable(file(QStringLiteral("repeats.csv")), ScanSeries::Table::Repeats));
+    QVERIFY(QFile::exists(path(QStringLiteral("square.obj.points-2.csv"))));
+    QCOMPARE(read(QStringLiteral("square.obj.points.csv")), QByteArray("name,x,y,z\na,1,0,0\n"));
+    const QByteArray repeats = read(QStringLiteral("repeats.csv"));
+    QVERIFY2(repeats.startsWith("specimen,name,placings,x,y,z,error,farthest\nsquare,a,2,2,0.5,0,1.58"),
+             repeats.constData());
+    m_series->setPlacing(1);
+    QCOMPARE(points()[0].world->x, 1.0);
+}
+
+QTEST_MAIN(TestPointFiles)
+#include "test_point_files.moc"

@@ -1,0 +1,489 @@
+// Placed points in the view: placed, selected and moved by hand and by keys, and how they are shown.
+
+#include "gui/document/point_views.h"
+#include "gui/view/point_loupe.h"
+#include "gui/view/point_marks.h"
+#include "gui_scene.h"
+
+#include <QAction>
+#include <QImage>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace guitest;
+using landmarks::Landmark;
+
+namespace {
+
+/// In the middle of the cube's front face.
+const glm::dvec3 kFront = kCubeCenter + glm::dvec3(0.0, 0.0, 1.0);
+
+Landmark pointAt(const glm::dvec3 &world, const char *name)
+{
+    Landmark point;
+    point.name = name;
+    point.world = WorldPoint(world);
+    return point;
+}
+
+const Landmark &only(MainWindow &window)
+{
+    return window.document().landmarks().front();
+}
+
+/// Where a world point is in the picture, origin top-left.
+DevicePoint deviceOf(MainWindow &window, const glm::dvec3 &world)
+{
+    const glm::dvec2 place = placeOf(window, world);
+    return {place.x, window.document().geometry().surface.heightPixels - place.y};
+}
+
+/// A point on the front face, placed by the document.
+void putPoint(MainWindow &window)
+{
+    const auto there = window.document().points().onSurfaceAt(deviceOf(window, kFront));
+    QVERIFY(there);
+    Landmark point = *there;
+    point.name = "nasion";
+    QVERIFY(window.document().editLandmarks({point}, {QStringLiteral("put")}));
+}
+
+/// What the menu has for a key.
+void trigger(MainWindow &window, const QKeySequence &key)
+{
+    for (QAction *action : window.findChildren<QAction *>()) {
+        if (action->shortcut() == key) {
+            action->trigger();
+            return;
+        }
+    }
+    QFAIL(qPrintable(key.toString()));
+}
+
+double heightOverFront(const WorldPoint &point)
+{
+    return point.z - kFront.z;
+}
+
+} // namespace
+
+class TestPointView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void aClickPlacesOnRelease();
+    void outsidePlacingClicksPick();
+    void aMarkIsSelectedAndDragged();
+    void aPointNobodyChoseStaysWhereItIs();
+    void escapeEndsADragAndThenPlacing();
+    void arrowKeysMoveByPixels_data();
+    void arrowKeysMoveByPixels();
+    void deleteRemovesWhatIsSelected();
+    void marksSayWhatIsBehind();
+    void marksAreInThePicture();
+    void labelsNeverOverlap_data();
+    void labelsNeverOverlap();
+    void theCameraFacesThePoint();
+    void theZoomIsAsCloseAsAsked();
+    void pointsGoBackOntoTheSurface();
+    void theLoupeShowsThePlace();
+    void arrowsMoveOffTheSurface_data();
+    void arrowsMoveOffTheSurface();
+    void windowsAreGrabbedWithTheirPoints();
+};
+
+void TestPointView::aClickPlacesOnRelease()
+{
+    const auto window = cubeWindow(false);
+    trigger(*window, Qt::Key_P);
+    QVERIFY(window->view().isPlacing());
+    const QPointF at = localOf(*window, kFront);
+    sendMouse(window->view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+    QVERIFY(window->document().landmarks().empty());
+    sendMouse(window->view(), QEvent::MouseMove, at + QPointF(1, 0), Qt::NoButton, Qt::LeftButton);
+    sendMouse(window->view(), QEvent::MouseButtonRelease, at + QPointF(1, 0), Qt::LeftButton, Qt::NoButton);
+    QCOMPARE(window->document().landmarks().size(), std::size_t{1});
+    QVERIFY(std::holds_alternative<landmarks::OnTriangle>(only(*window).hold));
+    QVERIFY(std::abs(heightOverFront(*only(*window).world)) < 1e-6);
+    QVERIFY(std::abs(only(*window).world->x - kFront.x) < 0.05);
+    QVERIFY(!window->document().pick());
+    QVERIFY(window->document().points().current() == 0u);
+    QCOMPARE(window->document().undoStack().undoText(), QStringLiteral("Place Point 1"));
+
+    const LookAt camera = window->document().scene().camera;
+    drag(window->view(), at + QPointF(30, 20), at + QPointF(80, 30), Qt::LeftButton);
+    QCOMPARE(window->document().landmarks().size(), std::size_t{1});
+    QVERIFY(window->document().scene().camera != camera);
+    click(window->view(), QPointF(4, 4)); // the background
+    QCOMPARE(window->document().landmarks().size(), std::size_t{1});
+}
+
+void TestPointView::outsidePlacingClicksPick()
+{
+    const auto window = cubeWindow(false);
+    click(window->view(), localOf(*window, kFront));
+    QVERIFY(window->document().pick());
+    QVERIFY(window->document().landmarks().empty());
+}
+
+void TestPointView::aPointNobodyChoseStaysWhereItIs()
+{
+    const auto window = cubeWindow(false);
+    putPoint(*window);
+    const LookAt camera = window->document().scene().camera;
+    const QPointF at = localOf(*window, kFront);
+    drag(window->view(), at, at + QPointF(20, 10), Qt::LeftButton);
+    QVERIFY(window->document().scene().camera != camera); // the view was turned
+    QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
+}
+
+void TestPointView::aMarkIsSelectedAndDragged()
+{
+    const auto window = cubeWindow(false);
+    putPoint(*window);
+    const QPointF at = localOf(*window, kFront);
+    click(window->view(), at + QPointF(3, 2)); // beside its middle
+    QVERIFY(window->document().points().selection() == std::vector<std::size_t>{0});
+    QVERIFY(!window->document().pick());
+    QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9); // a click moves nothing
+
+    const int steps = window->document().undoStack().count();
+    const LookAt camera = window->document().scene().camera;
+    drag(window->view(), at + QPointF(3, 2), at + QPointF(23, 12), Qt::LeftButton);
+    QCOMPARE(window->document().undoStack().count(), steps + 1);
+    QCOMPARE(window->document().undoStack().undoText(), QStringLiteral("Move nasion"));
+    QVERIFY(window->document().scene().camera == camera);
+    QVERIFY(std::abs(heightOverFront(*only(*window).world)) < 1e-6);
+    // It went as the pointer did: the place that was grabbed stays under it.
+    const QPointF now = localOf(*window, only(*window).world->coordinates());
+    QVERIFY(std::hypot(now.x() - at.x() - 20, now.y() - at.y() - 10) < 1e-6);
+    // Off the mesh it waits at the last place on it.
+    drag(window->view(), now, QPointF(2, 2), Qt::LeftButton);
+    QVERIFY(only(*window).world);
+    QVERIFY(window->document().points().all().size() == 1);
+    window->document().undoStack().setIndex(steps);
+    QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
+    click(window->view(), QPointF(4, 4));
+    QVERIFY(window->document().pick()); // beside marks, clicks pick
+}
+
+void TestPointView::escapeEndsADragAndThenPlacing()
+{
+    const auto window = cubeWindow(false);
+    putPoint(*window);
+    window->view().setPlacing(true);
+    const QPointF at = localOf(*window, kFront);
+    sendMouse(window->view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+    sendMouse(window->view(), QEvent::MouseMove, at + QPointF(30, 0), Qt::NoButton, Qt::LeftButton);
+    QVERIFY(length(*only(*window).world - WorldPoint(kFront)) > 0.1);
+    QTest::keyClick(&window->view(), Qt::Key_Escape);
+    QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
+    QVERIFY(window->view().isPlacing());
+    sendMouse(window->view(), QEvent::MouseMove, at + QPointF(60, 0), Qt::NoButton, Qt::LeftButton);
+    sendMouse(window->view(), QEvent::MouseButtonRelease, at + QPointF(60, 0), Qt::LeftButton, Qt::NoButton);
+    QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
+    QCOMPARE(window->document().landmarks().size(), std::size_t{1});
+    QTest::keyClick(&window->view(), Qt::Key_Escape);
+    QVERIFY(!window->view().isPlacing());
+}
+
+void TestPointView::arrowKeysMoveByPixels_data()
+{
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("modifiers");
+    QTest::addColumn<QPointF>("way"); // device pixels, y up
+    QTest::newRow("right") << int(Qt::Key_Right) << int(Qt::NoModifier) << QPointF(1, 0);
+    QTest::newRow("up") << int(Qt::Key_Up) << int(Qt::NoModifier) << QPointF(0, 1);
+    QTest::newRow("ten to the left") << int(Qt::Key_Left) << int(Qt::ShiftModifier) << QPointF(-10, 0);
+    QTest::newRow("a tenth down") << int(Qt::Key_Down) << int(Qt::AltModifier) << QPointF(0, -0.1);
+}
+
+void TestPointView::arrowKeysMoveByPixels()
+{
+    QFETCH(int, key);
+    QFETCH(int, modifiers);
+    QFETCH(QPointF, way);
+    const auto window = cubeWindow(false);
+    putPoint(*window);
+    window->document().points().selectOnly(0);
+    const LookAt camera = window->document().scene().camera;
+    window->view().setPlacing(true);
+    const glm::dvec2 before = placeOf(*window, only(*window).world->coordinates());
+    const int steps = window->document().undoStack().count();
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(&window->view(), Qt::Key(key), Qt::KeyboardModifiers(modifiers));
+    const glm::dvec2 after = placeOf(*window, only(*window).world->coordinates());
+    QVERIFY(glm::length(after - before - 3.0 * glm::dvec2(way.x(), way.y())) < 1e-6);
+    QVERIFY(std::abs(heightOverFront(*only(*window).world)) < 1e-6);
+    QCOMPARE(window->document().undoStack().count(), steps + 1);
+    QVERIFY(window->document().scene().camera == camera);
+    // Otherwise they turn the view.
+    window->view().setPlacing(false);
+    QTest::keyClick(&window->view(), Qt::Key_Right);
+    QVERIFY(window->document().scene().camera != camera);
+}
+
+void TestPointView::deleteRemovesWhatIsSelected()
+{
+    const auto window = cubeWindow(false);
+    QVERIFY(
+        window->document().editLandmarks({pointAt(kFront, "a"), pointAt(kCubeCenter, "b")}, {QStringLiteral("put")}));
+    QTest::keyClick(&window->view(), Qt::Key_Delete);
+    QCOMPARE(window->document().landmarks().size(), std::size_t{2});
+    window->document().points().selectOnly(0);
+    QTest::keyClick(&window->view(), Qt::Key_Delete);
+    QCOMPARE(window->document().landmarks().size(), std::size_t{1});
+    QCOMPARE(only(*window).name, std::string("b"));
+    QTest::keyClick(&window->view(), Qt::Key_Delete); // nothing is selected any more
+    QCOMPARE(window->document().landmarks().size(), std::size_t{1});
+}
+
+void TestPointView::marksSayWhatIsBehind()
+{
+    const auto window = cubeWindow(false);
+    Landmark hidden = pointAt(kFront, "hidden"), missing = pointAt(kFront, "missing");
+    hidden.isHidden = true;
+    missing.world.reset();
+    QVERIFY(window->document().editLandmarks(
+        {pointAt(kFront, "front"), pointAt(kCubeCenter - glm::dvec3(0, 0, 1), "back"), hidden, missing,
+         pointAt(kCubeCenter + glm::dvec3(0, 2, 0), "above"),
+         pointAt(kFront - glm::dvec3(0, 0, 1e-4), "a little inside"),
+         pointAt(window->document().scene().camera.eye.coordinates() + glm::dvec3(4, 3, 5), "behind the eye")},
+        {QStringLiteral("put")}));
+    const std::vector<PointMark> marks = pointMarks(window->document());
+    QStringList seen, behind;
+    for (const PointMark &mark : marks) {
+        const QString name = QString::fromStdString(window->document().landmarks()[mark.place].name);
+        (mark.isBehind ? behind : seen) << name;
+        QCOMPARE(mark.label.contains(QStringLiteral("behind")), mark.isBehind);
+        QCOMPARE(pointTip(window->document(), mark).contains(QStringLiteral("behind")), mark.isBehind);
+        const DevicePoint at = deviceOf(*window, window->document().landmarks()[mark.place].world->coordinates());
+        const double ratio = window->document().geometry().surface.devicePixelRatio;
+        QVERIFY(std::hypot(at.x - ratio * mark.at.x(), at.y - ratio * mark.at.y()) < 1e-6);
+    }
+    QCOMPARE(seen, QStringList({"front", "above", "a little inside"}));
+    QCOMPARE(behind, QStringList("back"));
+    // What is cut away is not in sight; what a plane has laid open is.
+    setClipPlanes(window->document(), {{0, 0, -1, kCubeCenter.z - 0.5}});
+    for (const PointMark &mark : pointMarks(window->document())) {
+        const std::string &name = window->document().landmarks()[mark.place].name;
+        if (name == "front")
+            QVERIFY(mark.isBehind);
+        if (name == "back")
+            QVERIFY(!mark.isBehind);
+    }
+}
+
+void TestPointView::marksAreInThePicture()
+{
+    const auto window = cubeWindow(false);
+    const QImage without = window->view().grabFramebuffer();
+    Landmark point = pointAt(kFront, "nasion");
+    point.color = glm::u8vec3(250, 20, 200);
+    QVERIFY(window->document().editLandmarks({point}, {QStringLiteral("put")}));
+    const QImage with = window->view().grabFramebuffer();
+    const glm::dvec2 place = placeOf(*window, kFront);
+    const double ratio = with.devicePixelRatio();
+    const QColor there = with.pixelColor(int(place.x + 2.5 * ratio), int(with.height() - place.y));
+    QVERIFY2(std::abs(there.red() - 250) < 12 && std::abs(there.green() - 20) < 12 && std::abs(there.blue() - 200) < 12,
+             qPrintable(there.name()));
+    QVERIFY(differentPixels(without, with) > 200); // with its label
+    // Nothing else of the picture is other than before.
+    QVERIFY(window->document().points().setHidden({0}, true));
+    QCOMPARE(differentPixels(without, window->view().grabFramebuffer()), 0);
+}
+
+void TestPointView::labelsNeverOverlap_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::addColumn<double>("spread");
+    QTest::newRow("a few far apart") << 8 << 700.0;
+    QTest::newRow("a few at one place") << 8 << 1.0;
+    QTest::newRow("500 all over") << 500 << 760.0;
+    QTest::newRow("500 in a heap") << 500 << 120.0;
+}
+
+void TestPointView::labelsNeverOverlap()
+{
+    QFETCH(int, count);
+    QFETCH(double, spread);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::vector<PointMark> marks;
+    for (int i = 0; i < count; ++i) {
+        PointMark mark;
+        mark.place = static_cast<std::size_t>(i);
+        mark.at = QPointF(20.0 + spread * share(random), 20.0 + 0.7 * spread * share(random));
+        mark.isCurrent = mark.isSelected = i == count / 2;
+        mark.label = QStringLiteral("point %1").arg(i + 1);
+        marks.push_back(mark);
+    }
+    const QRectF area(0, 0, 800, 600);
+    const QFontMetricsF metrics(QFont(QStringLiteral("sans"), 10));
+    const QPointF current = marks[static_cast<std::size_t>(count / 2)].at;
+    const std::vector<QLineF> arrows{{current, current + QPointF(50.0, 5.0)}, {current, current - QPointF(0.0, 50.0)}};
+    const std::vector<PlacedLabel> labels = placedLabels(marks, metrics, area);
+    QVERIFY(!labels.empty());
+    for (const PlacedLabel &label : placedLabels(marks, metrics, area, arrows)) {
+        for (const QLineF &arrow : arrows) {
+            for (const double way : {0.2, 0.4, 0.6, 0.8, 1.0})
+                QVERIFY(!label.box.contains(arrow.pointAt(way)));
+        }
+    }
+    QVERIFY(marks[labels.front().mark].isCurrent);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        QVERIFY(area.contains(labels[i].box));
+        QVERIFY(labels[i].box.width() >= metrics.horizontalAdvance(marks[labels[i].mark].label));
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(!labels[i].box.intersects(labels[j].box));
+        for (const PointMark &mark : marks)
+            QVERIFY(!labels[i].box.contains(mark.at));
+    }
+    if (count < 10)
+        QCOMPARE(labels.size(), marks.size());
+}
+
+void TestPointView::theCameraFacesThePoint()
+{
+    const auto window = cubeWindow(false);
+    putPoint(*window);
+    window->document().points().selectOnly(0);
+    const double away = distance(window->document().scene().camera.eye, window->document().scene().camera.center);
+    trigger(*window, Qt::Key_G);
+    const LookAt camera = window->document().scene().camera;
+    QVERIFY(distance(camera.center, WorldPoint(kFront)) < 1e-9);
+    QVERIFY(distance(camera.eye, WorldPoint(kFront + away * glm::dvec3(0, 0, 1))) < 1e-6);
+    // Onto a face that looks up, where "up" is no side.
+    const SceneObject &cube = window->document().objects()[0];
+    for (std::uint32_t triangle = 0; triangle < 12; ++triangle) {
+        const auto normal = normalAt(landmarks::OnTriangle{triangle, glm::dvec3(1.0 / 3.0)}, cube);
+        QVERIFY(normal && std::abs(length(*normal) - 1.0) < 1e-12);
+        Landmark point;
+        point.world = WorldPoint(kCubeCenter + normal->coordinates());
+        point.object = cube.name;
+        point.hold = landmarks::OnTriangle{triangle, glm::dvec3(1.0 / 3.0)};
+        QVERIFY(window->document().editLandmarks({point}, {QStringLiteral("put")}));
+        goToPoint(window->document(), 0);
+        const LookAt there = window->document().scene().camera;
+        QVERIFY(std::abs(dot(normalized(there.eye - there.center), *normal) - 1.0) < 1e-9);
+        const std::vector<PointMark> marks = pointMarks(window->document());
+        QCOMPARE(marks.size(), std::size_t{1});
+        QVERIFY(!marks[0].isBehind);
+    }
+}
+
+void TestPointView::theZoomIsAsCloseAsAsked()
+{
+    const auto window = cubeWindow(false);
+    putPoint(*window);
+    goToPoint(window->document(), 0);
+    for (const double half : {0.01, 1e-4, 0.05}) {
+        zoomToPoint(window->document(), 0, half);
+        const auto there = window->document().points().onSurfaceAt(deviceOf(*window, kFront));
+        QVERIFY(there);
+        QVERIFY(std::abs(there->uncertainty->x - half) < 0.01 * half);
+        QVERIFY(std::abs(there->uncertainty->y - half) < 0.01 * half);
+    }
+}
+
+void TestPointView::pointsGoBackOntoTheSurface()
+{
+    const auto window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    QVERIFY(document.editLandmarks({pointAt(kFront + glm::dvec3(0.25, 0.5, 0.75), "a"), pointAt(kFront, "b")},
+                                   {QStringLiteral("put")}));
+    document.points().selectOnly(0);
+    const int steps = document.undoStack().count();
+    trigger(*window, Qt::Key_B);
+    QVERIFY(distance(*only(*window).world, WorldPoint(kFront + glm::dvec3(0.25, 0.5, 0.0))) < 1e-6);
+    QVERIFY(std::holds_alternative<landmarks::OnTriangle>(only(*window).hold));
+    QCOMPARE(only(*window).object, document.objects()[0].name);
+    QCOMPARE(document.undoStack().count(), steps + 1);
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Put a on the surface"));
+    QVERIFY(std::holds_alternative<landmarks::Free>(document.landmarks()[1].hold)); // not selected
+}
+
+void TestPointView::theLoupeShowsThePlace()
+{
+    const auto window = cubeWindow(false);
+    const QPointF at = localOf(*window, kFront);
+    sendMouse(window->view(), QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton);
+    const QImage without = window->view().grabFramebuffer();
+    const Surface &surface = window->document().geometry().surface;
+    const DevicePoint place = deviceFromWidget(surface, WidgetPoint(at.x(), at.y()));
+    const QRectF box = loupeBox(surface, place);
+    QVERIFY(!box.contains(at));
+    QVERIFY(loupeBox(surface, deviceFromWidget(surface, {box.center().x(), box.center().y()})) != box);
+    window->view().setPlacing(true);
+    sendMouse(window->view(), QEvent::MouseMove, at + QPointF(1, 0), Qt::NoButton, Qt::NoButton);
+    const QImage with = window->view().grabFramebuffer();
+    // In the loupe, the blue face; outside, the picture is the same.
+    const double ratio = with.devicePixelRatio();
+    const QPointF inside = box.topLeft() + QPointF(20.5, 20.5);
+    QCOMPARE(faceOfColor(with.pixelColor((inside * ratio).toPoint())), 4);
+    QVERIFY(with.pixelColor((at * ratio).toPoint()) == without.pixelColor((at * ratio).toPoint()));
+    QVERIFY(differentPixels(without, with) > 1000);
+    // The edges of the face are in it where they are near.
+    const QPointF corner = localOf(*window, kCubeCenter + glm::dvec3(1, 0, 1));
+    const ray::SceneRays *rays = window->document().rays();
+    QVERIFY(rays);
+    QVERIFY(loupeEdges(*rays, deviceFromWidget(surface, {corner.x(), corner.y()})).size() >= 6);
+    window->view().setPlacing(false);
+    QCOMPARE(differentPixels(without, window->view().grabFramebuffer()), 0);
+}
+
+void TestPointView::arrowsMoveOffTheSurface_data()
+{
+    QTest::addColumn<int>("axis");
+    QTest::newRow("x") << 0;
+    QTest::newRow("y") << 1;
+    QTest::newRow("z") << 2;
+}
+
+void TestPointView::arrowsMoveOffTheSurface()
+{
+    QFETCH(int, axis);
+    const auto window = cubeWindow(false);
+    putPoint(*window);
+    SceneDocument &document = window->document();
+    document.points().selectOnly(0);
+    window->view().setPlacing(true);
+    const std::array<AxisArrow, 3> arrows = axisArrows(document.geometry(), *only(*window).world);
+    const AxisArrow &arrow = arrows[static_cast<std::size_t>(axis)];
+    QVERIFY(arrow.isUsable);
+    const QPointF grabbed = arrow.from + 0.7 * (arrow.to - arrow.from);
+    QVERIFY(axisUnder(arrows, grabbed) == axis);
+    const int steps = document.undoStack().count();
+    drag(window->view(), grabbed, grabbed + 0.5 * (arrow.to - arrow.from), Qt::LeftButton);
+    QCOMPARE(document.undoStack().count(), steps + 1);
+    QVERIFY(std::holds_alternative<landmarks::Free>(only(*window).hold));
+    const glm::dvec3 way = only(*window).world->coordinates() - kFront;
+    QVERIFY(way[axis] > 0.05);
+    QVERIFY(std::abs(way[(axis + 1) % 3]) < 1e-12 && std::abs(way[(axis + 2) % 3]) < 1e-12);
+    // The place that was grabbed went with the pointer: both ways are one share of the arrow, but for perspective.
+    const QPointF from = localOf(*window, kFront), to = localOf(*window, only(*window).world->coordinates());
+    QVERIFY(std::hypot(to.x() - from.x() - 0.5 * (arrow.to - arrow.from).x(),
+                       to.y() - from.y() - 0.5 * (arrow.to - arrow.from).y())
+            < 6.0);
+    document.undoStack().undo();
+    QVERIFY(std::holds_alternative<landmarks::OnTriangle>(only(*window).hold));
+}
+
+void TestPointView::windowsAreGrabbedWithTheirPoints()
+{
+    const auto window = cubeWindow(false);
+    Landmark point = pointAt(kFront, "nasion");
+    point.color = glm::u8vec3(250, 20, 200);
+    QVERIFY(window->document().editLandmarks({point}, {QStringLiteral("put")}));
+    const QImage picture = window->grab().toImage();
+    const QPointF at = window->view().mapTo(window.get(), localOf(*window, kFront));
+    const QColor there = picture.pixelColor(((at + QPointF(2.5, 0)) * picture.devicePixelRatio()).toPoint());
+    QVERIFY2(std::abs(there.red() - 250) < 12 && std::abs(there.green() - 20) < 12, qPrintable(there.name()));
+}
+
+QTEST_MAIN(TestPointView)
+#include "test_point_view.moc"

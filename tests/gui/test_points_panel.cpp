@@ -1,0 +1,530 @@
+// The table of placed points, the one that is placed next, and what they measure, as a user handles them.
+
+#include "core/scene/bundled_scene.h"
+#include "gui/document/point_templates.h"
+#include "gui/document/scene_document.h"
+#include "gui/panels/measures_view.h"
+#include "gui/panels/points_model.h"
+#include "gui/panels/points_panel.h"
+#include "gui/panels/points_table.h"
+#include "gui/text/measure_rows.h"
+#include "gui/text/point_text.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QStyle>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <memory>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using landmarks::Landmark;
+
+Q_DECLARE_METATYPE(std::vector<std::size_t>)
+
+class TestPointsPanel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void aRowTellsItsPoint();
+    void certainDigitsAreTold_data();
+    void certainDigitsAreTold();
+    void errorsAreShownWhole_data();
+    void errorsAreShownWhole();
+    void aDoubleClickOnTheNumberGoesThere();
+    void namesAreEditedInPlace();
+    void aTypedCoordinateMovesAndFrees();
+    void whatIsNotChangedStaysHeld();
+    void refusedCoordinatesSayWhy_data();
+    void refusedCoordinatesSayWhy();
+    void threeCoordinatesAtOnce_data();
+    void threeCoordinatesAtOnce();
+    void theSelectionGoesBothWays();
+    void theSelectionStaysInASortedTable();
+    void sortingChangesOnlyTheView();
+    void draggingPutsAPointElsewhere();
+    void upAndDown();
+    void deleteRemovesAllThatAreSelected();
+    void theCheckBoxHides();
+    void copiedAsATable();
+    void aTemplateIsPlacedOneAfterTheOther();
+    void skippedOnesStayMissing();
+    void withoutATemplateNothingIsMissing();
+    void bundledTemplatesHaveHints();
+    void measuresOfWhatIsSelected_data();
+    void measuresOfWhatIsSelected();
+    void leftAndRight();
+    void theUnitIsTheScenes();
+
+private:
+    QModelIndex at(int row, int column) const { return m_table->model()->index(row, column); }
+    QString textAt(int row, int column) const { return at(row, column).data().toString(); }
+    template <class Widget>
+    Widget *named(const QString &name) const
+    {
+        for (Widget *widget : m_panel->findChildren<Widget *>()) {
+            if (widget->accessibleName() == name)
+                return widget;
+        }
+        return nullptr;
+    }
+    QToolButton *button(const QString &text) const
+    {
+        for (QToolButton *button : m_panel->findChildren<QToolButton *>()) {
+            if (button->text() == text)
+                return button;
+        }
+        return nullptr;
+    }
+    QStringList names() const
+    {
+        QStringList names;
+        for (const Landmark &point : m_document->landmarks())
+            names << QString::fromStdString(point.name);
+        return names;
+    }
+    QString reason() const
+    {
+        const auto *label = named<QLabel>(QStringLiteral("Why the number was refused"));
+        return !label ? QStringLiteral("no label") : label->isHidden() ? QString() : label->text();
+    }
+    void type(int row, int column, const QString &text)
+    {
+        m_table->setCurrentIndex(at(row, column));
+        m_table->edit(at(row, column));
+        auto *editor = m_table->findChild<QLineEdit *>();
+        QVERIFY(editor);
+        editor->setText(text);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCoreApplication::processEvents(); // it ends when the key has been dealt with
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    static Landmark point(const char *name, std::optional<glm::dvec3> world, double off = 0.0)
+    {
+        Landmark landmark;
+        landmark.name = name;
+        if (world)
+            landmark.world = WorldPoint(*world);
+        if (off > 0.0)
+            landmark.uncertainty = WorldVector(off, off, off);
+        return landmark;
+    }
+    void place(double x) { QVERIFY(m_document->points().place(point("", glm::dvec3(x, 0.0, 0.0)))); }
+
+    std::unique_ptr<PointTemplates> m_templates;
+    std::unique_ptr<SceneDocument> m_document;
+    std::unique_ptr<PointsPanel> m_panel;
+    PointsTable *m_table = nullptr;
+};
+
+void TestPointsPanel::init()
+{
+    m_panel.reset();
+    m_templates = std::make_unique<PointTemplates>();
+    m_document = std::make_unique<SceneDocument>();
+    m_document->setSurface({800, 600, 1.0});
+    std::vector<SceneObject> objects = bundledScene();
+    objects.resize(1);
+    m_document->setObjects(objects);
+    std::vector<Landmark> points{point("nasion", glm::dvec3(1.25, -2.0, 3.0), 0.05),
+                                 point("pronasale", glm::dvec3(4.0, 5.0, 6.5)), point("gone", {})};
+    points[0].hold = landmarks::AtVertex{7};
+    points[0].object = objects[0].name;
+    points[0].note = "worn";
+    points[0].color = glm::u8vec3(10, 20, 30);
+    QVERIFY(m_document->editLandmarks(points, {QStringLiteral("test")}));
+    m_panel = std::make_unique<PointsPanel>(*m_document, *m_templates);
+    m_panel->resize(900, 700);
+    m_panel->show();
+    m_table = m_panel->findChild<PointsTable *>();
+    QVERIFY(m_table);
+}
+
+void TestPointsPanel::aRowTellsItsPoint()
+{
+    QCOMPARE(m_table->model()->rowCount(), 3);
+    QCOMPARE(textAt(0, PointsModel::Number), QStringLiteral("1"));
+    QCOMPARE(textAt(0, PointsModel::Name), QStringLiteral("nasion"));
+    QCOMPARE(at(0, PointsModel::Name).data(Qt::DecorationRole).value<QColor>(), QColor(10, 20, 30));
+    QCOMPARE(textAt(0, PointsModel::X), QStringLiteral("1.250")); // two digits below the hundredths that are certain
+    QCOMPARE(at(0, PointsModel::X).data(Qt::EditRole).toString(), QStringLiteral("1.25"));
+    QCOMPARE(textAt(0, PointsModel::PlusMinus), QStringLiteral("0.09")); // 0.05 along each axis
+    QCOMPARE(textAt(0, PointsModel::HeldBy), QStringLiteral("vertex 7"));
+    QCOMPARE(textAt(0, PointsModel::Note), QStringLiteral("worn"));
+    QCOMPARE(textAt(1, PointsModel::HeldBy), QStringLiteral("free"));
+    QCOMPARE(textAt(1, PointsModel::PlusMinus), QString());
+    QCOMPARE(textAt(2, PointsModel::HeldBy), QStringLiteral("missing"));
+    QCOMPARE(textAt(2, PointsModel::X), QStringLiteral("–"));
+}
+
+void TestPointsPanel::certainDigitsAreTold_data()
+{
+    QTest::addColumn<double>("value");
+    QTest::addColumn<double>("uncertainty");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("certain");
+    QTest::newRow("hundredths") << 12.3456789 << 0.008 << "12.3457"
+                                << "12.34";
+    QTest::newRow("whole ones") << 1234.5678 << 0.9 << "1234.57"
+                                << "1234";
+    QTest::newRow("hundreds") << 1234.5678 << 80.0 << "1235"
+                              << "12";
+    QTest::newRow("nothing known") << 12.5 << 0.0 << "12.5000"
+                                   << "12.5000";
+}
+
+void TestPointsPanel::certainDigitsAreTold()
+{
+    QFETCH(double, value);
+    QFETCH(double, uncertainty);
+    QFETCH(QString, text);
+    QFETCH(QString, certain);
+    QVERIFY(
+        m_document->editLandmarks({point("a", glm::dvec3(value, 0.0, 0.0), uncertainty)}, {QStringLiteral("test")}));
+    QCOMPARE(textAt(0, PointsModel::X), text);
+    QCOMPARE(text.left(at(0, PointsModel::X).data(PointsModel::kCertainLengthRole).toInt()), certain);
+}
+
+void TestPointsPanel::errorsAreShownWhole_data()
+{
+    QTest::addColumn<double>("off");
+    for (const double off : {0.0, 0.5, 12.0, 0.011, 0.0011, 0.00011, 0.00097, 0.000004, 123456.0})
+        QTest::addRow("%g", off) << off;
+}
+
+void TestPointsPanel::errorsAreShownWhole()
+{
+    QFETCH(double, off);
+    QVERIFY(m_document->editLandmarks({point("one", glm::dvec3(1.0, 2.0, 3.0), off)}, {QStringLiteral("test")}));
+    const int padding = 2 * (m_table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, m_table) + 1);
+    const QString text = textAt(0, PointsModel::PlusMinus);
+    const int needed = m_table->fontMetrics().horizontalAdvance(text) + padding;
+    const int width = m_table->header()->sectionSize(PointsModel::PlusMinus);
+    QVERIFY2(needed <= width, qPrintable(QStringLiteral("%1: %2 of %3").arg(text).arg(needed).arg(width)));
+}
+
+void TestPointsPanel::aDoubleClickOnTheNumberGoesThere()
+{
+    const WorldPoint before = m_document->scene().camera.center;
+    const auto doubleClick = [this](int column) {
+        const QPoint middle = m_table->visualRect(at(0, column)).center();
+        QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, middle);
+        QTest::mouseDClick(m_table->viewport(), Qt::LeftButton, {}, middle);
+    };
+    doubleClick(PointsModel::Name); // that one is written
+    QVERIFY(m_document->scene().camera.center == before);
+    QTest::keyClick(m_table->findChild<QLineEdit *>(), Qt::Key_Escape);
+    doubleClick(PointsModel::Number);
+    QVERIFY(distance(m_document->scene().camera.center, *m_document->landmarks().front().world) < 1e-9);
+}
+
+void TestPointsPanel::namesAreEditedInPlace()
+{
+    type(1, PointsModel::Name, QStringLiteral("tip"));
+    QCOMPARE(names(), (QStringList{"nasion", "tip", "gone"}));
+    m_document->undoStack().undo();
+    QCOMPARE(names(), (QStringList{"nasion", "pronasale", "gone"}));
+    type(1, PointsModel::Note, QStringLiteral("soft"));
+    QCOMPARE(m_document->landmarks()[1].note, std::string("soft"));
+}
+
+void TestPointsPanel::aTypedCoordinateMovesAndFrees()
+{
+    type(0, PointsModel::Y, QStringLiteral("1/4"));
+    const Landmark &moved = m_document->landmarks()[0];
+    QCOMPARE(moved.world->coordinates(), glm::dvec3(1.25, 0.25, 3.0));
+    QVERIFY(std::holds_alternative<landmarks::Free>(moved.hold));
+    QCOMPARE(reason(), QString());
+    QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Move nasion"));
+}
+
+void TestPointsPanel::whatIsNotChangedStaysHeld()
+{
+    const int before = m_document->undoStack().count();
+    type(0, PointsModel::X, QStringLiteral("1.25"));
+    QVERIFY(std::holds_alternative<landmarks::AtVertex>(m_document->landmarks()[0].hold));
+    QCOMPARE(m_document->undoStack().count(), before);
+}
+
+void TestPointsPanel::refusedCoordinatesSayWhy_data()
+{
+    QTest::addColumn<int>("row");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("no number") << 0 << "abc"
+                               << "abc";
+    QTest::newRow("nothing") << 0 << ""
+                             << "";
+    QTest::newRow("two numbers") << 0 << "1 2"
+                                 << "2";
+    QTest::newRow("one of a point without a place") << 2 << "1"
+                                                    << "no place yet";
+}
+
+void TestPointsPanel::refusedCoordinatesSayWhy()
+{
+    QFETCH(int, row);
+    QFETCH(QString, typed);
+    QFETCH(QString, said);
+    const std::vector<Landmark> before = m_document->landmarks();
+    m_table->edit(at(row, PointsModel::X));
+    auto *editor = m_table->findChild<QLineEdit *>();
+    QVERIFY(editor);
+    editor->setText(QStringLiteral("9"));
+    editor->setText(typed);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    QVERIFY2(!reason().isEmpty() && reason().contains(said), qPrintable(reason()));
+    QVERIFY(m_document->landmarks() == before);
+}
+
+void TestPointsPanel::threeCoordinatesAtOnce_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::newRow("blanks") << "1 -2 3.5";
+    QTest::newRow("commas") << "1, -2, 3.5";
+    QTest::newRow("semicolons") << "1;-2;3.5";
+    QTest::newRow("tabs, as tables are copied") << "1\t-2\t3.5";
+    QTest::newRow("expressions") << "2/2 -2 7/2";
+}
+
+void TestPointsPanel::threeCoordinatesAtOnce()
+{
+    QFETCH(QString, typed);
+    type(2, PointsModel::Z, typed);
+    QVERIFY(m_document->landmarks()[2].world);
+    QCOMPARE(m_document->landmarks()[2].world->coordinates(), glm::dvec3(1.0, -2.0, 3.5));
+}
+
+void TestPointsPanel::theSelectionGoesBothWays()
+{
+    m_document->points().select({0, 2}, 2);
+    QCOMPARE(m_table->selectedPlaces(), (std::vector<std::size_t>{0, 2}));
+    QCOMPARE(m_table->currentIndex().row(), 2);
+    m_table->setCurrentIndex(at(1, PointsModel::X));
+    QCOMPARE(m_document->points().selection(), (std::vector<std::size_t>{1}));
+    QCOMPARE(m_document->points().current(), std::optional<std::size_t>(1));
+    m_document->points().clearSelection();
+    QVERIFY(m_table->selectedPlaces().empty());
+}
+
+void TestPointsPanel::theSelectionStaysInASortedTable()
+{
+    m_table->header()->setSortIndicator(PointsModel::X, Qt::DescendingOrder);
+    m_document->points().selectOnly(0);
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(100.0, 0.0, 0.0))); // the row changes its place
+    QCOMPARE(m_table->selectedPlaces(), (std::vector<std::size_t>{0}));
+    QCOMPARE(m_document->points().selection(), (std::vector<std::size_t>{0}));
+}
+
+void TestPointsPanel::sortingChangesOnlyTheView()
+{
+    m_table->header()->setSortIndicator(PointsModel::Name, Qt::DescendingOrder);
+    QCOMPARE(textAt(0, PointsModel::Name), QStringLiteral("pronasale"));
+    QCOMPARE(textAt(0, PointsModel::Number), QStringLiteral("2"));
+    QCOMPARE(names(), (QStringList{"nasion", "pronasale", "gone"}));
+    QVERIFY(!m_table->dragEnabled());
+    m_table->header()->setSortIndicator(PointsModel::X, Qt::AscendingOrder);
+    QCOMPARE(textAt(2, PointsModel::Name), QStringLiteral("gone")); // without a place behind all others
+    m_table->header()->setSortIndicator(PointsModel::Number, Qt::DescendingOrder);
+    QVERIFY(!m_table->dragEnabled()); // what is dropped below a row would come before it
+    m_table->header()->setSortIndicator(-1, Qt::AscendingOrder);
+    QCOMPARE(textAt(0, PointsModel::Name), QStringLiteral("nasion"));
+    QVERIFY(m_table->dragEnabled());
+}
+
+void TestPointsPanel::draggingPutsAPointElsewhere()
+{
+    const std::unique_ptr<QMimeData> dragged(m_table->model()->mimeData({at(2, 0)}));
+    QVERIFY(m_table->model()->dropMimeData(dragged.get(), Qt::MoveAction, 0, 0, {}));
+    QCOMPARE(names(), (QStringList{"gone", "nasion", "pronasale"}));
+}
+
+void TestPointsPanel::upAndDown()
+{
+    m_document->points().selectOnly(1);
+    QTest::mouseClick(button(QStringLiteral("Up")), Qt::LeftButton);
+    QCOMPARE(names(), (QStringList{"pronasale", "nasion", "gone"}));
+    QVERIFY(!button(QStringLiteral("Up"))->isEnabled());
+    QTest::mouseClick(button(QStringLiteral("Down")), Qt::LeftButton);
+    QTest::mouseClick(button(QStringLiteral("Down")), Qt::LeftButton);
+    QCOMPARE(names(), (QStringList{"nasion", "gone", "pronasale"}));
+    QVERIFY(!button(QStringLiteral("Down"))->isEnabled());
+}
+
+void TestPointsPanel::deleteRemovesAllThatAreSelected()
+{
+    m_document->points().select({0, 2});
+    QTest::keyClick(m_table, Qt::Key_Delete);
+    QCOMPARE(names(), QStringList{"pronasale"});
+    m_document->undoStack().undo();
+    QCOMPARE(names().size(), 3);
+}
+
+void TestPointsPanel::theCheckBoxHides()
+{
+    QVERIFY(m_table->model()->setData(at(1, PointsModel::Name), Qt::Unchecked, Qt::CheckStateRole));
+    QVERIFY(m_document->landmarks()[1].isHidden);
+}
+
+void TestPointsPanel::copiedAsATable()
+{
+    m_document->points().selectOnly(1);
+    QTest::keyClick(m_table, Qt::Key_C, Qt::ControlModifier);
+    QCOMPARE(QGuiApplication::clipboard()->text(),
+             QStringLiteral("name,x,y,z,object,face,u,v,w,note\npronasale,4,5,6.5,,,,,,\n"));
+}
+
+void TestPointsPanel::aTemplateIsPlacedOneAfterTheOther()
+{
+    fillFromTemplate(*m_document, {point("nasion", {}), point("chin", {}), point("ear", {})}, QStringLiteral("Mine"));
+    QCOMPARE(names(), (QStringList{"nasion", "pronasale", "gone", "chin", "ear"}));
+    QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Template Mine"));
+    const auto *next = named<QLabel>(QStringLiteral("The point that is placed next"));
+    const auto *count = named<QLabel>(QStringLiteral("How many points are placed"));
+    QVERIFY(next && count);
+    QVERIFY(next->isVisible());
+    QCOMPARE(next->text(), QStringLiteral("Next: gone"));
+    QCOMPARE(count->text(), QStringLiteral("2 of 5"));
+    place(1.0);
+    QCOMPARE(next->text(), QStringLiteral("Next: chin"));
+    place(2.0);
+    place(3.0);
+    QVERIFY(!next->isVisible());
+    QCOMPARE(names().size(), 5);
+    QCOMPARE(m_document->landmarks()[4].world->x, 3.0);
+}
+
+void TestPointsPanel::skippedOnesStayMissing()
+{
+    fillFromTemplate(*m_document, {point("chin", {}), point("ear", {})}, QStringLiteral("Mine"));
+    const auto *next = named<QLabel>(QStringLiteral("The point that is placed next"));
+    QTest::mouseClick(button(QStringLiteral("Skip")), Qt::LeftButton);
+    QCOMPARE(next->text(), QStringLiteral("Next: chin"));
+    place(1.0);
+    place(2.0);
+    QCOMPARE(next->text(), QStringLiteral("Next: gone")); // it comes again
+    QVERIFY(m_document->landmarks()[2].isMissing());
+}
+
+void TestPointsPanel::withoutATemplateNothingIsMissing()
+{
+    const QList<QAction *> actions = button(QStringLiteral("Template"))->menu()->actions();
+    const auto none = std::find_if(actions.begin(), actions.end(),
+                                   [](const QAction *action) { return action->text() == QStringLiteral("&None"); });
+    QVERIFY(none != actions.end());
+    (*none)->trigger();
+    QCOMPARE(names(), (QStringList{"nasion", "pronasale"}));
+    m_document->undoStack().undo();
+    QCOMPARE(names().size(), 3);
+    // The first of those that come with the program, by its entry.
+    actions.front()->trigger();
+    QCOMPARE(names().size(), 3 + static_cast<int>(m_templates->bundled().front().points.size()) - 1); // nasion is there
+    QVERIFY(named<QLabel>(QStringLiteral("The point that is placed next"))->isVisible());
+}
+
+void TestPointsPanel::bundledTemplatesHaveHints()
+{
+    QVERIFY(m_templates->bundled().size() >= 2);
+    for (const PointTemplates::Bundled &bundled : m_templates->bundled()) {
+        QVERIFY(!bundled.name.isEmpty() && !bundled.source.isEmpty());
+        QVERIFY(bundled.points.size() > 30);
+        for (const Landmark &named : bundled.points) {
+            QVERIFY(named.isMissing());
+            QVERIFY2(!named.note.empty(), named.name.c_str());
+        }
+    }
+    QVERIFY(!m_templates->hintFor(QStringLiteral("Nasion")).isEmpty());
+    QCOMPARE(m_templates->hintFor(QStringLiteral("nowhere")), QString());
+    m_templates->choose({[] {
+        Landmark mine = point("nasion", {});
+        mine.note = "my own";
+        return mine;
+    }()});
+    QCOMPARE(m_templates->hintFor(QStringLiteral("nasion")), QStringLiteral("my own"));
+}
+
+void TestPointsPanel::measuresOfWhatIsSelected_data()
+{
+    QTest::addColumn<std::vector<std::size_t>>("places");
+    QTest::addColumn<QStringList>("rows");
+    using P = std::vector<std::size_t>;
+    QTest::newRow("none") << P{} << QStringList{};
+    QTest::newRow("one") << P{0} << QStringList{};
+    QTest::newRow("two") << P{0, 1} << QStringList{"Distance|a – b|3.0 ± 0.2 mm"};
+    QTest::newRow("two of unknown certainty") << P{1, 2} << QStringList{"Distance|b – c|5 mm"};
+    QTest::newRow("three") << P{0, 1, 2} << QStringList{"Distance|a – b|3.0 ± 0.2 mm", "Distance|a – c|4 mm",
+                                                        "Distance|b – c|5 mm",         "Angle|at a|90°",
+                                                        "Angle|at b|53.1301°",         "Angle|at c|36.8699°",
+                                                        "Length along|a – b – c|8 mm"};
+    QTest::newRow("four") << P{
+        0, 1, 2, 3} << QStringList{"Height|d over the plane a – b – c|2 mm", "Length along|a – b – c – d|12.47214 mm"};
+    QTest::newRow("a missing one") << P{0, 4} << QStringList{"Distance|a – e|a point is missing"};
+}
+
+void TestPointsPanel::measuresOfWhatIsSelected()
+{
+    QFETCH(std::vector<std::size_t>, places);
+    QFETCH(QStringList, rows);
+    landmarks::LandmarkSet set;
+    set.unit = "mm";
+    set.landmarks = {point("a", glm::dvec3(0.0), 0.1), point("b", glm::dvec3(3.0, 0.0, 0.0), 0.1),
+                     point("c", glm::dvec3(0.0, 4.0, 0.0)), point("d", glm::dvec3(0.0, 0.0, 2.0)), point("e", {})};
+    QStringList shown;
+    for (const MeasureRow &row : measuresOf(set, places))
+        shown << QStringList{row.kind, row.points, QString(row.value).replace(QChar::Nbsp, u' ')}.join(u'|');
+    QCOMPARE(shown, rows);
+    QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
+    m_document->points().select(places);
+    QCOMPARE(named<QTreeWidget>(QStringLiteral("Measures"))->topLevelItemCount(), rows.size());
+}
+
+void TestPointsPanel::leftAndRight()
+{
+    landmarks::LandmarkSet set;
+    set.unit = "mm";
+    set.landmarks = {point("eye left", glm::dvec3(-2.0, 0.0, 0.0)), point("eye right", glm::dvec3(2.0, 0.0, 0.0)),
+                     point("ear left", glm::dvec3(-3.0, 1.0, 1.0)), point("ear right", glm::dvec3(3.0, 1.0, 1.0)),
+                     point("nose", glm::dvec3(0.0, 1.0, 5.0))};
+    const std::vector<MeasureRow> rows = sidesOf(set);
+    QCOMPARE(rows.size(), std::size_t(4));
+    QCOMPARE(rows[0].points, QStringLiteral("normal (1, 0, 0)"));
+    QCOMPARE(rows[1].points, QStringLiteral("eye left ↔ eye right"));
+    QVERIFY(*rows[1].number < 1e-12);
+    QCOMPARE(rows[3].points, QStringLiteral("nose"));
+    set.landmarks[0].world = WorldPoint(-2.5, 0.0, 0.0);
+    QVERIFY(*sidesOf(set)[1].number > 0.1);
+    QVERIFY(sidesOf({}).empty());
+    QCOMPARE(csvOf(sidesOf(set), QStringLiteral("mm")).section(u'\n', 0, 0),
+             QStringLiteral("kind,points,value,error,unit"));
+}
+
+void TestPointsPanel::theUnitIsTheScenes()
+{
+    auto *unit = named<QComboBox>(QStringLiteral("Unit of the scene"));
+    QVERIFY(unit);
+    unit->setCurrentIndex(unit->findData(QStringLiteral("cm")));
+    emit unit->activated(unit->currentIndex());
+    QCOMPARE(m_document->landmarkSet().unit, std::string("cm"));
+    m_document->undoStack().undo();
+    QCOMPARE(unit->currentData().toString(), QString());
+    landmarks::LandmarkSet set = m_document->landmarkSet();
+    set.unit = "furlong"; // as a file may have it
+    QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
+    QCOMPARE(unit->currentText(), QStringLiteral("furlong"));
+}
+
+QTEST_MAIN(TestPointsPanel)
+#include "test_points_panel.moc"

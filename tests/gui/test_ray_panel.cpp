@@ -1,0 +1,269 @@
+// What the comparison says of the ray on the mesh, situation by situation: its coordinates, how far they are from the formula's,
+// which to trust, and what is copied. No window of OpenGL is needed.
+
+#include "told_changes.h"
+
+#include "core/scene/solids.h"
+#include "gui/panels/comparison_panel.h"
+#include "gui/panels/ray_model.h"
+#include "gui/panels/ray_table.h"
+#include "gui/text/ray_text.h"
+#include "tests/support/mesh_model.h"
+
+#include <QLabel>
+#include <QTest>
+
+#include <memory>
+#include <optional>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace documenttest;
+
+namespace {
+
+constexpr int kPatienceMilliseconds = 60000;
+
+Mesh pointAt(const glm::vec3 &position)
+{
+    Mesh mesh;
+    mesh.kind = Mesh::Kind::Points;
+    mesh.positions = {position};
+    return mesh;
+}
+
+/// Two cubes of edge 2 behind each other, "front" and "back", and a point, seen along -z from (0, 0, 12): the fronts are at z = 1
+/// and -4. A pixel is 0.02 wide.
+void openCubes(SceneDocument &document)
+{
+    const auto cube = modelOf(cubeMesh(2.0));
+    document.setSurface({400, 300, 1.0});
+    Scene scene;
+    scene.camera = scene.home = {WorldPoint(0, 0, 12), WorldPoint(0, 0, 0), {0, 1, 0}};
+    scene.projection = Ortho{-4, 4, -3, 3, 1, 41};
+    scene.projectionFollowsViewport = false;
+    scene.clipDistancesFitObjects = false;
+    scene.objects = {{"front", {}, cube, {}},
+                     {"back", {}, cube, {Translate{{0, 0, -5}}}},
+                     {"point", {}, modelOf(pointAt({3, 0, 0})), {}}};
+    QVERIFY(document.open(scene));
+}
+
+/// What the depth buffer has of a height.
+DepthSample at(double z, std::size_t object)
+{
+    return {(12.0 - z - 1.0) / 40.0, object, 24};
+}
+const DepthSample kBackground{1.0, {}, 24};
+
+QString said(const QWidget &panel, const char *accessibleName)
+{
+    for (const QLabel *label : panel.findChildren<QLabel *>()) {
+        if (label->accessibleName() == QLatin1String(accessibleName))
+            return label->text().replace(QChar::Nbsp, u' ');
+    }
+    return {};
+}
+
+double value(const ComparisonPanel &panel, int row, int column)
+{
+    const QVariant v = panel.rayModel().index(row, column).data(CoordinatesModel::kValueRole);
+    return v.isValid() ? v.toDouble() : std::nan("");
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(DepthSample)
+
+class TestRayPanel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void eachSituationIsExplained_data();
+    void eachSituationIsExplained();
+    void theTableHasTheRaysNumbers();
+    void whatAClickTakesIsShown_data();
+    void whatAClickTakesIsShown();
+    void theAnswerComesByItself();
+    void allOfItIsCopied();
+    void nothingMoves();
+};
+
+void TestRayPanel::eachSituationIsExplained_data()
+{
+    QTest::addColumn<WidgetPoint>("position");
+    QTest::addColumn<DepthSample>("sample");
+    QTest::addColumn<QStringList>("expected");
+    const auto row = [](const char *name, const WidgetPoint &position, const DepthSample &sample,
+                        const QStringList &expected) { QTest::newRow(name) << position << sample << expected; };
+    const WidgetPoint onCube(220, 140), beside(20, 20), nearPoint(352, 146);
+    row("the same surface", onCube, at(1.0, 0), {" from the formula; in depth steps 0. Trust the ray"});
+    row("a step off", onCube, at(1.0 - 40.0 / 16777215.0, 0),
+        {"Ray on mesh: 0.000002 from the formula; in depth steps 1. Trust the ray"});
+    row("another part of it", onCube, at(-1.0, 0), {"2 before the formula: an edge", "Trust the ray"});
+    row("another object is drawn behind", onCube, at(-4.0, 1), {"The ray meets front, 5 before back", "Trust the ray"});
+    row("another object is drawn before", onCube, at(3.0, 1), {"The ray meets front, 2 behind back", "Trust the ray"});
+    row("two surfaces at one depth", onCube, at(1.0, 1),
+        {"Two surfaces at one depth, ", "back is drawn, the ray meets front."});
+    row("only drawn", beside, at(1.0, 0), {"The ray meets nothing, front is drawn", "Trust the formula"});
+    row("only met", onCube, kBackground, {"The ray meets front, nothing is drawn", "Trust the ray"});
+    row("nothing", beside, kBackground, {"The ray meets no mesh either."});
+    row("a point of a cloud", nearPoint, at(0.0, 2), {"The ray takes the nearest point", "it is the file's"});
+    row("a point beside which nothing is drawn", nearPoint, kBackground, {"The ray takes the nearest point, within 8"});
+}
+
+void TestRayPanel::eachSituationIsExplained()
+{
+    QFETCH(WidgetPoint, position);
+    QFETCH(DepthSample, sample);
+    QFETCH(QStringList, expected);
+    SceneDocument document;
+    openCubes(document);
+    const ComparisonPanel panel(document);
+    QCOMPARE(said(panel, "Ray on mesh"), QString());
+    document.pickAt(position, sample);
+    const QString text = said(panel, "Ray on mesh");
+    for (const QString &part : expected)
+        QVERIFY2(text.contains(part), qPrintable(text));
+    document.clearPick();
+    QCOMPARE(said(panel, "Ray on mesh"), QString());
+}
+
+void TestRayPanel::theTableHasTheRaysNumbers()
+{
+    SceneDocument document;
+    openCubes(document);
+    const ComparisonPanel panel(document);
+    for (int column = 0; column < RayModel::ColumnCount; ++column)
+        QCOMPARE(panel.rayModel().index(0, column).data().toString(), QStringLiteral("–"));
+    document.pickAt(WidgetPoint(220, 140), at(0.5, 0));
+    const SceneHit &hit = document.pickedRay()->met->hit;
+    const WorldPoint formula = *document.pick()->point.world[Method::Formula];
+    for (int axis = 0; axis < 3; ++axis) {
+        QVERIFY(value(panel, axis, RayModel::Met) == hit.world[axis]);
+        QVERIFY(value(panel, axis, RayModel::OffBy) == formula[axis] - hit.world[axis]);
+        QVERIFY(value(panel, axis, RayModel::Normal) == (axis == 2 ? 1.0 : 0.0));
+        QVERIFY(value(panel, axis, RayModel::Taken) == 1.0);
+    }
+    QCOMPARE(panel.rayModel().headerData(RayModel::Taken, Qt::Horizontal).toString(), QStringLiteral("Vertex"));
+    const QString detail = said(panel, "Triangle, vertex and edge");
+    QVERIFY2(detail.startsWith(QStringLiteral("Triangle %1 at (").arg(hit.triangle->triangle)), qPrintable(detail));
+    QVERIFY2(detail.contains(QStringLiteral("vertex %1 is 1.0 away").arg(hit.vertex.id))
+                 || detail.contains(QStringLiteral("vertex %1 is 1 away").arg(hit.vertex.id)),
+             qPrintable(detail));
+    // Black are the digits that the mesh and the arithmetic leave.
+    const QModelIndex cell = panel.rayModel().index(0, RayModel::Met);
+    QVERIFY(cell.data(CoordinatesModel::kCertainLengthRole).toInt() >= 8);
+    // Of a background that the ray meets nothing behind, there is nothing.
+    document.pickAt(WidgetPoint(20, 20), kBackground);
+    QVERIFY(std::isnan(value(panel, 0, RayModel::Met)) && std::isnan(value(panel, 0, RayModel::Taken)));
+}
+
+void TestRayPanel::whatAClickTakesIsShown_data()
+{
+    QTest::addColumn<int>("snap");
+    QTest::addColumn<WidgetPoint>("position");
+    QTest::addColumn<QString>("head");
+    QTest::addColumn<QList<double>>("point");
+    QTest::addColumn<QStringList>("detail");
+    const auto row = [](const char *name, Snap snap, const WidgetPoint &position, const char *head,
+                        const QList<double> &point, const QStringList &detail) {
+        QTest::newRow(name) << int(snap) << position << QString::fromLatin1(head) << point << detail;
+    };
+    // The cube's corner (1, 1, 1) is at pixel (250, 100), its right edge at column 250.
+    row("a vertex", Snap::Vertex, WidgetPoint(246, 104), "Vertex", {1, 1, 1}, {"Taken: vertex", "of triangle"});
+    row("no vertex", Snap::Vertex, WidgetPoint(220, 120), "Vertex", {}, {"No vertex is in sight within 8 pixels."});
+    row("an edge", Snap::Edge, WidgetPoint(246, 119.5), "On edge", {1, 0.61, 1}, {"the nearest point of the edge"});
+    row("no edge", Snap::Edge, WidgetPoint(170, 160), "On edge", {}, {"No edge is in sight within 8 pixels."});
+    row("a face", Snap::Face, WidgetPoint(220, 140), "On face", {0.41, 0.19, 1},
+        {"Taken: face", "0 x + 0 y + 1 z = 1"});
+    row("no face", Snap::Face, WidgetPoint(20, 20), "On face", {}, {"No face is in sight within 8 pixels."});
+}
+
+void TestRayPanel::whatAClickTakesIsShown()
+{
+    QFETCH(int, snap);
+    QFETCH(WidgetPoint, position);
+    QFETCH(QString, head);
+    QFETCH(QList<double>, point);
+    QFETCH(QStringList, detail);
+    SceneDocument document;
+    openCubes(document);
+    const ComparisonPanel panel(document);
+    document.setSnap(static_cast<Snap>(snap));
+    document.pickAt(position, at(1.0, 0));
+    QCOMPARE(panel.rayModel().headerData(RayModel::Taken, Qt::Horizontal).toString(), head);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (point.isEmpty())
+            QVERIFY(std::isnan(value(panel, axis, RayModel::Taken)));
+        else if (static_cast<Snap>(snap) == Snap::Vertex)
+            QVERIFY2(value(panel, axis, RayModel::Taken) == point[axis], "its very coordinate");
+        else
+            QVERIFY(std::abs(value(panel, axis, RayModel::Taken) - point[axis]) < 1e-12);
+    }
+    const QString text = said(panel, "Triangle, vertex and edge");
+    for (const QString &part : detail)
+        QVERIFY2(text.contains(part), qPrintable(text));
+    // What is taken later is another matter.
+    document.setSnap(Snap::Surface);
+    QCOMPARE(said(panel, "Triangle, vertex and edge"), text);
+}
+
+void TestRayPanel::theAnswerComesByItself()
+{
+    SceneDocument document;
+    openCubes(document);
+    const ComparisonPanel panel(document);
+    QVERIFY(document.addObjects({{"ball", {}, modelOf(sphereMesh(1.5, 7)), {}}}));
+    document.pickAt(WidgetPoint(200, 150), at(1.5, 3));
+    QCOMPARE(said(panel, "Ray on mesh"), rayPreparingText());
+    QVERIFY(std::isnan(value(panel, 2, RayModel::Met)));
+    QVERIFY(QTest::qWaitFor([&] { return document.pickedRay()->state == PickedRay::State::Answered; },
+                            kPatienceMilliseconds));
+    QVERIFY2(said(panel, "Ray on mesh").contains("Trust the ray"), qPrintable(said(panel, "Ray on mesh")));
+    QVERIFY(std::abs(value(panel, 2, RayModel::Met) - 1.5) < 1e-3);
+}
+
+void TestRayPanel::allOfItIsCopied()
+{
+    SceneDocument document;
+    openCubes(document);
+    const ComparisonPanel panel(document);
+    document.pickAt(WidgetPoint(220, 140), at(1.0, 0));
+    const QString copied = panel.text().replace(QChar::Nbsp, u' ');
+    QVERIFY(copied.contains(panel.rayModel().text()));
+    QVERIFY(copied.contains(said(panel, "Ray on mesh")) && copied.contains(said(panel, "Triangle, vertex and edge")));
+    QVERIFY(panel.rayModel().text().contains(shortestText(document.pickedRay()->met->hit.world.x)));
+    const QModelIndex cell = panel.rayModel().index(1, RayModel::Met);
+    QCOMPARE(panel.rayModel().pointAt(cell).size(), std::size_t(3));
+    QCOMPARE(panel.rayModel().pointNameAt(cell), QStringLiteral("rayOnMesh"));
+}
+
+void TestRayPanel::nothingMoves()
+{
+    SceneDocument document;
+    openCubes(document);
+    ComparisonPanel panel(document);
+    panel.resize(420, 900);
+    panel.show();
+    const auto places = [&panel] {
+        QCoreApplication::processEvents();
+        QList<QRect> rects;
+        for (const QWidget *child : panel.findChildren<QWidget *>(Qt::FindDirectChildrenOnly))
+            rects << QRect(child->pos(), QSize(0, child->height()));
+        return rects << QRect(QPoint(), panel.minimumSizeHint());
+    };
+    const QList<QRect> before = places();
+    for (const Snap snap : {Snap::Surface, Snap::Vertex, Snap::Edge, Snap::Face}) {
+        document.setSnap(snap);
+        for (const WidgetPoint &position : {WidgetPoint(220, 140), WidgetPoint(246, 104), WidgetPoint(20, 20)}) {
+            for (const DepthSample &sample : {at(1.0, 0), at(-4.0, 1), kBackground}) {
+                document.pickAt(position, sample);
+                QCOMPARE(places(), before);
+            }
+        }
+    }
+}
+
+QTEST_MAIN(TestRayPanel)
+#include "test_ray_panel.moc"
