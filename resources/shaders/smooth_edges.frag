@@ -75,19 +75,21 @@ vec2 shiftOnEdge(ivec2 pixel, float middle, float up, float down, float left, fl
 
 vec3 colorAt(ivec2 pixel)
 {
-    float middle = brightness(texelFetch(colors, pixel, 0).rgb);
+    vec3 color = texelFetch(colors, pixel, 0).rgb;
+    float middle = brightness(color);
     float up = brightnessAt(pixel + ivec2(0, 1)), down = brightnessAt(pixel + ivec2(0, -1));
     float right = brightnessAt(pixel + ivec2(1, 0)), left = brightnessAt(pixel + ivec2(-1, 0));
     float highest = max(max(max(up, down), max(left, right)), middle);
     float lowest = min(min(min(up, down), min(left, right)), middle);
     float contrast = highest - lowest;
-    vec2 shift = vec2(0.0);
     // A loop that runs once or never: renderers on the processor compute both sides of an `if` for every pixel, and skip a
     // loop that none of their pixels is in. Few pixels are on an edge.
     int edges = contrast < max(kLeastContrast, highest * kLeastShareOfBrightest) ? 0 : 1;
-    for (int i = 0; i < edges; ++i)
-        shift = shiftOnEdge(pixel, middle, up, down, left, right, contrast);
-    return textureLod(colors, (vec2(pixel) + 0.5 + shift) / vec2(textureSize(colors, 0)), 0.0).rgb;
+    for (int i = 0; i < edges; ++i) {
+        vec2 shift = shiftOnEdge(pixel, middle, up, down, left, right, contrast);
+        color = textureLod(colors, (vec2(pixel) + 0.5 + shift) / vec2(textureSize(colors, 0)), 0.0).rgb;
+    }
+    return color;
 }
 
 void main()

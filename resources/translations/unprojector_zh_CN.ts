@@ -242,10 +242,6 @@
         <translation>%1 是空文件（0 字节）。</translation>
     </message>
     <message>
-        <source>%1 is no model that can be opened here. Use OBJ, STL, PLY, OFF, glTF or GLB.</source>
-        <translation>%1 不是本程序能打开的模型。请使用 OBJ、STL、PLY、OFF、glTF 或 GLB。</translation>
-    </message>
-    <message>
         <source>%1 is damaged: %2</source>
         <translation>%1 已损坏：%2</translation>
     </message>
@@ -254,8 +250,8 @@
         <translation>%1 中没有三角形，因此没有可以点击的表面。</translation>
     </message>
     <message>
-        <source>%1: vertex %2 is not a finite number (NaN or infinity)%3.</source>
-        <translation>%1：顶点 %2 不是有限的数（NaN 或无穷大）%3。</translation>
+        <source>%1: vertex %2 is NaN, infinite, or beyond 3.4e38%3.</source>
+        <translation>%1：顶点 %2 是 NaN、无穷大或超出 3.4e38%3。</translation>
     </message>
     <message>
         <source>Opening %1 was cancelled.</source>
@@ -348,6 +344,18 @@
     <message>
         <source>The angle is %1°; it must lie between 0° and 180°, both excluded.</source>
         <translation>角度为 %1°；必须在 0° 与 180° 之间，不含两端。</translation>
+    </message>
+    <message>
+        <source>An object reaches to %1, farther than can be computed. Look at its scales and translations.</source>
+        <translation>有物体延伸到 %1，超出了可计算的范围。请检查它的缩放和平移。</translation>
+    </message>
+    <message>
+        <source>An object measures %1, less than can be computed. Look at its scales.</source>
+        <translation>有物体的尺寸为 %1，小到无法计算。请检查它的缩放。</translation>
+    </message>
+    <message>
+        <source>%1 is no model that can be opened here%2. Use OBJ, STL, PLY, OFF, glTF or GLB.</source>
+        <translation>%1 不是本程序能打开的模型%2。请使用 OBJ、STL、PLY、OFF、glTF 或 GLB。</translation>
     </message>
 </context>
 <context>
@@ -528,8 +536,8 @@
         <translation>原因：求逆矩阵时的舍入，被透视放大 %1 倍 (z (f − n) / (f n))，又在视点坐标相消之处被放大 %2 倍。公式不求任何逆。</translation>
     </message>
     <message>
-        <source>The buffers leave ±&#xa0;%1 along the view (half a depth step) and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half a pixel).</source>
-        <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（半个像素）。</translation>
+        <source>At the pixel&apos;s centre the surface is within ±&#xa0;%1 along the view (half a depth step is %2). A pixel is %3&#xa0;×&#xa0;%4 here.</source>
+        <translation>在像素中心处，表面沿视线方向位于 ±&#xa0;%1 之内（半个深度级为 %2）。此处一个像素的大小为 %3&#xa0;×&#xa0;%4。</translation>
     </message>
     <message>
         <source>The pixel&apos;s centre from the window&apos;s left edge, device pixels</source>
@@ -647,6 +655,10 @@
         <source>The ray enters the view volume at %1 and leaves it at %2.</source>
         <translation>射线在 %1 处进入视景体，在 %2 处离开。</translation>
     </message>
+    <message>
+        <source>The buffers leave ±&#xa0;%1 along the view and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half of the %4 pixels that a point is drawn wide).</source>
+        <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（点画成 %4 像素宽，此为其一半）。</translation>
+    </message>
 </context>
 <context>
     <name>ProportionTexts</name>
@@ -661,6 +673,121 @@
     <message>
         <source>A circle would be drawn %1 : 1, higher than wide.</source>
         <translation>圆会画成 %1 : 1，高大于宽。</translation>
+    </message>
+</context>
+<context>
+    <name>RayTexts</name>
+    <message>
+        <source>The ray meets no mesh either.</source>
+        <translation>射线也不与任何网格相交。</translation>
+    </message>
+    <message>
+        <source>The ray takes the nearest point, within 8 pixels.</source>
+        <translation>射线取 8 像素以内最近的点。</translation>
+    </message>
+    <message>
+        <source>The ray on the mesh comes as soon as the model is prepared for it.</source>
+        <translation>模型准备好后，即给出射线与网格的交点。</translation>
+    </message>
+    <message>
+        <source>There is too little memory to prepare the model for the ray on the mesh.</source>
+        <translation>内存不足，无法为射线与网格求交准备模型。</translation>
+    </message>
+    <message>
+        <source>Point %1 of the cloud.</source>
+        <translation>点云中的点 %1。</translation>
+    </message>
+    <message>
+        <source>Taken: vertex %1, of triangle %2.</source>
+        <translation>所取：顶点 %1，属于三角形 %2。</translation>
+    </message>
+    <message>
+        <source>No vertex is in sight within 8 pixels.</source>
+        <translation>8 像素以内看不到顶点。</translation>
+    </message>
+    <message>
+        <source>Taken: the nearest point of the edge %1 to %2, of triangle %3.</source>
+        <translation>所取：边 %1–%2 上最近的点，属于三角形 %3。</translation>
+    </message>
+    <message>
+        <source>No edge is in sight within 8 pixels.</source>
+        <translation>8 像素以内看不到边。</translation>
+    </message>
+    <message>
+        <source>Taken: face %1, in the plane %2.</source>
+        <translation>所取：面 %1，所在平面 %2。</translation>
+    </message>
+    <message>
+        <source>No face is in sight within 8 pixels.</source>
+        <translation>8 像素以内看不到面。</translation>
+    </message>
+    <message>
+        <source>Ray on mesh: %1 from the formula; in depth steps %2. Trust the ray: it does not go through the depth buffer.</source>
+        <translation>网格上的射线：与公式相差 %1，合 %2 个深度级。应信射线：它不经过深度缓冲。</translation>
+    </message>
+    <message>
+        <source>Triangle %1 at (%2, %3, %4); vertex %5 is %6 away, edge %7–%8 %9 away.</source>
+        <translation>三角形 %1，重心坐标 (%2, %3, %4)；顶点 %5 距此 %6，边 %7–%8 距此 %9。</translation>
+    </message>
+    <message>
+        <source>Ray on mesh: %1 behind the formula: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the ray.</source>
+        <translation>网格上的射线：在公式结果之后 %1。一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信射线。</translation>
+    </message>
+    <message>
+        <source>Ray on mesh: %1 before the formula: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the ray.</source>
+        <translation>网格上的射线：在公式结果之前 %1。一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信射线。</translation>
+    </message>
+    <message>
+        <source>The ray meets %1, %2 behind %3: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the ray.</source>
+        <translation>射线与 %1 相交，在 %3 之后 %2：一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信射线。</translation>
+    </message>
+    <message>
+        <source>Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Which is in front neither can tell; trust the ray&apos;s coordinates.</source>
+        <translation>两个表面在同一深度，相距 %1：绘出的是 %2，射线与 %3 相交。哪个在前两者都无法判断；坐标应信射线。</translation>
+    </message>
+    <message>
+        <source>The ray meets nothing, %1 is drawn: its outline passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the formula.</source>
+        <translation>绘出了 %1，射线却不与任何网格相交：其轮廓经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信公式。</translation>
+    </message>
+    <message>
+        <source>The ray meets %1, nothing is drawn: an outline passes the pixel&apos;s centre, or a sliver that the GPU leaves out. Trust the ray.</source>
+        <translation>什么也没有绘出，射线却与 %1 相交：轮廓经过像素中心，或是 GPU 漏掉的狭长三角形。应信射线。</translation>
+    </message>
+    <message>
+        <source>The ray takes the nearest point, %1 from the formula, which has the pixel&apos;s centre. Trust the point: it is the file&apos;s.</source>
+        <translation>射线取最近的点，与公式相差 %1（公式算的是像素中心）。应信该点：它就是文件中的点。</translation>
+    </message>
+    <message>
+        <source>The ray meets %1, %2 before %3: an edge, or a sliver that the GPU leaves out. Trust the ray.</source>
+        <translation>射线与 %1 相交，在 %3 之前 %2：那是一条边，或是 GPU 漏掉的狭长三角形。应信射线。</translation>
+    </message>
+    <message>
+        <source>Vertex %1 of %2</source>
+        <translation>%2 的顶点 %1</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2</source>
+        <translation>%2 的点 %1</translation>
+    </message>
+    <message>
+        <source>A point of edge %1–%2 of %3</source>
+        <translation>%3 的边 %1–%2 上的点</translation>
+    </message>
+    <message>
+        <source>A point of face %1 of %2</source>
+        <translation>%2 的面 %1 上的点</translation>
+    </message>
+    <message>
+        <source>The vertex taken is certain to ± %1: it is the file&apos;s, in single precision. The table above is of the surface under the pixel.</source>
+        <translation>所取顶点的可靠程度为 ± %1：它是文件中的顶点，为单精度。上表是该像素下表面的数值。</translation>
+    </message>
+    <message>
+        <source>The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The table above is of the surface under the pixel.</source>
+        <translation>边上所取的点的可靠程度为 ± %1：它不经过深度缓冲。上表是该像素下表面的数值。</translation>
+    </message>
+    <message>
+        <source>The point taken on the face is certain to ± %1: it does not go through the depth buffer. The table above is of the surface under the pixel.</source>
+        <translation>面上所取的点的可靠程度为 ± %1：它不经过深度缓冲。上表是该像素下表面的数值。</translation>
     </message>
 </context>
 <context>
@@ -940,9 +1067,9 @@
     </message>
     <message>
         <source>%1 ± %2
-Rounded to what the depth and the pixel leave certain of this coordinate</source>
+Rounded to what is certain of this coordinate of the point at the pixel&apos;s centre</source>
         <translation>%1 ± %2
-舍入到深度和像素对该坐标所能确定的位数</translation>
+舍入到像素中心处的点的该坐标所能确定的位数</translation>
     </message>
     <message>
         <source>Certain</source>
@@ -953,14 +1080,14 @@ Rounded to what the depth and the pixel leave certain of this coordinate</source
         <translation>矩阵</translation>
     </message>
     <message>
-        <source>Rounded to what the depth and the pixel leave certain, each coordinate by itself; world units</source>
-        <translation>舍入到深度和像素所能确定的位数，各坐标分别计；世界单位</translation>
+        <source>What is certain of the point at the pixel&apos;s centre, each coordinate by itself; world units</source>
+        <translation>像素中心处的点所能确定的位数，各坐标分别计；世界单位</translation>
     </message>
     <message>
         <source>%1
-Grey digits are below the last certain place, where the depth buffer and the pixel tell nothing. Rounded to that place, the number is the one under Certain.</source>
+Grey digits are below the last certain place, where the depth buffer and the drawing tell nothing. Rounded to that place, the number is the one under Certain.</source>
         <translation>%1
-灰色数字位于最后一个确定数位之下，深度缓冲区和像素对其一无所知。舍入到该位即为“确定”一栏的数。</translation>
+灰色数字位于最后一个确定数位之下，深度缓冲区和绘制过程对其一无所知。舍入到该位即为“确定”一栏的数。</translation>
     </message>
     <message>
         <source>In float</source>
@@ -1058,10 +1185,6 @@ Grey digits are below the last certain place, where the depth buffer and the pix
         <translation>点击后，代入数值的公式显示在这里。</translation>
     </message>
     <message>
-        <source>A point on the surface</source>
-        <translation>表面上的一点</translation>
-    </message>
-    <message>
         <source>Background: no surface here</source>
         <translation>背景：此处没有表面</translation>
     </message>
@@ -1116,6 +1239,30 @@ Grey digits are below the last certain place, where the depth buffer and the pix
     <message>
         <source>The matrix inverse done in single precision, as most programs do it, in the place of the difference between the two methods in double</source>
         <translation>以单精度求逆矩阵，如多数程序所做；代替两种双精度方法之差显示</translation>
+    </message>
+    <message>
+        <source>What the ray meets on the mesh</source>
+        <translation>射线与网格的交点</translation>
+    </message>
+    <message>
+        <source>Ray on mesh</source>
+        <translation>网格上的射线</translation>
+    </message>
+    <message>
+        <source>What the ray through the pixel&apos;s centre meets on the mesh itself, in double</source>
+        <translation>经过像素中心的射线与网格本身的交点，双精度</translation>
+    </message>
+    <message>
+        <source>Triangle, vertex and edge</source>
+        <translation>三角形、顶点和边</translation>
+    </message>
+    <message>
+        <source>By their numbers in the model: triangles and vertices are counted from 0</source>
+        <translation>以其在模型中的编号表示：三角形和顶点从 0 数起</translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>表面</translation>
     </message>
 </context>
 <context>
@@ -1314,6 +1461,10 @@ Grey digits are below the last certain place, where the depth buffer and the pix
     <message>
         <source>The graphics memory does not hold %1, which is not drawn whole. Close other programs, or open a smaller model.</source>
         <translation>显存容纳不下 %1，它没有被完整绘制。请关闭其他程序，或打开较小的模型。</translation>
+    </message>
+    <message>
+        <source>The picture %1 is larger than OpenGL draws here and is shown scaled down to a width of %2 pixels.</source>
+        <translation>图片 %1 超出了此处 OpenGL 能绘制的大小，已缩小到 %2 像素宽显示。</translation>
     </message>
 </context>
 <context>
@@ -1549,6 +1700,58 @@ Grey digits are below the last certain place, where the depth buffer and the pix
         <source>go to the group above, below</source>
         <translation>转到上一组、下一组</translation>
     </message>
+    <message>
+        <source>Placed points</source>
+        <translation>放置的点</translation>
+    </message>
+    <message>
+        <source>left button on a mark</source>
+        <translation>在标记上按左键</translation>
+    </message>
+    <message>
+        <source>select the point, with Ctrl besides the others</source>
+        <translation>选中该点；按住 Ctrl 则加选</translation>
+    </message>
+    <message>
+        <source>left drag of a mark</source>
+        <translation>左键拖动标记</translation>
+    </message>
+    <message>
+        <source>slide the point on the surface; Esc puts it back</source>
+        <translation>让点在表面上滑动；Esc 放回原处</translation>
+    </message>
+    <message>
+        <source>left drag of an arrow at the selected point, while points are placed</source>
+        <translation>放置点时，左键拖动选中点处的箭头</translation>
+    </message>
+    <message>
+        <source>move the point along the axis, off the surface</source>
+        <translation>让点沿坐标轴移动，离开表面</translation>
+    </message>
+    <message>
+        <source>left button, while points are placed</source>
+        <translation>放置点时按左键</translation>
+    </message>
+    <message>
+        <source>place a point; Esc ends it</source>
+        <translation>放置一个点；Esc 结束放置</translation>
+    </message>
+    <message>
+        <source>arrows, while points are placed</source>
+        <translation>放置点时按方向键</translation>
+    </message>
+    <message>
+        <source>move the selected point by a pixel, with Shift by ten, with Alt by a tenth</source>
+        <translation>将选中的点移动一个像素，按住 Shift 移动十个，按住 Alt 移动十分之一个</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>remove the selected points</source>
+        <translation>移除选中的点</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::LifecycleLog</name>
@@ -1600,6 +1803,18 @@ Grey digits are below the last certain place, where the depth buffer and the pix
         <source>Milliseconds of the step; of pictures in a row, the last and the mean</source>
         <translation>该步骤的毫秒数；对连续的画面，为最后一幅的值和平均值</translation>
     </message>
+    <message>
+        <source>While the view moves, large models are shown by coarse ones that stand in for them. Clicks always read the full model.</source>
+        <translation>视图移动时，大模型由粗略的替身显示。点击读取的始终是完整的模型。</translation>
+    </message>
+    <message>
+        <source>%1; in %2 of %3 pictures large models were drawn coarse</source>
+        <translation>%1；%3 幅画面中有 %2 幅对大模型作了粗略绘制</translation>
+    </message>
+    <message>
+        <source>%1; large models were drawn coarse</source>
+        <translation>%1；对大模型作了粗略绘制</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::LifecyclePanel</name>
@@ -1650,6 +1865,14 @@ Grey digits are below the last certain place, where the depth buffer and the pix
         <source>Stop opening and keep the scene as it is (Esc)</source>
         <translation>停止打开，保持场景不变（Esc）</translation>
     </message>
+    <message>
+        <source>Drawing …</source>
+        <translation>正在绘制…</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>正在绘制</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MainWindow</name>
@@ -1686,8 +1909,8 @@ Grey digits are below the last certain place, where the depth buffer and the pix
         <translation>指针处的世界坐标</translation>
     </message>
     <message>
-        <source>World coordinate under the pointer, with the digits that are certain</source>
-        <translation>指针处的世界坐标，只显示可靠的数位</translation>
+        <source>World coordinate under the pointer, with the digits that its pixel leaves certain</source>
+        <translation>指针处的世界坐标，只显示在其像素之内可靠的数位</translation>
     </message>
     <message>
         <source>Projection</source>
@@ -2025,6 +2248,150 @@ Grey digits are below the last certain place, where the depth buffer and the pix
         <source>&amp;Work Place</source>
         <translation>工作区(&amp;W)</translation>
     </message>
+    <message>
+        <source>Preparing the ray on the mesh</source>
+        <translation>正在准备网格上的射线</translation>
+    </message>
+    <message>
+        <source>Clicks have the depth buffer&apos;s answer already; the ray&apos;s comes when the model is prepared for it</source>
+        <translation>点击已有深度缓冲的结果；模型准备好后即有射线的结果</translation>
+    </message>
+    <message>
+        <source>Preparing the ray on the mesh: %1 %</source>
+        <translation>正在准备网格上的射线：%1 %</translation>
+    </message>
+    <message>
+        <source>A Click Takes</source>
+        <translation>点击选取</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>表面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>A click takes the surface under it</source>
+        <translation>点击选取其下的表面</translation>
+    </message>
+    <message>
+        <source>&amp;Vertex</source>
+        <translation>顶点(&amp;V)</translation>
+    </message>
+    <message>
+        <source>A click takes the vertex in sight within 8 pixels, its very coordinate</source>
+        <translation>点击选取 8 像素以内可见的顶点，给出其精确坐标</translation>
+    </message>
+    <message>
+        <source>&amp;Edge</source>
+        <translation>边(&amp;E)</translation>
+    </message>
+    <message>
+        <source>A click takes the nearest point of an edge in sight within 8 pixels</source>
+        <translation>点击选取 8 像素以内可见的边上最近的点</translation>
+    </message>
+    <message>
+        <source>&amp;Face</source>
+        <translation>面(&amp;F)</translation>
+    </message>
+    <message>
+        <source>A click takes the face under it, with its plane</source>
+        <translation>点击选取其下的面及其所在平面</translation>
+    </message>
+    <message>
+        <source>&amp;Import Points…</source>
+        <translation>导入点(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Read points from a file of this or another program</source>
+        <translation>从本程序或其他程序的文件读取点</translation>
+    </message>
+    <message>
+        <source>E&amp;xport Points…</source>
+        <translation>导出点(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Write the points to a file; its suffix says for which program</source>
+        <translation>将点写入文件；由后缀决定供哪个程序使用</translation>
+    </message>
+    <message>
+        <source>Series of S&amp;cans</source>
+        <translation>扫描系列(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder…</source>
+        <translation>打开文件夹(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a folder of scans, to place the same points on each</source>
+        <translation>打开一个扫描文件夹，在每个扫描上放置相同的点</translation>
+    </message>
+    <message>
+        <source>&amp;Next Scan</source>
+        <translation>下一个扫描(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Keep the points and show the next scan</source>
+        <translation>保留各点并显示下一个扫描</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Scan</source>
+        <translation>上一个扫描(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Keep the points and show the scan before</source>
+        <translation>保留各点并显示上一个扫描</translation>
+    </message>
+    <message>
+        <source>Import Points</source>
+        <translation>导入点</translation>
+    </message>
+    <message>
+        <source>Export Points</source>
+        <translation>导出点</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>系列</translation>
+    </message>
+    <message>
+        <source>&amp;Place Points</source>
+        <translation>放置点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>A click places a point; what is dragged turns the view</source>
+        <translation>点击放置一个点；拖动则转动视图</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Point</source>
+        <translation>转到该点(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Turn the camera to face the surface at the selected point</source>
+        <translation>转动相机，使其正对选中点处的表面</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to ± 0.01</source>
+        <translation>放大到 ± 0.01(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Get closer to the selected point until its pixel leaves no more open than 0.01</source>
+        <translation>靠近选中的点，直到它的像素所含的不确定不超过 0.01</translation>
+    </message>
+    <message>
+        <source>Put &amp;Back on the Surface</source>
+        <translation>放回表面(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Put the selected points onto the surface, where it is closest to them</source>
+        <translation>将选中的点放到表面上离它们最近的位置</translation>
+    </message>
+    <message>
+        <source>Place points on the surface, name them, move them, measure between them</source>
+        <translation>在表面上放置点、命名、移动、测量</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MatrixModel</name>
@@ -2120,6 +2487,128 @@ Grey digits are below the last certain place, where the depth buffer and the pix
     <message>
         <source>Four lines of numbers with commas, as shown</source>
         <translation>四行以逗号分隔的数字，按显示的排列</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::Measures</name>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>在 %1</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>%1 over the plane %2</source>
+        <translation>%1 到平面 %2</translation>
+    </message>
+    <message>
+        <source>Length along</source>
+        <translation>折线长度</translation>
+    </message>
+    <message>
+        <source>Mirror plane</source>
+        <translation>镜像平面</translation>
+    </message>
+    <message>
+        <source>none is better than another yet; place more left and right points</source>
+        <translation>目前没有哪个平面更好；请放置更多左右成对的点</translation>
+    </message>
+    <message>
+        <source>normal (%1, %2, %3)</source>
+        <translation>法线 (%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>offset %1</source>
+        <translation>偏移 %1</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>Asymmetry</source>
+        <translation>不对称</translation>
+    </message>
+    <message>
+        <source>Off the middle</source>
+        <translation>偏离中线</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::MeasuresView</name>
+    <message>
+        <source>What is measured</source>
+        <translation>测量什么</translation>
+    </message>
+    <message>
+        <source>Selected</source>
+        <translation>所选</translation>
+    </message>
+    <message>
+        <source>Distances, angles and heights of the points that are selected</source>
+        <translation>所选各点的距离、角度和高度</translation>
+    </message>
+    <message>
+        <source>Left and Right</source>
+        <translation>左与右</translation>
+    </message>
+    <message>
+        <source>Points whose names are the same but for left and right, and the plane that mirrors them best</source>
+        <translation>名称只差“左”“右”（left、right）的点，以及使它们最好地互为镜像的平面</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Unit of the scene</source>
+        <translation>场景的单位</translation>
+    </message>
+    <message>
+        <source>What a world unit of this scene is; nothing is converted</source>
+        <translation>本场景的一个世界单位是什么；不作任何换算</translation>
+    </message>
+    <message>
+        <source>world units</source>
+        <translation>世界单位</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>No pairs: name points alike but for “left” and “right”, as “eye left” and “eye right”.</source>
+        <translation>没有成对的点：请让名称只差“left”和“right”，如“eye left”和“eye right”。</translation>
+    </message>
+    <message>
+        <source>Select two points or more to measure between them.</source>
+        <translation>选择两个或更多的点即可测量。</translation>
+    </message>
+    <message>
+        <source>Copy as C&amp;SV</source>
+        <translation>复制为 CSV(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -2302,6 +2791,37 @@ Grey digits are below the last certain place, where the depth buffer and the pix
     <message>
         <source>Way</source>
         <translation>位移</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::NextPointBar</name>
+    <message>
+        <source>The point that is placed next</source>
+        <translation>下一个要放置的点</translation>
+    </message>
+    <message>
+        <source>Where that is</source>
+        <translation>它在哪里</translation>
+    </message>
+    <message>
+        <source>How many points are placed</source>
+        <translation>已放置多少个点</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>跳过</translation>
+    </message>
+    <message>
+        <source>Leave this one missing and go on with the next</source>
+        <translation>让这个点保持缺失，继续下一个</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>下一个：%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
@@ -2858,6 +3378,89 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
+    <name>unprojector::gui::PointFiles</name>
+    <message>
+        <source>Points (%1)</source>
+        <translation>点 (%1)</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>表格 (%1)</translation>
+    </message>
+    <message>
+        <source>MeshLab, picked points (%1)</source>
+        <translation>MeshLab 拾取点 (%1)</translation>
+    </message>
+    <message>
+        <source>3D Slicer, markups (%1)</source>
+        <translation>3D Slicer 标记 (%1)</translation>
+    </message>
+    <message>
+        <source>3D Slicer, older markups (%1)</source>
+        <translation>3D Slicer 旧式标记 (%1)</translation>
+    </message>
+    <message>
+        <source>IDAV Landmark (%1)</source>
+        <translation>IDAV Landmark (%1)</translation>
+    </message>
+    <message>
+        <source>TPS of geomorph and tpsDig (%1)</source>
+        <translation>geomorph 与 tpsDig 的 TPS (%1)</translation>
+    </message>
+    <message>
+        <source>NTSYS (%1)</source>
+        <translation>NTSYS (%1)</translation>
+    </message>
+    <message>
+        <source>Points far from every object: %1. “%2” is %3 off, which is %4 % of the object&apos;s size. Are they of another object, or in other axes?</source>
+        <translation>远离所有物体的点：%1 个。“%2”相距 %3，为物体大小的 %4 %。它们是另一个物体的，还是坐标轴不同？</translation>
+    </message>
+    <message>
+        <source>On the mesh: %1. Free where they are, far from it: %2.</source>
+        <translation>在网格上：%1 个。远离网格、自由留在原处：%2 个。</translation>
+    </message>
+    <message>
+        <source>They were moved onto the mesh by at most %1 (%2).</source>
+        <translation>它们已移到网格上，最多移动 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>They lie on the mesh.</source>
+        <translation>它们就在网格上。</translation>
+    </message>
+    <message>
+        <source>%1 has %2 specimens; the points of the first are shown.</source>
+        <translation>%1 有 %2 个标本；显示的是第一个的点。</translation>
+    </message>
+    <message>
+        <source>Import points</source>
+        <translation>导入点</translation>
+    </message>
+    <message>
+        <source>Points read from %1: %2.</source>
+        <translation>从 %1 读取的点：%2 个。</translation>
+    </message>
+    <message>
+        <source>Points written to %1: %2.</source>
+        <translation>写入 %1 的点：%2 个。</translation>
+    </message>
+    <message>
+        <source>Points of the scan</source>
+        <translation>扫描的点</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PointMark</name>
+    <message>
+        <source>%1 (behind)</source>
+        <comment>a point that the surface hides</comment>
+        <translation>%1（在后面）</translation>
+    </message>
+    <message>
+        <source>It is behind what is seen here.</source>
+        <translation>它在此处可见的表面后面。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::PointModel</name>
     <message>
         <source>object</source>
@@ -2968,6 +3571,331 @@ of the eye point before the division by its own w′</source>
 of a point that needs no division</source>
         <translation>w = %1
 不需要再做除法的点的第四分量</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PointTemplates</name>
+    <message>
+        <source>Definitions in our own words, after Martin and Saller, Lehrbuch der Anthropologie (1957)</source>
+        <translation>定义为我们自己的表述，依据 Martin 与 Saller《Lehrbuch der Anthropologie》（1957）</translation>
+    </message>
+    <message>
+        <source>Definitions in our own words, after Farkas, Anthropometry of the Head and Face (1994)</source>
+        <translation>定义为我们自己的表述，依据 Farkas《Anthropometry of the Head and Face》（1994）</translation>
+    </message>
+    <message>
+        <source>Skull (craniometric points)</source>
+        <translation>颅骨（测量点）</translation>
+    </message>
+    <message>
+        <source>craniometric</source>
+        <extracomment>The file of resources/templates with the hints in this language</extracomment>
+        <translation>craniometric_zh_CN</translation>
+    </message>
+    <message>
+        <source>Face (soft tissue)</source>
+        <translation>面部（软组织）</translation>
+    </message>
+    <message>
+        <source>facial</source>
+        <extracomment>The file of resources/templates with the hints in this language</extracomment>
+        <translation>facial_zh_CN</translation>
+    </message>
+    <message>
+        <source>Template %1</source>
+        <translation>模板 %1</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::Points</name>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>顶点 %1</translation>
+    </message>
+    <message>
+        <source>edge %1–%2</source>
+        <translation>边 %1–%2</translation>
+    </message>
+    <message>
+        <source>It has no place: not placed yet, or not there on this object.</source>
+        <translation>它没有位置：尚未放置，或此物体上没有这个点。</translation>
+    </message>
+    <message>
+        <source>Held by nothing: its coordinates say where it is.</source>
+        <translation>不依附于任何东西：位置由坐标给出。</translation>
+    </message>
+    <message>
+        <source>On triangle %1 of the mesh, by barycentric coordinates %2, %3, %4.</source>
+        <translation>在网格的三角形 %1 上，重心坐标为 %2、%3、%4。</translation>
+    </message>
+    <message>
+        <source>At vertex %1 of the mesh, its very coordinate.</source>
+        <translation>在网格的顶点 %1，即其坐标本身。</translation>
+    </message>
+    <message>
+        <source>On the edge from vertex %1 to vertex %2 of the mesh, %3 of the way.</source>
+        <translation>在网格从顶点 %1 到顶点 %2 的边上，处于全程的 %3。</translation>
+    </message>
+    <message>
+        <source>a point is missing</source>
+        <translation>有一个点缺失</translation>
+    </message>
+    <message>
+        <source>there are fewer than two points</source>
+        <translation>少于两个点</translation>
+    </message>
+    <message>
+        <source>two points are at one place, so there is no direction</source>
+        <translation>两个点在同一处，因此没有方向</translation>
+    </message>
+    <message>
+        <source>the three points lie on one line, so there is no plane</source>
+        <translation>三个点在一条直线上，因此没有平面</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PointsModel</name>
+    <message>
+        <source>%1 ± %2, world units</source>
+        <translation>%1 ± %2，世界单位</translation>
+    </message>
+    <message>
+        <source>%1, world units; how far it can be off is not known</source>
+        <translation>%1，世界单位；可能相差多少不得而知</translation>
+    </message>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1，已隐藏</translation>
+    </message>
+    <message>
+        <source>How far the point can be off, world units: the length of what each coordinate can be</source>
+        <translation>该点可能相差多少，世界单位：各坐标可能相差之量的长度</translation>
+    </message>
+    <message>
+        <source>Its number in the list, and in files that have no names</source>
+        <translation>它在列表中的编号，也是没有名称的文件中的编号</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>World x; black as far as it is certain</source>
+        <translation>世界 x；黑色部分是确定的</translation>
+    </message>
+    <message>
+        <source>World y; black as far as it is certain</source>
+        <translation>世界 y；黑色部分是确定的</translation>
+    </message>
+    <message>
+        <source>World z; black as far as it is certain</source>
+        <translation>世界 z；黑色部分是确定的</translation>
+    </message>
+    <message>
+        <source>How far the point can be off, world units</source>
+        <translation>该点可能相差多少，世界单位</translation>
+    </message>
+    <message>
+        <source>The object that it lies on</source>
+        <translation>它所在的物体</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>What of the object&apos;s mesh holds it</source>
+        <translation>它依附于物体网格的哪一部分</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>依附于</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>This point has no place yet. Type all three coordinates, as “1 2 3”, or place it in the view.</source>
+        <translation>这个点还没有位置。请一次输入三个坐标，如“1 2 3”，或在视图中放置它。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PointsPanel</name>
+    <message>
+        <source>No points yet. Press P, then click where one is to be; or choose a template, and its points are placed one after the other.</source>
+        <translation>还没有点。按 P，再点击要放置的地方；或选择一个模板，依次放置其中的点。</translation>
+    </message>
+    <message>
+        <source>Why the number was refused</source>
+        <translation>数字被拒绝的原因</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Names to place one after the other</source>
+        <translation>依次放置的名称</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Put the selected point before the one above it</source>
+        <translation>将所选的点移到上一个之前</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Put the selected point behind the one below it</source>
+        <translation>将所选的点移到下一个之后</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Remove the selected points (Del)</source>
+        <translation>移除所选的点 (Del)</translation>
+    </message>
+    <message>
+        <source>&amp;Load Template…</source>
+        <translation>载入模板(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Names as Template…</source>
+        <translation>将名称存为模板(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Place All Again</source>
+        <translation>全部重新放置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The names stay, and every point is placed anew</source>
+        <translation>名称保留，每个点重新放置</translation>
+    </message>
+    <message>
+        <source>Load Template</source>
+        <translation>载入模板</translation>
+    </message>
+    <message>
+        <source>Templates and points (%1)</source>
+        <translation>模板与点 (%1)</translation>
+    </message>
+    <message>
+        <source>Save Names as Template</source>
+        <translation>将名称存为模板</translation>
+    </message>
+    <message>
+        <source>MeshLab&apos;s template (%1)</source>
+        <translation>MeshLab 模板 (%1)</translation>
+    </message>
+    <message>
+        <source>Table with hints (%1)</source>
+        <translation>带提示的表格 (%1)</translation>
+    </message>
+    <message>
+        <source>Colour of Points</source>
+        <translation>点的颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Usual</source>
+        <translation>通常(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>Sky Blue</source>
+        <translation>天蓝</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>朱红</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>紫</translation>
+    </message>
+    <message>
+        <source>&amp;Other…</source>
+        <translation>其他(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>隐藏(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Place This One Next</source>
+        <translation>下一个放置这个点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Mark as &amp;Missing</source>
+        <translation>标为缺失(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Copy as C&amp;SV</source>
+        <translation>复制为 CSV(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>移除(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>无(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Take away the names that are not placed: points are placed freely</source>
+        <translation>去掉尚未放置的名称：自由放置各点</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PointsTable</name>
+    <message>
+        <source>Placed points</source>
+        <translation>已放置的点</translation>
     </message>
 </context>
 <context>
@@ -3110,6 +4038,77 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::RayModel</name>
+    <message>
+        <source>World x</source>
+        <translation>世界 x</translation>
+    </message>
+    <message>
+        <source>World y</source>
+        <translation>世界 y</translation>
+    </message>
+    <message>
+        <source>World z</source>
+        <translation>世界 z</translation>
+    </message>
+    <message>
+        <source>Vertex</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>On edge</source>
+        <translation>边上</translation>
+    </message>
+    <message>
+        <source>On face</source>
+        <translation>面上</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>Where the ray through the pixel&apos;s centre meets the mesh itself, in double, without the depth buffer; world units</source>
+        <translation>经过像素中心的射线与网格本身的交点，双精度，不经过深度缓冲；世界单位</translation>
+    </message>
+    <message>
+        <source>Formula minus ray; world units</source>
+        <translation>公式减射线；世界单位</translation>
+    </message>
+    <message>
+        <source>The normal of the triangle, of length 1, world space</source>
+        <translation>三角形的法向，长度为 1，世界空间</translation>
+    </message>
+    <message>
+        <source>The nearest corner of the triangle; world units</source>
+        <translation>三角形最近的顶点；世界单位</translation>
+    </message>
+    <message>
+        <source>The vertex that the click takes; world units</source>
+        <translation>点击所取的顶点；世界单位</translation>
+    </message>
+    <message>
+        <source>The point of an edge that the click takes; world units</source>
+        <translation>点击所取的边上的点；世界单位</translation>
+    </message>
+    <message>
+        <source>The point of the face that the click takes; world units</source>
+        <translation>点击所取的面上的点；世界单位</translation>
+    </message>
+    <message>
+        <source>Ray on mesh</source>
+        <translation>网格上的射线</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法向</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::RecoveryBar</name>
     <message>
         <source>Unsaved changes of an earlier session</source>
@@ -3163,6 +4162,33 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::ScanSeries</name>
+    <message>
+        <source>%1: the folder cannot be read: %2</source>
+        <translation>%1：无法读取此文件夹：%2</translation>
+    </message>
+    <message>
+        <source>%1: there is no model file in this folder. %2 are read.</source>
+        <translation>%1：此文件夹中没有模型文件。可读取：%2。</translation>
+    </message>
+    <message>
+        <source>Points of the scan</source>
+        <translation>扫描的点</translation>
+    </message>
+    <message>
+        <source>Points of %1 kept beside it.</source>
+        <translation>%1 的点已保存在它旁边。</translation>
+    </message>
+    <message>
+        <source>On no scan of the series is a point yet.</source>
+        <translation>此系列的扫描上还没有任何点。</translation>
+    </message>
+    <message>
+        <source>Scans written to %1: %2.</source>
+        <translation>写入 %1 的扫描：%2 个。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::SceneDocument</name>
     <message>
         <source>Add objects</source>
@@ -3207,6 +4233,97 @@ of a point that needs no division</source>
     <message>
         <source>Rename object</source>
         <translation>重命名物体</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ScenePoints</name>
+    <message>
+        <source>point %1</source>
+        <translation>点 %1</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>点 %1</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>放置 %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动 %1</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Note on %1</source>
+        <translation>%1 的备注</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>%1 的颜色</translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n points</source>
+        <translation>
+            <numerusform>%n 个点的颜色</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>显示 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hide %n points</source>
+        <translation>
+            <numerusform>隐藏 %n 个点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n points</source>
+        <translation>
+            <numerusform>显示 %n 个点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 missing</source>
+        <translation>%1 缺失</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points missing</source>
+        <translation>
+            <numerusform>%n 个点缺失</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n points</source>
+        <translation>
+            <numerusform>移除 %n 个点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Order of points</source>
+        <translation>点的顺序</translation>
+    </message>
+    <message>
+        <source>Put %1 on the surface</source>
+        <translation>将 %1 放到表面上</translation>
+    </message>
+    <message numerus="yes">
+        <source>Put %n points on the surface</source>
+        <translation>
+            <numerusform>将 %n 个点放到表面上</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3321,6 +4438,108 @@ of a point that needs no division</source>
     <message>
         <source>The view is %1 × %2 logical pixels, not %3 × %4: the window cannot be made so here. --no-panels leaves it more room.</source>
         <translation>视图是 %1 × %2 逻辑像素，而不是 %3 × %4：窗口在此处无法做到。--no-panels 可给它更多空间。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SeriesModel</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未读取</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation>已放置</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SeriesPanel</name>
+    <message>
+        <source>Scans of the series</source>
+        <translation>系列中的扫描</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>文件夹…</translation>
+    </message>
+    <message>
+        <source>Open a folder of scans, to place the same points on each</source>
+        <translation>打开一个扫描文件夹，在每个扫描上放置相同的点</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>上一个</translation>
+    </message>
+    <message>
+        <source>Keep the points and show the scan before (Ctrl+PgUp)</source>
+        <translation>保留各点并显示上一个扫描 (Ctrl+PgUp)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一个</translation>
+    </message>
+    <message>
+        <source>Keep the points and show the next scan (Ctrl+PgDown)</source>
+        <translation>保留各点并显示下一个扫描 (Ctrl+PgDown)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Write the points of all scans to one table</source>
+        <translation>将所有扫描的点写入一个表格</translation>
+    </message>
+    <message>
+        <source>Placing</source>
+        <translation>遍次</translation>
+    </message>
+    <message>
+        <source>Which time the series is gone through, or by which observer: the points of each are kept by themselves, and Repeats tells how far they scatter</source>
+        <translation>第几遍处理此系列，或由哪位观察者处理：每遍的点分别保存，“重复”给出它们的离散程度</translation>
+    </message>
+    <message>
+        <source>Placing:</source>
+        <translation>遍次：</translation>
+    </message>
+    <message>
+        <source>No series is open</source>
+        <translation>没有打开的系列</translation>
+    </message>
+    <message>
+        <source>Open a Series of Scans</source>
+        <translation>打开扫描系列</translation>
+    </message>
+    <message>
+        <source>A row a scan (%1)</source>
+        <translation>每个扫描一行 (%1)</translation>
+    </message>
+    <message>
+        <source>A row a point (%1)</source>
+        <translation>每个点一行 (%1)</translation>
+    </message>
+    <message>
+        <source>TPS of geomorph and tpsDig (%1)</source>
+        <translation>geomorph 与 tpsDig 的 TPS (%1)</translation>
+    </message>
+    <message>
+        <source>NTSYS (%1)</source>
+        <translation>NTSYS (%1)</translation>
+    </message>
+    <message>
+        <source>Repeats: mean and error of all placings (%1)</source>
+        <translation>重复：所有遍次的均值与误差 (%1)</translation>
+    </message>
+    <message>
+        <source>Export Points of All Scans</source>
+        <translation>导出所有扫描的点</translation>
     </message>
 </context>
 <context>
@@ -3665,10 +4884,6 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>x、y、宽、高，设备像素，原点在窗口左下角</translation>
     </message>
     <message>
-        <source>Proportions (3) and (4)</source>
-        <translation>比例式 (3) 和 (4)</translation>
-    </message>
-    <message>
         <source>x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane
 x_v, y_v: the centre of the pointer&apos;s pixel, device pixels from the window&apos;s bottom-left corner
 vx, vy, width, height: the viewport; left, right, bottom, top: the projection window</source>
@@ -3704,6 +4919,22 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <source>Window, viewport and projection window, drawn to scale</source>
         <translation>窗口、视口和投影窗口，按比例绘制</translation>
     </message>
+    <message>
+        <source>Proportion (3)</source>
+        <translation>比例式 (3)</translation>
+    </message>
+    <message>
+        <source>Numbers of proportion (3)</source>
+        <translation>比例式 (3) 的数值</translation>
+    </message>
+    <message>
+        <source>Proportion (4)</source>
+        <translation>比例式 (4)</translation>
+    </message>
+    <message>
+        <source>Numbers of proportion (4)</source>
+        <translation>比例式 (4) 的数值</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::WindowQuestions</name>
@@ -3738,6 +4969,30 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>Delete the unsaved changes to %1 for good?</source>
         <translation>要永久删除对 %1 的未保存更改吗？</translation>
+    </message>
+    <message>
+        <source>Import Points</source>
+        <translation>导入点</translation>
+    </message>
+    <message>
+        <source>There are %1 points already, and the file has %2. Replace them, or put the new ones behind them?</source>
+        <translation>已有 %1 个点，文件中有 %2 个。替换它们，还是把新的放在后面？</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Append</source>
+        <translation>追加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Move Them onto the Mesh</source>
+        <translation>移到网格上(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave Them Where They Are</source>
+        <translation>留在原处(&amp;L)</translation>
     </message>
 </context>
 </TS>
