@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace unprojector::gui {
 namespace {
@@ -101,6 +102,34 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
             move(other, *to);
     }
     return changed ? changed : set;
+}
+
+std::optional<landmarks::LandmarkSet> carried(landmarks::LandmarkSet set, const SceneObject &from,
+                                              const SceneObject &to)
+{
+    const bool isMoved = from.transform != to.transform;
+    ObjectAfter after{&to, isMoved, {}};
+    if (isMoved)
+        after.motion = worldFromObject(to.transform) * glm::inverse(worldFromObject(from.transform));
+    for (Landmark &landmark : set.landmarks) {
+        const bool isOnIt = landmark.object == from.name;
+        if (isMoved && isOnIt) {
+            move(landmark, after);
+        } else if (isMoved) { // what holds it is no part of this mesh
+            const landmarks::Hold hold = std::exchange(landmark.hold, landmarks::Free{});
+            move(landmark, after);
+            landmark.hold = hold;
+        }
+        if (isOnIt)
+            landmark.object = to.name;
+        const auto isFinite = [](const auto &v) {
+            return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+        };
+        if ((landmark.world && !isFinite(*landmark.world))
+            || (landmark.uncertainty && !isFinite(*landmark.uncertainty)))
+            return std::nullopt;
+    }
+    return set;
 }
 
 } // namespace unprojector::gui

@@ -19,6 +19,14 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
                                                           const std::vector<SceneObject> &before,
                                                           const std::vector<SceneObject> &after);
 
+/// Landmarks carried along as one object goes from a placement to another: all of them, whatever they lie on. Those of the object are
+/// where its mesh has them then, and name it by its name there. Between a scene and the file of the object's mesh, whose placement
+/// is none: the way back has rounding, and the errors of single axes do not come back as they were, only their length does.
+/// @param from, to  the same object, with the same model
+/// @return nothing where a coordinate would not be finite, as back from an object that is scaled to nothing
+std::optional<landmarks::LandmarkSet> carried(landmarks::LandmarkSet set, const SceneObject &from,
+                                              const SceneObject &to);
+
 /// Where a landmark's hold is in the world.
 /// @return nothing where it is free, and where the object has no such triangle or vertex
 std::optional<WorldPoint> worldOf(const landmarks::Hold &hold, const SceneObject &object);

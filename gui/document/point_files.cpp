@@ -41,6 +41,56 @@ QString sentences(const QString &file, const std::vector<LandmarkNote> &notes)
     return lines.join(u'\n');
 }
 
+/// The keys of other programs that only one of both has come to it; which of the others are left out.
+QStringList addKeys(nlohmann::ordered_json &to, const nlohmann::ordered_json &from)
+{
+    QStringList leftOut;
+    for (auto it = from.begin(); from.is_object() && it != from.end(); ++it) {
+        if (!to.is_object() || !to.contains(it.key()))
+            to[it.key()] = *it;
+        else if (to[it.key()] != *it)
+            leftOut << QString::fromStdString(it.key());
+    }
+    return leftOut;
+}
+
+/// What the scene has besides points stays where the file says nothing of it, and units are never changed in silence.
+/// @return what is to be said of that
+QStringList replace(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &before, const QString &file)
+{
+    QStringList notes;
+    if (set.unit.empty())
+        set.unit = before.unit;
+    else if (!before.unit.empty() && set.unit != before.unit)
+        notes << PointFiles::tr("%1 is in %2: that is the scene's unit now, instead of %3. Nothing is converted.")
+                     .arg(file, QString::fromStdString(set.unit), QString::fromStdString(before.unit));
+    if (set.name.empty())
+        set.name = before.name;
+    if (set.mesh.empty())
+        set.mesh = before.mesh;
+    addKeys(set.extra, before.extra); // of one key the file's is the newer
+    return notes;
+}
+
+QStringList append(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &before, const QString &file)
+{
+    QStringList notes;
+    landmarks::LandmarkSet all = before;
+    all.landmarks.insert(all.landmarks.end(), std::make_move_iterator(set.landmarks.begin()),
+                         std::make_move_iterator(set.landmarks.end()));
+    if (!set.unit.empty() && set.unit != before.unit)
+        notes << (before.unit.empty()
+                      ? PointFiles::tr("%1 is in %2, and what the scene is in is not known. Nothing is converted.")
+                            .arg(file, QString::fromStdString(set.unit))
+                      : PointFiles::tr("%1 is in %2, and the scene in %3. Nothing is converted.")
+                            .arg(file, QString::fromStdString(set.unit), QString::fromStdString(before.unit)));
+    if (const QStringList leftOut = addKeys(all.extra, set.extra); !leftOut.isEmpty())
+        notes << PointFiles::tr("%1: the scene has other values of these already, which stay: %2.")
+                     .arg(file, leftOut.join(QStringLiteral(", ")));
+    set = std::move(all);
+    return notes;
+}
+
 } // namespace
 
 PointFiles::PointFiles(SceneDocument &document, PointFileQuestions *questions, QObject *parent)
@@ -82,15 +132,6 @@ QString PointFiles::exportFilters()
     return filters.join(QStringLiteral(";;"));
 }
 
-QString PointFiles::suffixOfFilter(const QString &filter)
-{
-    for (const Format format : kFormats) {
-        if (filter.contains(u'(' + patternOf(format) + u')'))
-            return QLatin1String(suffixOf(format));
-    }
-    return QLatin1String(suffixOf(Format::Csv));
-}
-
 std::vector<ray::TyingTarget> PointFiles::targets() const
 {
     std::vector<ray::TyingTarget> targets;
@@ -123,7 +164,7 @@ std::optional<QString> PointFiles::tieAll(std::vector<landmarks::Landmark> &poin
         }
         const double share = now->distance / bounds.diagonal();
         if (share > ray::kFarFromMesh)
-            strays.push_back({i, now->distance, std::move(before)});
+            strays.push_back({i, std::move(before)});
         if (tied++ == 0 || now->distance > farthest) {
             farthest = now->distance;
             farthestShare = share;
@@ -165,29 +206,33 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
         return false;
     }
     ReadLandmarks read = std::move(result).value();
-    const std::vector<landmarks::Landmark> &there = m_document.landmarks();
+    // Whatever comes to an end while a question is open, as the loading of a model, may show another scene below it.
+    bool isSameScene = true;
+    const auto changed = connect(&m_document, &SceneDocument::changed, this, [&isSameScene](Changes changes) {
+        if (changes & (Change::Objects | Change::Landmarks))
+            isSameScene = false;
+    });
+    const auto there = static_cast<int>(m_document.landmarks().size());
     landmarks::LandmarkSet set = std::move(read.sets.front());
-    const auto join = there.empty() || !m_questions ? PointFileQuestions::Join::Replace
-                                                    : m_questions->askJoin(static_cast<int>(there.size()),
-                                                                           static_cast<int>(set.landmarks.size()));
-    if (join == PointFileQuestions::Join::Cancel)
-        return false;
-    const std::optional<QString> done = tieAll(set.landmarks);
+    const auto join = there == 0 || !m_questions ? PointFileQuestions::Join::Replace
+                                                 : m_questions->askJoin(there, static_cast<int>(set.landmarks.size()));
+    const std::optional<QString> done = join == PointFileQuestions::Join::Cancel ? std::nullopt : tieAll(set.landmarks);
+    disconnect(changed);
     if (!done)
         return false;
     const QString name = pathText(file.filename());
+    if (!isSameScene) {
+        emit failed(tr("%1: the scene has changed meanwhile. Import the points again.").arg(name));
+        return false;
+    }
     const std::size_t count = set.landmarks.size();
     QStringList notes;
     if (const QString lost = sentences(name, read.notes); !lost.isEmpty())
         notes << lost;
     if (read.sets.size() > 1)
         notes << tr("%1 has %2 specimens; the points of the first are shown.").arg(name).arg(read.sets.size());
-    if (join == PointFileQuestions::Join::Append) {
-        landmarks::LandmarkSet all = m_document.landmarkSet();
-        all.landmarks.insert(all.landmarks.end(), std::make_move_iterator(set.landmarks.begin()),
-                             std::make_move_iterator(set.landmarks.end()));
-        set = std::move(all);
-    }
+    notes << (join == PointFileQuestions::Join::Append ? append(set, m_document.landmarkSet(), name)
+                                                       : replace(set, m_document.landmarkSet(), name));
     static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Import points")}));
     if (!notes.isEmpty())
         emit warned(notes.join(u'\n'));
@@ -216,18 +261,6 @@ bool PointFiles::exportTo(const std::filesystem::path &file)
     if (!written->empty())
         emit warned(sentences(name, *written));
     emit noticed(tr("Points written to %1: %2.").arg(name).arg(set.landmarks.size()));
-    return true;
-}
-
-bool PointFiles::takeKept(const std::filesystem::path &file)
-{
-    auto result = readLandmarkFile(file);
-    if (!result) {
-        emit failed(QString::fromStdString(errorText(result.error())));
-        return false;
-    }
-    static_cast<void>(
-        m_document.editLandmarkSet(std::move(std::move(result).value().sets.front()), {tr("Points of the scan")}));
     return true;
 }
 

@@ -42,17 +42,13 @@ public:
     static QString importFilter();
     /// One a format, separated by ";;".
     static QString exportFilters();
-    /// What a file's name ends in that a person chose one of the filters for and gave no suffix; "csv" of none of them.
-    static QString suffixOfFilter(const QString &filter);
 
-    /// Reads a file and ties its points to the objects that are not hidden, as one undoable step.
+    /// Reads a file and ties its points to the objects that are not hidden, as one undoable step. What else the scene says of its
+    /// points, their unit and the keys of other programs, stays where the file says nothing of it.
     /// @return whether its points are in the scene
     bool importFrom(const std::filesystem::path &file);
     /// @return whether it is written
     bool exportTo(const std::filesystem::path &file);
-
-    /// Reads the points of a scan as they were kept beside it: nothing is asked, nothing moved.
-    bool takeKept(const std::filesystem::path &file);
 
 signals:
     /// What could not be read or written, in words.
@@ -65,7 +61,6 @@ signals:
 private:
     struct Stray {
         std::size_t place = 0;
-        double distance = 0.0;
         landmarks::Landmark untied;
     };
     std::vector<ray::TyingTarget> targets() const;

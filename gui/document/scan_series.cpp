@@ -7,11 +7,13 @@
 #include "core/landmarks/point_template.h"
 #include "core/landmarks/repeats.h"
 #include "core/text/number_text.h"
+#include "gui/document/landmark_objects.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/text/error_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -44,6 +46,32 @@ std::string cell(const std::string &text)
     return quoted;
 }
 
+QString sentences(const QString &file, const std::vector<LandmarkNote> &notes)
+{
+    QStringList lines;
+    for (const LandmarkNote &note : notes)
+        lines << QStringLiteral("%1: %2.").arg(file, QString::fromStdString(noteText(note)));
+    return lines.join(u'\n');
+}
+
+/// A scan as its file has it.
+SceneObject asInItsFile(const std::filesystem::path &file, const SceneObject &shown)
+{
+    return {files::utf8FromPath(file.filename()), file, shown.model, {}};
+}
+
+/// Whether a landmark is where it was, but for what rounding leaves of it.
+bool isStill(const Landmark &now, const Landmark &was)
+{
+    constexpr double kRounding = 1e-12;
+    if (!now.world || !was.world || now.hold != was.hold)
+        return false;
+    const auto &[a, b] = std::pair(now.world->coordinates(), was.world->coordinates());
+    const double size = std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z)});
+    return std::abs(a.x - b.x) <= kRounding * size && std::abs(a.y - b.y) <= kRounding * size
+           && std::abs(a.z - b.z) <= kRounding * size;
+}
+
 } // namespace
 
 std::size_t ScanSeries::Scan::placedCount() const
@@ -56,7 +84,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     : QObject(parent), m_document(document), m_session(session)
 {
     // Told before the points of the other scene are, which are not this scan's.
-    connect(&m_document, &SceneDocument::opened, this, [this] { m_shown = std::nullopt; });
+    connect(&m_document, &SceneDocument::opened, this, [this] { m_inView = m_shown = std::nullopt; });
     connect(&m_session, &Session::opened, this, [this] {
         if (m_isOpening) {
             takeShown();
@@ -69,11 +97,11 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     connect(&m_session, &Session::loadingEnded, this, [this] {
         if (!std::exchange(m_isOpening, false))
             return;
-        m_current = m_shown;
+        m_current = m_inView;
         emit changed();
     });
     connect(&m_session, &Session::failed, this, [this](const QString &reason) {
-        if (!m_isOpening || !m_current)
+        if (!m_isOpening || !m_current || m_session.isLoading()) // while it is loaded, something else has failed
             return;
         m_isOpening = false;
         m_scans[*m_current].problem = reason;
@@ -83,25 +111,33 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!(changes & Change::Landmarks) || !m_shown)
             return;
-        m_scans[*m_shown].points = m_document.landmarkSet();
+        takePoints();
         emit this->changed();
     });
 }
 
-void ScanSeries::readKept(Scan &scan) const
+void ScanSeries::readKept(Scan &scan, int placing) const
 {
-    const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
+    const std::filesystem::path file = landmarksBeside(scan.file, placing);
     scan.points = {};
     scan.problem.clear();
+    scan.isDamaged = false;
     std::error_code error;
     scan.isKept = std::filesystem::exists(file, error);
     if (!scan.isKept)
         return;
     auto read = readLandmarkFile(file);
-    if (read)
-        scan.points = std::move(std::move(read).value().sets.front());
-    else
+    if (!read)
         scan.problem = QString::fromStdString(errorText(read.error()));
+    else if (read->sets.size() > 1)
+        scan.problem =
+            tr("%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of "
+               "its own.")
+                .arg(pathText(file))
+                .arg(read->sets.size());
+    else
+        scan.points = std::move(std::move(read).value().sets.front());
+    scan.isDamaged = !scan.problem.isEmpty();
 }
 
 bool ScanSeries::open(const std::filesystem::path &folder)
@@ -126,12 +162,12 @@ bool ScanSeries::open(const std::filesystem::path &folder)
     std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
     m_folder = folder;
     m_scans = std::move(scans);
-    m_current = m_shown = std::nullopt;
+    m_current = m_inView = m_shown = std::nullopt;
     m_isOpening = false;
     m_placing = 1;
     m_names.clear();
     for (Scan &scan : m_scans) {
-        readKept(scan);
+        readKept(scan, m_placing);
         m_names = landmarks::withTemplate(std::move(m_names), scan.points.landmarks);
     }
     if (m_names.empty()) // those that wait in the scene are what is to be placed
@@ -189,24 +225,64 @@ void ScanSeries::show(std::size_t place)
 void ScanSeries::takeShown()
 {
     m_isOpening = false;
+    m_inView = m_current;
     Scan &scan = m_scans[*m_current];
-    readKept(scan);
-    if (!scan.problem.isEmpty()) { // not written over: somebody may want to mend it
-        emit failed(scan.problem);
+    m_stamp = files::stampOf(landmarksBeside(scan.file, m_placing));
+    readKept(scan, m_placing);
+    if (scan.isDamaged) { // not written over: somebody may want to mend it
+        emit failed(
+            scan.problem + u'\n'
+            + tr("It is not written over: what is placed now is kept only by saving the scene. Mend the file, or "
+                 "move it away, and open the scan again."));
         emit changed();
         return;
     }
+    const auto &objects = m_document.objects();
+    const auto object = std::find_if(objects.begin(), objects.end(), [&](const SceneObject &each) {
+        return each.file.filename() == scan.file.filename();
+    });
+    m_object = object != objects.end() ? *object : objects.empty() ? SceneObject() : objects.front();
     landmarks::LandmarkSet set = scan.points;
     set.landmarks = landmarks::withTemplate(std::move(set.landmarks), m_names);
+    const SceneObject inFile = asInItsFile(scan.file, m_object);
+    for (Landmark &point : set.landmarks) { // they are this scan's, and go with it
+        if (point.world && point.object.empty())
+            point.object = inFile.name;
+    }
+    m_kept = set;
     scan.points = set;
+    if (std::optional<landmarks::LandmarkSet> placed = carried(set, inFile, m_object))
+        set = std::move(*placed);
     static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Points of the scan")}));
     // What was kept is where one begins: undoing leads no further back.
     m_document.undoStack().clear();
     m_document.markSaved();
     m_shown = m_current;
-    m_kept = m_document.landmarkSet();
     m_document.points().waitForNext(std::nullopt);
     emit changed();
+}
+
+bool ScanSeries::takePoints()
+{
+    Scan &scan = m_scans[*m_shown];
+    for (const SceneObject &object : m_document.objects()) {
+        if (object.file == m_object.file) {
+            m_object = object;
+            break;
+        }
+    }
+    auto points = carried(m_document.landmarkSet(), m_object, asInItsFile(scan.file, m_object));
+    if (!points)
+        return false;
+    for (std::size_t i = 0; i < std::min(points->landmarks.size(), m_kept.landmarks.size()); ++i) {
+        Landmark &point = points->landmarks[i];
+        if (isStill(point, m_kept.landmarks[i])) { // there and back a turn leaves rounding
+            point.world = m_kept.landmarks[i].world;
+            point.uncertainty = m_kept.landmarks[i].uncertainty;
+        }
+    }
+    scan.points = std::move(*points);
+    return true;
 }
 
 bool ScanSeries::isScanAlone() const
@@ -218,19 +294,37 @@ bool ScanSeries::isScanAlone() const
 
 bool ScanSeries::keep()
 {
+    emit m_session.typedToCount();
     if (!m_shown)
         return true;
     Scan &scan = m_scans[*m_shown];
-    scan.points = m_document.landmarkSet();
+    if (!takePoints()) {
+        emit failed(
+            tr("The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. "
+               "Set its glScale back.")
+                .arg(pathText(scan.file.filename())));
+        return false;
+    }
     // A scan on which nothing is placed has nothing to keep, and gets no file.
     if (scan.isKept ? scan.points != m_kept : scan.placedCount() > 0) {
-        const auto written = writeLandmarkFile(landmarksBeside(scan.file, m_placing), {&scan.points, 1});
+        const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
+        std::error_code error;
+        if (std::filesystem::exists(file, error) && !files::isAsAt(m_stamp, file)) {
+            emit failed(tr("%1 has been changed by another window or program since it was read here. It is not written "
+                           "over; move it away to keep the points that are shown.")
+                            .arg(pathText(file)));
+            return false;
+        }
+        const auto written = writeLandmarkFile(file, {&scan.points, 1});
         if (!written) {
             emit failed(QString::fromStdString(errorText(written.error())));
             return false;
         }
         scan.isKept = true;
         m_kept = scan.points;
+        m_stamp = files::stampOf(file);
+        if (!written->empty())
+            emit warned(sentences(pathText(file.filename()), *written));
         emit noticed(tr("Points of %1 kept beside it.").arg(pathText(scan.file.filename())));
     }
     // Whoever did something to the scene is asked about it as ever.
@@ -241,16 +335,38 @@ bool ScanSeries::keep()
 
 void ScanSeries::setPlacing(int placing)
 {
-    if (placing == m_placing || placing < 1 || !keep())
+    if (placing == m_placing || placing < 1 || placing > kMostPlacings)
         return;
+    if (!mayPlaceAs(placing)) {
+        emit changed(); // whoever shows the placing has it as it is
+        return;
+    }
     m_placing = placing;
     for (Scan &scan : m_scans)
-        readKept(scan);
-    if (m_shown) {
-        m_current = std::exchange(m_shown, std::nullopt);
+        readKept(scan, placing);
+    m_shown = std::nullopt;
+    if (m_inView) {
+        m_current = m_inView;
         takeShown();
     }
     emit changed();
+}
+
+bool ScanSeries::mayPlaceAs(int placing)
+{
+    if (!keep())
+        return false;
+    if (!m_inView)
+        return true;
+    Scan other{m_scans[*m_inView].file, {}, {}};
+    readKept(other, placing);
+    if (other.isDamaged) {
+        emit failed(other.problem + u'\n'
+                    + tr("Placing %1 is gone on with. Mend the file, or move it away.").arg(m_placing));
+        return false;
+    }
+    // What is not kept beside the scan would be gone.
+    return m_shown || !m_document.isEdited() || m_session.mayLeave();
 }
 
 // ---- tables ------------------------------------------------------------------------------------------------------
@@ -287,16 +403,21 @@ std::vector<landmarks::LandmarkSet> ScanSeries::alignedSets() const
     return sets;
 }
 
-std::string ScanSeries::repeatsText() const
+std::string ScanSeries::repeatsText(QStringList &problems) const
 {
     std::string text = "specimen,name,placings,x,y,z,error,farthest\n";
     for (const Scan &scan : m_scans) {
         std::vector<LandmarkSet> placings;
         std::error_code error;
-        for (int placing = 1; std::filesystem::exists(landmarksBeside(scan.file, placing), error); ++placing) {
-            auto read = readLandmarkFile(landmarksBeside(scan.file, placing));
-            if (read)
-                placings.push_back(std::move(std::move(read).value().sets.front()));
+        for (int placing = 1; placing <= kMostPlacings; ++placing) {
+            if (!std::filesystem::exists(landmarksBeside(scan.file, placing), error))
+                continue; // an observer who has not come so far
+            Scan placed{scan.file, {}, {}};
+            readKept(placed, placing);
+            if (placed.isDamaged)
+                problems << placed.problem;
+            else
+                placings.push_back(std::move(placed.points));
         }
         for (const landmarks::RepeatedLandmark &repeated : landmarks::repeatsOf(placings)) {
             text += cell(files::utf8FromPath(scan.file.stem()));
@@ -321,6 +442,16 @@ std::string ScanSeries::repeatsText() const
     return text;
 }
 
+QStringList ScanSeries::leftOut() const
+{
+    QStringList problems;
+    for (const Scan &scan : m_scans) {
+        if (scan.isDamaged)
+            problems << scan.problem;
+    }
+    return problems;
+}
+
 bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
 {
     if (!keep())
@@ -330,13 +461,14 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
         emit failed(tr("On no scan of the series is a point yet."));
         return false;
     }
+    QStringList problems = table == Table::Repeats ? QStringList() : leftOut();
     const auto textOf = [&]() -> Result<WrittenLandmarks, LandmarkFileError> {
         switch (table) {
         case Table::Long: return landmarksText(sets, Format::Csv);
         case Table::Wide: return wideTable(sets);
         case Table::Tps: return landmarksText(sets, Format::Tps);
         case Table::Nts: return landmarksText(sets, Format::Nts);
-        case Table::Repeats: return WrittenLandmarks{repeatsText(), {}};
+        case Table::Repeats: return WrittenLandmarks{repeatsText(problems), {}};
         }
         return WrittenLandmarks{};
     };
@@ -352,7 +484,19 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
                                                  QString::fromStdString(files::fileErrorText(written.error()))));
         return false;
     }
-    emit noticed(tr("Scans written to %1: %2.").arg(pathText(file.filename())).arg(sets.size()));
+    if (!problems.isEmpty())
+        problems.prepend(tr("Not in %1, since they could not be read:").arg(pathText(file.filename())));
+    if (const QString lost = sentences(pathText(file.filename()), text->notes); !lost.isEmpty())
+        problems << lost;
+    if (!problems.isEmpty())
+        emit warned(problems.join(u'\n'));
+    const std::size_t without = m_scans.size() - sets.size();
+    emit noticed(without > 0 && table != Table::Repeats
+                     ? tr("Scans written to %1: %2. Not in it, without a point: %3.")
+                           .arg(pathText(file.filename()))
+                           .arg(sets.size())
+                           .arg(without)
+                     : tr("Scans written to %1: %2.").arg(pathText(file.filename())).arg(sets.size()));
     return true;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/files/file_stamp.h"
 #include "core/landmarks/landmark.h"
+#include "core/scene/scene.h"
 
 #include <QObject>
 #include <QString>
@@ -19,14 +21,19 @@ class Session;
 /// A folder of scans on which the same points are placed, one scan after the other. The points of each are kept beside it, in
 /// "face.ply.points.csv": they are written when another scan is shown, when the scene is saved, and when it is left. What has no
 /// name there yet is taken from the scan before.
+///
+/// Their coordinates there, and in `scans` and the tables, are those of the scan's own file: however the scan is moved, turned or
+/// scaled in the scene, they stay what they are. A file that cannot be read, or that another program has changed since it was read,
+/// is not written over.
 class ScanSeries : public QObject {
     Q_OBJECT
 public:
     struct Scan {
         std::filesystem::path file;
-        landmarks::LandmarkSet points; ///< as they are kept, or as they are now
+        landmarks::LandmarkSet points; ///< as they are kept, or as they are now; coordinates of the scan's own file
         QString problem;               ///< why the scan or its points could not be read; empty: none
         bool isKept = false;           ///< there is a file of its points
+        bool isDamaged = false;        ///< that file could not be read
         std::size_t placedCount() const;
     };
     /// What the points of all scans are written as.
@@ -37,6 +44,8 @@ public:
         Nts,
         Repeats ///< a row a point of each scan, of all placings: their mean and how far they scatter
     };
+
+    static constexpr int kMostPlacings = 99;
 
     /// @param document, session  outlive it
     ScanSeries(SceneDocument &document, Session &session, QObject *parent = nullptr);
@@ -58,6 +67,7 @@ public:
     void previous() { step(-1); }
     /// Which time the series is gone through, counted from 1: the points of each are kept by themselves.
     int placing() const { return m_placing; }
+    /// Stays where the points of the scan that is shown cannot be kept, or those of the other placing cannot be read.
     void setPlacing(int placing);
     /// Writes the points of the scan that is shown beside it, if they are other than there.
     /// @return false after `failed`
@@ -70,17 +80,27 @@ signals:
     void changed();
     /// What could not be read or written, in words.
     void failed(const QString &reason);
+    /// What was left out of a file, or is not kept in it.
+    void warned(const QString &text);
     void noticed(const QString &text);
 
 private:
     void step(int by);
-    void readKept(Scan &scan) const;
+    /// @param scan  whose points are read
+    void readKept(Scan &scan, int placing) const;
+    bool mayPlaceAs(int placing);
     /// The current scan is in the view: its points come to it.
     void takeShown();
+    /// The scan that is shown gets the scene's points.
+    /// @return false where they have no finite coordinates in its file
+    bool takePoints();
     /// Whether the scene holds nothing but the scan that is shown, as its file has it, and its points.
     bool isScanAlone() const;
     std::vector<landmarks::LandmarkSet> alignedSets() const;
-    std::string repeatsText() const;
+    /// @param problems  what could not be read
+    std::string repeatsText(QStringList &problems) const;
+    /// What a table lacks.
+    QStringList leftOut() const;
 
     SceneDocument &m_document;
     Session &m_session;
@@ -89,8 +109,11 @@ private:
     std::optional<std::size_t> m_current;
     std::vector<landmarks::Landmark> m_names; ///< that every scan gets
     bool m_isOpening = false;                 ///< the current scan is being loaded
-    std::optional<std::size_t> m_shown;       ///< the scan in the view, whose points are kept
+    std::optional<std::size_t> m_inView;      ///< the scan in the view
+    std::optional<std::size_t> m_shown;       ///< the same where its points are kept: not where their file is damaged
+    scene::SceneObject m_object;              ///< it, as it was last in the scene
     landmarks::LandmarkSet m_kept;            ///< its points as they were read or last written
+    files::FileStamp m_stamp;                 ///< of their file then
     int m_placing = 1;
 };
 

@@ -179,7 +179,7 @@ bool ScenePoints::follow(const std::vector<Landmark> &before, const std::vector<
 
 void ScenePoints::forget()
 {
-    take({}, std::nullopt, std::nullopt);
+    take({}, std::nullopt, nextMissing(all(), std::nullopt));
 }
 
 // ---- edits -------------------------------------------------------------------------------------------------------
@@ -215,13 +215,6 @@ Check ScenePoints::place(Landmark placed)
     if (hasWaited)
         waitForNext(place);
     return std::monostate{};
-}
-
-Check ScenePoints::add(std::vector<Landmark> points, const QString &text)
-{
-    std::vector<Landmark> all = this->all();
-    all.insert(all.end(), std::make_move_iterator(points.begin()), std::make_move_iterator(points.end()));
-    return m_document.editLandmarks(std::move(all), {text});
 }
 
 template <class Change>

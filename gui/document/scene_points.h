@@ -60,8 +60,6 @@ public:
     /// the end, with a name of its own where it has none. It is selected then.
     /// @param placed  of a point that waits only its place counts
     Check place(Landmark placed);
-    /// @param points  put at the end, as they are
-    Check add(std::vector<Landmark> points, const QString &text);
     /// Takes the place of another: where it is and what holds it, its object and how far it can be off.
     /// @param mergeKey  moves with the same key, one right after the other, are one step
     Check move(std::size_t place, const Landmark &to, const QString &mergeKey = {});
@@ -108,7 +106,7 @@ private:
     /// What is selected goes with the points.
     /// @return whether anything of it is other than before
     bool follow(const std::vector<Landmark> &before, const std::vector<Landmark> &after);
-    /// In another scene.
+    /// In another scene: nothing is selected, and the first missing point waits.
     void forget();
     /// @return whether it is another selection
     bool take(std::vector<std::size_t> places, std::optional<std::size_t> current, std::optional<std::size_t> waiting);

@@ -81,6 +81,7 @@ bool Session::saveAs()
 
 bool Session::saveScene(const std::filesystem::path &file)
 {
+    emit typedToCount();
     emit aboutToSaveOrLeave();
     const std::filesystem::path path = absolutePath(file);
     SceneFile contents = sceneFileFrom(m_document.scene(), m_document.geometry(), path, m_contents);
@@ -127,6 +128,7 @@ QString Session::droppedMatrices(const SceneFile &written) const
 bool Session::mayLeave()
 {
     m_loader.cancel(); // it could replace the scene under the question
+    emit typedToCount();
     emit aboutToSaveOrLeave();
     if (!m_options.remembers || !hasUnsavedChanges())
         return true;

@@ -112,7 +112,9 @@ public:
     void clearRecentFiles();
 
 signals:
-    /// The scene is to be saved or left: what is being typed is to count before.
+    /// What is being typed is to count now: something of the scene is about to be written or left.
+    void typedToCount();
+    /// The scene is to be saved or left, with all that was typed.
     void aboutToSaveOrLeave();
     /// The name, the file, or whether there are unsaved changes.
     void changed();

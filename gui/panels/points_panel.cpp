@@ -8,6 +8,7 @@
 #include "gui/panels/next_point_bar.h"
 #include "gui/panels/points_model.h"
 #include "gui/panels/points_table.h"
+#include "gui/panels/save_name.h"
 #include "gui/text/error_text.h"
 
 #include <QColorDialog>
@@ -191,15 +192,12 @@ void PointsPanel::loadTemplate()
 
 void PointsPanel::saveTemplate()
 {
-    const QString name =
-        QFileDialog::getSaveFileName(this, tr("Save Names as Template"), {},
-                                     tr("MeshLab's template (%1)").arg(QStringLiteral("*.pptpl")) + QStringLiteral(";;")
-                                         + tr("Table with hints (%1)").arg(QStringLiteral("*.csv")));
-    if (name.isEmpty())
+    const std::filesystem::path file = askSaveName(*this, tr("Save Names as Template"),
+                                                   {tr("MeshLab's template (%1)").arg(QStringLiteral("*.pptpl")),
+                                                    tr("Table with hints (%1)").arg(QStringLiteral("*.csv"))})
+                                           .file;
+    if (file.empty())
         return;
-    std::filesystem::path file(name.toStdU16String());
-    if (!file.has_extension())
-        file += ".pptpl";
     landmarks::LandmarkSet set;
     for (const Landmark &point : m_document.landmarks()) {
         Landmark named;
@@ -208,8 +206,16 @@ void PointsPanel::saveTemplate()
         set.landmarks.push_back(std::move(named));
     }
     const auto written = landmark_files::writeLandmarkFile(file, {&set, 1});
-    if (!written)
+    if (!written) {
         emit warned(QString::fromStdString(landmark_files::errorText(written.error())));
+        return;
+    }
+    QStringList lost;
+    for (const landmark_files::LandmarkNote &note : *written)
+        lost << QStringLiteral("%1: %2.").arg(pathText(file.filename()),
+                                              QString::fromStdString(landmark_files::noteText(note)));
+    if (!lost.isEmpty())
+        emit warned(lost.join(u'\n'));
 }
 
 // ---- what is done to the selected points -------------------------------------------------------------------------
@@ -243,11 +249,11 @@ void PointsPanel::copySelected()
 
 void PointsPanel::chooseColor()
 {
-    const std::vector<std::size_t> selected = m_document.points().selection();
     const QColor color = QColorDialog::getColor(Qt::white, this, tr("Colour of Points"));
+    // Of what is selected then: the list may have changed below the dialog, and the selection goes with it.
     if (color.isValid())
-        static_cast<void>(
-            m_document.points().setColor(selected, glm::u8vec3(color.red(), color.green(), color.blue())));
+        static_cast<void>(m_document.points().setColor(m_document.points().selection(),
+                                                       glm::u8vec3(color.red(), color.green(), color.blue())));
 }
 
 void PointsPanel::addColorMenu(QMenu &menu)
@@ -278,17 +284,18 @@ void PointsPanel::showMenu(const QPoint &place)
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Rename"), m_table, &PointsTable::renameCurrent);
-    menu->addAction(areHidden ? tr("&Show") : tr("&Hide"), this, [this, selected, areHidden] {
-        static_cast<void>(m_document.points().setHidden(selected, !areHidden));
+    // Each for what is selected when it is chosen: the selection goes with the points, their places do not.
+    menu->addAction(areHidden ? tr("&Show") : tr("&Hide"), this, [this, areHidden] {
+        static_cast<void>(m_document.points().setHidden(m_document.points().selection(), !areHidden));
     });
     addColorMenu(*menu);
     menu->addSeparator();
     if (areMissing)
         menu->addAction(tr("&Place This One Next"), this,
-                        [this, selected] { m_document.points().setWaiting(selected.front()); });
+                        [this] { m_document.points().setWaiting(m_document.points().current()); });
     else
         menu->addAction(tr("Mark as &Missing"), this,
-                        [this, selected] { static_cast<void>(m_document.points().setMissing(selected)); });
+                        [this] { static_cast<void>(m_document.points().setMissing(m_document.points().selection())); });
     menu->addAction(tr("Copy as C&SV"), this, &PointsPanel::copySelected);
     menu->addSeparator();
     menu->addAction(tr("Re&move"), this, &PointsPanel::removeSelected);

@@ -158,11 +158,12 @@ void PointsTable::renameCurrent()
 
 void PointsTable::applyTyped()
 {
-    auto *editor = viewport()->findChild<QLineEdit *>();
-    if (!editor)
-        return;
-    commitData(editor);
-    closeEditor(editor, QAbstractItemDelegate::NoHint);
+    for (QLineEdit *editor : viewport()->findChildren<QLineEdit *>()) {
+        if (editor->isHidden()) // closed, it awaits its end
+            continue;
+        commitData(editor);
+        closeEditor(editor, QAbstractItemDelegate::NoHint);
+    }
 }
 
 void PointsTable::keyPressEvent(QKeyEvent *event)

@@ -2,6 +2,7 @@
 
 #include "gui/document/scan_series.h"
 #include "gui/panels/elided_label.h"
+#include "gui/panels/save_name.h"
 #include "gui/panels/series_model.h"
 #include "gui/text/error_text.h"
 
@@ -15,16 +16,10 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace unprojector::gui {
-namespace {
-
-constexpr int kMostPlacings = 99;
-
-} // namespace
 
 SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     : QWidget(parent), m_series(series), m_model(new SeriesModel(series, this)), m_scans(new QTreeView),
@@ -54,7 +49,8 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     connect(m_previous, &QToolButton::clicked, &m_series, &ScanSeries::previous);
     connect(m_next, &QToolButton::clicked, &m_series, &ScanSeries::next);
     connect(m_export, &QToolButton::clicked, this, &SeriesPanel::exportTable);
-    m_placing->setRange(1, kMostPlacings);
+    m_placing->setRange(1, ScanSeries::kMostPlacings);
+    m_placing->setKeyboardTracking(false); // on the way to 12 nobody means 1
     m_placing->setAccessibleName(tr("Placing"));
     m_placing->setToolTip(
         tr("Which time the series is gone through, or by which observer: the points of each are kept by "
@@ -119,20 +115,12 @@ void SeriesPanel::exportTable()
          {Table::Tps, tr("TPS of geomorph and tpsDig (%1)").arg(QStringLiteral("*.tps"))},
          {Table::Nts, tr("NTSYS (%1)").arg(QStringLiteral("*.nts"))},
          {Table::Repeats, tr("Repeats: mean and error of all placings (%1)").arg(QStringLiteral("*.csv"))}}};
-    QFileDialog dialog(this, tr("Export Points of All Scans"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
     QStringList filters;
     for (const auto &[table, filter] : kinds)
         filters << filter;
-    dialog.setNameFilters(filters);
-    const auto suffixOf = [](const QString &filter) { return filter.section(QStringLiteral("*."), -1).chopped(1); };
-    connect(&dialog, &QFileDialog::filterSelected, &dialog,
-            [&](const QString &filter) { dialog.setDefaultSuffix(suffixOf(filter)); });
-    dialog.setDefaultSuffix(suffixOf(filters.front()));
-    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
-        return;
-    const auto kind = static_cast<std::size_t>(std::max<qsizetype>(0, filters.indexOf(dialog.selectedNameFilter())));
-    m_series.exportTable(std::filesystem::path(dialog.selectedFiles().front().toStdU16String()), kinds[kind].first);
+    const SaveName named = askSaveName(*this, tr("Export Points of All Scans"), filters);
+    if (!named.file.empty())
+        m_series.exportTable(named.file, kinds[static_cast<std::size_t>(named.filter)].first);
 }
 
 } // namespace unprojector::gui

@@ -90,7 +90,7 @@ MainWindow::~MainWindow()
 
 void MainWindow::connectSession()
 {
-    connect(m_session, &Session::aboutToSaveOrLeave, m_parameters, &ParametersPanel::applyTyped);
+    connect(m_session, &Session::typedToCount, m_parameters, &ParametersPanel::applyTyped);
     connect(m_session, &Session::changed, this, &MainWindow::showName);
     connect(m_session, &Session::opened, this, &MainWindow::showOpened);
     connect(m_session, &Session::failed, this, &MainWindow::showFailure);
@@ -103,6 +103,7 @@ void MainWindow::connectSession()
             m_pointFiles->importFrom(file);
     });
     connect(m_series, &ScanSeries::failed, this, &MainWindow::showFailure);
+    connect(m_series, &ScanSeries::warned, m_session, &Session::warned);
     connect(m_series, &ScanSeries::noticed, m_session, &Session::noticed);
     connect(m_pointFiles, &PointFiles::failed, this, &MainWindow::showFailure);
     connect(m_pointFiles, &PointFiles::warned, m_message, &MessageBar::showMessage);

@@ -10,6 +10,7 @@
 #include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/icons.h"
+#include "gui/panels/save_name.h"
 #include "gui/panels/series_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/example_texts.h"
@@ -141,6 +142,7 @@ void MainWindow::createPointActions(QMenu &menu)
 
 void MainWindow::importPoints()
 {
+    emit m_session->typedToCount();
     const QString name = QFileDialog::getOpenFileName(
         this, tr("Import Points"), {}, PointFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
     if (!name.isEmpty())
@@ -149,19 +151,12 @@ void MainWindow::importPoints()
 
 void MainWindow::exportPoints()
 {
-    emit m_session->aboutToSaveOrLeave(); // what is being typed counts
-    QFileDialog dialog(this, tr("Export Points"), {}, PointFiles::exportFilters());
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    // The dialog puts the suffix behind a name without one before it asks about a file that is there.
-    const auto takeSuffix = [&dialog](const QString &chosen) {
-        dialog.setDefaultSuffix(PointFiles::suffixOfFilter(chosen));
-    };
-    connect(&dialog, &QFileDialog::filterSelected, &dialog, takeSuffix);
-    takeSuffix(dialog.selectedNameFilter());
-    const std::filesystem::path proposed = m_session->proposedName().stem();
-    dialog.selectFile(pathText(proposed));
-    if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty())
-        m_pointFiles->exportTo(std::filesystem::path(dialog.selectedFiles().front().toStdU16String()));
+    emit m_session->typedToCount();
+    const SaveName named =
+        askSaveName(*this, tr("Export Points"), PointFiles::exportFilters().split(QStringLiteral(";;")),
+                    pathText(m_session->proposedName().stem()));
+    if (!named.file.empty())
+        m_pointFiles->exportTo(named.file);
 }
 
 void MainWindow::createExamplesMenu(QMenu &menu)

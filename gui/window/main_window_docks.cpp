@@ -81,9 +81,9 @@ void MainWindow::createPanels()
     m_observerHome->layout()->setContentsMargins(0, 0, 0, 0);
     constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea, kBottom = Qt::BottomDockWidgetArea;
     auto *objects = new ObjectsPanel(*m_document);
-    connect(m_session, &Session::aboutToSaveOrLeave, objects, &ObjectsPanel::applyTyped);
+    connect(m_session, &Session::typedToCount, objects, &ObjectsPanel::applyTyped);
     auto *points = new PointsPanel(*m_document, *m_templates);
-    connect(m_session, &Session::aboutToSaveOrLeave, points, &PointsPanel::applyTyped);
+    connect(m_session, &Session::typedToCount, points, &PointsPanel::applyTyped);
     connect(points, &PointsPanel::warned, m_session, &Session::warned);
     m_seriesPanel = new SeriesPanel(*m_series);
     auto *pipeline = new PipelinePanel(*m_document);

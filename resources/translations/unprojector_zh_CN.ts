@@ -3444,8 +3444,24 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>写入 %1 的点：%2 个。</translation>
     </message>
     <message>
-        <source>Points of the scan</source>
-        <translation>扫描的点</translation>
+        <source>%1 is in %2: that is the scene&apos;s unit now, instead of %3. Nothing is converted.</source>
+        <translation>%1 的单位是 %2：它现在取代 %3 成为场景的单位。没有进行任何换算。</translation>
+    </message>
+    <message>
+        <source>%1 is in %2, and what the scene is in is not known. Nothing is converted.</source>
+        <translation>%1 的单位是 %2，而场景的单位未知。没有进行任何换算。</translation>
+    </message>
+    <message>
+        <source>%1 is in %2, and the scene in %3. Nothing is converted.</source>
+        <translation>%1 的单位是 %2，而场景的单位是 %3。没有进行任何换算。</translation>
+    </message>
+    <message>
+        <source>%1: the scene has other values of these already, which stay: %2.</source>
+        <translation>%1：场景中以下各项已有别的值，保持不变：%2。</translation>
+    </message>
+    <message>
+        <source>%1: the scene has changed meanwhile. Import the points again.</source>
+        <translation>%1：场景在此期间已经改变。请重新导入这些点。</translation>
     </message>
 </context>
 <context>
@@ -4186,6 +4202,34 @@ of a point that needs no division</source>
     <message>
         <source>Scans written to %1: %2.</source>
         <translation>写入 %1 的扫描：%2 个。</translation>
+    </message>
+    <message>
+        <source>%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of its own.</source>
+        <translation>%1：这里有 %2 个标本的点；一个扫描是一个标本，请把每个标本放进各自的文件。</translation>
+    </message>
+    <message>
+        <source>It is not written over: what is placed now is kept only by saving the scene. Mend the file, or move it away, and open the scan again.</source>
+        <translation>该文件不会被覆盖：现在放置的点只有保存场景才能保留。请修好该文件或把它移走，然后重新打开这个扫描。</translation>
+    </message>
+    <message>
+        <source>The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. Set its glScale back.</source>
+        <translation>无法保存 %1 的点：按对象的缩放，它们在其文件中没有坐标。请把它的 glScale 改回去。</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another window or program since it was read here. It is not written over; move it away to keep the points that are shown.</source>
+        <translation>%1 在此处读取之后已被另一个窗口或程序修改，不会被覆盖；要保存所显示的点，请先把该文件移走。</translation>
+    </message>
+    <message>
+        <source>Placing %1 is gone on with. Mend the file, or move it away.</source>
+        <translation>仍继续第 %1 遍。请修好该文件，或把它移走。</translation>
+    </message>
+    <message>
+        <source>Not in %1, since they could not be read:</source>
+        <translation>以下内容无法读取，因此不在 %1 中：</translation>
+    </message>
+    <message>
+        <source>Scans written to %1: %2. Not in it, without a point: %3.</source>
+        <translation>已写入 %1 的扫描：%2。没有点而未写入的：%3。</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include "core/landmark_files/landmark_file.h"
 #include "gui/document/point_files.h"
+#include "gui/document/point_templates.h"
 #include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
@@ -12,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <functional>
 #include <memory>
 
 using namespace unprojector;
@@ -33,6 +35,8 @@ struct FixedAnswers : SessionQuestions, PointFileQuestions {
     Join askJoin(int, int) override
     {
         ++joinQuestions;
+        if (meanwhile)
+            meanwhile();
         return join;
     }
     PointFileQuestions::Stray askStray(const QString &text) override
@@ -44,6 +48,7 @@ struct FixedAnswers : SessionQuestions, PointFileQuestions {
     Join join = Join::Replace;
     PointFileQuestions::Stray stray = PointFileQuestions::Stray::Tie;
     int saveQuestions = 0, joinQuestions = 0;
+    std::function<void()> meanwhile; ///< happens while somebody is asked
     QString strayText;
 };
 
@@ -79,6 +84,14 @@ private slots:
     void aDamagedFileOfPointsIsNotWrittenOver();
     void tablesOfASeries();
     void repeatsOfASeries();
+    void aTurnedScanKeepsItsFilesNumbers();
+    void whatSomebodyElseWroteIsNotWrittenOver();
+    void aDamagedPlacingIsNotGoneOver();
+    void whatATableLacksIsSaid();
+    void unitsAndKeysAreNotLost_data();
+    void unitsAndKeysAreNotLost();
+    void aQuestionIsOfTheSceneBelowIt();
+    void aHundredScansAndABrokenOne();
 
 private:
     QString path(const QString &name) const { return m_folder->filePath(name); }
@@ -143,6 +156,7 @@ void TestPointFiles::init()
     connect(m_series.get(), &ScanSeries::failed, this, note(m_failures));
     connect(m_session.get(), &Session::failed, this, note(m_failures));
     connect(m_files.get(), &PointFiles::warned, this, note(m_warnings));
+    connect(m_series.get(), &ScanSeries::warned, this, note(m_warnings));
     connect(m_session.get(), &Session::pointFilesOpened, this,
             [this](const std::vector<std::filesystem::path> &opened) {
                 for (const std::filesystem::path &one : opened)
@@ -307,7 +321,6 @@ void TestPointFiles::exportedAndReadBack()
     for (std::size_t i = 0; i < 2; ++i)
         QCOMPARE(points()[i].world->coordinates(), before[i].world->coordinates());
     QCOMPARE(m_failures, QStringList());
-    QCOMPARE(PointFiles::suffixOfFilter(QStringLiteral("x (*.%1)").arg(suffix)), suffix);
 }
 
 void TestPointFiles::whatIsLostIsSaid()
@@ -495,6 +508,253 @@ void TestPointFiles::repeatsOfASeries()
              repeats.constData());
     m_series->setPlacing(1);
     QCOMPARE(points()[0].world->x, 1.0);
+}
+
+/// A quarter turn about z takes (x, y) to (-y, x): what is placed in the scene stands in the file by the file's own coordinates.
+void TestPointFiles::aTurnedScanKeepsItsFilesNumbers()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,2,0\nb,,,\nc,,,\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    const QByteArray before = read(QStringLiteral("square.obj.points.csv"));
+    QVERIFY(m_document->editTransform(0, {Rotate{90.0, {0, 0, 1}}, Scale{{2, 2, 2}}}, {QStringLiteral("turn")}));
+    QVERIFY(glm::distance(points()[0].world->coordinates(), glm::dvec3(-4, 2, 0)) < 1e-12); // it has gone with its scan
+    QVERIFY(m_series->keep());
+    QCOMPARE(read(QStringLiteral("square.obj.points.csv")), before); // nothing of it has changed
+    Landmark held;
+    held.object = "square.obj";
+    held.hold = landmarks::OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)};
+    held.world = WorldPoint(-5.0, 10.0, 0.0); // (5, 2.5, 0) of the file
+    QVERIFY(m_document->points().place(held));
+    Landmark free;
+    free.world = WorldPoint(-8.0, 6.0, 2.0); // (3, 4, 1)
+    QVERIFY(m_document->points().place(free));
+    QCOMPARE(m_document->renameObject(0, QStringLiteral("turned")), NameFault::None);
+    QVERIFY(m_series->keep());
+    const auto kept = landmark_files::readLandmarkFile(file(QStringLiteral("square.obj.points.csv")));
+    QVERIFY(kept);
+    const std::vector<Landmark> &rows = kept->sets.front().landmarks;
+    QCOMPARE(rows[0].world->coordinates(), glm::dvec3(1.0, 2.0, 0.0));
+    QCOMPARE(rows[1].world->coordinates(), glm::dvec3(5.0, 2.5, 0.0));
+    QCOMPARE(rows[1].object, std::string("square.obj"));
+    QVERIFY(glm::distance(rows[2].world->coordinates(), glm::dvec3(3.0, 4.0, 1.0)) < 1e-12);
+    QVERIFY(m_series->scans()[0].points == kept->sets.front()); // as tables have them
+    // Read again into the scene as it stands, they are where they were.
+    const std::vector<Landmark> shown = points();
+    m_series->setPlacing(2);
+    m_series->setPlacing(1);
+    for (std::size_t i = 0; i < 3; ++i) {
+        QVERIFY(glm::distance(points()[i].world->coordinates(), shown[i].world->coordinates()) < 1e-12);
+        QCOMPARE(points()[i].object, std::string("turned"));
+    }
+    // Without the scan in the scene its points have the places that it gave them.
+    QVERIFY(m_document->removeObject(0));
+    QVERIFY(m_document->points().rename(0, QStringLiteral("A")));
+    QVERIFY(m_series->keep());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("A,1,2,0"));
+}
+
+void TestPointFiles::whatSomebodyElseWroteIsNotWrittenOver()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 5.0, 0.0)));
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,7,7,0\n");
+    QVERIFY(!m_series->keep());
+    QCOMPARE(m_failures.size(), 1);
+    QVERIFY(m_failures[0].contains(QStringLiteral("square.obj.points.csv")));
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,7,7,0"));
+    QVERIFY(m_document->isEdited()); // leaving asks
+    QVERIFY(QFile::rename(path(QStringLiteral("square.obj.points.csv")), path(QStringLiteral("theirs.csv"))));
+    QVERIFY(m_series->keep());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,5,5,0"));
+}
+
+void TestPointFiles::aDamagedPlacingIsNotGoneOver()
+{
+    const QByteArray damaged = "name,x,y,z\na,1,two,3\n";
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
+    write(QStringLiteral("square.obj.points-2.csv"), damaged);
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    m_series->setPlacing(2);
+    QCOMPARE(m_series->placing(), 1);
+    QCOMPARE(m_failures.size(), 1);
+    QVERIFY(m_failures[0].contains(QStringLiteral("points-2.csv:2:")));
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 5.0, 0.0))); // and what is shown is still kept
+    QVERIFY(m_series->keep());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,5,5,0"));
+    QCOMPARE(read(QStringLiteral("square.obj.points-2.csv")), damaged);
+
+    // From a damaged one it is gone on to one that is not, and what was placed meanwhile is asked about.
+    write(QStringLiteral("square.obj.points.csv"), damaged);
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    Landmark placed;
+    placed.world = WorldPoint(3.0, 3.0, 0.0);
+    QVERIFY(m_document->points().place(placed));
+    m_answers->saveQuestions = 0;
+    m_series->setPlacing(3);
+    QCOMPARE(m_answers->saveQuestions, 1);
+    QCOMPARE(m_series->placing(), 3);
+    QVERIFY(points().size() == 1 && points()[0].isMissing());
+    QVERIFY(m_document->points().place(placed));
+    QVERIFY(m_series->keep());
+    QVERIFY(QFile::exists(path(QStringLiteral("square.obj.points-3.csv"))));
+    QCOMPARE(read(QStringLiteral("square.obj.points.csv")), damaged);
+}
+
+void TestPointFiles::whatATableLacksIsSaid()
+{
+    write(QStringLiteral("other.obj"), kSquare);
+    write(QStringLiteral("third.obj"), kSquare);
+    write(QStringLiteral("other.obj.points.csv"), "name,x,y,z,note\na,3,4,0,worn\n");
+    write(QStringLiteral("other.obj.points-3.csv"), "name,x,y,z\na,3,5,0\n"); // the second observer left it out
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,two,3\n");
+    write(QStringLiteral("third.obj.points.csv"), "specimen,name,x,y,z\np,a,1,2,3\nq,a,1,2,3\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    for (const auto table : {ScanSeries::Table::Wide, ScanSeries::Table::Tps, ScanSeries::Table::Repeats}) {
+        m_warnings.clear();
+        QVERIFY(m_series->exportTable(file(QStringLiteral("all.csv")), table));
+        QCOMPARE(m_warnings.size(), 1);
+        QVERIFY2(m_warnings[0].contains(QStringLiteral("square.obj.points.csv:2:"))
+                     && m_warnings[0].contains(QStringLiteral("third.obj.points.csv")),
+                 qPrintable(m_warnings[0]));
+        QCOMPARE(m_warnings[0].contains(QStringLiteral("note")), table != ScanSeries::Table::Repeats);
+    }
+    QVERIFY2(read(QStringLiteral("all.csv")).contains("other,a,2,3,4.5,0,"),
+             read(QStringLiteral("all.csv")).constData());
+}
+
+void TestPointFiles::unitsAndKeysAreNotLost_data()
+{
+    QTest::addColumn<int>("answer");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<QString>("said");
+    using Join = PointFileQuestions::Join;
+    const QByteArray plain = "name,x,y,z\na,1,2,0\n", cm = "name,x,y,z,unit\na,1,2,0,cm\n",
+                     mm = "name,x,y,z,unit\na,1,2,0,mm\n";
+    QTest::newRow("replaced, no unit") << int(Join::Replace) << plain << "mm" << QString();
+    QTest::newRow("replaced, the same") << int(Join::Replace) << mm << "mm" << QString();
+    QTest::newRow("replaced, another") << int(Join::Replace) << cm << "cm"
+                                       << "cm";
+    QTest::newRow("appended, no unit") << int(Join::Append) << plain << "mm" << QString();
+    QTest::newRow("appended, another") << int(Join::Append) << cm << "mm"
+                                       << "cm";
+}
+
+void TestPointFiles::unitsAndKeysAreNotLost()
+{
+    QFETCH(int, answer);
+    QFETCH(QByteArray, text);
+    QFETCH(QString, unit);
+    QFETCH(QString, said);
+    open({QStringLiteral("square.obj")});
+    landmarks::LandmarkSet set;
+    set.unit = "mm";
+    set.mesh = "skull.ply";
+    set.extra["scanner"] = "old";
+    set.landmarks.resize(1);
+    QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
+    m_answers->join = static_cast<PointFileQuestions::Join>(answer);
+    write(QStringLiteral("p.csv"), text);
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    QCOMPARE(QString::fromStdString(m_document->landmarkSet().unit), unit);
+    QCOMPARE(m_document->landmarkSet().mesh, std::string("skull.ply"));
+    QVERIFY(m_document->landmarkSet().extra == set.extra);
+    QCOMPARE(m_warnings.size(), said.isEmpty() ? 0 : 1);
+    QVERIFY(said.isEmpty() || m_warnings[0].contains(said));
+    m_document->undoStack().undo();
+    QVERIFY(m_document->landmarkSet() == set);
+}
+
+void TestPointFiles::aQuestionIsOfTheSceneBelowIt()
+{
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    m_answers->meanwhile = [this] { m_session->openBundledScene(); };
+    QVERIFY(!m_files->importFrom(file(QStringLiteral("p.csv"))));
+    QVERIFY(points().empty());
+    QCOMPARE(m_failures.size(), 1);
+    QVERIFY(m_failures[0].contains(QStringLiteral("p.csv")));
+}
+
+/// Each scan is a triangle of its own size, on which three points have been placed; one file is broken, and so are the points of
+/// another one.
+void TestPointFiles::aHundredScansAndABrokenOne()
+{
+    constexpr int kScans = 100, kBroken = 41, kDamaged = 70;
+    QVERIFY(QFile::remove(path(QStringLiteral("square.obj"))));
+    const auto nameOf = [](int i) { return QStringLiteral("scan%1.obj").arg(i, 3, 10, QChar(u'0')); };
+    for (int i = 0; i < kScans; ++i) {
+        const QByteArray size = QByteArray::number(i + 1);
+        write(nameOf(i),
+              i == kBroken ? QByteArray("v 1 2\n") : "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n");
+        if (i == kDamaged)
+            write(nameOf(i) + QStringLiteral(".points.csv"), "name,x,y,z\na,1,two,3\n");
+    }
+    open({nameOf(0)});
+    fillFromTemplate(
+        *m_document,
+        [] {
+            std::vector<Landmark> names(3);
+            names[0].name = "a";
+            names[1].name = "b";
+            names[2].name = "c";
+            return names;
+        }(),
+        QStringLiteral("three"));
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->scans().size(), std::size_t(kScans));
+    for (int i = 0; i < kScans; ++i) {
+        QCOMPARE(m_series->current(), std::optional<std::size_t>(i));
+        if (i != kBroken && i != kDamaged) {
+            QCOMPARE(m_document->objects()[0].name, nameOf(i).toStdString());
+            for (const glm::dvec3 &corner : {glm::dvec3(0.0), glm::dvec3(i + 1, 0, 0), glm::dvec3(0, i + 1, 0)}) {
+                Landmark placed;
+                placed.world = WorldPoint(corner);
+                QVERIFY(m_document->points().place(placed));
+            }
+            QVERIFY(!m_document->points().waiting());
+        }
+        m_series->next();
+        QTRY_VERIFY(!m_session->isLoading());
+    }
+    QCOMPARE(m_answers->saveQuestions, 1); // of the names that were there before
+    QCOMPARE(m_failures.size(), 2);
+    QVERIFY(m_failures[0].contains(nameOf(kBroken)) && m_failures[1].contains(nameOf(kDamaged)));
+
+    QVERIFY(m_series->exportTable(file(QStringLiteral("long.csv")), ScanSeries::Table::Long));
+    const auto rows = landmark_files::readLandmarkFile(file(QStringLiteral("long.csv")));
+    QVERIFY(rows);
+    QCOMPARE(rows->sets.size(), std::size_t(kScans - 2));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("all.tps")), ScanSeries::Table::Tps));
+    const auto tps = landmark_files::readLandmarkFile(file(QStringLiteral("all.tps")));
+    QVERIFY(tps);
+    QCOMPARE(tps->sets.size(), std::size_t(kScans - 2));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
+    const QList<QByteArray> wide = read(QStringLiteral("wide.csv")).trimmed().split('\n');
+    QCOMPARE(wide.size(), qsizetype(kScans - 2 + 1));
+    QCOMPARE(wide[0], QByteArray("specimen,a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z"));
+    std::size_t row = 0;
+    for (int i = 0; i < kScans; ++i) {
+        if (i == kBroken || i == kDamaged)
+            continue;
+        const std::string specimen = nameOf(i).chopped(4).toStdString();
+        QCOMPARE(rows->sets[row].name, specimen);
+        QCOMPARE(tps->sets[row].name, specimen);
+        QCOMPARE(rows->sets[row].landmarks[2].world->coordinates(), glm::dvec3(0, i + 1, 0));
+        QCOMPARE(tps->sets[row].landmarks[1].world->coordinates(), glm::dvec3(i + 1, 0, 0));
+        ++row;
+        QCOMPARE(wide[qsizetype(row)],
+                 QStringLiteral("scan%1,0,0,0,%2,0,0,0,%2,0").arg(i, 3, 10, QChar(u'0')).arg(i + 1).toUtf8());
+    }
+    QVERIFY(m_warnings.join(u'\n').contains(nameOf(kDamaged)));
 }
 
 QTEST_MAIN(TestPointFiles)

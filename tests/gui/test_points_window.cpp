@@ -4,9 +4,11 @@
 
 #include "gui/document/point_files.h"
 #include "gui/document/scan_series.h"
+#include "gui/panels/points_model.h"
 #include "gui/panels/points_table.h"
 
 #include <QFile>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QUrl>
 
@@ -27,6 +29,7 @@ private slots:
     void init();
     void droppedPointsComeToTheTable();
     void keysGoThroughASeries();
+    void whatIsBeingTypedIsKeptWithItsScan();
 
 private:
     QString path(const QString &name) const { return m_folder->filePath(name); }
@@ -86,6 +89,38 @@ void TestPointsWindow::keysGoThroughASeries()
     QVERIFY(window->document().points().place(point));
     QVERIFY(window->close());
     QVERIFY(QFile::exists(path(QStringLiteral("b.obj.points.csv"))));
+}
+
+void TestPointsWindow::whatIsBeingTypedIsKeptWithItsScan()
+{
+    write(QStringLiteral("a.obj.points.csv"), "name,x,y,z\nfirst,1,2,0\nlast,,,\n");
+    const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
+    QVERIFY(window->series().open(m_folder->path().toStdU16String()));
+    QTRY_COMPARE(window->document().landmarks().size(), std::size_t(2));
+    window->places().show("points");
+    auto *table = window->findChild<PointsTable *>();
+    const auto type = [table](const QString &text) {
+        const QModelIndex name = table->model()->index(0, PointsModel::Name);
+        table->setCurrentIndex(name);
+        table->edit(name);
+        auto *editor = table->viewport()->findChild<QLineEdit *>();
+        QVERIFY(editor);
+        editor->setText(text);
+    };
+    const auto kept = [this] {
+        QFile file(path(QStringLiteral("a.obj.points.csv")));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    type(QStringLiteral("nasion"));
+    window->series().next();
+    QTRY_COMPARE(window->document().objects()[0].name, std::string("b.obj"));
+    QVERIFY2(kept().contains("nasion,1,2,0"), kept().constData());
+    QVERIFY(window->document().landmarks()[0].isMissing());
+    window->series().previous();
+    QTRY_COMPARE(window->document().objects()[0].name, std::string("a.obj"));
+    type(QStringLiteral("bregma"));
+    QVERIFY(window->close());
+    QVERIFY2(kept().contains("bregma,1,2,0"), kept().constData());
 }
 
 QTEST_MAIN(TestPointsWindow)
