@@ -37,12 +37,18 @@ enum Column : std::size_t {
     Color,
     Hidden,
     Mesh,
-    Unit
+    Unit,
+    CurveName, ///< of the curve that a row is a semilandmark of
+    CurvePoints,
+    CurveWay,
+    CurveCount
 };
-constexpr std::size_t kColumnCount = Unit + 1;
+constexpr std::size_t kColumnCount = CurveCount + 1;
 constexpr std::array<const char *, kColumnCount> kColumnNames{
-    "specimen", "name",     "x",      "y",         "z",  "object", "face", "u",     "v",      "w",    "note",
-    "vertex",   "edgefrom", "edgeto", "edgeshare", "dx", "dy",     "dz",   "color", "hidden", "mesh", "unit"};
+    "specimen", "name",   "x",      "y",        "z",      "object",      "face",      "u",         "v",
+    "w",        "note",   "vertex", "edgefrom", "edgeto", "edgeshare",   "dx",        "dy",        "dz",
+    "color",    "hidden", "mesh",   "unit",     "curve",  "curvepoints", "curvekind", "curvecount"};
+constexpr std::array kCurveKinds{"geodesic", "planeSection"};
 
 // ---- reading ----------------------------------------------------------------------------------------------------
 
@@ -194,6 +200,48 @@ Landmark landmarkOf(const Header &header, const CsvRow &row)
     return landmark;
 }
 
+std::vector<std::string> namesOf(std::string_view text, std::size_t line)
+{
+    std::vector<std::string> names;
+    if (text.empty())
+        return names;
+    const auto json = scene_file::parseStrictJson(std::string(text));
+    const bool isList = json && json->is_array()
+                        && std::all_of(json->begin(), json->end(), [](const Json &j) { return j.is_string(); });
+    if (!isList)
+        throw Failure{line, "curvePoints is " + std::string(text) + R"(; write the names as ["A","B"])"};
+    for (const Json &name : *json)
+        names.push_back(name.get<std::string>());
+    return names;
+}
+
+/// Takes a row that says of a curve what it is, and where one of its semilandmarks.
+void addToCurve(LandmarkSet &set, const Cells &cells)
+{
+    const std::string name(cells[CurveName]);
+    auto curve = std::find_if(set.curves.begin(), set.curves.end(), [&](const Curve &c) { return c.name == name; });
+    if (curve == set.curves.end()) {
+        curve = set.curves.insert(curve, Curve());
+        curve->name = name;
+        curve->points = namesOf(cells[CurvePoints], cells.line());
+        const auto kind = std::find(kCurveKinds.begin(), kCurveKinds.end(), cells[CurveWay]);
+        if (kind == kCurveKinds.end() && !cells[CurveWay].empty())
+            throw Failure{cells.line(),
+                          "curveKind is \"" + std::string(cells[CurveWay]) + "\"; write geodesic or planeSection"};
+        if (kind != kCurveKinds.end())
+            curve->kind = static_cast<CurveKind>(kind - kCurveKinds.begin());
+        curve->count = 0;
+        if (!cells[CurveCount].empty()) {
+            curve->count = countOf(cells[CurveCount], cells.line(), "curveCount");
+            if (curve->count < 2 || curve->count > kMostSemilandmarks)
+                throw Failure{cells.line(), "curveCount is " + std::string(cells[CurveCount]) + "; write 2 to "
+                                                + std::to_string(kMostSemilandmarks)};
+        }
+    }
+    if (const auto place = cells.numbers(X))
+        curve->semilandmarks.push_back(WorldPoint(*place));
+}
+
 } // namespace
 
 ReadLandmarks readCsv(std::string_view text)
@@ -226,7 +274,17 @@ ReadLandmarks readCsv(std::string_view text)
                                             + "\", and that of the rows before is \"" + *known
                                             + "\"; a specimen has one, so give it in each of its rows"};
         }
-        set.landmarks.push_back(landmarkOf(header, row));
+        if (cells[CurveName].empty())
+            set.landmarks.push_back(landmarkOf(header, row));
+        else
+            addToCurve(set, cells);
+    }
+    for (LandmarkSet &set : read.sets) {
+        for (Curve &curve : set.curves) {
+            if (curve.count == 0) // the table of somebody who knows the semilandmarks only
+                curve.count = static_cast<std::uint32_t>(
+                    std::clamp<std::size_t>(curve.semilandmarks.size(), 2, kMostSemilandmarks));
+        }
     }
     if (read.sets.empty())
         read.sets.emplace_back();
@@ -293,6 +351,29 @@ std::array<std::string, kColumnCount> cellsOf(const LandmarkSet &set, const Land
     return cells;
 }
 
+/// The rows of a curve: one a semilandmark, or one without a place where they are not known.
+std::vector<std::array<std::string, kColumnCount>> rowsOf(const LandmarkSet &set, const Curve &curve,
+                                                          const std::string &name)
+{
+    std::vector<std::array<std::string, kColumnCount>> rows(std::max<std::size_t>(1, curve.semilandmarks.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::array<std::string, kColumnCount> &cells = rows[i];
+        cells[Mesh] = set.mesh;
+        cells[Unit] = set.unit;
+        cells[Name] = name;
+        if (!curve.semilandmarks.empty()) {
+            cells[Name] = semilandmarkName(name, i, rows.size());
+            putNumbers(cells, X, curve.semilandmarks[i].coordinates());
+        }
+        cells[CurveName] = name;
+        if (!curve.points.empty())
+            cells[CurvePoints] = Json(curve.points).dump(-1, ' ', false, Json::error_handler_t::replace);
+        cells[CurveWay] = kCurveKinds[static_cast<std::size_t>(curve.kind)];
+        cells[CurveCount] = std::to_string(curve.count);
+    }
+    return rows;
+}
+
 /// The name of a column as people write it.
 std::string titleOf(std::size_t column)
 {
@@ -300,6 +381,9 @@ std::string titleOf(std::size_t column)
     case EdgeFrom: return "edgeFrom";
     case EdgeTo: return "edgeTo";
     case EdgeShare: return "edgeShare";
+    case CurvePoints: return "curvePoints";
+    case CurveWay: return "curveKind";
+    case CurveCount: return "curveCount";
     default: return kColumnNames[column];
     }
 }
@@ -324,23 +408,39 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
     std::fill(isUsed.begin() + Name, isUsed.begin() + Vertex, true);
     isUsed[Specimen] = sets.size() > 1;
     PlainNames specimens("", true, notes); // rows of one name are one specimen's
+    const auto use = [&](const std::array<std::string, kColumnCount> &row) {
+        for (std::size_t column = 0; column < kColumnCount; ++column)
+            isUsed[column] = isUsed[column] || !row[column].empty();
+    };
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const LandmarkSet &set = sets[i];
         const std::string specimen = sets.size() > 1 ? specimens.of(set.name, std::to_string(i + 1)) : set.name;
-        if (set.landmarks.empty() && (sets.size() > 1 || !set.name.empty()))
+        if (set.landmarks.empty() && set.curves.empty() && (sets.size() > 1 || !set.name.empty()))
             notes.add(LandmarkNote::Kind::EmptySpecimenLeftOut, 1, specimen);
         for (const Landmark &landmark : set.landmarks) {
             rows.push_back(cellsOf(set, landmark));
             rows.back()[Specimen] = specimen;
             landmarks.push_back(&landmark);
-            for (std::size_t column = 0; column < kColumnCount; ++column)
-                isUsed[column] = isUsed[column] || !rows.back()[column].empty();
+            use(rows.back());
             for (auto it = landmark.extra.begin(); it != landmark.extra.end(); ++it) {
                 if (it.key().empty() || isOurs(it.key()))
                     notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
                 else if (known.insert(it.key()).second)
                     others.push_back(it.key());
             }
+        }
+        PlainNames curves("", true, notes); // rows of one name are one curve's
+        for (std::size_t k = 0; k < set.curves.size(); ++k) {
+            const Curve &curve = set.curves[k];
+            const std::string name = curves.of(nameOf(curve, k));
+            for (std::array<std::string, kColumnCount> &row : rowsOf(set, curve, name)) {
+                row[Specimen] = specimen;
+                use(row);
+                rows.push_back(std::move(row));
+                landmarks.push_back(nullptr);
+            }
+            for (auto it = curve.extra.begin(); it != curve.extra.end(); ++it)
+                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
         }
     }
     std::string text;
@@ -367,6 +467,8 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
         }
         for (const std::string &other : others) {
             text += ',';
+            if (!landmarks[row])
+                continue;
             const Json &extra = landmarks[row]->extra;
             if (extra.is_object() && extra.contains(other))
                 appendCell(text, cellOf(extra[other]));
@@ -376,8 +478,10 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
     return text;
 }
 
-WrittenLandmarks wideTable(std::span<const LandmarkSet> sets)
+WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens)
 {
+    Notes notes;
+    const std::vector<LandmarkSet> sets = withCurvesAsPoints(specimens, notes);
     std::vector<std::string> names;
     std::map<std::string, std::size_t> places;
     std::vector<std::map<std::size_t, const Landmark *>> rows;
@@ -394,7 +498,6 @@ WrittenLandmarks wideTable(std::span<const LandmarkSet> sets)
             row[place->second] = &set.landmarks[i];
         }
     }
-    Notes notes;
     Holds held;
     held.names = held.specimenName = true;
     addLosses(notes, sets, held);

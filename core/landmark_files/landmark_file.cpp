@@ -4,10 +4,12 @@
 #include "core/files/replace_file.h"
 #include "core/landmark_files/lines.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace unprojector::landmark_files {
 using namespace files;
@@ -106,6 +108,13 @@ Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const Landma
 {
     Notes notes;
     try {
+        const bool hasCurves =
+            std::any_of(sets.begin(), sets.end(), [](const LandmarkSet &set) { return !set.curves.empty(); });
+        std::vector<LandmarkSet> plain;
+        if (hasCurves && format != Format::Csv && format != Format::Tps) {
+            plain = withCurvesAsPoints(sets, notes);
+            sets = plain;
+        }
         std::string text = textOf(sets, format, notes);
         return WrittenLandmarks{std::move(text), notes.take()};
     } catch (const Failure &failure) {

@@ -17,7 +17,7 @@ using namespace landmarks;
 
 /// The files that landmarks are exchanged by.
 enum class Format {
-    Csv,             ///< our own, `name,x,y,z,object,face,u,v,w,note`; the one that keeps most
+    Csv,             ///< our own, `name,x,y,z,object,face,u,v,w,note`; the one that keeps most, curves too
     MeshLab,         ///< .pp, picked points
     MeshLabTemplate, ///< .pptpl, names only
     SlicerJson,      ///< .mrk.json of 3D Slicer
@@ -60,11 +60,14 @@ struct LandmarkNote {
         EmptySpecimenLeftOut, ///< detail: its name; it has no landmarks, and a table no row for it
         LooksMissing,         ///< detail: whose; a coordinate of it is the format's word for "missing"
         MissingAtOrigin,      ///< count: older readers take them to be at 0, 0, 0
+        CurvesAsPoints,       ///< count: semilandmarks
+        CurvesUnnamed,        ///< count: curves, of which only the semilandmarks are kept
+        CurveUnknown,         ///< detail: its name; nobody has worked out where it goes
         // Reading: what is not kept as it was.
         AxesTurned,         ///< the file is in RAS
         FlatPoints,         ///< count: of two coordinates, z is 0
         Scaled,             ///< detail: the factor that coordinates were multiplied by
-        CurvesLeftOut,      ///< count: points of curves
+        CurvesLeftOut,      ///< count: points of curves that have fewer than two
         MissingHadPosition, ///< count: points that are not placed and have coordinates all the same
         CommentsLeftOut,    ///< count: lines
     };
@@ -118,7 +121,8 @@ geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_vi
                                                                   const std::string &name);
 
 /// The text of a file of landmarks. Every coordinate is written in the fewest digits that read back to the same double; what
-/// the format has no place for is said in the notes.
+/// the format has no place for is said in the notes. Semilandmarks of curves are written with the landmarks: in CSV with all that
+/// the curve is, in TPS as CURVES and POINTS, in the others as further points, "NAME:01".
 /// @param sets  one a specimen
 /// @return CannotHold: several specimens where the format has one, or specimens of different numbers of points where it
 ///         has a table; a name that is not UTF-8 in JSON
@@ -126,8 +130,8 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<co
 
 /// A table with one row a specimen: specimen,A_x,A_y,A_z,B_x,… The columns are the landmarks of all specimens by name, in
 /// the order in which they first appear; what a specimen lacks stays empty. A landmark without a name has its number, and
-/// of two that share one the second is "NAME (2)".
-WrittenLandmarks wideTable(std::span<const LandmarkSet> sets);
+/// of two that share one the second is "NAME (2)". Semilandmarks are further points, "CURVE:01".
+WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens);
 
 /// Reads a file by its suffix.
 /// @return UnknownFormat, NotFound, IsDirectory, NotReadable, and the errors of parseLandmarks

@@ -74,7 +74,16 @@ std::string noteText(const LandmarkNote &note)
         return "the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads one (LPS)";
     case Kind::FlatPoints: return counted(note.count, "point has", "points have") + " two coordinates; z is 0";
     case Kind::Scaled: return "coordinates are multiplied by the SCALE of the file, " + note.detail;
-    case Kind::CurvesLeftOut: return counted(note.count, "point", "points") + " of curves are left out";
+    case Kind::CurvesLeftOut:
+        return counted(note.count, "point", "points") + " of curves are left out: a curve has two at least";
+    case Kind::CurvesAsPoints:
+        return counted(note.count, "semilandmark is", "semilandmarks are")
+               + " written as points behind the others, named by their curve; what the curves go through is left out";
+    case Kind::CurvesUnnamed:
+        return "the names of " + counted(note.count, "curve", "curves") + " and what they go through are left out";
+    case Kind::CurveUnknown:
+        return "the curve \"" + note.detail
+               + "\" has no semilandmarks and is left out: where it goes is worked out where its mesh is open";
     case Kind::MissingHadPosition:
         return counted(note.count, "point is", "points are")
                + " marked as not placed and had coordinates, which are left out";

@@ -168,6 +168,40 @@ void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const Holds &for
     specimenKeys.tell(notes, Kind::SpecimenKeysLeftOut);
 }
 
+std::string nameOf(const Curve &curve, std::size_t place)
+{
+    return curve.name.empty() ? "curve " + std::to_string(place + 1) : curve.name;
+}
+
+std::string semilandmarkName(const std::string &curve, std::size_t place, std::size_t count)
+{
+    const std::string number = std::to_string(place + 1);
+    const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
+    return curve + ':' + std::string(digits - number.size(), '0') + number;
+}
+
+std::vector<LandmarkSet> withCurvesAsPoints(std::span<const LandmarkSet> sets, Notes &notes)
+{
+    std::vector<LandmarkSet> plain(sets.begin(), sets.end());
+    for (LandmarkSet &set : plain) {
+        for (std::size_t i = 0; i < set.curves.size(); ++i) {
+            const Curve &curve = set.curves[i];
+            const std::string name = nameOf(curve, i);
+            if (curve.semilandmarks.empty())
+                notes.add(LandmarkNote::Kind::CurveUnknown, 1, name);
+            else
+                notes.add(LandmarkNote::Kind::CurvesAsPoints, curve.semilandmarks.size());
+            for (std::size_t k = 0; k < curve.semilandmarks.size(); ++k) {
+                Landmark &landmark = set.landmarks.emplace_back();
+                landmark.name = semilandmarkName(name, k, curve.semilandmarks.size());
+                landmark.world = curve.semilandmarks[k];
+            }
+        }
+        set.curves.clear();
+    }
+    return plain;
+}
+
 std::string PlainNames::of(const std::string &name, const std::string &instead)
 {
     std::string plain = name.empty() ? instead : name;

@@ -80,6 +80,13 @@ struct Holds {
 /// Notes what sets have that the format has no place for.
 void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const Holds &format);
 
+/// Sets as a format has them that knows no curves: semilandmarks are further points, "NAME:01".
+std::vector<LandmarkSet> withCurvesAsPoints(std::span<const LandmarkSet> sets, Notes &notes);
+/// The name of a curve, "curve 1" of the first without one.
+std::string nameOf(const Curve &curve, std::size_t place);
+/// "NAME:03" of the third of at most 99 semilandmarks. @param place  from 0
+std::string semilandmarkName(const std::string &curve, std::size_t place, std::size_t count);
+
 /// Names as a format can have them: without some characters, and each once where that is asked for.
 class PlainNames {
 public:

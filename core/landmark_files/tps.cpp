@@ -71,6 +71,7 @@ ReadLandmarks readTps(std::string_view text)
     Notes notes;
     Lines lines(text);
     std::set<std::string> keys; ///< of the specimen
+    double scaleOfSet = 1.0;
     while (lines.nextFilled()) {
         const std::optional<KeyValue> entry = keyValueOf(lines.text());
         if (!entry)
@@ -84,6 +85,7 @@ ReadLandmarks readTps(std::string_view text)
             const std::uint32_t count = countOf(value, lines.number(), key);
             LandmarkSet &set = read.sets.emplace_back();
             keys.clear();
+            scaleOfSet = 1.0;
             for (std::uint32_t i = 0; i < count; ++i) {
                 const std::vector<std::string_view> words = rowOf(lines, key == "LM3" ? 3 : 2, announced);
                 set.landmarks.push_back(landmarkOf(words, lines.number()));
@@ -105,24 +107,45 @@ ReadLandmarks readTps(std::string_view text)
             set.mesh = value;
         } else if (key == "SCALE") {
             const double scale = numberOf(value, lines.number(), "SCALE");
-            for (Landmark &landmark : set.landmarks) {
-                if (landmark.world)
-                    landmark.world = WorldPoint(landmark.world->coordinates() * scale);
-                if (landmark.world && !isFinite(*landmark.world))
+            const auto enlarge = [&](WorldPoint &point) {
+                point = WorldPoint(point.coordinates() * scale);
+                if (!isFinite(point))
                     throw Failure{lines.number(), "SCALE is " + std::string(value)
                                                       + ", which makes coordinates too large; "
                                                         "write a smaller one"};
+            };
+            for (Landmark &landmark : set.landmarks) {
+                if (landmark.world)
+                    enlarge(*landmark.world);
             }
+            for (Curve &curve : set.curves)
+                std::for_each(curve.semilandmarks.begin(), curve.semilandmarks.end(), enlarge);
+            scaleOfSet = scale;
             if (scale != 1.0)
                 notes.add(LandmarkNote::Kind::Scaled, 1, std::string(value));
         } else if (key.starts_with("POINTS")) {
             const std::uint32_t count = countOf(value, lines.number(), key);
+            Curve curve;
             for (std::uint32_t i = 0; i < count; ++i) {
                 if (!lines.nextFilled() || keyValueOf(lines.text()))
                     throw Failure{lines.number(), "there are fewer rows than the " + std::to_string(count) + " that "
                                                       + announced + " announces; write the right number there"};
+                const std::vector<std::string_view> words = wordsOf(lines.text());
+                if (words.size() != 2 && words.size() != 3)
+                    throw Failure{lines.number(), mesh_import::quoted(lines.text())
+                                                      + " is no point of a curve; write two or three numbers"};
+                const Landmark place = landmarkOf(words, lines.number());
+                if (place.isMissing())
+                    throw Failure{lines.number(), "a point of a curve is NA; a curve has all its points"};
+                curve.semilandmarks.push_back(WorldPoint(place.world->coordinates() * scaleOfSet));
             }
-            notes.add(LandmarkNote::Kind::CurvesLeftOut, count);
+            if (count < 2) {
+                notes.add(LandmarkNote::Kind::CurvesLeftOut, count);
+                continue;
+            }
+            curve.name = nameOf(curve, set.curves.size());
+            curve.count = std::min(count, std::uint32_t{kMostSemilandmarks});
+            set.curves.push_back(std::move(curve));
         } else if (!key.starts_with("CURVES")) {
             set.extra[key] = value;
         }
@@ -147,6 +170,31 @@ bool isTpsEntry(const std::string &key, const nlohmann::ordered_json &value)
            && value.get_ref<const std::string &>().find_first_of("\r\n") == std::string::npos;
 }
 
+/// The points of curves have no names, and nothing is known of how they came about.
+void appendCurves(std::string &text, const LandmarkSet &set, Notes &notes)
+{
+    std::size_t count = 0;
+    std::string rows;
+    for (std::size_t i = 0; i < set.curves.size(); ++i) {
+        const Curve &curve = set.curves[i];
+        if (curve.semilandmarks.empty()) {
+            notes.add(LandmarkNote::Kind::CurveUnknown, 1, nameOf(curve, i));
+            continue;
+        }
+        ++count;
+        rows += "POINTS=" + std::to_string(curve.semilandmarks.size()) + '\n';
+        for (const WorldPoint &point : curve.semilandmarks) {
+            std::string row;
+            appendNumbers(row, point.coordinates(), ' ');
+            rows += row.substr(1) + '\n';
+        }
+    }
+    if (count == 0)
+        return;
+    notes.add(LandmarkNote::Kind::CurvesUnnamed, count);
+    text += "CURVES=" + std::to_string(count) + '\n' + rows;
+}
+
 } // namespace
 
 std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
@@ -163,6 +211,7 @@ std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
             text += landmark.world ? row.substr(1) : "NA NA NA";
             text += '\n';
         }
+        appendCurves(text, set, notes);
         if (!set.mesh.empty())
             text += "IMAGE=" + names.of(set.mesh) + '\n';
         for (auto it = set.extra.begin(); it != set.extra.end(); ++it) {

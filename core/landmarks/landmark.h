@@ -60,6 +60,27 @@ struct Landmark {
 /// posterior, superior): x and y have the other sign.
 enum class Axes { Lps, Ras };
 
+/// How a curve goes from each of its points to the next.
+enum class CurveKind {
+    Geodesic,     ///< as a thread pulled tight on the surface
+    PlaneSection, ///< where the plane through both points and the surface's normals at them cuts the surface
+};
+
+inline constexpr int kMostSemilandmarks = 1000; ///< of one curve
+
+/// A line on the surface through landmarks, and how many semilandmarks stand on it in equal steps.
+struct Curve {
+    std::string name;                ///< UTF-8
+    std::vector<std::string> points; ///< the landmarks' names, in order; none: only `semilandmarks` are known of it
+    CurveKind kind = CurveKind::Geodesic;
+    std::uint32_t count = 10; ///< of semilandmarks, those at both ends included; at least 2
+    /// Where they are, if somebody has worked that out: in what goes to files and comes from them.
+    std::vector<WorldPoint> semilandmarks;
+    nlohmann::ordered_json extra; ///< as a landmark's
+
+    friend bool operator==(const Curve &, const Curve &) = default;
+};
+
 /// Landmarks in their order, of one specimen.
 ///
 /// Their coordinates are always those of the mesh's own file, whatever axes the file of the landmarks had: what was read in
@@ -70,6 +91,7 @@ struct LandmarkSet {
     std::string unit; ///< "mm"; empty: not known
     Axes axes = Axes::Lps;
     std::vector<Landmark> landmarks;
+    std::vector<Curve> curves;
     nlohmann::ordered_json extra; ///< as a landmark's
 
     friend bool operator==(const LandmarkSet &, const LandmarkSet &) = default;

@@ -78,6 +78,18 @@ void describe(Fields &json, T &landmark)
         json.required("hidden", landmark.isHidden);
 }
 
+template <class Fields, Is<landmarks::Curve> T>
+void describe(Fields &json, T &curve)
+{
+    static constexpr std::array kKinds{"geodesic", "planeSection"};
+    json.optional("name", curve.name);
+    json.list("points", curve.points);
+    json.required("kind", curve.kind, Words{kKinds});
+    json.required("count", curve.count, Count{2, landmarks::kMostSemilandmarks});
+    if (json.has("semilandmarks", !curve.semilandmarks.empty()))
+        json.list("semilandmarks", curve.semilandmarks);
+}
+
 template <class Fields, Is<landmarks::LandmarkSet> T>
 void describe(Fields &json, T &set)
 {
@@ -88,6 +100,8 @@ void describe(Fields &json, T &set)
     if (json.has("axes", set.axes != landmarks::Axes::Lps))
         json.required("axes", set.axes, Words{kAxes});
     json.list("points", set.landmarks);
+    if (json.has("curves", !set.curves.empty()))
+        json.list("curves", set.curves);
 }
 
 } // namespace unprojector::scene_file

@@ -30,6 +30,10 @@ inline const char *const kFullScene = R"({
       {"name": "", "position": [1e-300, 2, 3], "held": {"vertex": 7}},
       {"name": "e", "position": [1, 2, 3], "held": {"edge": [5, 6], "share": 0.75}},
       {"name": "gone", "position": null}
+    ],
+    "curves": [
+      {"name": "brow", "points": ["Nasion", "e"], "kind": "planeSection", "count": 12},
+      {"name": "as read", "points": [], "kind": "geodesic", "count": 2, "semilandmarks": [[1, 2, 3], [4, 5, 0.1]]}
     ]
   },
   "ui": {

@@ -97,8 +97,11 @@ void TestForeignLandmarks::filesOfOtherPrograms_data()
     QTest::newRow("TPS: small letters, SCALE, IMAGE, curves")
         << Format::Tps
         << QByteArray("lm3=2\n1 2 3\nNA NA NA\nCURVES=1\nPOINTS=2\n7 7 7\n8 8 8\nIMAGE=a b.ply\nSCALE=0.5\nID = s 1\n")
-        << "specimen," + head + ",mesh\ns 1,,0.5,1,1.5,,,,,,,a b.ply\ns 1,,,,,,,,,,,a b.ply\n"
-        << QStringList{"2 points of curves are left out", "coordinates are multiplied by the SCALE of the file, 0.5"};
+        << "specimen," + head
+               + ",mesh,curve,curveKind,curveCount\ns 1,,0.5,1,1.5,,,,,,,a b.ply,,,\ns 1,,,,,,,,,,,a b.ply,,,\n"
+                 "s 1,curve 1:01,3.5,3.5,3.5,,,,,,,a b.ply,curve 1,geodesic,2\n"
+                 "s 1,curve 1:02,4,4,4,,,,,,,a b.ply,curve 1,geodesic,2\n"
+        << QStringList{"coordinates are multiplied by the SCALE of the file, 0.5"};
     QTest::newRow("TPS: two coordinates, several specimens")
         << Format::Tps << QByteArray("LM=1\n1 2\nID=a\n\nLM=1\n3 4\nID=b\n")
         << "specimen," + head + "\na,,1,2,0" + empty + "b,,3,4,0" + empty

@@ -132,6 +132,10 @@ private slots:
     void namesThatReadersStumbleOver();
     void otherKeysAreNotTakenForOurs();
     void whatAFormatCannotHoldIsRefused();
+    void curvesAreWrittenWithThePoints();
+    void curvesComeBackFromTheFormatsThatHoldThem();
+    void badCurvesAreRefused_data();
+    void badCurvesAreRefused();
     void filesOnDisk();
 };
 
@@ -253,7 +257,7 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
 void TestLandmarkFiles::whatHasNoPlaceIsSaid()
 {
     QFETCH(Format, format);
-    LandmarkSet set{"skull 7", "skull.ply", "mm", Axes::Lps, {}, {{"more", {1, 2}}}};
+    LandmarkSet set{"skull 7", "skull.ply", "mm", Axes::Lps, {}, {}, {{"more", {1, 2}}}};
     Landmark full{
         "N",  WorldPoint(1, 9999, 3),         "skull", AtVertex{4}, WorldVector(1, 1, 1), "worn", glm::u8vec3(1, 2, 3),
         true, {{"sex", "f"}, {"code", "007"}}};
@@ -267,7 +271,7 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid()
 
 void TestLandmarkFiles::manySpecimens()
 {
-    LandmarkSet a{"a", {}, {}, Axes::Lps, {}, {}}, b{"b", {}, {}, Axes::Lps, {}, {}};
+    LandmarkSet a{"a", {}, {}, Axes::Lps, {}, {}, {}}, b{"b", {}, {}, Axes::Lps, {}, {}, {}};
     a.landmarks.resize(2);
     b.landmarks.resize(2);
     a.landmarks[0] = {"N", WorldPoint(1, 2, 3), {}, {}, {}, {}, {}, false, {}};
@@ -359,6 +363,112 @@ void TestLandmarkFiles::whatAFormatCannotHoldIsRefused()
     sets[0].landmarks[0].name = "\xe9";
     QCOMPARE(said(Format::SlicerJson),
              QString("markups[0].controlPoints[0].label is not UTF-8 and cannot be written as JSON; rename it"));
+}
+
+namespace {
+
+/// Two points, a curve between them with its semilandmarks, and one that is not worked out.
+LandmarkSet setWithCurves()
+{
+    LandmarkSet set;
+    for (const char *name : {"A", "B"}) {
+        Landmark landmark;
+        landmark.name = name;
+        landmark.world = WorldPoint(1, 2, 3);
+        set.landmarks.push_back(landmark);
+    }
+    Curve brow;
+    brow.name = "brow, left";
+    brow.points = {"A", "B \"x\""};
+    brow.kind = CurveKind::PlaneSection;
+    brow.count = 3;
+    brow.semilandmarks = {WorldPoint(1, 2, 3), WorldPoint(0.1, 1e-7, 3), WorldPoint(4, 5, 6)};
+    Curve other;
+    other.name = "other";
+    other.points = {"A", "B"};
+    other.count = 12;
+    set.curves = {brow, other};
+    return set;
+}
+
+QStringList textsOf(const std::vector<LandmarkNote> &notes)
+{
+    QStringList texts;
+    for (const LandmarkNote &note : notes)
+        texts << QString::fromStdString(noteText(note));
+    return texts;
+}
+
+} // namespace
+
+void TestLandmarkFiles::curvesAreWrittenWithThePoints()
+{
+    LandmarkSet set = setWithCurves();
+    const std::span<const LandmarkSet> one(&set, 1);
+    const QString unknown =
+        "the curve \"other\" has no semilandmarks and is left out: where it goes is worked out where its "
+        "mesh is open";
+    const auto tps = landmarksText(one, Format::Tps);
+    QVERIFY(tps);
+    QCOMPARE(QString::fromStdString(tps->text),
+             QString("LM3=2\n1 2 3\n1 2 3\nCURVES=1\nPOINTS=3\n1 2 3\n0.1 1e-07 3\n4 5 6\n\n"));
+    QVERIFY(textsOf(tps->notes).contains(unknown));
+    QVERIFY(textsOf(tps->notes).contains("the names of 1 curve and what they go through are left out"));
+    const auto idav = landmarksText(one, Format::Idav);
+    QVERIFY(idav);
+    QVERIFY(idav->text.find("5\n") != std::string::npos && idav->text.find(":03 4 5 6\n") != std::string::npos);
+    QVERIFY(textsOf(idav->notes).contains(unknown));
+    QVERIFY(textsOf(idav->notes)
+                .contains("3 semilandmarks are written as points behind the others, named by their curve; what "
+                          "the curves go through is left out"));
+    const auto nts = landmarksText(one, Format::Nts);
+    QVERIFY(nts && nts->text.find("L 15 ") != std::string::npos);
+    QVERIFY(wideTable(one).text.starts_with("specimen,A_x,A_y,A_z,B_x,B_y,B_z,\"brow, left:01_x\","));
+}
+
+void TestLandmarkFiles::curvesComeBackFromTheFormatsThatHoldThem()
+{
+    LandmarkSet set = setWithCurves();
+    const auto csv = landmarksText({&set, 1}, Format::Csv);
+    QVERIFY(csv);
+    QVERIFY2(csv->notes.empty(), qPrintable(textsOf(csv->notes).join(u'\n')));
+    const auto read = parseLandmarks(csv->text, Format::Csv, "x.csv");
+    QVERIFY2(read.hasValue(), read ? "" : errorText(read.error()).c_str());
+    QVERIFY(read->sets.front() == set);
+
+    const auto tps = landmarksText({&set, 1}, Format::Tps);
+    const auto back = parseLandmarks(tps->text, Format::Tps, "x.tps");
+    QVERIFY(back);
+    QCOMPARE(back->sets.front().curves.size(), std::size_t(1));
+    QVERIFY(back->sets.front().curves[0].semilandmarks == set.curves[0].semilandmarks);
+    QVERIFY(back->sets.front().curves[0].points.empty());
+}
+
+void TestLandmarkFiles::badCurvesAreRefused_data()
+{
+    QTest::addColumn<int>("format");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("csv-names") << int(Format::Csv) << QByteArray("x,y,z,curve,curvePoints\n1,2,3,c,A\n")
+                               << "x:2: curvePoints is A; write the names as [\"A\",\"B\"]";
+    QTest::newRow("csv-kind") << int(Format::Csv) << QByteArray("x,y,z,curve,curveKind\n1,2,3,c,bent\n")
+                              << "x:2: curveKind is \"bent\"; write geodesic or planeSection";
+    QTest::newRow("csv-count") << int(Format::Csv) << QByteArray("x,y,z,curve,curveCount\n1,2,3,c,1\n")
+                               << "x:2: curveCount is 1; write 2 to 1000";
+    QTest::newRow("tps-missing") << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3\nNA NA NA\n")
+                                 << "x:5: a point of a curve is NA; a curve has all its points";
+    QTest::newRow("tps-row") << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3 4\n1 2 3\n")
+                             << "x:4: \"1 2 3 4\" is no point of a curve; write two or three numbers";
+}
+
+void TestLandmarkFiles::badCurvesAreRefused()
+{
+    QFETCH(int, format);
+    QFETCH(QByteArray, text);
+    QFETCH(QString, message);
+    const auto read = parseLandmarks(text.toStdString(), Format(format), "x");
+    QVERIFY(!read);
+    QCOMPARE(QString::fromStdString(errorText(read.error())), message);
 }
 
 void TestLandmarkFiles::filesOnDisk()

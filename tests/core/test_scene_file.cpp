@@ -88,6 +88,10 @@ void TestSceneFile::everyKeyIsRead()
     QVERIFY(set.landmarks[1] == (Landmark{"", WorldPoint(1e-300, 2, 3), "", AtVertex{7}, {}, "", {}, false, {}}));
     QVERIFY(set.landmarks[2].hold == Hold(OnEdge{{5, 6}, 0.75}));
     QVERIFY(set.landmarks[3].isMissing());
+    QCOMPARE(set.curves.size(), std::size_t(2));
+    QVERIFY(set.curves[0] == (Curve{"brow", {"Nasion", "e"}, CurveKind::PlaneSection, 12, {}, {}}));
+    QVERIFY(set.curves[1]
+            == (Curve{"as read", {}, CurveKind::Geodesic, 2, {WorldPoint(1, 2, 3), WorldPoint(4, 5, 0.1)}, {}}));
 
     const Picture geometry = pictureOf(scene);
     QVERIFY(geometry.surface == (Surface{801, 599, 1.25}));

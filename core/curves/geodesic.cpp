@@ -1,0 +1,169 @@
+#include "core/curves/triangle_strip.h"
+#include "core/geometry/angle.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace unprojector::curves {
+namespace {
+
+using Edge = TriangleStrip::Edge;
+
+bool isSameEdge(const Edge &a, const Edge &b)
+{
+    return a == b || (a[0] == b[1] && a[1] == b[0]);
+}
+
+/// Takes out triangles that are left by the edge they were entered by, and those before the last one that an end lies in.
+void shorten(TriangleStrip &strip, const PathEnd &from, const PathEnd &to)
+{
+    TriangleStrip kept;
+    for (std::size_t i = 0; i < strip.triangles.size(); ++i) {
+        const std::uint32_t triangle = strip.triangles[i];
+        if (i > 0)
+            kept.edges.push_back(strip.edges[i - 1]);
+        kept.triangles.push_back(triangle);
+        const auto last = [&] { return kept.edges.size() - 1; };
+        while (kept.edges.size() >= 2 && isSameEdge(kept.edges[last()], kept.edges[last() - 1])) {
+            kept.triangles.erase(kept.triangles.end() - 2);
+            kept.edges.pop_back();
+            if (kept.triangles.back() == kept.triangles[kept.triangles.size() - 2]) {
+                kept.triangles.pop_back();
+                kept.edges.pop_back();
+            }
+        }
+    }
+    std::size_t first = 0, end = kept.triangles.size();
+    for (std::size_t i = 1; i < end; ++i) {
+        if (from.isIn(kept.triangles[i]))
+            first = i;
+    }
+    for (std::size_t i = end - 1; i-- > first;) {
+        if (to.isIn(kept.triangles[i]))
+            end = i + 1;
+    }
+    const auto way = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+    strip.triangles.assign(kept.triangles.begin() + way(first), kept.triangles.begin() + way(end));
+    strip.edges.assign(kept.edges.begin() + way(first), kept.edges.begin() + way(end - 1));
+}
+
+double angleAt(const PlacedMesh &mesh, std::uint32_t triangle, std::uint32_t corner)
+{
+    std::array<glm::dvec3, 2> legs{};
+    std::size_t count = 0;
+    for (const std::uint32_t other : mesh.mesh().corners(triangle)) {
+        if (other != corner)
+            legs[count++] = mesh[other] - mesh[corner];
+    }
+    return std::atan2(glm::length(glm::cross(legs[0], legs[1])), glm::dot(legs[0], legs[1]));
+}
+
+/// The triangles around a corner on the other side of it than a strip passes it.
+struct OtherSide {
+    std::vector<std::uint32_t> triangles; ///< between those where the strip comes and goes
+    std::vector<Edge> edges;              ///< one more
+    double angle = 0.0;                   ///< of the corner in all, on both sides
+};
+
+/// @return nothing where the surface has a rim there, or is no single sheet
+std::optional<OtherSide> otherSideOf(const StripPath::Bend &bend, const TriangleStrip &strip, const PlacedMesh &mesh)
+{
+    OtherSide side;
+    for (std::size_t i = bend.first; i <= bend.last + 1; ++i)
+        side.angle += angleAt(mesh, strip.triangles[i], bend.corner);
+    const std::uint32_t goal = strip.triangles[bend.last + 1];
+    std::uint32_t triangle = strip.triangles[bend.first];
+    const auto outerOf = [&](const Edge &edge) { return edge[0] == bend.corner ? edge[1] : edge[0]; };
+    std::uint32_t entered = outerOf(strip.edges[bend.first]);
+    const auto [begin, end] = mesh.mesh().around(bend.corner);
+    for (std::ptrdiff_t steps = 0; steps <= end - begin; ++steps) {
+        const std::array<std::uint32_t, 3> &corners = mesh.mesh().corners(triangle);
+        const auto leaving = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+            return corner != bend.corner && corner != entered;
+        });
+        side.edges.push_back({bend.corner, *leaving});
+        entered = *leaving;
+        triangle = mesh.mesh().onlyAcross(triangle, bend.corner, entered);
+        if (triangle == goal)
+            return side;
+        if (triangle == SurfaceMesh::kNone)
+            return std::nullopt;
+        side.triangles.push_back(triangle);
+        side.angle += angleAt(mesh, triangle, bend.corner);
+    }
+    return std::nullopt;
+}
+
+/// Leads a strip around the other side of a corner.
+void leadAround(TriangleStrip &strip, const StripPath::Bend &bend, const OtherSide &side)
+{
+    const auto way = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+    const auto triangle = strip.triangles.erase(strip.triangles.begin() + way(bend.first + 1),
+                                                strip.triangles.begin() + way(bend.last + 1));
+    strip.triangles.insert(triangle, side.triangles.begin(), side.triangles.end());
+    const auto edge =
+        strip.edges.erase(strip.edges.begin() + way(bend.first), strip.edges.begin() + way(bend.last + 1));
+    strip.edges.insert(edge, side.edges.begin(), side.edges.end());
+}
+
+/// @return whether anything was changed
+bool leadAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMesh &mesh)
+{
+    constexpr double kStraight = 1e-9; // what is that close to half a turn gains nothing that a double could hold
+    bool isChanged = false;
+    std::size_t free = strip.triangles.size(); // triangles from here on have been replaced already
+    for (std::size_t i = path.bends.size(); i-- > 0;) {
+        const StripPath::Bend &bend = path.bends[i];
+        if (bend.last + 1 >= free)
+            continue;
+        const std::optional<OtherSide> side = otherSideOf(bend, strip, mesh);
+        if (!side || !(side->angle - bend.angle < kPi - kStraight))
+            continue;
+        leadAround(strip, bend, *side);
+        free = bend.first;
+        isChanged = true;
+    }
+    return isChanged;
+}
+
+} // namespace
+
+Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
+                                        const glm::dmat4 &worldFromObject, const GoesOn &goesOn)
+{
+    const PlacedMesh placed(mesh, worldFromObject);
+    const PathEnd start(placed, from), goal(placed, to);
+    Result<TriangleStrip, PathError> found = stripBetween(placed, start, goal, goesOn);
+    if (!found)
+        return found.error();
+    TriangleStrip strip = std::move(found).value();
+    std::optional<StripPath> best;
+    for (;;) {
+        if (goesOn && !goesOn())
+            return PathError::Stopped;
+        shorten(strip, start, goal);
+        StripPath path = shortestIn(strip, placed, start, goal);
+        // Every pass makes it shorter, until rounding says otherwise.
+        if (best && !(path.length < best->length))
+            break;
+        best = std::move(path);
+        if (!leadAroundBends(strip, *best, placed))
+            break;
+    }
+    SurfacePath path;
+    path.length = best->length;
+    const double least = 1e-12 * best->length;
+    for (const glm::dvec3 &place : best->places) {
+        if (path.places.empty() || glm::distance(path.places.back().coordinates(), place) > least)
+            path.places.push_back(WorldPoint(place));
+    }
+    if (path.places.size() > 1)
+        path.places.back() = WorldPoint(goal.place());
+    return path;
+}
+
+} // namespace unprojector::curves

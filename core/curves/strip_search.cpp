@@ -1,0 +1,140 @@
+// A* from place to place on the edges: the strip of triangles that a geodesic begins with.
+
+#include "core/curves/triangle_strip.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <unordered_map>
+
+namespace unprojector::curves {
+namespace {
+
+constexpr std::uint32_t kNone = SurfaceMesh::kNone;
+
+class Search {
+public:
+    Search(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const GoesOn &goesOn)
+        : m_mesh(mesh), m_from(from), m_to(to), m_goesOn(goesOn)
+    {
+    }
+
+    Result<TriangleStrip, PathError> run()
+    {
+        for (const std::uint32_t triangle : m_from.triangles()) {
+            if (m_to.isIn(triangle))
+                return TriangleStrip{{triangle}, {}};
+        }
+        for (const std::uint32_t triangle : m_from.triangles())
+            enter(triangle, kNone, m_from.place(), 0.0);
+        for (std::size_t steps = 0; !m_open.empty(); ++steps) {
+            if (steps % kAsking == 0 && m_goesOn && !m_goesOn())
+                return PathError::Stopped;
+            const std::uint32_t number = m_open.top().second;
+            m_open.pop();
+            if (number == kNone)
+                return traced();
+            Node &node = m_nodes[number];
+            if (std::exchange(node.isDone, true))
+                continue;
+            const Node from = node; // the others are moved when more come
+            const TriangleStrip::Edge edge = m_edges[number / kPlaces];
+            const glm::dvec3 place = placeOf(number);
+            m_mesh.mesh().across(from.via, edge[0], edge[1],
+                                 [&](std::uint32_t triangle) { enter(triangle, number, place, from.cost); });
+        }
+        return PathError::NotConnected;
+    }
+
+private:
+    static constexpr std::uint32_t kPlaces = 3;     ///< on an edge
+    static constexpr std::size_t kAsking = 1 << 10; ///< steps from asking to asking
+
+    struct Node {
+        double cost = std::numeric_limits<double>::infinity();
+        std::uint32_t parent = kNone; ///< none: the start
+        std::uint32_t via = kNone;    ///< the triangle that the way from there goes through
+        bool isDone = false;
+    };
+
+    glm::dvec3 placeOf(std::uint32_t number) const
+    {
+        const TriangleStrip::Edge &edge = m_edges[number / kPlaces];
+        const double share = double(number % kPlaces + 1) / double(kPlaces + 1);
+        return (1.0 - share) * m_mesh[edge[0]] + share * m_mesh[edge[1]];
+    }
+
+    std::uint32_t firstOf(std::uint32_t a, std::uint32_t b)
+    {
+        const TriangleStrip::Edge edge{std::min(a, b), std::max(a, b)};
+        const auto [found, isNew] =
+            m_numbers.try_emplace((std::uint64_t{edge[0]} << 32) | edge[1], static_cast<std::uint32_t>(m_edges.size()));
+        if (isNew) {
+            m_edges.push_back(edge);
+            m_nodes.resize(m_nodes.size() + kPlaces);
+        }
+        return kPlaces * found->second;
+    }
+
+    /// What a triangle leads to, from a place of its rim or in it.
+    void enter(std::uint32_t triangle, std::uint32_t parent, const glm::dvec3 &place, double cost)
+    {
+        if (m_to.isIn(triangle)) {
+            const double whole = cost + glm::distance(place, m_to.place());
+            if (whole < m_end.cost) {
+                m_end = {whole, parent, triangle, false};
+                m_open.emplace(whole, kNone);
+            }
+        }
+        const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(triangle);
+        for (std::size_t side = 0; side < 3; ++side) {
+            const std::uint32_t first = firstOf(corners[side], corners[(side + 1) % 3]);
+            if (parent != kNone && first == parent - parent % kPlaces)
+                continue;
+            for (std::uint32_t i = 0; i < kPlaces; ++i) {
+                const glm::dvec3 there = placeOf(first + i);
+                const double sum = cost + glm::distance(place, there);
+                Node &node = m_nodes[first + i];
+                if (node.isDone || !(sum < node.cost))
+                    continue;
+                node = {sum, parent, triangle, false};
+                m_open.emplace(sum + glm::distance(there, m_to.place()), first + i);
+            }
+        }
+    }
+
+    TriangleStrip traced() const
+    {
+        TriangleStrip strip;
+        strip.triangles.push_back(m_end.via);
+        for (std::uint32_t number = m_end.parent; number != kNone; number = m_nodes[number].parent) {
+            strip.edges.push_back(m_edges[number / kPlaces]);
+            strip.triangles.push_back(m_nodes[number].via);
+        }
+        std::reverse(strip.triangles.begin(), strip.triangles.end());
+        std::reverse(strip.edges.begin(), strip.edges.end());
+        return strip;
+    }
+
+    const PlacedMesh &m_mesh;
+    const PathEnd &m_from, &m_to;
+    const GoesOn &m_goesOn;
+    std::vector<Node> m_nodes; ///< kPlaces an edge
+    std::vector<TriangleStrip::Edge> m_edges;
+    std::unordered_map<std::uint64_t, std::uint32_t> m_numbers; ///< of edges
+    Node m_end;
+    using Open = std::pair<double, std::uint32_t>; ///< the least that a whole way through it can be; kNone: the end
+    std::priority_queue<Open, std::vector<Open>, std::greater<>> m_open;
+};
+
+} // namespace
+
+Result<TriangleStrip, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                              const GoesOn &goesOn)
+{
+    return Search(mesh, from, to, goesOn).run();
+}
+
+} // namespace unprojector::curves

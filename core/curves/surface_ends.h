@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/curves/surface_mesh.h"
+
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace unprojector::curves {
+
+/// A surface as it stands in the world.
+class PlacedMesh {
+public:
+    PlacedMesh(const SurfaceMesh &mesh, const glm::dmat4 &worldFromObject)
+        : m_mesh(mesh), m_worldFromObject(worldFromObject)
+    {
+    }
+    const SurfaceMesh &mesh() const { return m_mesh; }
+    glm::dvec3 operator[](std::uint32_t corner) const
+    {
+        return glm::dvec3(m_worldFromObject * glm::dvec4(m_mesh.place(corner), 1.0));
+    }
+
+private:
+    const SurfaceMesh &m_mesh;
+    glm::dmat4 m_worldFromObject;
+};
+
+/// An end of a path: by the corners that hold it, one of a vertex, two of an edge, three inside a triangle.
+class PathEnd {
+public:
+    /// The place in another space, by where the corners are there.
+    template <class Where>
+    auto mixed(const Where &where) const
+    {
+        auto sum = m_weights.front() * where(m_corners.front());
+        for (std::size_t i = 1; i < m_corners.size(); ++i)
+            sum += m_weights[i] * where(m_corners[i]);
+        return sum;
+    }
+
+    PathEnd(const PlacedMesh &mesh, const SurfacePlace &place)
+    {
+        const glm::dvec3 weights = glm::max(place.barycentric, glm::dvec3(0.0));
+        const double sum = weights[0] + weights[1] + weights[2];
+        for (int i = 0; i < 3; ++i) {
+            if (weights[i] > 0.0) {
+                m_corners.push_back(mesh.mesh().corners(place.triangle)[static_cast<std::size_t>(i)]);
+                m_weights.push_back(weights[i] / sum);
+            }
+        }
+        m_place = mixed([&](std::uint32_t corner) { return mesh[corner]; });
+        const auto [begin, end] = mesh.mesh().around(m_corners.front());
+        std::copy_if(begin, end, std::back_inserter(m_triangles),
+                     [&](std::uint32_t triangle) { return isIn(mesh.mesh().corners(triangle)); });
+    }
+
+    const glm::dvec3 &place() const { return m_place; }
+    /// Those that the place lies in or on.
+    const std::vector<std::uint32_t> &triangles() const { return m_triangles; }
+    bool isIn(std::uint32_t triangle) const
+    {
+        return std::find(m_triangles.begin(), m_triangles.end(), triangle) != m_triangles.end();
+    }
+
+private:
+    bool isIn(const std::array<std::uint32_t, 3> &corners) const
+    {
+        return std::all_of(m_corners.begin(), m_corners.end(), [&](std::uint32_t corner) {
+            return std::find(corners.begin(), corners.end(), corner) != corners.end();
+        });
+    }
+
+    std::vector<std::uint32_t> m_corners;
+    std::vector<double> m_weights;
+    std::vector<std::uint32_t> m_triangles;
+    glm::dvec3 m_place{0.0};
+};
+
+} // namespace unprojector::curves

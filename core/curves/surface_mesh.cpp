@@ -1,0 +1,168 @@
+#include "core/curves/surface_mesh.h"
+
+#include "core/ray/element_numbers.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace unprojector::curves {
+namespace {
+
+/// How often progress is asked.
+constexpr std::size_t kStep = 1 << 16;
+
+std::size_t hashOf(const glm::dvec3 &place)
+{
+    std::uint64_t hash = 0x9e3779b97f4a7c15u;
+    for (int i = 0; i < 3; ++i) {
+        hash ^= std::bit_cast<std::uint64_t>(place[i] + 0.0); // -0 is 0
+        hash *= 0xff51afd7ed558ccdu;
+        hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash);
+}
+
+/// Numbers places as they come, the same place always the same.
+class PlaceNumbers {
+public:
+    PlaceNumbers(std::vector<glm::dvec3> &places, std::size_t most)
+        : m_places(places), m_slots(std::bit_ceil(2 * most + 1), SurfaceMesh::kNone)
+    {
+    }
+    std::uint32_t of(const glm::dvec3 &place)
+    {
+        const std::size_t mask = m_slots.size() - 1;
+        for (std::size_t slot = hashOf(place) & mask;; slot = (slot + 1) & mask) {
+            if (m_slots[slot] == SurfaceMesh::kNone) {
+                m_slots[slot] = static_cast<std::uint32_t>(m_places.size());
+                m_places.push_back(place);
+                return m_slots[slot];
+            }
+            if (m_places[m_slots[slot]] == place)
+                return m_slots[slot];
+        }
+    }
+
+private:
+    std::vector<glm::dvec3> &m_places;
+    std::vector<std::uint32_t> m_slots;
+};
+
+std::optional<SurfacePlace> onTriangleWith(const SurfaceMesh &mesh, std::uint32_t a, std::uint32_t b, double share)
+{
+    if (a == SurfaceMesh::kNone || b == SurfaceMesh::kNone)
+        return std::nullopt;
+    const auto [begin, end] = mesh.around(a);
+    for (const std::uint32_t *triangle = begin; triangle != end; ++triangle) {
+        const std::array<std::uint32_t, 3> &corners = mesh.corners(*triangle);
+        const auto ofA = std::find(corners.begin(), corners.end(), a) - corners.begin();
+        const auto ofB = std::find(corners.begin(), corners.end(), b) - corners.begin();
+        if (ofB == 3)
+            continue;
+        SurfacePlace place{*triangle, glm::dvec3(0.0)};
+        place.barycentric[static_cast<int>(ofA)] += 1.0 - share;
+        place.barycentric[static_cast<int>(ofB)] += share;
+        return place;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::shared_ptr<const SurfaceMesh> SurfaceMesh::build(const Model &model, const Progress &progress)
+{
+    const auto goesOn = [&](double share) { return !progress || progress(share); };
+    auto surface = std::make_shared<SurfaceMesh>();
+    const ray::ElementNumbers vertices(model.meshes, [](const Mesh &mesh) { return mesh.positions.size(); });
+    surface->m_ofVertex.assign(vertices.count(), kNone);
+    const std::size_t triangles = model.triangleCount();
+    surface->m_corners.reserve(triangles);
+    PlaceNumbers numbers(surface->m_places, std::min<std::size_t>(vertices.count(), 3 * triangles));
+    for (std::uint32_t m = 0; m < model.meshes.size(); ++m) {
+        const Mesh &mesh = model.meshes[m];
+        for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
+            if (i % kStep == 0 && !goesOn(0.7 * double(surface->m_corners.size()) / double(triangles)))
+                return nullptr;
+            std::array<std::uint32_t, 3> corners{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t vertex = mesh.vertexAt(3 * i + k);
+                std::uint32_t &corner = surface->m_ofVertex[vertices.of(m, static_cast<std::uint32_t>(vertex))];
+                if (corner == kNone)
+                    corner = numbers.of(mesh.position(vertex));
+                corners[k] = corner;
+            }
+            surface->m_corners.push_back(corners);
+        }
+    }
+    if (!goesOn(0.7))
+        return nullptr;
+    // A triangle whose corners are not three places lies in its own side: its neighbours touch each other without it.
+    std::vector<std::uint32_t> &starts = surface->m_starts;
+    starts.assign(surface->m_places.size() + 1, 0);
+    const auto eachCorner = [&](const auto &visit) {
+        for (std::uint32_t i = 0; i < surface->m_corners.size(); ++i) {
+            if (surface->isFlat(i))
+                continue;
+            for (const std::uint32_t corner : surface->m_corners[i])
+                visit(i, corner);
+        }
+    };
+    eachCorner([&](std::uint32_t, std::uint32_t corner) { ++starts[corner + 1]; });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    surface->m_around.resize(starts.back());
+    std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+    eachCorner([&](std::uint32_t triangle, std::uint32_t corner) { surface->m_around[next[corner]++] = triangle; });
+    return goesOn(1.0) ? surface : nullptr;
+}
+
+bool SurfaceMesh::isFlat(std::uint32_t triangle) const
+{
+    const std::array<std::uint32_t, 3> &c = m_corners[triangle];
+    return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
+}
+
+std::uint32_t SurfaceMesh::cornerOfVertex(std::uint32_t vertex) const
+{
+    return vertex < m_ofVertex.size() ? m_ofVertex[vertex] : kNone;
+}
+
+std::pair<const std::uint32_t *, const std::uint32_t *> SurfaceMesh::around(std::uint32_t corner) const
+{
+    return {m_around.data() + m_starts[corner], m_around.data() + m_starts[corner + 1]};
+}
+
+std::uint32_t SurfaceMesh::onlyAcross(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const
+{
+    std::uint32_t found = kNone;
+    int count = 0;
+    across(triangle, a, b, [&](std::uint32_t other) {
+        found = other;
+        ++count;
+    });
+    return count == 1 ? found : kNone;
+}
+
+std::optional<SurfacePlace> placeOf(const Hold &hold, const SurfaceMesh &mesh)
+{
+    if (const auto *on = std::get_if<OnTriangle>(&hold)) {
+        if (on->triangle >= mesh.triangleCount())
+            return std::nullopt;
+        if (!mesh.isFlat(on->triangle))
+            return SurfacePlace{on->triangle, on->barycentric};
+        // On the side that it has, which a neighbour has too.
+        const std::array<std::uint32_t, 3> &c = mesh.corners(on->triangle);
+        const glm::dvec3 &w = on->barycentric;
+        return c[0] == c[1] ? onTriangleWith(mesh, c[0], c[2], w[2]) : onTriangleWith(mesh, c[0], c[1], w[1]);
+    }
+    if (const auto *at = std::get_if<AtVertex>(&hold)) {
+        const std::uint32_t corner = mesh.cornerOfVertex(at->vertex);
+        return onTriangleWith(mesh, corner, corner, 0.0);
+    }
+    if (const auto *edge = std::get_if<OnEdge>(&hold))
+        return onTriangleWith(mesh, mesh.cornerOfVertex(edge->vertices[0]), mesh.cornerOfVertex(edge->vertices[1]),
+                              edge->share);
+    return std::nullopt;
+}
+
+} // namespace unprojector::curves

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/curves/surface_ends.h"
+#include "core/curves/surface_path.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace unprojector::curves {
+
+/// Triangles, each next to the one before it across an edge.
+struct TriangleStrip {
+    using Edge = std::array<std::uint32_t, 2>; ///< its corners, in any order
+
+    std::vector<std::uint32_t> triangles;
+    std::vector<Edge> edges; ///< one fewer
+};
+
+/// A strip that a short way from one end to the other goes through, found by A* over places on the edges.
+/// @return NotConnected, Stopped
+Result<TriangleStrip, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                              const GoesOn &goesOn);
+
+/// The shortest path within a strip.
+struct StripPath {
+    /// Where it bends: about a corner, while it passes the edges from `first` to `last`.
+    struct Bend {
+        std::uint32_t corner = 0;
+        std::size_t first = 0, last = 0;
+        double angle = 0.0; ///< on the strip's side, radians; at least half a turn
+    };
+    std::vector<glm::dvec3> places;
+    std::vector<Bend> bends;
+    double length = 0.0;
+};
+StripPath shortestIn(const TriangleStrip &strip, const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to);
+
+} // namespace unprojector::curves
