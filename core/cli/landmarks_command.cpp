@@ -176,6 +176,14 @@ ExitCode convert(const LandmarksOptions &options)
             tying->tie(set);
         tying->tellFarthest();
     }
+    // Its rows are specimens by name: where the file has none, that of the file.
+    if (*to == Format::Nts && options.input != "-") {
+        for (std::size_t i = 0; i < read->sets.size(); ++i) {
+            if (read->sets[i].name.empty())
+                read->sets[i].name = specimenOf(pathFromUtf8(options.input))
+                                     + (read->sets.size() > 1 ? '_' + std::to_string(i + 1) : "");
+        }
+    }
     return write(options.output, landmarksText(read->sets, *to));
 }
 

@@ -1,10 +1,14 @@
 #include "core/landmarks/measure.h"
 
+#include "core/geometry/angle.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace unprojector::landmarks {
@@ -26,6 +30,12 @@ glm::dvec3 placeOf(const Landmark &landmark)
     return landmark.world->coordinates();
 }
 
+/// How far a point can be off, whichever way; 0 where nobody knows.
+double reachOf(const Landmark &landmark)
+{
+    return landmark.uncertainty ? glm::length(landmark.uncertainty->coordinates()) : 0.0;
+}
+
 /// A value and what it does where a point moves, point by point.
 class Summed {
 public:
@@ -41,6 +51,12 @@ public:
     void addAnyWay(const Landmark &point, double rate)
     {
         addIfKnown(point, [&](const glm::dvec3 &off) { return rate * glm::length(off); });
+    }
+    /// @param most  that it can be off at all
+    void limit(double most)
+    {
+        if (m_measure.error)
+            m_measure.error = std::min(*m_measure.error, most);
     }
     Measure take() const { return m_measure; }
 
@@ -71,7 +87,7 @@ Measured lengthAlong(std::span<const Landmark *const> points)
         return *missing;
     if (points.size() < 2)
         return MeasureError{Code::TooFew, 0};
-    // Each piece's direction, or none; a piece without a length grows whichever way its ends move.
+    // Each piece's direction, or none; a piece that may have no length grows whichever way its ends move.
     std::vector<glm::dvec3> gradients(points.size(), glm::dvec3(0.0));
     std::vector<double> rates(points.size(), 0.0);
     double sum = 0.0;
@@ -79,7 +95,7 @@ Measured lengthAlong(std::span<const Landmark *const> points)
         const glm::dvec3 along = placeOf(*points[i]) - placeOf(*points[i - 1]);
         const double length = glm::length(along);
         sum += length;
-        if (length > 0.0) {
+        if (length > reachOf(*points[i]) + reachOf(*points[i - 1])) {
             gradients[i] += along / length;
             gradients[i - 1] -= along / length;
         } else {
@@ -109,8 +125,10 @@ Measured angleAt(const Landmark &vertex, const Landmark &a, const Landmark &c)
     const glm::dvec3 ea = toA / lengthA, ec = toC / lengthC;
     const glm::dvec3 normal = glm::cross(ea, ec);
     const double sine = glm::length(normal);
-    Summed measure(std::atan2(sine, glm::dot(ea, ec)));
-    if (sine > 0.0) {
+    const double angle = std::atan2(sine, glm::dot(ea, ec)), fromStraight = std::min(angle, kPi - angle);
+    const double open = (reachOf(a) + reachOf(vertex)) / lengthA + (reachOf(c) + reachOf(vertex)) / lengthC;
+    Summed measure(angle);
+    if (fromStraight > open) {
         // Square to each leg, in their plane, away from the other one.
         const glm::dvec3 n = normal / sine;
         const glm::dvec3 byA = glm::cross(ea, n) / lengthA, byC = glm::cross(n, ec) / lengthC;
@@ -122,6 +140,7 @@ Measured angleAt(const Landmark &vertex, const Landmark &a, const Landmark &c)
         measure.addAnyWay(c, 1.0 / lengthC);
         measure.addAnyWay(vertex, 1.0 / lengthA + 1.0 / lengthC);
     }
+    measure.limit(std::max(angle, kPi - angle));
     return measure.take();
 }
 
@@ -133,7 +152,16 @@ Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, con
     const glm::dvec3 ab = placeOf(b) - placeOf(a), ac = placeOf(c) - placeOf(a), ap = placeOf(point) - placeOf(a);
     const glm::dvec3 normal = glm::cross(ab, ac);
     const double twiceArea = glm::length(normal);
-    if (!(twiceArea > 0.0))
+    const double longest = std::max({glm::length(ab), glm::length(ac), glm::distance(placeOf(b), placeOf(c))});
+    // What rounding leaves of coordinates far from 0, or how far the points can be off.
+    double size = 0.0;
+    for (const Landmark *corner : {&a, &b, &c}) {
+        const glm::dvec3 place = glm::abs(placeOf(*corner));
+        size = std::max({size, place.x, place.y, place.z});
+    }
+    constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+    const double open = std::max(kRounding * size, reachOf(a) + reachOf(b) + reachOf(c));
+    if (!(twiceArea > open * longest)) // twice the area is the longest side times the least height
         return MeasureError{Code::NoPlane, 0};
     const glm::dvec3 n = normal / twiceArea;
     const double ofB = glm::dot(glm::cross(ap, ac), n) / twiceArea, ofC = glm::dot(glm::cross(ab, ap), n) / twiceArea;

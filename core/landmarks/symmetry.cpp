@@ -54,8 +54,14 @@ SidedName sidedNameOf(const std::string &name)
     return {Side::None, lower};
 }
 
-/// Of a symmetric matrix: the eigenvector of the least eigenvalue, by Jacobi's rotations; nothing where it is not alone.
-std::optional<glm::dvec3> leastAxis(glm::dmat3 m)
+/// The axes of a symmetric matrix, that of the least eigenvalue first.
+struct Axes3 {
+    std::array<glm::dvec3, 3> axes;
+    std::array<double, 3> values;
+};
+
+/// By Jacobi's rotations; nothing where the least eigenvalue is not alone.
+std::optional<Axes3> axesOf(glm::dmat3 m)
 {
     glm::dmat3 axes(1.0);
     for (int sweep = 0; sweep < 50; ++sweep) {
@@ -84,7 +90,13 @@ std::optional<glm::dvec3> leastAxis(glm::dmat3 m)
     }
     if (!std::isfinite(size) || !(gap > 1e-12 * size))
         return std::nullopt;
-    return glm::normalize(axes[least]);
+    Axes3 sorted;
+    for (int i = 0; i < 3; ++i) {
+        const int from = (least + i) % 3;
+        sorted.axes[std::size_t(i)] = glm::normalize(axes[from]);
+        sorted.values[std::size_t(i)] = values[std::size_t(from)];
+    }
+    return sorted;
 }
 
 std::vector<std::size_t> partnersOf(std::size_t count, std::span<const Pair> pairs)
@@ -97,6 +109,58 @@ std::vector<std::size_t> partnersOf(std::size_t count, std::span<const Pair> pai
         partners[pair.right] = pair.left;
     }
     return partners;
+}
+
+/// The plane, and what it comes from.
+struct Fit {
+    MirrorPlane plane;
+    Axes3 axes;
+    glm::dvec3 center{0.0};
+    std::vector<std::size_t> partners;
+    std::vector<std::size_t> counted; ///< the landmarks that it is made from
+};
+
+std::optional<Fit> fitOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
+{
+    Fit fit;
+    fit.partners = partnersOf(landmarks.size(), pairs);
+    const auto counts = [&](std::size_t i) {
+        return !landmarks[i].isMissing() && !landmarks[fit.partners[i]].isMissing();
+    };
+    const auto place = [&](std::size_t i) { return landmarks[i].world->coordinates(); };
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        if (counts(i))
+            fit.counted.push_back(i);
+    }
+    if (fit.counted.empty())
+        return std::nullopt;
+    // About the first, so that the coordinates of a map keep their digits.
+    const glm::dvec3 about = place(fit.counted.front());
+    glm::dvec3 sum(0.0);
+    for (const std::size_t i : fit.counted)
+        sum += place(i) - about;
+    fit.center = about + sum / double(fit.counted.size());
+    // |mirror(l) - r|^2 = |l - r|^2 + 4 (n.l)(n.r) about the centre: the least n is an eigenvector.
+    glm::dmat3 m(0.0);
+    for (const std::size_t i : fit.counted) {
+        const glm::dvec3 a = place(i) - fit.center, b = place(fit.partners[i]) - fit.center;
+        m += 0.5 * (glm::outerProduct(a, b) + glm::outerProduct(b, a));
+    }
+    bool hasPair = false;
+    glm::dvec3 toRight(0.0);
+    for (const Pair &pair : pairs) {
+        if (!counts(pair.left))
+            continue;
+        hasPair = true;
+        toRight += place(pair.right) - place(pair.left);
+    }
+    const std::optional<Axes3> axes = hasPair ? axesOf(m) : std::nullopt;
+    if (!axes)
+        return std::nullopt;
+    fit.axes = *axes;
+    const glm::dvec3 normal = glm::dot(axes->axes[0], toRight) < 0.0 ? -axes->axes[0] : axes->axes[0];
+    fit.plane = MirrorPlane{WorldVector(normal), glm::dot(normal, fit.center)};
+    return fit;
 }
 
 } // namespace
@@ -126,43 +190,8 @@ WorldPoint MirrorPlane::mirrored(const WorldPoint &point) const
 
 std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
 {
-    const std::vector<std::size_t> partners = partnersOf(landmarks.size(), pairs);
-    const auto counts = [&](std::size_t i) { return !landmarks[i].isMissing() && !landmarks[partners[i]].isMissing(); };
-    const auto place = [&](std::size_t i) { return landmarks[i].world->coordinates(); };
-    // About the first, so that the coordinates of a map keep their digits.
-    glm::dvec3 about(0.0), sum(0.0);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < landmarks.size(); ++i) {
-        if (!counts(i))
-            continue;
-        about = count == 0 ? place(i) : about;
-        sum += place(i) - about;
-        ++count;
-    }
-    if (count == 0)
-        return std::nullopt;
-    const glm::dvec3 center = about + sum / double(count);
-    // |mirror(l) - r|^2 = |l - r|^2 + 4 (n.l)(n.r) about the centre: the least n is an eigenvector.
-    glm::dmat3 m(0.0);
-    glm::dvec3 toRight(0.0);
-    for (std::size_t i = 0; i < landmarks.size(); ++i) {
-        if (!counts(i))
-            continue;
-        const glm::dvec3 a = place(i) - center, b = place(partners[i]) - center;
-        m += 0.5 * (glm::outerProduct(a, b) + glm::outerProduct(b, a));
-    }
-    bool hasPair = false;
-    for (const Pair &pair : pairs) {
-        if (!counts(pair.left))
-            continue;
-        hasPair = true;
-        toRight += place(pair.right) - place(pair.left);
-    }
-    const std::optional<glm::dvec3> axis = hasPair ? leastAxis(m) : std::nullopt;
-    if (!axis)
-        return std::nullopt;
-    const glm::dvec3 normal = glm::dot(*axis, toRight) < 0.0 ? -*axis : *axis;
-    return MirrorPlane{WorldVector(normal), glm::dot(normal, center)};
+    const std::optional<Fit> fit = fitOf(landmarks, pairs);
+    return fit ? std::optional(fit->plane) : std::nullopt;
 }
 
 std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs,
@@ -176,6 +205,65 @@ std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landm
             distances[i] = distance(plane.mirrored(*landmarks[i].world), *partner.world);
     }
     return distances;
+}
+
+std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
+{
+    const std::optional<Fit> fit = fitOf(landmarks, pairs);
+    if (!fit)
+        return std::nullopt;
+    Symmetry symmetry{fit->plane, 0.0, {}};
+    const std::vector<std::optional<double>> values = asymmetriesOf(landmarks, pairs, fit->plane);
+    for (const std::optional<double> &value : values)
+        symmetry.asymmetries.push_back(value ? std::optional(Measure{*value, 0.0}) : std::nullopt);
+    const bool isKnown = std::all_of(fit->counted.begin(), fit->counted.end(),
+                                     [&](std::size_t i) { return landmarks[i].uncertainty.has_value(); });
+    if (!isKnown) {
+        symmetry.offsetError = std::nullopt;
+        for (std::optional<Measure> &one : symmetry.asymmetries) {
+            if (one)
+                one->error = std::nullopt;
+        }
+        return symmetry;
+    }
+    const glm::dvec3 n = fit->plane.normal.coordinates();
+    const double count = static_cast<double>(fit->counted.size());
+    const auto fromCenter = [&](std::size_t i) { return landmarks[i].world->coordinates() - fit->center; };
+    std::vector<glm::dvec3> widths(landmarks.size(), glm::dvec3(0.0)); // each coordinate to its worse side
+    std::vector<double> lengths(landmarks.size(), 0.0);                // along the way from the partner
+    for (const std::size_t j : fit->counted) {
+        const glm::dvec3 b = fromCenter(fit->partners[j]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double off = std::abs((*landmarks[j].uncertainty)[axis]);
+            glm::dvec3 moved(0.0);
+            moved[axis] = 1.0;
+            // The centre moves as well; of the matrix that changes nothing.
+            const glm::dvec3 change = moved * glm::dot(b, n) + b * n[axis];
+            glm::dvec3 dn(0.0);
+            for (std::size_t e = 1; e < 3; ++e)
+                dn += fit->axes.axes[e]
+                      * (glm::dot(fit->axes.axes[e], change) / (fit->axes.values[0] - fit->axes.values[e]));
+            *symmetry.offsetError += std::abs(glm::dot(dn, fit->center) + n[axis] / count) * off;
+            for (const std::size_t i : fit->counted) {
+                const glm::dvec3 a = fromCenter(i);
+                const glm::dvec3 own = i == j ? moved : glm::dvec3(0.0);
+                const double dHeight = glm::dot(dn, a) + glm::dot(n, own) - n[axis] / count;
+                glm::dvec3 dWay = own - 2.0 * dHeight * n - 2.0 * glm::dot(n, a) * dn;
+                if (fit->partners[i] == j)
+                    dWay -= moved;
+                const glm::dvec3 way = fit->plane.mirrored(*landmarks[i].world).coordinates()
+                                       - landmarks[fit->partners[i]].world->coordinates();
+                widths[i] += glm::abs(dWay) * off;
+                lengths[i] += std::abs(glm::dot(way, dWay)) * off;
+            }
+        }
+    }
+    for (const std::size_t i : fit->counted) {
+        // What may be no asymmetry at all has no direction: it is off whichever way.
+        const double any = glm::length(widths[i]), value = *values[i];
+        symmetry.asymmetries[i]->error = value > any ? lengths[i] / value : any;
+    }
+    return symmetry;
 }
 
 } // namespace unprojector::landmarks

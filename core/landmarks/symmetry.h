@@ -2,6 +2,7 @@
 
 #include "core/geometry/result.h"
 #include "core/landmarks/landmark.h"
+#include "core/landmarks/measure.h"
 
 #include <cstddef>
 #include <optional>
@@ -38,5 +39,18 @@ std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, st
 /// One a landmark.
 std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs,
                                                  const MirrorPlane &plane);
+
+/// The plane that mirrors landmarks best and what follows from it, each with how far it can be off at most, to first order: the plane
+/// moves with every landmark that it is made from, so every error has a share of each of them. Nothing where one of them is not known.
+///
+///   dn = sum over the other axes e of e (e . dM n) / (least eigenvalue - that of e)
+struct Symmetry {
+    MirrorPlane plane;
+    std::optional<double> offsetError;               ///< of the plane's offset
+    std::vector<std::optional<Measure>> asymmetries; ///< as asymmetriesOf has them; one a landmark
+};
+
+/// @return nothing where mirrorPlaneOf has none
+std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs);
 
 } // namespace unprojector::landmarks

@@ -236,7 +236,12 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
     static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Import points")}));
     if (!notes.isEmpty())
         emit warned(notes.join(u'\n'));
-    emit noticed((tr("Points read from %1: %2.").arg(name).arg(count) + u' ' + *done).trimmed());
+    QString said = tr("Points read from %1: %2.").arg(name).arg(count) + u' ' + *done;
+    if (m_document.objects().empty()) {
+        m_document.fit();
+        said += tr("There is no object that they lie on: open their scan together with them.");
+    }
+    emit noticed(said.trimmed());
     return true;
 }
 

@@ -321,7 +321,19 @@ void SceneDocument::setView(const LookAt &camera, const Projection &projection, 
 
 void SceneDocument::fit()
 {
-    showFramed(framed(geometry(), objects()), m_bounds);
+    if (!objects().empty()) {
+        showFramed(framed(geometry(), objects()), m_bounds);
+        return;
+    }
+    Framing framing(geometry());
+    Box bounds;
+    for (const landmarks::Landmark &point : landmarks()) {
+        if (point.isMissing() || point.isHidden)
+            continue;
+        framing.add(*point.world);
+        bounds.add(point.world->coordinates());
+    }
+    showFramed(framing.picture(), bounds);
 }
 
 void SceneDocument::showFramed(Picture picture, const Box &bounds)

@@ -147,7 +147,7 @@ public:
     void setCamera(const LookAt &camera, const QString &mergeKey = {});
     void setProjection(const Projection &projection, const QString &mergeKey = {});
     void setView(const LookAt &camera, const Projection &projection, const QString &mergeKey = {});
-    /// Shows all objects that are not hidden as large as the picture lets them be.
+    /// Shows all objects that are not hidden as large as the picture lets them be; without any object, the points.
     void fit();
     /// The same of one object, hidden or not. @pre place < objects().size()
     void fitObject(std::size_t place);

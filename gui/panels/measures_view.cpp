@@ -15,6 +15,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace unprojector::gui {
 
 MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
@@ -59,6 +61,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     layout->addLayout(line);
     layout->addWidget(m_empty);
     layout->addWidget(m_rows, 1);
+    layout->addStretch(); // what is less than a row
     showUnit();
     showRows();
 }
@@ -100,6 +103,24 @@ void MeasuresView::showRows()
                          : tr("Select two points or more to measure between them."));
     m_empty->setVisible(rows.empty());
     m_rows->setVisible(!rows.empty());
+    layout()->activate();
+    showWholeRows();
+}
+
+void MeasuresView::showWholeRows()
+{
+    const int row = m_rows->sizeHintForRow(0);
+    if (row <= 0)
+        return;
+    const int around = m_rows->header()->sizeHint().height() + 2 * m_rows->frameWidth();
+    const int room = height() - m_rows->y() - around;
+    m_rows->setMaximumHeight(around + std::max(1, room / row) * row);
+}
+
+void MeasuresView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    showWholeRows();
 }
 
 QString MeasuresView::csv() const

@@ -20,10 +20,15 @@ public:
     /// The rows that are shown, with all digits.
     QString csv() const;
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     enum Shown { OfSelection, OfSides };
 
     void showRows();
+    /// The table is as high as its rows: none is cut off.
+    void showWholeRows();
     void showUnit();
     void setUnit(int index);
     void showMenu(const QPoint &place);

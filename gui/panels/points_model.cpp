@@ -100,9 +100,10 @@ QVariant PointsModel::certainLength(const Landmark &point, int axis) const
 {
     if (!point.world)
         return {};
-    const double uncertainty = point.uncertainty ? (*point.uncertainty)[axis] : 0.0;
+    if (!point.uncertainty)
+        return 0; // nobody knows how many are
     return static_cast<int>(
-        pointNotation(point, axis, kCoordinateRoom).certainLength((*point.world)[axis], uncertainty));
+        pointNotation(point, axis, kCoordinateRoom).certainLength((*point.world)[axis], (*point.uncertainty)[axis]));
 }
 
 QVariant PointsModel::text(const QModelIndex &index) const
@@ -136,9 +137,10 @@ QString PointsModel::toolTip(const QModelIndex &index) const
     switch (index.column()) {
     case Name: return point.isHidden ? tr("%1, hidden").arg(shownName(point.name)) : shownName(point.name);
     case PlusMinus:
-        return point.uncertainty
+        return !point.world ? QString()
+               : point.uncertainty
                    ? tr("How far the point can be off, world units: the length of what each coordinate can be")
-                   : QString();
+                   : tr("How far the point can be off is not known, so none of its digits counts as certain");
     case HeldBy: return heldByExplanation(point);
     case Note: return QString::fromStdString(point.note);
     default: return text(index).toString();

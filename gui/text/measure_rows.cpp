@@ -62,6 +62,7 @@ MeasureRow angleRow(const QString &points, const Measured &measured)
 std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std::size_t> &places)
 {
     std::vector<const Landmark *> points;
+    points.reserve(places.size());
     for (const std::size_t place : places)
         points.push_back(&set.landmarks[place]);
     std::vector<MeasureRow> rows;
@@ -94,24 +95,27 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &set)
     const std::vector<landmarks::Pair> pairs = landmarks::pairsByName(set.landmarks);
     if (pairs.empty())
         return {};
-    const std::optional<landmarks::MirrorPlane> plane = landmarks::mirrorPlaneOf(set.landmarks, pairs);
-    if (!plane)
+    const std::optional<landmarks::Symmetry> symmetry = landmarks::symmetryOf(set.landmarks, pairs);
+    if (!symmetry)
         return {{Measures::tr("Mirror plane"),
                  {},
                  Measures::tr("none is better than another yet; place more left and right points")}};
+    const landmarks::MirrorPlane *plane = &symmetry->plane;
     constexpr int kDigits = 5;
     const QString unit = QString::fromStdString(set.unit);
-    std::vector<MeasureRow> rows{{Measures::tr("Mirror plane"),
-                                  Measures::tr("normal (%1, %2, %3)")
-                                      .arg(writtenText(plane->normal.x, kDigits), writtenText(plane->normal.y, kDigits),
-                                           writtenText(plane->normal.z, kDigits)),
-                                  Measures::tr("offset %1").arg(lengthText({plane->offset, {}}, unit)), plane->offset}};
-    const std::vector<std::optional<double>> off = landmarks::asymmetriesOf(set.landmarks, pairs, *plane);
+    std::vector<MeasureRow> rows{
+        {Measures::tr("Mirror plane"),
+         Measures::tr("normal (%1, %2, %3)")
+             .arg(writtenText(plane->normal.x, kDigits), writtenText(plane->normal.y, kDigits),
+                  writtenText(plane->normal.z, kDigits)),
+         Measures::tr("offset %1").arg(lengthText({plane->offset, symmetry->offsetError}, unit)), plane->offset,
+         symmetry->offsetError}};
     const auto add = [&](const QString &kind, const QString &points, std::size_t place) {
         MeasureRow row{kind, points, Measures::tr("missing")};
-        if (off[place]) {
-            row.number = off[place];
-            row.value = lengthText({*off[place], {}}, unit);
+        if (const std::optional<landmarks::Measure> &off = symmetry->asymmetries[place]) {
+            row.number = off->value;
+            row.error = off->error;
+            row.value = lengthText(*off, unit);
         }
         rows.push_back(std::move(row));
     };

@@ -33,15 +33,15 @@ QString toLastDigitOf(const QString &error, double value, double exactError)
 /// A value and how far it may be off.
 QString measureText(double value, const std::optional<double> &error, const QString &unit)
 {
-    constexpr int kDigits = 7; // of what is not said to be off
+    constexpr int kDigits = 7; // of what is off by nobody knows how much
     const QString behind = unit.isEmpty() || unit == QStringLiteral("°") ? unit : QChar(QChar::Nbsp) + unit;
+    const QString inner = unit == QStringLiteral("°") ? unit : QString();
     if (!error)
-        return writtenText(value, kDigits) + behind;
+        return writtenText(value, kDigits) + inner + QStringLiteral(" ± ?") + (inner.isEmpty() ? behind : QString());
     if (!(*error > 0.0))
         return writtenText(value) + behind;
     const QString bound = boundText(*error);
-    return QStringLiteral("%1 ± %2").arg(
-        toLastDigitOf(bound, value, *error) + (unit == QStringLiteral("°") ? unit : QString()), bound + behind);
+    return QStringLiteral("%1 ± %2").arg(toLastDigitOf(bound, value, *error) + inner, bound + behind);
 }
 
 } // namespace
@@ -84,8 +84,10 @@ QString heldByExplanation(const landmarks::Landmark &point)
 
 QString plusMinusText(const landmarks::Landmark &point)
 {
-    if (!point.world || !point.uncertainty)
+    if (!point.world)
         return {};
+    if (!point.uncertainty)
+        return QStringLiteral("?");
     const double off = length(*point.uncertainty);
     return off > 0.0 ? boundText(off) : QStringLiteral("0");
 }
@@ -122,7 +124,8 @@ QString measureErrorText(const landmarks::MeasureError &error)
     case Code::Missing: return Points::tr("a point is missing");
     case Code::TooFew: return Points::tr("there are fewer than two points");
     case Code::SamePoint: return Points::tr("two points are at one place, so there is no direction");
-    case Code::NoPlane: return Points::tr("the three points lie on one line, so there is no plane");
+    case Code::NoPlane:
+        return Points::tr("as far as they are certain, the three points lie on one line, so there is no plane");
     }
     return {};
 }

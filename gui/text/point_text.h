@@ -17,12 +17,12 @@ using namespace geometry;
 QString heldByText(const landmarks::Landmark &point);
 /// The same in a sentence.
 QString heldByExplanation(const landmarks::Landmark &point);
-/// How far a point can be off: the length of its uncertainty, "0.05"; empty where that is not known.
+/// How far a point can be off: the length of its uncertainty, "0.05"; "?" where that is not known.
 QString plusMinusText(const landmarks::Landmark &point);
 /// How a point's coordinates are written in so many characters: with two digits below what is certain at the most.
 Notation pointNotation(const landmarks::Landmark &point, int axis, int characters);
 
-/// "12.34 ± 0.05 mm"; the value with the digits that its error leaves certain.
+/// "12.34 ± 0.05 mm"; the value with the digits that its error leaves certain. "12.34567 ± ? mm" where that is not known.
 QString lengthText(const landmarks::Measure &measure, const QString &unit);
 /// The same in degrees: "91.2° ± 0.4°".
 /// @param measure  radians

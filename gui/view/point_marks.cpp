@@ -40,8 +40,10 @@ bool isBehind(const SceneDocument &document, const Landmark &point, const Device
     const auto ray = rays->rays().at(at);
     if (!hit || !*hit || !ray)
         return false;
+    // Each object counts its triangles from 0.
     if (const auto *held = std::get_if<landmarks::OnTriangle>(&point.hold);
-        held && (*hit)->triangle && (*hit)->triangle->triangle == held->triangle)
+        held && (*hit)->triangle && (*hit)->triangle->triangle == held->triangle
+        && document.objects()[(*hit)->object].name == point.object)
         return false;
     const double t = dot(*point.world - ray->from, ray->along) / dot(ray->along, ray->along);
     // What lies a pixel deep in the surface, as of a file with few digits, is on it.
@@ -144,13 +146,15 @@ std::vector<PointMark> pointMarks(const SceneDocument &document)
     return marks;
 }
 
-const PointMark *markUnder(const std::vector<PointMark> &marks, const QPointF &pointer)
+const PointMark *markUnder(const std::vector<PointMark> &marks, const QPointF &pointer, bool isInSightOnly)
 {
     const PointMark *nearest = nullptr;
     double least = 0.0;
     for (const PointMark &mark : marks) {
         const double away = std::hypot(mark.at.x() - pointer.x(), mark.at.y() - pointer.y());
         const double counted = away + (mark.isBehind ? kMarkReach : 0.0);
+        if (isInSightOnly && mark.isBehind)
+            continue;
         if (away <= kMarkReach && (!nearest || counted < least)) {
             nearest = &mark;
             least = counted;

@@ -37,7 +37,8 @@ constexpr double kMarkReach = 8.0;
 std::vector<PointMark> pointMarks(const SceneDocument &document);
 
 /// The mark that a pointer means: the nearest within kMarkReach, one in sight before one behind.
-const PointMark *markUnder(const std::vector<PointMark> &marks, const QPointF &pointer);
+/// @param isInSightOnly  none that is behind something: what is clicked there is what is in front of it
+const PointMark *markUnder(const std::vector<PointMark> &marks, const QPointF &pointer, bool isInSightOnly = false);
 
 /// Where a mark's label stands.
 struct PlacedLabel {

@@ -40,6 +40,8 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) // the former pick may be on one that went
             m_formerPick.reset();
+        if (changes & Change::Landmarks) // so may be the point in the hand
+            endPointDrag();
         if (changes & (kSeen | Change::Landmarks | Change::LandmarkSelection))
             m_marks.reset();
         if (changes & kSeen)

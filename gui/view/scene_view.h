@@ -121,6 +121,10 @@ private:
     void dragAlongAxis(const QPointF &local);
     void placePointAt(const QPointF &local);
     /// Whether a key is for points as things are.
+    /// A point that is dragged is let go, as where the list of points changes below the hand.
+    void endPointDrag();
+    /// Places of the selected points that are not hidden.
+    std::vector<std::size_t> selectedInView() const;
     bool isPointKey(const QKeyEvent &event) const;
     void pressPointKey(const QKeyEvent &event);
     void showTip(const QHelpEvent &event);
@@ -157,6 +161,7 @@ private:
     bool m_placesAtRelease = false;                ///< the press was not on a mark
     std::optional<std::vector<PointMark>> m_marks; ///< nothing: to be looked for
     std::size_t m_draggedPoint = 0;                ///< its place
+    bool m_isMovingPoint = false;                  ///< what changes now is what the hand does
     QPointF m_pointGrab;                           ///< from the pointer to the dragged mark
     int m_stepAtPress = 0;                         ///< of undo, when the drag of a point began
     bool m_hasMovedPoint = false;

@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
+#include <QScopedValueRollback>
 #include <QToolTip>
 
 #include <algorithm>
@@ -137,13 +138,13 @@ QImage SceneView::pixelsAbout(const DevicePoint &at)
     return pixels;
 }
 
-/// @return whether a mark was pressed: it is selected; one in sight that was selected before, and any while points are placed, can
+/// @return whether a mark in sight was pressed: it is selected; one that was selected before, and any while points are placed, can
 /// be dragged
 bool SceneView::pressMark(const QMouseEvent &event)
 {
     const WidgetPoint position = widgetPosition(event.position());
     const QPointF pointer(position.x, position.y);
-    const PointMark *mark = markUnder(marks(), pointer);
+    const PointMark *mark = markUnder(marks(), pointer, true);
     if (!mark)
         return pressArrow(pointer);
     const PointMark pressed = *mark; // what is selected now has other marks
@@ -155,8 +156,7 @@ bool SceneView::pressMark(const QMouseEvent &event)
         m_document.points().selectOnly(pressed.place);
     }
     // A hand that turns the view must not take a point along that nobody has chosen.
-    const bool isToBeMoved = m_isPlacing || pressed.isSelected;
-    if (pressed.isBehind || !isToBeMoved) {
+    if (!m_isPlacing && !pressed.isSelected) {
         m_pivot = pivotAt(position);
         m_drag = Drag::Orbit;
         return true;
@@ -171,14 +171,13 @@ bool SceneView::pressMark(const QMouseEvent &event)
 
 void SceneView::dragPoint(const QPointF &local)
 {
-    if (m_draggedPoint >= m_document.landmarks().size())
-        return;
     const WidgetPoint position = widgetPosition(local);
     const QPointF wanted = QPointF(position.x, position.y) + m_pointGrab;
     const std::optional<Landmark> there = m_document.points().onMeshAt(deviceOf(m_document.geometry().surface, wanted));
     if (!there) // beside the mesh it waits where it was last on it
         return;
     m_hasMovedPoint = true;
+    const QScopedValueRollback<bool> moving(m_isMovingPoint, true);
     static_cast<void>(m_document.points().move(m_draggedPoint, *there, m_gesture));
     aimLoupe(deviceOf(m_document.geometry().surface, wanted));
 }
@@ -218,7 +217,7 @@ bool SceneView::pressArrow(const QPointF &pointer)
 void SceneView::dragAlongAxis(const QPointF &local)
 {
     const ray::SceneRays *rays = m_document.rays();
-    if (!rays || m_draggedPoint >= m_document.landmarks().size())
+    if (!rays)
         return;
     const WidgetPoint position = widgetPosition(local);
     const auto ray = rays->rays().at(deviceFromWidget(m_document.geometry().surface, position));
@@ -228,6 +227,7 @@ void SceneView::dragAlongAxis(const QPointF &local)
     WorldPoint to = m_axisStart;
     to[m_draggedAxis] += *way - m_axisFrom;
     m_hasMovedPoint = true;
+    const QScopedValueRollback<bool> moving(m_isMovingPoint, true);
     static_cast<void>(m_document.points().moveTo(m_draggedPoint, to, m_gesture));
 }
 
@@ -242,14 +242,36 @@ void SceneView::placePointAt(const QPointF &local)
     QToolTip::showText(mapToGlobal(local).toPoint(), tr("Background: no surface here"), this);
 }
 
+void SceneView::endPointDrag()
+{
+    if (!isPointDragged() || m_isMovingPoint)
+        return;
+    m_drag = Drag::None;
+    aimLoupe(std::nullopt);
+}
+
+std::vector<std::size_t> SceneView::selectedInView() const
+{
+    std::vector<std::size_t> shown;
+    for (const std::size_t place : m_document.points().selection()) {
+        if (!m_document.landmarks()[place].isHidden)
+            shown.push_back(place);
+    }
+    return shown;
+}
+
 bool SceneView::isPointKey(const QKeyEvent &event) const
 {
     const bool isPlain = (event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier)) == Qt::NoModifier;
     if (event.key() == Qt::Key_Escape)
         return isPlain && (isPointDragged() || m_isPlacing);
     if (event.key() == Qt::Key_Delete)
-        return isPlain && !m_document.points().selection().empty();
-    return m_isPlacing && m_document.points().current() && nudgeOf(event);
+        return isPlain && !selectedInView().empty();
+    const std::optional<std::size_t> current = m_document.points().current();
+    if (!m_isPlacing || !current || !nudgeOf(event))
+        return false;
+    const Landmark &point = m_document.landmarks()[*current];
+    return !point.isHidden && !point.isMissing(); // else there is nothing to be moved, and keys turn the view
 }
 
 void SceneView::pressPointKey(const QKeyEvent &event)
@@ -268,15 +290,19 @@ void SceneView::pressPointKey(const QKeyEvent &event)
     if (m_drag != Drag::None)
         return; // a hand has it already
     if (event.key() == Qt::Key_Delete) {
-        const std::vector<std::size_t> selected = m_document.points().selection();
-        static_cast<void>(m_document.points().remove(selected));
+        static_cast<void>(m_document.points().remove(selectedInView()));
         return;
     }
     const std::size_t place = *m_document.points().current();
     const QPointF way = *nudgeOf(event);
     for (const PointMark &mark : marks()) {
-        if (mark.place != place || mark.isBehind)
+        if (mark.place != place)
             continue;
+        if (mark.isBehind) {
+            QToolTip::showText(mapToGlobal(mark.at).toPoint(),
+                               tr("It is behind what is seen here: turn the view, or go to it (G)."), this);
+            return;
+        }
         DevicePoint to = deviceOf(m_document.geometry().surface, mark.at);
         to.x += way.x();
         to.y += way.y();

@@ -3463,6 +3463,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <source>%1: the scene has changed meanwhile. Import the points again.</source>
         <translation>%1：场景在此期间已经改变。请重新导入这些点。</translation>
     </message>
+    <message>
+        <source>There is no object that they lie on: open their scan together with them.</source>
+        <translation>没有它们所在的对象：请把它们的扫描与它们一起打开。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PointMark</name>
@@ -3677,8 +3681,8 @@ of a point that needs no division</source>
         <translation>两个点在同一处，因此没有方向</translation>
     </message>
     <message>
-        <source>the three points lie on one line, so there is no plane</source>
-        <translation>三个点在一条直线上，因此没有平面</translation>
+        <source>as far as they are certain, the three points lie on one line, so there is no plane</source>
+        <translation>在其确定程度内，这三个点在一条直线上，因此没有平面</translation>
     </message>
 </context>
 <context>
@@ -3746,6 +3750,10 @@ of a point that needs no division</source>
     <message>
         <source>This point has no place yet. Type all three coordinates, as “1 2 3”, or place it in the view.</source>
         <translation>这个点还没有位置。请一次输入三个坐标，如“1 2 3”，或在视图中放置它。</translation>
+    </message>
+    <message>
+        <source>How far the point can be off is not known, so none of its digits counts as certain</source>
+        <translation>该点可能偏差多少未知，因此没有一位数字算是确定的</translation>
     </message>
 </context>
 <context>
@@ -4455,6 +4463,10 @@ of a point that needs no division</source>
     <message>
         <source>Background: no surface here</source>
         <translation>背景：此处没有表面</translation>
+    </message>
+    <message>
+        <source>It is behind what is seen here: turn the view, or go to it (G).</source>
+        <translation>它在此处所见之物的后面：请转动视图，或转到该点（G）。</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,7 @@ Measured lengthOf(const Points &points)
 } // namespace
 
 Q_DECLARE_METATYPE(Measuring)
+Q_DECLARE_METATYPE(Points)
 
 class TestLandmarkMeasures : public QObject {
     Q_OBJECT
@@ -56,6 +57,9 @@ private slots:
     void values();
     void errorsAreTheWorstThatCanBe_data();
     void errorsAreTheWorstThatCanBe();
+    void noErrorIsLargerThanItsBound_data();
+    void noErrorIsLargerThanItsBound();
+    void errorsOfTheMirrorPlane();
     void errorsWithoutADirection();
     void unknownUncertainties();
     void whatCannotBeMeasured();
@@ -116,6 +120,50 @@ void TestLandmarkMeasures::errorsAreTheWorstThatCanBe()
     }
 }
 
+void TestLandmarkMeasures::noErrorIsLargerThanItsBound_data()
+{
+    QTest::addColumn<Measuring>("measure");
+    QTest::addColumn<Points>("points");
+    const Measuring distance = [](const Points &p) { return distanceOf(p[0], p[1]); };
+    const Measuring angle = [](const Points &p) { return angleAt(p[0], p[1], p[2]); };
+    const auto off = [](Landmark landmark, double x, double y, double z) {
+        landmark.uncertainty = WorldVector(x, y, z);
+        return landmark;
+    };
+    QTest::newRow("closer than they are sure")
+        << distance << Points{at(0, 0, 0, 0.0), off(at(1e-9, 0, 0), 0, 0.1, 0.2)};
+    QTest::newRow("a way there and back")
+        << Measuring(lengthOf) << Points{at(0, 0, 0, 0.0), off(at(0, 1e-9, 0), 0.1, 0, 0), at(0, 0, 0, 0.0)};
+    QTest::newRow("nearly no angle") << angle
+                                     << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), off(at(5, 1e-9, 0), 0, 0, 0.1)};
+    QTest::newRow("nearly a straight one")
+        << angle << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), off(at(-5, 1e-9, 0), 0, 0, 0.1)};
+    QTest::newRow("a leg as short as it is sure")
+        << angle << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), at(0, 0.1, 0, 0.2)};
+}
+
+/// Wherever within their uncertainties the points are.
+void TestLandmarkMeasures::noErrorIsLargerThanItsBound()
+{
+    QFETCH(Measuring, measure);
+    QFETCH(Points, points);
+    const Measured exact = measure(points);
+    QVERIFY(exact && exact->error);
+    std::mt19937_64 engine(5);
+    std::uniform_real_distribution<double> share(-1.0, 1.0);
+    double most = 0.0;
+    for (int round = 0; round < 2000; ++round) {
+        Points moved = points;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            for (int axis = 0; axis < 3; ++axis)
+                (*moved[i].world)[axis] += share(engine) * (*points[i].uncertainty)[axis];
+        }
+        most = std::max(most, std::abs(measure(moved).value().value - exact->value));
+    }
+    QVERIFY(most > 0.0);
+    QVERIFY2(most <= 1.01 * *exact->error, qPrintable(QString("%1 %2").arg(most).arg(*exact->error)));
+}
+
 void TestLandmarkMeasures::errorsWithoutADirection()
 {
     const double length = std::sqrt(3.0);
@@ -128,7 +176,7 @@ void TestLandmarkMeasures::errorsWithoutADirection()
 void TestLandmarkMeasures::unknownUncertainties()
 {
     QVERIFY(!distanceOf(at(0, 0, 0, 1.0), at(1, 0, 0)).value().error);
-    QVERIFY(!heightOver(at(0, 0, 1), at(4, 0, 1, 1.0), at(0, 5, 1, 1.0), at(9, 9, 3, 1.0)).value().error);
+    QVERIFY(!heightOver(at(0, 0, 1), at(4, 0, 1, 0.1), at(0, 5, 1, 0.1), at(9, 9, 3, 0.1)).value().error);
     QCOMPARE(*distanceOf(at(0, 0, 0, 0.0), at(1, 0, 0, 0.0)).value().error, 0.0);
 }
 
@@ -142,6 +190,14 @@ void TestLandmarkMeasures::whatCannotBeMeasured()
     QVERIFY(is(lengthOf({at(0, 0, 0)}), Code::TooFew, 0));
     QVERIFY(is(angleAt(at(1, 0, 0), at(2, 0, 0), at(1, 0, 0)), Code::SamePoint, 2));
     QVERIFY(is(heightOver(at(0, 0, 0), at(1, 1, 1), at(3, 3, 3), at(1, 0, 0)), Code::NoPlane, 0));
+    // On one line but for rounding, far from the origin too; and where they may be on one.
+    QVERIFY(is(heightOver(at(0.1, 0.2, 0.3), at(0.7, 1.4, 2.1), at(1.1, 2.2, 3.3), at(1, 0, 0)), Code::NoPlane, 0));
+    QVERIFY(is(heightOver(at(4e6, 5e5, 300), at(4e6 + 0.1, 5e5 + 0.1, 300.1), at(4e6 + 0.7, 5e5 + 0.7, 300.7),
+                          at(4e6, 5e5, 301)),
+               Code::NoPlane, 0));
+    QVERIFY(is(heightOver(at(0, 0, 0, 0.1), at(1, 0, 0, 0.1), at(0.5, 1e-6, 0, 0.1), at(0.5, 0, 1, 0.1)), Code::NoPlane,
+               0));
+    QVERIFY(heightOver(at(4e6, 5e5, 300), at(4e6 + 0.1, 5e5, 300), at(4e6, 5e5 + 0.1, 300), at(4e6, 5e5, 301)));
 }
 
 void TestLandmarkMeasures::pairsHaveNames()
@@ -233,11 +289,62 @@ void TestLandmarkMeasures::asymmetryIsMeasured()
     }
 }
 
+/// To first order the worst is where each coordinate is off to the side that the value grows on.
+void TestLandmarkMeasures::errorsOfTheMirrorPlane()
+{
+    Points points = symmetric(glm::normalize(glm::dvec3(1, -2, 0.5)), {3, -4, 5});
+    std::mt19937_64 engine(13);
+    std::uniform_real_distribution<double> little(-0.05, 0.05), small(0.0, 1e-6);
+    for (Landmark &point : points) {
+        *point.world += WorldVector(little(engine), little(engine), little(engine));
+        point.uncertainty = WorldVector(small(engine), small(engine), small(engine));
+    }
+    const std::vector<Pair> pairs = pairsByName(points);
+    const auto exact = symmetryOf(points, pairs);
+    QVERIFY(exact && exact->offsetError);
+    const auto check = [&](const auto &valueOf, double error) {
+        Points worst = points;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                Points moved = points;
+                (*moved[i].world)[axis] += 1e-6;
+                const double side = valueOf(*symmetryOf(moved, pairs)) > valueOf(*exact) ? 1.0 : -1.0;
+                (*worst[i].world)[axis] += side * (*points[i].uncertainty)[axis];
+            }
+        }
+        const double off = valueOf(*symmetryOf(worst, pairs)) - valueOf(*exact);
+        QVERIFY2(std::abs(off - error) <= 1e-2 * error, qPrintable(QString("%1 %2").arg(off).arg(error)));
+    };
+    check([](const Symmetry &symmetry) { return symmetry.plane.offset; }, *exact->offsetError);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        check([i](const Symmetry &symmetry) { return symmetry.asymmetries[i]->value; }, *exact->asymmetries[i]->error);
+    const auto values = asymmetriesOf(points, pairs, *mirrorPlaneOf(points, pairs));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        QCOMPARE(exact->asymmetries[i]->value, *values[i]);
+    // What is alike has no direction in which it could be off: it is off all the same.
+    Points alike = symmetric({1, 0, 0}, {0, 0, 0});
+    for (Landmark &point : alike)
+        point.uncertainty = WorldVector(0.01, 0.01, 0.01);
+    const auto open = symmetryOf(alike, pairs);
+    QVERIFY(open);
+    for (const std::optional<Measure> &one : open->asymmetries)
+        QVERIFY(*one->error > 0.01);
+    // Of one that is not known nothing that depends on it is.
+    alike[3].uncertainty.reset();
+    const auto unknown = symmetryOf(alike, pairs);
+    QVERIFY(!unknown->offsetError && !unknown->asymmetries[0]->error);
+}
+
 void TestLandmarkMeasures::noMirrorPlane()
 {
     QVERIFY(!mirrorPlaneOf({}, {}));
     const Points midline{named("a", 0, 0, 0), named("b", 1, 0, 0), named("c", 0, 1, 0)};
     QVERIFY(!mirrorPlaneOf(midline, pairsByName(midline)));
+    // With a pair besides there is one: what is missing above is the pair.
+    Points withPair = midline;
+    withPair.push_back(named("L d", 0, 0, -1));
+    withPair.push_back(named("R d", 0, 0, 1));
+    QVERIFY(mirrorPlaneOf(withPair, pairsByName(withPair)));
     const Points one{named("L a", 1, 1, 1), named("R a", 1, 1, 1)};
     QVERIFY(!mirrorPlaneOf(one, pairsByName(one)));
 }

@@ -289,10 +289,12 @@ void TestDocumentLandmarks::anotherSceneHasItsOwn()
     document.points().select({1});
     Told told(document);
     Scene other = document.scene();
-    other.landmarks.landmarks = {pointAt(4, "other")};
+    other.landmarks.landmarks = {pointAt(4, "other"), pointAt(5, "missing")};
+    other.landmarks.landmarks[1].world.reset();
     QVERIFY(document.open(other));
+    QVERIFY(document.points().waiting() == 1u); // it goes on where it was left
     QVERIFY(told.all().testFlag(Change::Landmarks));
-    QCOMPARE(pointNames(document), QStringList("other"));
+    QCOMPARE(pointNames(document), QStringList({"other", "missing"}));
     QVERIFY(document.points().selection().empty());
     document.setObjects(bundledScene());
     QVERIFY(document.landmarks().empty());

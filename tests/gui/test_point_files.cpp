@@ -66,6 +66,7 @@ private slots:
     void pointFilesByName();
     void openedWithTheirModel();
     void openedAlone();
+    void pointsWithoutAnObjectAreInSight();
     void importedPointsAreTied();
     void straysAreAskedAbout_data();
     void straysAreAskedAbout();
@@ -211,6 +212,20 @@ void TestPointFiles::openedAlone()
     QVERIFY(points()[1].isMissing());
     m_document->undoStack().undo();
     QVERIFY(points().empty());
+}
+
+void TestPointFiles::pointsWithoutAnObjectAreInSight()
+{
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,1000,2000,30\nb,1400,2100,40\n");
+    QSignalSpy noticed(m_files.get(), &PointFiles::noticed);
+    open({QStringLiteral("p.csv")});
+    QCOMPARE(points().size(), std::size_t(2));
+    QVERIFY(noticed.count() == 1 && noticed[0][0].toString().contains(QStringLiteral("no object")));
+    const glm::dmat4 clipFromScene = *clipFromWorld(m_document->geometry());
+    for (const Landmark &point : points()) {
+        const glm::dvec4 clip = clipFromScene * glm::dvec4(point.world->coordinates(), 1.0);
+        QVERIFY(clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w);
+    }
 }
 
 void TestPointFiles::importedPointsAreTied()

@@ -84,6 +84,10 @@ private slots:
     void arrowKeysMoveByPixels();
     void deleteRemovesWhatIsSelected();
     void marksSayWhatIsBehind();
+    void aMarkBehindTakesNoClick();
+    void everyObjectCountsItsOwnTriangles();
+    void hiddenPointsAreNotMovedNorRemoved();
+    void aDragEndsWithItsPoint();
     void marksAreInThePicture();
     void labelsNeverOverlap_data();
     void labelsNeverOverlap();
@@ -276,6 +280,87 @@ void TestPointView::marksSayWhatIsBehind()
         if (name == "back")
             QVERIFY(!mark.isBehind);
     }
+}
+
+void TestPointView::aMarkBehindTakesNoClick()
+{
+    const auto window = cubeWindow(false);
+    // On the back face, seen through the middle of the front.
+    const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
+    const glm::dvec3 along = kFront - eye;
+    const glm::dvec3 back = eye + along * ((kCubeCenter.z - 1.0 - eye.z) / along.z);
+    SceneDocument &document = window->document();
+    QVERIFY(document.editLandmarks({pointAt(back, "back")}, {QStringLiteral("put")}));
+    const QPointF at = localOf(*window, kFront);
+    const std::vector<PointMark> marks = pointMarks(document);
+    QVERIFY(marks.size() == 1 && marks[0].isBehind);
+    QVERIFY(markUnder(marks, at) && !markUnder(marks, at, true));
+    click(window->view(), at);
+    QVERIFY(document.points().selection().empty());
+    QVERIFY(document.pick()); // what is in front is read
+    trigger(*window, Qt::Key_P);
+    click(window->view(), at);
+    QCOMPARE(document.landmarks().size(), std::size_t(2)); // and placed on
+    QVERIFY(std::abs(heightOverFront(*document.landmarks()[1].world)) < 1e-6);
+}
+
+void TestPointView::everyObjectCountsItsOwnTriangles()
+{
+    const auto window = twoCubesWindow();
+    SceneDocument &document = window->document();
+    QCOMPARE(document.renameObject(1, QStringLiteral("second")), NameFault::None);
+    document.rayCasters().complete(document.objects());
+    // Where the first cube is in front of the second, its triangle is hit; the second has one of that number too.
+    const DevicePoint at = deviceOf(*window, kTwoCubeCenters[1]);
+    const std::optional<Landmark> front = document.points().onSurfaceAt(at);
+    QVERIFY(front && std::holds_alternative<landmarks::OnTriangle>(front->hold));
+    QCOMPARE(front->object, document.objects()[0].name);
+    Landmark hidden = *front;
+    hidden.world = WorldPoint(kTwoCubeCenters[1]);
+    QVERIFY(document.editLandmarks({hidden}, {QStringLiteral("put")}));
+    QVERIFY(!pointMarks(document)[0].isBehind); // of one triangle, its flatness is no depth
+    hidden.object = document.objects()[1].name;
+    QVERIFY(document.editLandmarks({hidden}, {QStringLiteral("put")}));
+    QVERIFY(pointMarks(document)[0].isBehind);
+}
+
+void TestPointView::hiddenPointsAreNotMovedNorRemoved()
+{
+    const auto window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    putPoint(*window);
+    QVERIFY(document.points().place(pointAt(kFront + glm::dvec3(0.2, 0.0, 0.0), "seen")));
+    trigger(*window, Qt::Key_P);
+    document.points().select({0, 1}, 0);
+    QVERIFY(document.points().setHidden({0}, true));
+    const std::vector<Landmark> before = document.landmarks();
+    const LookAt camera = document.scene().camera;
+    QTest::keyClick(&window->view(), Qt::Key_Right);
+    QVERIFY(document.landmarks() == before);
+    QVERIFY(document.scene().camera != camera); // there is nothing to be moved: the view is turned
+    QTest::keyClick(&window->view(), Qt::Key_Delete);
+    QCOMPARE(document.landmarks().size(), std::size_t(1));
+    QCOMPARE(only(*window).name, std::string("nasion"));
+    QTest::keyClick(&window->view(), Qt::Key_Delete); // hidden, it stays
+    QCOMPARE(document.landmarks().size(), std::size_t(1));
+}
+
+void TestPointView::aDragEndsWithItsPoint()
+{
+    const auto window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    putPoint(*window);
+    const Landmark other = pointAt(kFront + glm::dvec3(0.5, 0.5, 0.0), "other");
+    QVERIFY(document.points().place(other));
+    document.points().selectOnly(0);
+    const QPointF at = localOf(*window, kFront);
+    sendMouse(window->view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+    sendMouse(window->view(), QEvent::MouseMove, at + QPointF(12, 0), Qt::NoButton, Qt::LeftButton);
+    QVERIFY(length(*only(*window).world - WorldPoint(kFront)) > 1e-3);
+    QVERIFY(document.points().remove({0})); // as by a key of the window: another one has its place now
+    sendMouse(window->view(), QEvent::MouseMove, at + QPointF(30, 0), Qt::NoButton, Qt::LeftButton);
+    sendMouse(window->view(), QEvent::MouseButtonRelease, at + QPointF(30, 0), Qt::LeftButton, Qt::NoButton);
+    QVERIFY(only(*window) == other);
 }
 
 void TestPointView::marksAreInThePicture()

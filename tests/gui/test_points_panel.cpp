@@ -11,16 +11,25 @@
 #include "gui/text/point_text.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
+#include <QColorDialog>
 #include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QStyle>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -67,6 +76,10 @@ private slots:
     void measuresOfWhatIsSelected();
     void leftAndRight();
     void theUnitIsTheScenes();
+    void noRowOfTheMeasuresIsCut();
+    void templatesAreSavedUnderTheirSuffix_data();
+    void templatesAreSavedUnderTheirSuffix();
+    void aColourIsForWhatIsSelectedThen();
 
 private:
     QModelIndex at(int row, int column) const { return m_table->model()->index(row, column); }
@@ -164,7 +177,8 @@ void TestPointsPanel::aRowTellsItsPoint()
     QCOMPARE(textAt(0, PointsModel::HeldBy), QStringLiteral("vertex 7"));
     QCOMPARE(textAt(0, PointsModel::Note), QStringLiteral("worn"));
     QCOMPARE(textAt(1, PointsModel::HeldBy), QStringLiteral("free"));
-    QCOMPARE(textAt(1, PointsModel::PlusMinus), QString());
+    QCOMPARE(textAt(1, PointsModel::PlusMinus), QStringLiteral("?")); // nobody knows
+    QCOMPARE(textAt(2, PointsModel::PlusMinus), QString());           // there is nothing to be known
     QCOMPARE(textAt(2, PointsModel::HeldBy), QStringLiteral("missing"));
     QCOMPARE(textAt(2, PointsModel::X), QStringLiteral("–"));
 }
@@ -182,7 +196,7 @@ void TestPointsPanel::certainDigitsAreTold_data()
     QTest::newRow("hundreds") << 1234.5678 << 80.0 << "1235"
                               << "12";
     QTest::newRow("nothing known") << 12.5 << 0.0 << "12.5000"
-                                   << "12.5000";
+                                   << "";
 }
 
 void TestPointsPanel::certainDigitsAreTold()
@@ -464,13 +478,14 @@ void TestPointsPanel::measuresOfWhatIsSelected_data()
     QTest::newRow("none") << P{} << QStringList{};
     QTest::newRow("one") << P{0} << QStringList{};
     QTest::newRow("two") << P{0, 1} << QStringList{"Distance|a – b|3.0 ± 0.2 mm"};
-    QTest::newRow("two of unknown certainty") << P{1, 2} << QStringList{"Distance|b – c|5 mm"};
-    QTest::newRow("three") << P{0, 1, 2} << QStringList{"Distance|a – b|3.0 ± 0.2 mm", "Distance|a – c|4 mm",
-                                                        "Distance|b – c|5 mm",         "Angle|at a|90°",
-                                                        "Angle|at b|53.1301°",         "Angle|at c|36.8699°",
-                                                        "Length along|a – b – c|8 mm"};
-    QTest::newRow("four") << P{
-        0, 1, 2, 3} << QStringList{"Height|d over the plane a – b – c|2 mm", "Length along|a – b – c – d|12.47214 mm"};
+    QTest::newRow("two of unknown certainty") << P{1, 2} << QStringList{"Distance|b – c|5 ± ? mm"};
+    QTest::newRow("three") << P{0, 1, 2} << QStringList{"Distance|a – b|3.0 ± 0.2 mm",    "Distance|a – c|4 ± ? mm",
+                                                        "Distance|b – c|5 ± ? mm",        "Angle|at a|90° ± ?",
+                                                        "Angle|at b|53.1301° ± ?",        "Angle|at c|36.8699° ± ?",
+                                                        "Length along|a – b – c|8 ± ? mm"};
+    QTest::newRow("four") << P{0, 1, 2, 3}
+                          << QStringList{"Height|d over the plane a – b – c|2 ± ? mm",
+                                         "Length along|a – b – c – d|12.47214 ± ? mm"};
     QTest::newRow("a missing one") << P{0, 4} << QStringList{"Distance|a – e|a point is missing"};
 }
 
@@ -524,6 +539,100 @@ void TestPointsPanel::theUnitIsTheScenes()
     set.unit = "furlong"; // as a file may have it
     QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
     QCOMPARE(unit->currentText(), QStringLiteral("furlong"));
+}
+
+void TestPointsPanel::noRowOfTheMeasuresIsCut()
+{
+    auto *rows = named<QTreeWidget>(QStringLiteral("Measures"));
+    QVERIFY(m_document->editLandmarks(
+        {point("a", glm::dvec3(0.0)), point("b", glm::dvec3(1.0, 0.0, 0.0)), point("c", glm::dvec3(0.0, 1.0, 0.0))},
+        {QStringLiteral("test")}));
+    m_document->points().select({0, 1, 2});
+    for (int height = 420; height < 480; height += 7) {
+        m_panel->resize(900, height);
+        QCoreApplication::processEvents();
+        QVERIFY(rows->viewport()->height() > 0);
+        QCOMPARE(rows->viewport()->height() % rows->sizeHintForRow(0), 0);
+    }
+}
+
+void TestPointsPanel::templatesAreSavedUnderTheirSuffix_data()
+{
+    QTest::addColumn<int>("filter");
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("warnings");
+    QTest::newRow("MeshLab's, which has no hints") << 0 << "mine.pptpl" << 1;
+    QTest::newRow("a table") << 1 << "mine.csv" << 0;
+}
+
+void TestPointsPanel::templatesAreSavedUnderTheirSuffix()
+{
+    QFETCH(int, filter);
+    QFETCH(QString, file);
+    QFETCH(int, warnings);
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QTemporaryDir folder;
+    QSignalSpy warned(m_panel.get(), &PointsPanel::warned);
+    const auto save = [&](bool isThere) {
+        bool hasAsked = false;
+        QTimer::singleShot(0, this, [&] {
+            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            dialog->setDirectory(folder.path());
+            dialog->selectNameFilter(dialog->nameFilters()[filter]);
+            emit dialog->filterSelected(dialog->nameFilters()[filter]); // as by a hand
+            dialog->findChild<QLineEdit *>()->setText(QStringLiteral("mine"));
+            if (isThere) {
+                QTimer::singleShot(0, this, [&] {
+                    auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+                    hasAsked = box != nullptr;
+                    if (box)
+                        box->button(QMessageBox::No)->click();
+                    dialog->reject();
+                });
+            }
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
+        const QList<QAction *> actions = button(QStringLiteral("Template"))->menu()->actions();
+        const auto entry = std::find_if(actions.begin(), actions.end(), [](const QAction *action) {
+            return action->text().startsWith(QStringLiteral("&Save Names"));
+        });
+        QVERIFY(entry != actions.end());
+        (*entry)->trigger();
+        QCOMPARE(hasAsked, isThere);
+    };
+    save(false);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList(file));
+    QCOMPARE(warned.count(), warnings);
+    QFile written(folder.filePath(file));
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QVERIFY(written.readAll().contains("nasion"));
+    save(true); // a file that is there is asked about by its whole name
+}
+
+void TestPointsPanel::aColourIsForWhatIsSelectedThen()
+{
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    m_document->points().select({1, 2});
+    emit m_table->customContextMenuRequested(m_table->visualRect(at(1, 0)).center());
+    auto *menu = m_panel->findChild<QMenu *>({}, Qt::FindDirectChildrenOnly);
+    QVERIFY(menu);
+    QAction *other = nullptr;
+    for (QAction *action : menu->findChildren<QAction *>()) {
+        if (action->text() == QStringLiteral("&Other…"))
+            other = action;
+    }
+    QVERIFY(other);
+    QTimer::singleShot(0, this, [this] {
+        auto *dialog = qobject_cast<QColorDialog *>(QApplication::activeModalWidget());
+        QVERIFY(dialog);
+        QVERIFY(m_document->points().remove({0, 2})); // below it
+        dialog->setCurrentColor(QColor(1, 2, 3));
+        QMetaObject::invokeMethod(dialog, "accept");
+    });
+    other->trigger();
+    QCOMPARE(names(), QStringList("pronasale"));
+    QCOMPARE(m_document->landmarks()[0].color, std::optional(glm::u8vec3(1, 2, 3)));
 }
 
 QTEST_MAIN(TestPointsPanel)

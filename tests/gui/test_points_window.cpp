@@ -2,15 +2,22 @@
 
 #include "window_user.h"
 
+#include "gui/document/landmark_objects.h"
 #include "gui/document/point_files.h"
 #include "gui/document/scan_series.h"
 #include "gui/panels/points_model.h"
 #include "gui/panels/points_table.h"
+#include "gui/view/point_marks.h"
 
+#include <QApplication>
 #include <QFile>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QUrl>
+
+#include <cmath>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -30,6 +37,7 @@ private slots:
     void droppedPointsComeToTheTable();
     void keysGoThroughASeries();
     void whatIsBeingTypedIsKeptWithItsScan();
+    void fromAScanToASavedSceneAndBack();
 
 private:
     QString path(const QString &name) const { return m_folder->filePath(name); }
@@ -121,6 +129,103 @@ void TestPointsWindow::whatIsBeingTypedIsKeptWithItsScan()
     type(QStringLiteral("bregma"));
     QVERIFY(window->close());
     QVERIFY2(kept().contains("bregma,1,2,0"), kept().constData());
+}
+
+/// The whole way by hand: a scan, a template, three points, one of them dragged and moved by keys and back, saved, and opened again.
+void TestPointsWindow::fromAScanToASavedSceneAndBack()
+{
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    // A hill on a plate, in triangles.
+    constexpr int kSide = 24;
+    QByteArray scan;
+    for (int j = 0; j <= kSide; ++j) {
+        for (int i = 0; i <= kSide; ++i)
+            scan += QStringLiteral("v %1 %2 %3\n")
+                        .arg(i)
+                        .arg(j)
+                        .arg(4.0 * std::sin(0.13 * i) * std::sin(0.13 * j))
+                        .toUtf8();
+    }
+    for (int j = 0; j < kSide; ++j) {
+        for (int i = 0; i < kSide; ++i) {
+            const int a = j * (kSide + 1) + i + 1, b = a + kSide + 1;
+            scan += QStringLiteral("f %1 %2 %3\nf %1 %3 %4\n").arg(a).arg(a + 1).arg(b + 1).arg(b).toUtf8();
+        }
+    }
+    write(QStringLiteral("hill.obj"), scan);
+    write(QStringLiteral("three.csv"), "name,x,y,z,note\nfoot,,,,down there\ntop,,,,\nflank,,,,\n");
+    // What is typed into the dialog that comes next.
+    const auto answer = [this](const QString &file) {
+        QTimer::singleShot(0, this, [file] {
+            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            dialog->findChild<QLineEdit *>()->setText(file);
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
+    };
+    landmarks::LandmarkSet saved;
+    {
+        const std::unique_ptr<MainWindow> window = windowOfSize({1280, 900});
+        SceneDocument &document = window->document();
+        SceneView &view = window->view();
+        answer(path(QStringLiteral("hill.obj")));
+        actionOf(*window, QStringLiteral("Open…"))->trigger();
+        QTRY_COMPARE(document.objects()[0].name, std::string("hill.obj"));
+        window->places().show("points");
+        QTest::qWait(50);
+        answer(path(QStringLiteral("three.csv")));
+        actionOf(*window, QStringLiteral("Load Template…"))->trigger();
+        QCOMPARE(document.landmarks().size(), std::size_t(3));
+        QCOMPARE(document.points().waiting(), std::optional<std::size_t>(0));
+
+        actionOf(*window, QStringLiteral("Place Points"))->trigger();
+        document.fit();
+        document.rayCasters().complete(document.objects());
+        for (const glm::dvec3 &place :
+             {glm::dvec3(4.3, 4.6, 1.2), glm::dvec3(12.2, 12.1, 4.0), glm::dvec3(18.4, 7.7, 2.2)})
+            click(view, localOf(*window, place));
+        for (const landmarks::Landmark &point : document.landmarks()) {
+            QVERIFY(std::holds_alternative<landmarks::OnTriangle>(point.hold));
+            QCOMPARE(point.object, std::string("hill.obj"));
+            QVERIFY(point.uncertainty && length(*point.uncertainty) > 0.0);
+        }
+        QVERIFY(!document.points().waiting());
+        const landmarks::LandmarkSet placed = document.landmarkSet();
+
+        const QPointF top = localOf(*window, placed.landmarks[1].world->coordinates());
+        drag(view, top, top + QPointF(40, 25), Qt::LeftButton);
+        const landmarks::LandmarkSet dragged = document.landmarkSet();
+        QVERIFY(dragged.landmarks[1] != placed.landmarks[1] && dragged.landmarks[2] == placed.landmarks[2]);
+        QVERIFY(std::holds_alternative<landmarks::OnTriangle>(dragged.landmarks[1].hold));
+        for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Right, Qt::Key_Up})
+            QTest::keyClick(&view, key);
+        QVERIFY(document.landmarks()[1] != dragged.landmarks[1]);
+        const auto undo = [&] { actionOf(*window, QStringLiteral("Undo Move top"))->trigger(); };
+        QVERIFY(actionOf(*window, QStringLiteral("Undo Move top")));
+        undo(); // all the steps of the keys
+        QVERIFY(document.landmarkSet() == dragged);
+        undo();
+        QVERIFY(document.landmarkSet() == placed);
+        actionOf(*window, QStringLiteral("Redo Move top"))->trigger();
+        QVERIFY(document.landmarkSet() == dragged);
+
+        answer(path(QStringLiteral("hill.json")));
+        actionOf(*window, QStringLiteral("Save Scene"))->trigger();
+        QVERIFY(!document.isModified());
+        QVERIFY(QFile::exists(path(QStringLiteral("hill.json"))));
+        saved = dragged;
+        QVERIFY(window->close());
+    }
+    const std::unique_ptr<MainWindow> window = windowOfSize({1280, 900});
+    window->session().openFiles({std::filesystem::path(path(QStringLiteral("hill.json")).toStdU16String())});
+    QTRY_COMPARE(window->document().landmarks().size(), std::size_t(3));
+    QVERIFY(window->document().landmarkSet() == saved); // to the last digit
+    for (const landmarks::Landmark &point : window->document().landmarks()) {
+        const auto held = worldOf(point.hold, window->document().objects()[0]);
+        QVERIFY(held && length(*held - *point.world) < 1e-12); // and where the mesh has it
+    }
+    const std::vector<PointMark> marks = pointMarks(window->document());
+    QCOMPARE(marks.size(), std::size_t(3));
 }
 
 QTEST_MAIN(TestPointsWindow)
