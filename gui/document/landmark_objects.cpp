@@ -129,6 +129,12 @@ std::optional<landmarks::LandmarkSet> carried(landmarks::LandmarkSet set, const 
             || (landmark.uncertainty && !isFinite(*landmark.uncertainty)))
             return std::nullopt;
     }
+    for (landmarks::Curve &curve : set.curves) {
+        for (WorldPoint &point : curve.semilandmarks) {
+            if (isMoved)
+                point = WorldPoint(glm::dvec3(after.motion * glm::dvec4(point.coordinates(), 1.0)));
+        }
+    }
     return set;
 }
 

@@ -19,7 +19,7 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
                                                           const std::vector<SceneObject> &before,
                                                           const std::vector<SceneObject> &after);
 
-/// Landmarks carried along as one object goes from a placement to another: all of them, whatever they lie on. Those of the object are
+/// Landmarks carried along as one object goes from a placement to another: all of them, whatever they lie on, and semilandmarks. Those of the object are
 /// where its mesh has them then, and name it by its name there. Between a scene and the file of the object's mesh, whose placement
 /// is none: the way back has rounding, and the errors of single axes do not come back as they were, only their length does.
 /// @param from, to  the same object, with the same model

@@ -68,6 +68,8 @@ QStringList replace(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &b
         set.name = before.name;
     if (set.mesh.empty())
         set.mesh = before.mesh;
+    if (set.curves.empty())
+        set.curves = before.curves;   // through points by their names
     addKeys(set.extra, before.extra); // of one key the file's is the newer
     return notes;
 }
@@ -78,6 +80,8 @@ QStringList append(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &be
     landmarks::LandmarkSet all = before;
     all.landmarks.insert(all.landmarks.end(), std::make_move_iterator(set.landmarks.begin()),
                          std::make_move_iterator(set.landmarks.end()));
+    all.curves.insert(all.curves.end(), std::make_move_iterator(set.curves.begin()),
+                      std::make_move_iterator(set.curves.end()));
     if (!set.unit.empty() && set.unit != before.unit)
         notes << (before.unit.empty()
                       ? PointFiles::tr("%1 is in %2, and what the scene is in is not known. Nothing is converted.")

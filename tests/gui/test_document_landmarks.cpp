@@ -118,7 +118,7 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName_data()
     row("reorder", "Order of points", "c a b", [](auto &d) { QVERIFY(d.points().reorder(2, 0)); });
     row("sort", "Order of points", "c b a", [](auto &d) { QVERIFY(d.points().arrange({2, 1, 0})); });
     row("another set", "Import points", "z", [](auto &d) {
-        QVERIFY(d.editLandmarkSet({"skull", "skull.ply", "mm", {}, {pointAt(0, "z")}, {}},
+        QVERIFY(d.editLandmarkSet({"skull", "skull.ply", "mm", {}, {pointAt(0, "z")}, {}, {}},
                                   {QStringLiteral("Import points")}));
     });
 }
