@@ -18,6 +18,7 @@ std::string importErrorText(const ImportError &error)
         return file + ": is no model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB"
                + (error.detail.empty() ? std::string() : "; " + error.detail);
     case ImportErrorCode::Malformed: return file + ": is damaged: " + error.detail;
+    case ImportErrorCode::Unsupported: return file + ": cannot be shown: " + error.detail;
     case ImportErrorCode::NoTriangles: return file + ": holds neither triangles nor points";
     case ImportErrorCode::NotFinite:
         return file + ": vertex " + std::to_string(error.index) + " is NaN, infinite, or beyond 3.4e38"

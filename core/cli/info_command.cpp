@@ -89,14 +89,20 @@ ExitCode runInfo(const InfoOptions &options)
         return ExitCode::UnusableInput;
     Measures all;
     std::string objects, table;
+    std::vector<std::string> openOnes;
     for (const SceneObject &object : opened->objects) {
         const Measures measures = measuresOf(object);
         all.add(measures);
+        if (measures.isOpen)
+            openOnes.push_back(
+                (opened->objects.size() > 1 ? object.name + ": " : std::string())
+                + "the surface is open, so that the volume means nothing: about another origin it is another");
         objects += objects.empty() ? "" : ", ";
         objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
         table += object.name + (object.isHidden ? " (hidden)\n" : "\n") + lines(measures);
     }
     std::vector<std::string> notes = notesOf(opened->objects);
+    notes.insert(notes.end(), openOnes.begin(), openOnes.end());
     if (!isFinite(all))
         notes.push_back("what is missing is beyond what a double holds; look at the scales of the objects");
     std::string text;

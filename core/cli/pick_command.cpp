@@ -9,6 +9,7 @@
 #include "core/text/error_text.h"
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -58,7 +59,15 @@ struct Task {
     const SceneRays &rays;
     NumberReader reader;
     RowLayout layout;
+    std::atomic<std::size_t> &outside; ///< rows whose pixels no ray goes through
 };
+
+/// Where the viewport is, for those who look outside it.
+std::string viewportText(const Picture &picture)
+{
+    return "the viewport of the picture of " + shortestText(picture.surface.widthPixels) + 'x'
+           + shortestText(picture.surface.heightPixels);
+}
 
 /// The scratch memory of a thread.
 class Worker {
@@ -86,8 +95,10 @@ public:
 private:
     void pick(std::size_t row, const LineBlock &block, RowWriter &writer, BlockResult &result)
     {
-        const Result<std::optional<SceneHit>> hit =
-            m_task.rays.at(DevicePoint(m_rows.values[0][row], m_rows.values[1][row]), m_task.options.snap);
+        const DevicePoint position(m_rows.values[0][row], m_rows.values[1][row]);
+        if (!m_task.rays.rays().isInPicture(position))
+            ++m_task.outside;
+        const Result<std::optional<SceneHit>> hit = m_task.rays.at(position, m_task.options.snap);
         if (!hit) {
             ++result.badRows;
             m_task.reader.complainOf(block, m_rows.places[row], NumberReader::kNoColumn, errorText(hit.error()),
@@ -111,8 +122,13 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
     // What is added to the input would be read as input, without end.
     if (!columns || isOverInput("-", {options.input}))
         return ExitCode::UnusableInput;
-    const Task task{options, opened, rays, NumberReader(source.name(), *columns),
-                    RowLayout(*columns, pickColumns(), options.format)};
+    std::atomic<std::size_t> outside = 0;
+    const Task task{options,
+                    opened,
+                    rays,
+                    NumberReader(source.name(), *columns),
+                    RowLayout(*columns, pickColumns(), options.format),
+                    outside};
     ByteSink sink;
     if (!options.isHeaderless) {
         std::string header;
@@ -120,7 +136,12 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
         sink.write(header);
     }
     const unsigned threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-    return runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
+    const ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
+    // Empty cells alone would read as background.
+    if (outside > 0)
+        complain(source.name() + ": " + std::to_string(outside) + (outside == 1 ? " pixel lies" : " pixels lie")
+                 + " outside " + viewportText(rays.rays().picture()) + ", where nothing is met");
+    return code;
 }
 
 ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint> &positions, const OpenedScene &opened,
@@ -132,9 +153,8 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
     for (const DevicePoint &position : positions) {
         // Nothing is met there, for a reason that a wrong size gives away.
         if (!rays.rays().isInPicture(position))
-            complain("--at " + shortestText(position.x) + ',' + shortestText(position.y)
-                     + ": lies outside the viewport of the picture of " + shortestText(picture.surface.widthPixels)
-                     + 'x' + shortestText(picture.surface.heightPixels));
+            complain("--at " + shortestText(position.x) + ',' + shortestText(position.y) + ": lies outside "
+                     + viewportText(picture));
         const Result<std::optional<SceneHit>> hit = rays.at(position, options.snap);
         if (!hit) {
             complain("--at " + shortestText(position.x) + ',' + shortestText(position.y) + ": "

@@ -19,6 +19,7 @@ enum class ImportErrorCode {
     EmptyFile,     ///< no bytes
     UnknownFormat, ///< the suffix is not one of OBJ, STL, PLY, OFF, glTF, GLB
     Malformed,     ///< detail: what the parser says, with a line number where it has one
+    Unsupported,   ///< in order, but needs what is not supported; detail: what
     NoTriangles,   ///< readable, but nothing to show
     NotFinite,     ///< a vertex holds NaN or infinity; index: the vertex, counted from 0
     Cancelled,     ///< the progress callback said stop

@@ -102,8 +102,9 @@ private:
     {
         for (const Json &extension : m_file.array("extensionsRequired")) {
             if (extension.is_string() && !isSupported(extension.get_ref<const std::string &>()))
-                failMalformed("the file needs the glTF extension " + extension.get<std::string>()
-                              + ", which is not supported; export it without");
+                throw Failure(ImportErrorCode::Unsupported, "it needs the glTF extension "
+                                                                + extension.get<std::string>()
+                                                                + ", which is not supported; export it without");
         }
     }
 

@@ -13,6 +13,9 @@
 namespace unprojector::scene {
 namespace {
 
+/// The sum of the areas as vectors, of all areas, where only roundings are left of it.
+constexpr double kMostOfAClosedOne = 1e-6;
+
 /// A sum and what it has lost on the way.
 class Sum {
 public:
@@ -63,6 +66,7 @@ void Measures::add(const Measures &other)
     triangles += other.triangles;
     area += other.area;
     volume += other.volume;
+    isOpen = isOpen || other.isOpen;
     if (!other.box.isEmpty())
         box.add(other.box);
 }
@@ -76,6 +80,7 @@ Measures measuresOf(const SceneObject &object)
     const std::size_t known = object.model->fileVertices;
     measures.vertices = known > 0 ? known : placesOf(object.model->meshes);
     Sum area, volume;
+    glm::dvec3 areaVector(0.0);
     for (const Mesh &mesh : object.model->meshes) {
         measures.triangles += mesh.triangleCount();
         // About the object's center, where no large numbers cancel.
@@ -87,11 +92,14 @@ Measures measuresOf(const SceneObject &object)
             measures.box.add(worldOrigin + linear * position(element));
         for (std::size_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
             const glm::dvec3 a = position(3 * triangle), b = position(3 * triangle + 1), c = position(3 * triangle + 2);
-            area.add(glm::length(glm::cross(linear * (b - a), linear * (c - a))) / 2.0);
+            const glm::dvec3 twice = glm::cross(linear * (b - a), linear * (c - a));
+            areaVector += twice / 2.0;
+            area.add(glm::length(twice) / 2.0);
             volume.add(glm::dot(origin + a, glm::cross(origin + b, origin + c)) / 6.0);
         }
     }
     measures.area = area.value();
+    measures.isOpen = glm::length(areaVector) > kMostOfAClosedOne * measures.area;
     measures.volume = volume.value() * std::abs(glm::determinant(linear));
     return measures;
 }

@@ -15,6 +15,9 @@ struct Measures {
     /// By the divergence theorem: what a closed surface holds, above 0 where its triangles go round counter-clockwise as seen
     /// from outside. Of an open one it says nothing.
     double volume = 0.0;
+    /// Certainly not closed: the areas, as vectors along the normals, do not add up to zero, and the volume would be another
+    /// one about another origin. An open surface whose openings face each other is not found this way.
+    bool isOpen = false;
     Box box; ///< around the vertices that triangles use and the points; empty without any
 
     void add(const Measures &other);

@@ -132,7 +132,7 @@ bool Session::mayLeave()
     emit aboutToSaveOrLeave();
     if (!m_options.remembers || !hasUnsavedChanges())
         return true;
-    switch (m_questions.askSave(m_name)) {
+    switch (m_questions.askSave(m_name, !m_file.empty())) {
     case SessionQuestions::SaveAnswer::Save: return save();
     case SessionQuestions::SaveAnswer::Discard: return true;
     case SessionQuestions::SaveAnswer::Cancel: return false;

@@ -30,7 +30,8 @@ public:
 
     virtual ~SessionQuestions() = default;
     /// What to do with the unsaved changes of the scene of this name, which is about to be left.
-    virtual SaveAnswer askSave(const QString &name) = 0;
+    /// @param hasFile  of a scene; else the name is that of a model, which is never written
+    virtual SaveAnswer askSave(const QString &name, bool hasFile) = 0;
     /// Under which name to save; empty: not at all.
     virtual std::filesystem::path askFileName(const std::filesystem::path &proposal) = 0;
     /// Whether to write over this file, whose name is not quite the one that was given.

@@ -14,6 +14,8 @@ double luminance(const QColor &color)
     return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
 }
 
+} // namespace
+
 QColor mixed(const QColor &a, const QColor &b, double shareOfB)
 {
     const auto mix = [shareOfB](int from, int to) {
@@ -21,8 +23,6 @@ QColor mixed(const QColor &a, const QColor &b, double shareOfB)
     };
     return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
-
-} // namespace
 
 double contrast(const QColor &a, const QColor &b)
 {

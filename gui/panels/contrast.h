@@ -15,4 +15,7 @@ double contrast(const QColor &a, const QColor &b);
 /// where that has no more.
 QColor quietInk(const QColor &ink, const QColor &base);
 
+/// @param shareOfB  0: a, 1: b
+QColor mixed(const QColor &a, const QColor &b, double shareOfB);
+
 } // namespace unprojector::gui

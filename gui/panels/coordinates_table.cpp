@@ -4,6 +4,7 @@
 #include "gui/panels/coordinates_model.h"
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/digits_font.h"
+#include "gui/panels/quiet_selection.h"
 #include "gui/text/number_text.h"
 
 #include <QApplication>
@@ -20,6 +21,7 @@ CoordinatesTable::CoordinatesTable(CoordinatesModel *model, const QStringList &r
 {
     setModel(model);
     setItemDelegate(new CertainDigitsDelegate(this));
+    useQuietSelection(*this);
     setHorizontalScrollMode(ScrollPerPixel);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

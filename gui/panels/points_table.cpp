@@ -5,6 +5,7 @@
 #include "gui/panels/certain_digits_delegate.h"
 #include "gui/panels/digits_font.h"
 #include "gui/panels/points_model.h"
+#include "gui/panels/quiet_selection.h"
 
 #include <QAbstractItemDelegate>
 #include <QApplication>
@@ -26,6 +27,7 @@ PointsTable::PointsTable(SceneDocument &document, PointsModel *model, QWidget *p
     m_rows->setSortCaseSensitivity(Qt::CaseInsensitive);
     m_rows->setSortLocaleAware(true);
     setModel(m_rows);
+    useQuietSelection(*this);
     auto *digits = new CertainDigitsDelegate(this);
     for (const int column : {PointsModel::X, PointsModel::Y, PointsModel::Z})
         setItemDelegateForColumn(column, digits);

@@ -200,6 +200,7 @@ QString errorText(const ImportError &error)
         return Errors::tr("%1 is no model that can be opened here%2. Use OBJ, STL, PLY, OFF, glTF or GLB.")
             .arg(file, detail.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(detail));
     case ImportErrorCode::Malformed: return Errors::tr("%1 is damaged: %2").arg(file, detail);
+    case ImportErrorCode::Unsupported: return Errors::tr("%1 cannot be shown: %2").arg(file, detail);
     case ImportErrorCode::NoTriangles:
         return Errors::tr("%1 holds no triangles, so there is no surface to click on.").arg(file);
     case ImportErrorCode::NotFinite:

@@ -147,6 +147,11 @@ FrameView::Drawn FrameView::drawFrame(FrameContents contents)
             return x.model == y.model && x.isHidden == y.isHidden;
         });
     };
+    const auto isThereStill = [&contents](const SceneObject &old) {
+        return std::any_of(contents.objects.begin(), contents.objects.end(),
+                           [&old](const SceneObject &object) { return object.model == old.model; });
+    };
+    const bool isAnotherScene = std::none_of(m_contents.objects.begin(), m_contents.objects.end(), isThereStill);
     m_isFast = m_isFast && haveSameModels(contents.objects, m_contents.objects);
     m_painter.setStale();
     m_sinceDrawn.start();
@@ -162,6 +167,9 @@ FrameView::Drawn FrameView::drawFrame(FrameContents contents)
         if (!standIns) {
             m_isTelling = true;
             tellDrawn(0.0);
+            // What is gone is not left standing under the name of what comes.
+            if (isAnotherScene && beginFrame(frame()))
+                frame().end();
             return Drawn::Nothing;
         }
     }

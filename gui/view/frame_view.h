@@ -68,7 +68,8 @@ protected:
     void releaseFrame();
     /// What a frame shows of its objects.
     enum class Drawn {
-        Nothing,  ///< of these: OpenGL gives no such frame, or the last one stays until all is drawn
+        Nothing, ///< of these: OpenGL gives no such frame, or the last one, empty if none of it is left, stays until all is
+                 ///< drawn
         StandIns, ///< of the large ones, until all is drawn
         Objects
     };

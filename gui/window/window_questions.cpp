@@ -34,9 +34,11 @@ int askOwn(QWidget &window, const QString &title, const QString &text, const QSt
 
 } // namespace
 
-SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name)
+SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name, bool hasFile)
 {
-    switch (ask(m_window, tr("Unsaved Changes"), tr("Save the changes to %1?").arg(name),
+    const QString question = hasFile ? tr("Save the changes to %1?").arg(name)
+                                     : tr("Save what was made of %1 as a scene? Models stay as they are.").arg(name);
+    switch (ask(m_window, tr("Unsaved Changes"), question,
                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save)) {
     case QMessageBox::Save: return SaveAnswer::Save;
     case QMessageBox::Discard: return SaveAnswer::Discard;

@@ -15,7 +15,7 @@ class WindowQuestions : public SessionQuestions, public PointFileQuestions {
 public:
     explicit WindowQuestions(QWidget &window) : m_window(window) {}
 
-    SaveAnswer askSave(const QString &name) override;
+    SaveAnswer askSave(const QString &name, bool hasFile) override;
     std::filesystem::path askFileName(const std::filesystem::path &proposal) override;
     bool askOverwrite(const std::filesystem::path &file) override;
     bool askOverwriteChanged(const std::filesystem::path &file) override;

@@ -357,6 +357,10 @@
         <source>%1 is no model that can be opened here%2. Use OBJ, STL, PLY, OFF, glTF or GLB.</source>
         <translation>%1 不是本程序能打开的模型%2。请使用 OBJ、STL、PLY、OFF、glTF 或 GLB。</translation>
     </message>
+    <message>
+        <source>%1 cannot be shown: %2</source>
+        <translation>无法显示 %1：%2</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -5049,6 +5053,10 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>&amp;Leave Them Where They Are</source>
         <translation>留在原处(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Save what was made of %1 as a scene? Models stay as they are.</source>
+        <translation>将对 %1 所做的内容另存为场景吗？模型文件保持不变。</translation>
     </message>
 </context>
 </TS>

@@ -37,6 +37,7 @@ private slots:
     void aSceneInTheWorld();
     void aFarModelKeepsItsVolume();
     void pointsAndNotes();
+    void anOpenSurfaceHasNoVolume();
     void words();
     void whatADoubleDoesNotHoldIsMissing();
     void refused_data();
@@ -118,6 +119,17 @@ void TestInfoCommand::pointsAndNotes()
     const Run lines = runCommand({"info", "--json", m_folder.write("lines.obj", kBox + "l 1 2 3\n")});
     QCOMPARE(jsonOf(lines)["notes"].toArray().size(), 1);
     QVERIFY(jsonOf(lines)["notes"].toArray()[0].toString().contains("line"));
+}
+
+/// What an open surface "holds" is another number about another origin.
+void TestInfoCommand::anOpenSurfaceHasNoVolume()
+{
+    QVERIFY(jsonOf(runCommand({"info", "--json", m_folder.write("box.obj", kBox)}))["notes"].toArray().isEmpty());
+    const QByteArray lid = kBox.left(kBox.lastIndexOf("f "));
+    const QJsonArray notes =
+        jsonOf(runCommand({"info", "--json", m_folder.write("lidless.obj", lid)}))["notes"].toArray();
+    QCOMPARE(notes.size(), 1);
+    QVERIFY(notes[0].toString().contains("the surface is open"));
 }
 
 void TestInfoCommand::words()

@@ -43,6 +43,7 @@ private slots:
     void initTestCase();
     void aHitInJson();
     void positionsAnswerInTheirOrder();
+    void pixelsOutsideThePictureAreCounted();
     void aModelIsSeenAsTheWindowStarts();
     void aSceneHasItsOwnPictureOrTheSizeGiven();
     void whatIsInReachIsTaken_data();
@@ -109,6 +110,15 @@ void TestPickCommand::positionsAnswerInTheirOrder()
     QVERIFY(run.errors.contains("--at -1,2: lies outside the viewport of the picture of 800x600"));
 }
 
+void TestPickCommand::pixelsOutsideThePictureAreCounted()
+{
+    const Run run = runCommand({"pick", m_scene, "-"}, "px,py\n400,300\n900,1\n-1,2\n");
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.lines().size(), 4);
+    QVERIFY2(run.errors.contains("2 pixels lie outside the viewport of the picture of 800x600"), run.errors);
+    QVERIFY(runCommand({"pick", m_scene, "-"}, "px,py\n400,300\n").errors.isEmpty());
+}
+
 void TestPickCommand::aModelIsSeenAsTheWindowStarts()
 {
     // The middle of what is framed is in the middle of the picture, whatever its size.
@@ -170,7 +180,7 @@ void TestPickCommand::whatIsInReachIsTaken()
 void TestPickCommand::rowsGoThrough()
 {
     const Run run = runCommand({"pick", m_scene, "-"}, "name,px,py,x\n\"a, b\",500,150,7\nmiss,-1,0,8\n");
-    VERIFY_SUCCEEDED(run);
+    QCOMPARE(run.exitCode, 0);
     QCOMPARE(run.lines().size(), 3);
     QCOMPARE(run.lines()[0], ("name,px,py," + kColumns.join(',')).toUtf8());
     QVERIFY(run.lines()[1].startsWith("\"a, b\",500,150,0.5,0.75,3,face,1,0.3125,0.625,0.0625,0.25,0.375,0,0,0,1,"));

@@ -79,6 +79,7 @@ private slots:
     void aPictureIsWhole();
     void coarsePicturesAreTold();
     void longDrawingIsTold();
+    void anotherSceneBeginsEmpty();
     void restBringsAll();
     void smallModelsAreDrawnAtOnce();
     void aFileIsReadOnce();
@@ -201,6 +202,40 @@ void TestLargeModels::longDrawingIsTold()
     QVERIFY(bar.findChild<QLabel *>()->text().startsWith(QStringLiteral("Opening")));
     QTRY_VERIFY(bar.isVisible());
     QVERIFY(!bar.findChild<QPushButton *>()->isHidden());
+}
+
+/// The old objects would stand under the new name, and be clicked for it.
+void TestLargeModels::anotherSceneBeginsEmpty()
+{
+    struct OpenView : SceneView {
+        using SceneView::SceneView;
+        QRgb shownAt(int x, int y)
+        {
+            makeCurrent();
+            glBindFramebuffer(GL_READ_FRAMEBUFFER, frame().framebuffer());
+            std::array<unsigned char, 4> color{};
+            glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
+            doneCurrent();
+            return qRgb(color[0], color[1], color[2]);
+        }
+    };
+    SceneDocument document;
+    ModelStore models;
+    OpenView view(document);
+    document.setObjects(largeScene(), kFromBefore);
+    view.setModelStore(models);
+    view.setMotionBudget(0.0);
+    view.resize(320, 240);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QTRY_VERIFY_WITH_TIMEOUT(view.isReady() && !view.isCoarse(), kPatienceMilliseconds);
+    const auto showsBall = [&view] { return view.shownAt(110, 120) != view.shownAt(2, 120); };
+    QVERIFY(showsBall());
+    document.setObjects(largeScene(), kFromBefore);
+    QTRY_VERIFY(view.isCoarse());
+    QVERIFY(!showsBall());
+    QTRY_VERIFY_WITH_TIMEOUT(!view.isCoarse(), kPatienceMilliseconds);
+    QVERIFY(showsBall());
 }
 
 void TestLargeModels::restBringsAll()

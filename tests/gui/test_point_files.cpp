@@ -23,7 +23,7 @@ using landmarks::Landmark;
 namespace {
 
 struct FixedAnswers : SessionQuestions, PointFileQuestions {
-    SaveAnswer askSave(const QString &) override
+    SaveAnswer askSave(const QString &, bool) override
     {
         ++saveQuestions;
         return SaveAnswer::Discard;

@@ -45,7 +45,7 @@ public:
     QStringList asked;
     std::function<void()> whileAsking = [] {};
 
-    SaveAnswer askSave(const QString &name) override
+    SaveAnswer askSave(const QString &name, bool) override
     {
         note(QStringLiteral("save ") + name);
         return save;

@@ -179,8 +179,9 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
         QCOMPARE(untitled->isWindowModified(), isWork);
         const MessageBoxAnswers answers(QMessageBox::Cancel);
         QCOMPARE(untitled->close(), !isWork);
-        QCOMPARE(answers.questions(),
-                 isWork ? QStringList(QStringLiteral("Save the changes to Bundled scene?")) : QStringList());
+        QCOMPARE(answers.questions(), isWork ? QStringList(QStringLiteral(
+                                          "Save what was made of Bundled scene as a scene? Models stay as they are."))
+                                             : QStringList());
     }
     // Of a scene that has a file, the view is a part.
     const auto titled = window();
