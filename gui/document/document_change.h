@@ -25,6 +25,8 @@ enum class Change {
     Ray = 0x100,       ///< what the ray of the picked point meets, found after the pick was told
     Landmarks = 0x400, ///< the placed points: which there are, where, and what is said of them
     LandmarkSelection = 0x800, ///< which of them are selected, and which one waits for its place
+    Curves =
+        0x1000, ///< how the curves between points go: worked out after the points were told, or to be worked out anew
     History = 0x20 ///< what can be undone and what is saved: isModified and isEdited may be other than before
 };
 Q_DECLARE_FLAGS(Changes, Change)

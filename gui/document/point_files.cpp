@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "gui/document/object_names.h"
+#include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
@@ -251,7 +252,7 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
 
 bool PointFiles::exportTo(const std::filesystem::path &file)
 {
-    landmarks::LandmarkSet set = m_document.landmarkSet();
+    landmarks::LandmarkSet set = m_document.curves().withSemilandmarks();
     const std::optional<Format> format = formatOf(file);
     const auto model = std::find_if(m_document.objects().begin(), m_document.objects().end(),
                                     [](const SceneObject &object) { return !object.file.empty(); });

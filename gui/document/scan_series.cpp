@@ -8,6 +8,7 @@
 #include "core/landmarks/repeats.h"
 #include "core/text/number_text.h"
 #include "gui/document/landmark_objects.h"
+#include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/text/error_text.h"
@@ -166,6 +167,7 @@ bool ScanSeries::open(const std::filesystem::path &folder)
     m_isOpening = false;
     m_placing = 1;
     m_names.clear();
+    m_curves.clear();
     for (Scan &scan : m_scans) {
         readKept(scan, m_placing);
         m_names = landmarks::withTemplate(std::move(m_names), scan.points.landmarks);
@@ -210,8 +212,11 @@ void ScanSeries::show(std::size_t place)
     Q_ASSERT(place < m_scans.size());
     if (!keep())
         return;
-    if (m_shown)
+    if (m_shown) {
         m_names = landmarks::withTemplate(std::move(m_names), m_document.landmarks());
+        m_curves = m_document.landmarkSet().curves;
+        std::erase_if(m_curves, [](const landmarks::Curve &curve) { return curve.points.empty(); });
+    }
     m_isOpening = true;
     m_current = place;
     m_session.openFiles({m_scans[place].file});
@@ -244,6 +249,11 @@ void ScanSeries::takeShown()
     m_object = object != objects.end() ? *object : objects.empty() ? SceneObject() : objects.front();
     landmarks::LandmarkSet set = scan.points;
     set.landmarks = landmarks::withTemplate(std::move(set.landmarks), m_names);
+    for (const landmarks::Curve &curve : m_curves) {
+        const auto hasName = [&curve](const landmarks::Curve &other) { return other.name == curve.name; };
+        if (std::none_of(set.curves.begin(), set.curves.end(), hasName))
+            set.curves.push_back(curve);
+    }
     const SceneObject inFile = asInItsFile(scan.file, m_object);
     for (Landmark &point : set.landmarks) { // they are this scan's, and go with it
         if (point.world && point.object.empty())
@@ -271,7 +281,7 @@ bool ScanSeries::takePoints()
             break;
         }
     }
-    auto points = carried(m_document.landmarkSet(), m_object, asInItsFile(scan.file, m_object));
+    auto points = carried(m_document.curves().withSemilandmarks(), m_object, asInItsFile(scan.file, m_object));
     if (!points)
         return false;
     for (std::size_t i = 0; i < std::min(points->landmarks.size(), m_kept.landmarks.size()); ++i) {

@@ -108,6 +108,7 @@ private:
     std::vector<Scan> m_scans;
     std::optional<std::size_t> m_current;
     std::vector<landmarks::Landmark> m_names; ///< that every scan gets
+    std::vector<landmarks::Curve> m_curves;   ///< the same, by the names of their points
     bool m_isOpening = false;                 ///< the current scan is being loaded
     std::optional<std::size_t> m_inView;      ///< the scan in the view
     std::optional<std::size_t> m_shown;       ///< the same where its points are kept: not where their file is damaged

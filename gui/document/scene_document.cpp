@@ -1,6 +1,7 @@
 #include "gui/document/scene_document.h"
 
 #include "gui/document/landmark_objects.h"
+#include "gui/document/scene_curves.h"
 
 #include <algorithm>
 #include <iterator>
@@ -50,6 +51,7 @@ SceneDocument::SceneDocument(QObject *parent) : QObject(parent), m_points(*this)
     empty.projection = openingProjection();
     const Check opened = open(std::move(empty));
     Q_ASSERT(opened.hasValue());
+    m_curves = std::make_unique<SceneCurves>(*this);
 }
 
 SceneDocument::~SceneDocument()
@@ -268,6 +270,10 @@ Check SceneDocument::editLandmarks(std::vector<landmarks::Landmark> landmarks, c
 
 Check SceneDocument::editLandmarkSet(landmarks::LandmarkSet set, const Deed &deed)
 {
+    for (landmarks::Curve &curve : set.curves) {
+        if (!curve.points.empty())
+            curve.semilandmarks.clear(); // they follow from where the points are: curves()
+    }
     SceneState state = m_state;
     state.landmarks = std::make_shared<const landmarks::LandmarkSet>(std::move(set));
     state.edit = m_lastEdit + 1;

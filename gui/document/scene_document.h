@@ -25,6 +25,8 @@ using namespace geometry;
 using namespace scene;
 using namespace unproject;
 
+class SceneCurves;
+
 /// What the user did, as the undo menu says it.
 struct Deed {
     QString text;          ///< "Near"
@@ -64,6 +66,9 @@ public:
     /// What is done to them one by one, and which of them are selected.
     ScenePoints &points() { return m_points; }
     const ScenePoints &points() const { return m_points; }
+    /// The lines on the surface between them.
+    SceneCurves &curves() { return *m_curves; }
+    const SceneCurves &curves() const { return *m_curves; }
     /// The picture of the scene in the view's window, always valid.
     const Picture &geometry() const { return m_unprojector->picture(); }
     /// The same, prepared for clicks.
@@ -185,6 +190,7 @@ signals:
 private:
     friend class SceneChange;
     friend class ScenePoints;
+    friend class SceneCurves;
 
     /// Gathers what changes while one of them lives; the last tells it. Nobody hears of a half-made change.
     class Telling {
@@ -250,6 +256,7 @@ private:
     Changes m_untold;
     int m_tellings = 0;
     QUndoStack m_undoStack;
+    std::unique_ptr<SceneCurves> m_curves;
 };
 
 } // namespace unprojector::gui

@@ -251,7 +251,14 @@ Check ScenePoints::moveTo(std::size_t place, const WorldPoint &to, const QString
 
 Check ScenePoints::rename(std::size_t place, const QString &name)
 {
-    return edit({place}, tr("Rename %1"), {}, [&](Landmark &point) { point.name = name.trimmed().toStdString(); });
+    Q_ASSERT(place < all().size());
+    landmarks::LandmarkSet set = m_document.landmarkSet();
+    const std::string before = std::exchange(set.landmarks[place].name, name.trimmed().toStdString());
+    for (landmarks::Curve &curve : set.curves) { // which know their points by their names
+        if (!before.empty())
+            std::replace(curve.points.begin(), curve.points.end(), before, set.landmarks[place].name);
+    }
+    return m_document.editLandmarkSet(std::move(set), {tr("Rename %1").arg(shownNameOf(all(), place))});
 }
 
 Check ScenePoints::setNote(std::size_t place, const QString &note)

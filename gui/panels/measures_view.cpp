@@ -1,10 +1,11 @@
 #include "gui/panels/measures_view.h"
 
+#include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
+#include "gui/panels/measure_rows.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/text/error_text.h"
-#include "gui/text/measure_rows.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -32,7 +33,20 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     m_rows->setUniformRowHeights(true);
     m_rows->setHeaderLabels({tr("Measure"), tr("Points"), tr("Value")});
     m_rows->setTextElideMode(Qt::ElideMiddle);
-    m_rows->setSelectionMode(QAbstractItemView::NoSelection);
+    m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_rows->setToolTip(tr("The measure that is chosen here is shown in the view; once more, and it is not"));
+    connect(m_rows, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem *item) {
+        const QString kind = item->text(0);
+        const bool isAgain = m_chosen && *m_chosen == m_rows->indexOfTopLevelItem(item);
+        m_chosenKind = isAgain ? QString() : kind;
+        m_chosen = isAgain ? std::nullopt : std::optional(m_rows->indexOfTopLevelItem(item));
+        showChosen();
+    });
+    connect(m_rows, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem *item) { // Enter
+        m_chosenKind = item->text(0);
+        m_chosen = m_rows->indexOfTopLevelItem(item);
+        showChosen();
+    });
     m_rows->setFocusPolicy(Qt::StrongFocus);
     m_rows->setContextMenuPolicy(Qt::CustomContextMenu);
     m_rows->header()->setStretchLastSection(false);
@@ -48,7 +62,10 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Landmarks)
             showUnit();
-        if (changes & (Change::Landmarks | Change::LandmarkSelection))
+        if (changes & Change::LandmarkSelection)
+            m_chosen.reset();
+        if ((changes & (Change::Landmarks | Change::LandmarkSelection | Change::Objects | Change::Placement))
+            || ((changes & Change::Curves) && !m_isShowing))
             showRows();
     });
 
@@ -86,25 +103,47 @@ void MeasuresView::setUnit(int index)
     static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Unit")}));
 }
 
-void MeasuresView::showRows()
+std::vector<MeasureRow> MeasuresView::rows() const
 {
     const landmarks::LandmarkSet &set = m_document.landmarkSet();
+    if (m_what->choice() == OfSides)
+        return sidesOf(set);
+    const std::vector<std::size_t> &selection = m_document.points().selection();
+    std::vector<MeasureRow> rows = measuresOf(set, selection);
+    if (const SceneCurves::Line *line = m_document.curves().throughSelected())
+        rows.push_back(surfaceLengthOf(set, selection, *line));
+    return rows;
+}
+
+void MeasuresView::showRows()
+{
     const bool isSides = m_what->choice() == OfSides;
-    const std::vector<MeasureRow> rows = isSides ? sidesOf(set) : measuresOf(set, m_document.points().selection());
+    const QSignalBlocker blocker(m_rows);
+    m_listed = rows();
     m_rows->clear();
-    for (const MeasureRow &row : rows) {
+    for (const MeasureRow &row : m_listed) {
         auto *item = new QTreeWidgetItem(m_rows, {row.kind, row.points, row.value});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        QString tip = row.kind + u' ' + row.points + QStringLiteral(": ") + row.value;
+        if (row.shown && row.shown->shape == ShownMeasure::Shape::Surface)
+            tip +=
+                QStringLiteral(". ")
+                + tr(
+                    "From point to point a geodesic of the mesh: as a thread pulled tight over its triangles, exact to "
+                    "rounding for these. Which way around a hole or a hill it goes, is that of the shortest of the "
+                    "ways over "
+                    "places on the edges.");
         for (int column = 0; column < 3; ++column)
-            item->setToolTip(column, plainToolTip(row.kind + u' ' + row.points + QStringLiteral(": ") + row.value));
+            item->setToolTip(column, plainToolTip(tip));
     }
     m_empty->setText(isSides
                          ? tr("No pairs: name points alike but for “left” and “right”, as “eye left” and “eye right”.")
                          : tr("Select two points or more to measure between them."));
-    m_empty->setVisible(rows.empty());
-    m_rows->setVisible(!rows.empty());
+    m_empty->setVisible(m_listed.empty());
+    m_rows->setVisible(!m_listed.empty());
     layout()->activate();
     showWholeRows();
+    showChosen();
 }
 
 void MeasuresView::showWholeRows()
@@ -123,11 +162,33 @@ void MeasuresView::resizeEvent(QResizeEvent *event)
     showWholeRows();
 }
 
+void MeasuresView::showChosen()
+{
+    const auto count = static_cast<int>(m_listed.size());
+    if (m_chosen && (*m_chosen >= count || m_listed[static_cast<std::size_t>(*m_chosen)].kind != m_chosenKind))
+        m_chosen.reset();
+    for (int i = 0; i < count && !m_chosen && !m_chosenKind.isEmpty(); ++i) { // the first of that kind
+        if (m_listed[static_cast<std::size_t>(i)].kind == m_chosenKind)
+            m_chosen = i;
+    }
+    std::optional<ShownMeasure> shown;
+    if (m_chosen) {
+        const MeasureRow &row = m_listed[static_cast<std::size_t>(*m_chosen)];
+        shown = row.shown;
+        if (shown)
+            shown->text = row.value;
+    }
+    m_rows->clearSelection();
+    if (m_chosen)
+        m_rows->topLevelItem(*m_chosen)->setSelected(true);
+    m_isShowing = true; // what follows from it is no other measure
+    m_document.curves().showMeasure(std::move(shown));
+    m_isShowing = false;
+}
+
 QString MeasuresView::csv() const
 {
-    const landmarks::LandmarkSet &set = m_document.landmarkSet();
-    return csvOf(m_what->choice() == OfSides ? sidesOf(set) : measuresOf(set, m_document.points().selection()),
-                 QString::fromStdString(set.unit));
+    return csvOf(rows(), QString::fromStdString(m_document.landmarkSet().unit));
 }
 
 void MeasuresView::showMenu(const QPoint &place)

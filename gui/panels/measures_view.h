@@ -1,6 +1,12 @@
 #pragma once
 
+#include "gui/panels/measure_rows.h"
+
+#include <QString>
 #include <QWidget>
+
+#include <optional>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -12,6 +18,7 @@ class SceneDocument;
 class SegmentedSwitch;
 
 /// What the selected points measure, each with the error that follows from how sure they are; or how alike left and right are.
+/// The measure that is chosen in the list is shown in the view, and so is its like when other points are selected.
 class MeasuresView : public QWidget {
     Q_OBJECT
 public:
@@ -26,9 +33,12 @@ protected:
 private:
     enum Shown { OfSelection, OfSides };
 
+    std::vector<MeasureRow> rows() const;
     void showRows();
     /// The table is as high as its rows: none is cut off.
     void showWholeRows();
+    /// Shows the chosen row in the view.
+    void showChosen();
     void showUnit();
     void setUnit(int index);
     void showMenu(const QPoint &place);
@@ -38,6 +48,10 @@ private:
     QComboBox *m_unit;
     QTreeWidget *m_rows;
     QLabel *m_empty;
+    std::vector<MeasureRow> m_listed;
+    QString m_chosenKind;        ///< of what is shown in the view; empty: nothing is
+    std::optional<int> m_chosen; ///< the row of it, where there is one
+    bool m_isShowing = false;
 };
 
 } // namespace unprojector::gui

@@ -4,6 +4,7 @@
 #include "gui/document/point_templates.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
+#include "gui/panels/curves_view.h"
 #include "gui/panels/measures_view.h"
 #include "gui/panels/next_point_bar.h"
 #include "gui/panels/points_model.h"
@@ -91,6 +92,8 @@ PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWi
     auto *buttons = new QHBoxLayout;
     for (QToolButton *button : {m_template, m_up, m_down, m_remove})
         buttons->addWidget(button);
+    auto *curves = new CurvesView(document);
+    buttons->addWidget(curves->joinButton());
     buttons->addStretch();
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(m_next);
@@ -104,9 +107,11 @@ PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWi
     auto *halves = new QSplitter(Qt::Vertical);
     halves->setChildrenCollapsible(false);
     halves->addWidget(list);
+    halves->addWidget(curves);
     halves->addWidget(new MeasuresView(document));
     halves->setStretchFactor(0, 2);
     halves->setStretchFactor(1, 1);
+    halves->setStretchFactor(2, 1);
     layout->addWidget(halves, 1);
     updateButtons();
 }

@@ -2,6 +2,7 @@
 
 #include "gui/painters/clip_plane_shapes.h"
 #include "gui/painters/scene_lines.h"
+#include "gui/view/curve_shapes.h"
 #include "gui/view/frame.h"
 
 #include <algorithm>
@@ -55,6 +56,8 @@ void SceneOverlay::draw(const SceneDocument &document, const std::optional<Devic
     m_lines.draw(groundLines(document.ground(), document.groundSpacing()), *matrix, viewportPixels(g), pixelRatio(g));
     m_lines.draw(axisLines(document.ground()), *matrix, viewportPixels(g), 2.0f * pixelRatio(g));
     drawClipPlanes(document, *matrix);
+    drawCurves(document, *matrix);
+    glEnable(GL_DEPTH_TEST);
     drawPick(document, *matrix);
     glDisable(GL_DEPTH_TEST);
     if (mark)
@@ -73,6 +76,24 @@ void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat
         m_faces.draw(shape.faces, clipFromWorld);
         m_lines.draw(shape.border, clipFromWorld, viewportPixels(g), pixelRatio(g));
     }
+}
+
+void SceneOverlay::drawCurves(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
+{
+    constexpr float kWidthLogical = 2.5f, kRimLogical = 4.5f, kDotLogical = 7.0f;
+    const Picture &g = document.geometry();
+    const CurveShapes shapes = curveShapes(document);
+    const auto draw = [&](const std::vector<LineSegment> &lines, float widthLogical) {
+        m_lines.draw(lines, clipFromWorld, viewportPixels(g), widthLogical * pixelRatio(g));
+    };
+    glDisable(GL_DEPTH_TEST);
+    draw(faded(shapes.lines), kWidthLogical);
+    draw(faded(shapes.former), kWidthLogical);
+    glEnable(GL_DEPTH_TEST);
+    draw(dark(shapes.lines), kRimLogical);
+    draw(dark(shapes.dots), kDotLogical);
+    draw(shapes.lines, kWidthLogical);
+    draw(shapes.dots, kDotLogical - 2.0f);
 }
 
 void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld)

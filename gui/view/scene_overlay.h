@@ -13,7 +13,7 @@
 
 namespace unprojector::gui {
 
-/// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, the picked point, what a click would take,
+/// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, curves, the picked point, what a click would take,
 /// the directions of the axes in the corner and the crosshair of the keys. All calls need the OpenGL context current.
 class SceneOverlay : protected QOpenGLExtraFunctions {
 public:
@@ -28,6 +28,8 @@ public:
 
 private:
     void drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
+    /// The curves between placed points: where they are in sight, and faintly behind.
+    void drawCurves(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     void drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     void drawMark(const SnapMark &mark, const Picture &g, const glm::dmat4 &clipFromWorld);
     /// In the corner of the viewport, where that is large enough.

@@ -46,7 +46,8 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
             m_marks.reset();
         if (changes & kSeen)
             redraw();
-        else if (changes & (Change::Pick | Change::Ray | Change::Landmarks | Change::LandmarkSelection))
+        else if (changes
+                 & (Change::Pick | Change::Ray | Change::Landmarks | Change::LandmarkSelection | Change::Curves))
             update(); // they are drawn over the frame
         if (changes & Change::Snap)
             clearMark();

@@ -2,6 +2,7 @@
 
 #include "gui/view/scene_view.h"
 
+#include "gui/view/measure_mark.h"
 #include "gui/view/point_loupe.h"
 
 #include <QHelpEvent>
@@ -85,7 +86,23 @@ void SceneView::drawMarks()
             if (arrow.isUsable)
                 lines.emplace_back(arrow.from, arrow.to);
         }
-        drawPoints(painter, shown, placedLabels(shown, QFontMetricsF(letters), QRectF(rect()), lines));
+        const std::optional<MeasureMark> measure = measureMark(m_document);
+        std::vector<PointMark> labelled = shown;
+        if (measure) { // beside its line, and clear of the points' own
+            lines.insert(lines.end(), measure->lines.begin(), measure->lines.end());
+            labelled.push_back(measure->label);
+        }
+        std::vector<PlacedLabel> labels = placedLabels(labelled, QFontMetricsF(letters), QRectF(rect()), lines);
+        std::optional<PlacedLabel> ofMeasure;
+        std::erase_if(labels, [&](const PlacedLabel &label) {
+            if (label.mark < shown.size())
+                return false;
+            ofMeasure = label;
+            return true;
+        });
+        if (measure)
+            drawMeasure(painter, *measure, ofMeasure);
+        drawPoints(painter, shown, labels);
         if (shownArrows)
             drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_draggedAxis) : std::nullopt);
         if (m_loupeAt) {

@@ -1345,6 +1345,93 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     </message>
 </context>
 <context>
+    <name>unprojector::gui::CurvesView</name>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Semilandmarks</source>
+        <translation>半标志点</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>In equal steps along the curve, both ends included; they are written into files with the points</source>
+        <translation>沿曲线等距分布，包括两端；与点一起写入文件</translation>
+    </message>
+    <message>
+        <source>Why there is no curve</source>
+        <translation>为何没有曲线</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Join the selected points on the surface, in their order in the list: a curve with semilandmarks</source>
+        <translation>按列表中的次序在曲面上连接所选的点：得到带半标志点的曲线</translation>
+    </message>
+    <message>
+        <source>No curve: %1.</source>
+        <translation>没有曲线：%1。</translation>
+    </message>
+    <message>
+        <source>On the &amp;Surface</source>
+        <translation>沿曲面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>A geodesic: as a thread pulled tight on the surface</source>
+        <translation>测地线：如同在曲面上拉紧的线</translation>
+    </message>
+    <message>
+        <source>Along a &amp;Plane</source>
+        <translation>沿平面(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Where the plane through two points and the surface&apos;s normals at them cuts the surface</source>
+        <translation>过两点及其处曲面法线的平面与曲面的交线</translation>
+    </message>
+    <message>
+        <source>as read</source>
+        <translation>如文件所给</translation>
+    </message>
+    <message>
+        <source>on the surface</source>
+        <translation>沿曲面</translation>
+    </message>
+    <message>
+        <source>along a plane</source>
+        <translation>沿平面</translation>
+    </message>
+    <message>
+        <source>Lead Along a &amp;Plane</source>
+        <translation>改为沿平面(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Lead on the &amp;Surface</source>
+        <translation>改为沿曲面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>移除(&amp;M)</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ExampleNote</name>
     <message>
         <source>Example</source>
@@ -2547,6 +2634,14 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>Off the middle</source>
         <translation>偏离中线</translation>
     </message>
+    <message>
+        <source>being worked out…</source>
+        <translation>正在计算…</translation>
+    </message>
+    <message>
+        <source>Along the surface</source>
+        <translation>沿曲面</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MeasuresView</name>
@@ -2613,6 +2708,14 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>Copy as C&amp;SV</source>
         <translation>复制为 CSV(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The measure that is chosen here is shown in the view; once more, and it is not</source>
+        <translation>在此选中的量显示在视图中；再点一次则不显示</translation>
+    </message>
+    <message>
+        <source>From point to point a geodesic of the mesh: as a thread pulled tight over its triangles, exact to rounding for these. Which way around a hole or a hill it goes, is that of the shortest of the ways over places on the edges.</source>
+        <translation>逐点之间为网格的测地线：如同在三角形上拉紧的线，对这些三角形精确到舍入误差。它从孔洞或隆起的哪一侧绕过，取决于经由边上各位置的路径中最短的一条。</translation>
     </message>
 </context>
 <context>
@@ -4242,6 +4345,81 @@ of a point that needs no division</source>
     <message>
         <source>Scans written to %1: %2. Not in it, without a point: %3.</source>
         <translation>已写入 %1 的扫描：%2。没有点而未写入的：%3。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SceneCurves</name>
+    <message>
+        <source>a curve has two points at least</source>
+        <translation>曲线至少要有两个点</translation>
+    </message>
+    <message>
+        <source>“%1” is not placed</source>
+        <translation>“%1”尚未放置</translation>
+    </message>
+    <message>
+        <source>“%1” is not on a surface; B puts it there</source>
+        <translation>“%1”不在曲面上；按 B 可放到曲面上</translation>
+    </message>
+    <message>
+        <source>the surface between “%1” and “%2” is not in one piece</source>
+        <translation>“%1”与“%2”之间的曲面不连通</translation>
+    </message>
+    <message>
+        <source>no plane along the surface&apos;s normals leads from “%1” to “%2”; take the geodesic, or place a point between them</source>
+        <translation>没有沿曲面法线的平面从“%1”通到“%2”；请改用测地线，或在两者之间再放一个点</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>curve %1</source>
+        <translation>曲线 %1</translation>
+    </message>
+    <message>
+        <source>“%1” lies on another object than “%2”</source>
+        <translation>“%1”与“%2”不在同一物体上</translation>
+    </message>
+    <message>
+        <source>there is no object “%1”</source>
+        <translation>没有物体“%1”</translation>
+    </message>
+    <message>
+        <source>there is no point “%1”</source>
+        <translation>没有点“%1”</translation>
+    </message>
+    <message>
+        <source>several points are called “%1”; rename all but one</source>
+        <translation>有多个点名为“%1”；请只保留一个，其余改名</translation>
+    </message>
+    <message>
+        <source>%1 has no name; a curve knows its points by their names</source>
+        <translation>%1 没有名称；曲线按名称认点</translation>
+    </message>
+    <message>
+        <source>Curve %1</source>
+        <translation>曲线 %1</translation>
+    </message>
+    <message>
+        <source>Join %1</source>
+        <translation>连接 %1</translation>
+    </message>
+    <message>
+        <source>Semilandmarks of %1</source>
+        <translation>%1 的半标志点</translation>
+    </message>
+    <message>
+        <source>Kind of %1</source>
+        <translation>%1 的路径</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
     </message>
 </context>
 <context>

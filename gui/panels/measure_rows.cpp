@@ -1,4 +1,4 @@
-#include "gui/text/measure_rows.h"
+#include "gui/panels/measure_rows.h"
 
 #include "core/geometry/angle.h"
 #include "core/landmarks/measure.h"
@@ -66,28 +66,57 @@ std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std
     for (const std::size_t place : places)
         points.push_back(&set.landmarks[place]);
     std::vector<MeasureRow> rows;
+    using Shape = ShownMeasure::Shape;
+    const auto addShown = [&rows](MeasureRow row, const ShownMeasure &shown) {
+        if (row.number)
+            row.shown = shown;
+        rows.push_back(std::move(row));
+    };
     const std::size_t count = places.size();
     if (count == 2 || count == 3) {
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t k = i + 1; k < count; ++k)
-                rows.push_back(lengthRow(Measures::tr("Distance"), namesOf(set, {places[i], places[k]}),
-                                         landmarks::distanceOf(*points[i], *points[k]), set));
+                addShown(lengthRow(Measures::tr("Distance"), namesOf(set, {places[i], places[k]}),
+                                   landmarks::distanceOf(*points[i], *points[k]), set),
+                         {Shape::Polyline, {places[i], places[k]}, {}});
         }
     }
     for (std::size_t i = 0; count == 3 && i < count; ++i) {
         const std::size_t a = (i + 2) % 3, c = (i + 1) % 3;
-        rows.push_back(angleRow(Measures::tr("at %1").arg(nameOf(set, places[i])),
-                                landmarks::angleAt(*points[i], *points[a], *points[c])));
+        addShown(angleRow(Measures::tr("at %1").arg(nameOf(set, places[i])),
+                          landmarks::angleAt(*points[i], *points[a], *points[c])),
+                 {Shape::Angle, {places[i], places[a], places[c]}, {}});
     }
     if (count == 4)
-        rows.push_back(lengthRow(Measures::tr("Height"),
-                                 Measures::tr("%1 over the plane %2")
-                                     .arg(nameOf(set, places[3]), namesOf(set, {places[0], places[1], places[2]})),
-                                 landmarks::heightOver(*points[0], *points[1], *points[2], *points[3]), set));
+        addShown(lengthRow(Measures::tr("Height"),
+                           Measures::tr("%1 over the plane %2")
+                               .arg(nameOf(set, places[3]), namesOf(set, {places[0], places[1], places[2]})),
+                           landmarks::heightOver(*points[0], *points[1], *points[2], *points[3]), set),
+                 {Shape::Height, places, {}});
     if (count >= 3)
-        rows.push_back(
-            lengthRow(Measures::tr("Length along"), namesOf(set, places), landmarks::lengthAlong(points), set));
+        addShown(lengthRow(Measures::tr("Length along"), namesOf(set, places), landmarks::lengthAlong(points), set),
+                 {Shape::Polyline, places, {}});
     return rows;
+}
+
+QString curveLengthText(const SceneCurves::Line &line, const QString &unit)
+{
+    if (line.isComputing)
+        return Measures::tr("being worked out…");
+    return line.line ? lengthText(line.line->length, unit) : line.reason;
+}
+
+MeasureRow surfaceLengthOf(const LandmarkSet &set, const std::vector<std::size_t> &places,
+                           const SceneCurves::Line &line)
+{
+    MeasureRow row{Measures::tr("Along the surface"), namesOf(set, places),
+                   curveLengthText(line, QString::fromStdString(set.unit))};
+    if (line.isComputing || !line.line)
+        return row;
+    row.number = line.line->length.value;
+    row.error = line.line->length.error;
+    row.shown = ShownMeasure{ShownMeasure::Shape::Surface, places, {}};
+    return row;
 }
 
 std::vector<MeasureRow> sidesOf(const LandmarkSet &set)

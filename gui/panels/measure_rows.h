@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/landmarks/landmark.h"
+#include "gui/document/scene_curves.h"
 
 #include <QString>
 
@@ -17,12 +18,21 @@ struct MeasureRow {
     QString value;                     ///< "12.34 ± 0.05 mm", or why there is none
     std::optional<double> number = {}; ///< in the scene's unit, or degrees
     std::optional<double> error = {};
+    /// How the view can show it; what it cannot show has none. Its text is to be put in.
+    std::optional<ShownMeasure> shown = {};
 };
 
 /// What can be measured at some points, in their order in the list: the distance of two; the angles of three and their
 /// distances; the height of the fourth over the plane of the three before it; the length along all of them.
 /// @param places  of the points, rising
 std::vector<MeasureRow> measuresOf(const landmarks::LandmarkSet &set, const std::vector<std::size_t> &places);
+
+/// The length along the surface through these points.
+/// @param line  as SceneCurves has it
+MeasureRow surfaceLengthOf(const landmarks::LandmarkSet &set, const std::vector<std::size_t> &places,
+                           const SceneCurves::Line &line);
+/// Of a curve, "12.34 ± 0.05 mm", or why there is none.
+QString curveLengthText(const SceneCurves::Line &line, const QString &unit);
 
 /// The plane that mirrors left points best into right ones, and how far each pair, and each point without a partner, is from
 /// its own mirror image. Empty without a pair.

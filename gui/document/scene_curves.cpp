@@ -1,0 +1,437 @@
+#include "gui/document/scene_curves.h"
+
+#include "gui/document/scene_document.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Curve;
+using landmarks::Landmark;
+
+/// What of a landmark a curve depends on.
+bool isSamePlace(const Landmark &a, const Landmark &b)
+{
+    return a.name == b.name && a.world == b.world && a.hold == b.hold && a.uncertainty == b.uncertainty;
+}
+
+} // namespace
+
+/// All that a line depends on.
+struct SceneCurves::Request {
+    landmarks::CurveKind kind = landmarks::CurveKind::Geodesic;
+    std::vector<Landmark> points;
+    std::vector<WorldPoint> given; ///< of a curve of which no more is known
+    std::shared_ptr<const Model> model;
+    glm::dmat4 placement{1.0};
+    QString fault; ///< why nothing can be asked
+
+    friend bool operator==(const Request &a, const Request &b)
+    {
+        return a.kind == b.kind && a.model == b.model && a.placement == b.placement && a.fault == b.fault
+               && a.given == b.given
+               && std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), isSamePlace);
+    }
+};
+
+struct SceneCurves::Known {
+    std::string name; ///< of the curve
+    Request request;
+    Line line;
+};
+
+/// The surfaces of models, each made once, on whatever thread asks first. It keeps no model alive.
+class SceneCurves::Surfaces {
+public:
+    /// @return null where `isEnded`. Throws std::bad_alloc.
+    std::shared_ptr<const curves::SurfaceMesh> of(const std::shared_ptr<const Model> &model)
+    {
+        const std::lock_guard lock(m_mutex);
+        std::erase_if(m_kept, [](const auto &entry) { return entry.second.first.expired(); });
+        const auto found = m_kept.find(model.get());
+        if (found != m_kept.end())
+            return found->second.second;
+        auto surface = curves::SurfaceMesh::build(*model, [this](double) { return !isEnded; });
+        if (surface)
+            m_kept[model.get()] = {model, surface};
+        return surface;
+    }
+
+    std::atomic<bool> isEnded{false};
+
+private:
+    std::mutex m_mutex;
+    std::map<const Model *, std::pair<std::weak_ptr<const Model>, std::shared_ptr<const curves::SurfaceMesh>>> m_kept;
+};
+
+namespace {
+
+class Texts {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SceneCurves)
+};
+
+QString quoted(const std::vector<Landmark> &points, std::size_t place)
+{
+    return QString::fromStdString(points[place].name).simplified();
+}
+
+QString faultOf(const curves::CurveError &error, const std::vector<Landmark> &points)
+{
+    using Code = curves::CurveError::Code;
+    switch (error.code) {
+    case Code::TooFew: return Texts::tr("a curve has two points at least");
+    case Code::Missing: return Texts::tr("“%1” is not placed").arg(quoted(points, error.point));
+    case Code::NotOnSurface:
+        return Texts::tr("“%1” is not on a surface; B puts it there").arg(quoted(points, error.point));
+    case Code::NotConnected:
+        return Texts::tr("the surface between “%1” and “%2” is not in one piece")
+            .arg(quoted(points, error.point - 1), quoted(points, error.point));
+    case Code::NoSection:
+        return Texts::tr(
+                   "no plane along the surface's normals leads from “%1” to “%2”; take the geodesic, or place a point "
+                   "between them")
+            .arg(quoted(points, error.point - 1), quoted(points, error.point));
+    case Code::Stopped: break;
+    }
+    return {};
+}
+
+/// @return its `isComputing` still set where it was ended
+template <class Request, class Surfaces>
+SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curves::GoesOn &goesOn)
+{
+    SceneCurves::Line line;
+    try {
+        const std::shared_ptr<const curves::SurfaceMesh> surface = surfaces.of(request.model);
+        line.isComputing = !surface;
+        if (!surface)
+            return line;
+        std::vector<const Landmark *> points;
+        for (const Landmark &point : request.points)
+            points.push_back(&point);
+        auto through = curves::lineThrough(*surface, points, request.kind, request.placement, goesOn);
+        if (through)
+            line.line = std::move(through).value();
+        else if (through.error().code == curves::CurveError::Code::Stopped)
+            line.isComputing = true;
+        else
+            line.reason = faultOf(through.error(), request.points);
+    } catch (const std::bad_alloc &) {
+        line.reason = Texts::tr("there is not enough memory");
+    }
+    return line;
+}
+
+} // namespace
+
+struct SceneCurves::Job {
+    std::vector<Request> requests;
+    std::atomic<bool> isEnded{false};
+    std::vector<Line> lines; ///< written by the thread, read once it is joined
+    std::thread thread;
+};
+
+SceneCurves::SceneCurves(SceneDocument &document) : m_document(document), m_surfaces(std::make_shared<Surfaces>())
+{
+    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & (Change::Landmarks | Change::LandmarkSelection | Change::Objects | Change::Placement))
+            refresh();
+    });
+}
+
+SceneCurves::~SceneCurves()
+{
+    m_surfaces->isEnded = true;
+    if (!m_job)
+        return;
+    m_job->isEnded = true;
+    if (m_job->thread.joinable())
+        m_job->thread.join();
+}
+
+const std::vector<Curve> &SceneCurves::all() const
+{
+    return m_document.landmarkSet().curves;
+}
+
+const SceneCurves::Line &SceneCurves::line(std::size_t curve) const
+{
+    Q_ASSERT(curve < m_known.size());
+    return m_known[curve].line;
+}
+
+const SceneCurves::Line *SceneCurves::throughSelected() const
+{
+    return m_selected ? &m_selected->line : nullptr;
+}
+
+QString SceneCurves::shownNameOf(const Curve &curve, std::size_t place)
+{
+    const QString name = QString::fromStdString(curve.name).simplified();
+    return name.isEmpty() ? tr("curve %1").arg(place + 1) : name;
+}
+
+// ---- how they go -------------------------------------------------------------------------------------------------
+
+void SceneCurves::locate(Request &request) const
+{
+    const std::vector<Landmark> &points = request.points;
+    for (std::size_t i = 0; i < points.size() && request.fault.isEmpty(); ++i) {
+        if (points[i].isMissing())
+            request.fault = tr("“%1” is not placed").arg(quoted(points, i));
+        else if (points[i].object.empty())
+            request.fault = tr("“%1” is not on a surface; B puts it there").arg(quoted(points, i));
+        else if (points[i].object != points.front().object)
+            request.fault = tr("“%1” lies on another object than “%2”").arg(quoted(points, i), quoted(points, 0));
+    }
+    if (!request.fault.isEmpty())
+        return;
+    for (const SceneObject &object : m_document.objects()) {
+        if (object.name == points.front().object) {
+            request.model = object.model;
+            request.placement = worldFromObject(object.transform);
+            return;
+        }
+    }
+    request.fault = tr("there is no object “%1”").arg(QString::fromStdString(points.front().object));
+}
+
+SceneCurves::Request SceneCurves::requestOf(const Curve &curve) const
+{
+    Request request;
+    request.kind = curve.kind;
+    if (curve.points.empty()) {
+        request.given = curve.semilandmarks;
+        return request;
+    }
+    for (const std::string &name : curve.points) {
+        const std::vector<Landmark> &all = m_document.landmarks();
+        const auto hasName = [&name](const Landmark &point) { return point.name == name; };
+        const auto found = std::find_if(all.begin(), all.end(), hasName);
+        const QString shown = QString::fromStdString(name).simplified();
+        if (found == all.end())
+            request.fault = tr("there is no point “%1”").arg(shown);
+        else if (std::any_of(found + 1, all.end(), hasName))
+            request.fault = tr("several points are called “%1”; rename all but one").arg(shown);
+        if (!request.fault.isEmpty())
+            return request;
+        request.points.push_back(*found);
+    }
+    if (request.points.size() < 2)
+        request.fault = faultOf({curves::CurveError::Code::TooFew, 0}, {});
+    else
+        locate(request);
+    return request;
+}
+
+void SceneCurves::refresh()
+{
+    std::vector<Known> before = std::exchange(m_known, {});
+    const auto known = [&](const std::string &name, Request request, const Known *former) {
+        Known now{name, std::move(request), {}};
+        if (former && former->request == now.request) {
+            now.line = former->line;
+            return now;
+        }
+        Line &line = now.line;
+        if (!now.request.fault.isEmpty()) {
+            line.reason = now.request.fault;
+        } else if (!now.request.model) {
+            line.line.emplace().path = now.request.given;
+            double &length = line.line->length.value;
+            for (std::size_t i = 1; i < now.request.given.size(); ++i)
+                length += distance(now.request.given[i - 1], now.request.given[i]);
+        } else if (now.request.model->triangleCount() <= kMostAtOnce) {
+            line = worked(now.request, *m_surfaces, {});
+        } else {
+            line.isComputing = true;
+            if (former)
+                line.line = former->line.line;
+        }
+        return now;
+    };
+    for (std::size_t i = 0; i < all().size(); ++i) {
+        const Curve &curve = all()[i];
+        const auto former =
+            std::find_if(before.begin(), before.end(), [&](const Known &other) { return other.name == curve.name; });
+        m_known.push_back(known(curve.name, requestOf(curve), former != before.end() ? &*former : nullptr));
+    }
+    const std::vector<std::size_t> &selection = m_document.points().selection();
+    const std::unique_ptr<Known> formerSelected = std::move(m_selected);
+    if (selection.size() >= 2) {
+        Request request;
+        for (const std::size_t place : selection) {
+            request.points.push_back(m_document.landmarks()[place]);
+            request.points.back().name = ScenePoints::shownNameOf(m_document.landmarks(), place).toStdString();
+        }
+        locate(request);
+        m_selected = std::make_unique<Known>(known({}, std::move(request), formerSelected.get()));
+    }
+    if (m_job)
+        m_job->isEnded = true; // what it has done is taken; the rest is asked again
+    else
+        begin();
+}
+
+void SceneCurves::begin()
+{
+    const auto job = std::make_shared<Job>();
+    const auto ask = [&](const Known &known) {
+        if (known.line.isComputing)
+            job->requests.push_back(known.request);
+    };
+    std::for_each(m_known.begin(), m_known.end(), ask);
+    if (m_selected)
+        ask(*m_selected);
+    if (job->requests.empty())
+        return;
+    job->lines.resize(job->requests.size());
+    for (Line &line : job->lines)
+        line.isComputing = true;
+    m_job = job;
+    const auto work = [this, job, surfaces = m_surfaces] {
+        for (std::size_t i = 0; i < job->requests.size() && !job->isEnded; ++i)
+            job->lines[i] = worked(job->requests[i], *surfaces, [&job] { return !job->isEnded; });
+        QMetaObject::invokeMethod(
+            this, [this, job] { take(job); }, Qt::QueuedConnection);
+    };
+    try {
+        job->thread = std::thread(work);
+    } catch (const std::system_error &) { // the system gives no thread
+        work();
+    }
+}
+
+void SceneCurves::take(const std::shared_ptr<Job> &job)
+{
+    if (job != m_job)
+        return;
+    if (job->thread.joinable())
+        job->thread.join();
+    m_job.reset();
+    const auto put = [&](Known &known) {
+        for (std::size_t i = 0; i < job->requests.size() && known.line.isComputing; ++i) {
+            if (!job->lines[i].isComputing && job->requests[i] == known.request)
+                known.line = job->lines[i];
+        }
+    };
+    std::for_each(m_known.begin(), m_known.end(), put);
+    if (m_selected)
+        put(*m_selected);
+    begin();
+    m_document.tell(Change::Curves);
+}
+
+void SceneCurves::complete()
+{
+    while (const std::shared_ptr<Job> job = m_job) {
+        if (job->thread.joinable())
+            job->thread.join();
+        take(job);
+    }
+}
+
+landmarks::LandmarkSet SceneCurves::withSemilandmarks()
+{
+    complete();
+    landmarks::LandmarkSet set = m_document.landmarkSet();
+    for (std::size_t i = 0; i < set.curves.size(); ++i) {
+        Curve &curve = set.curves[i];
+        if (curve.points.empty())
+            continue;
+        const std::optional<curves::CurveLine> &known = line(i).line;
+        curve.semilandmarks =
+            known && !line(i).isComputing ? curves::resampled(known->path, curve.count) : std::vector<WorldPoint>();
+    }
+    return set;
+}
+
+void SceneCurves::showMeasure(std::optional<ShownMeasure> measure)
+{
+    if (measure == m_shownMeasure)
+        return;
+    m_shownMeasure = std::move(measure);
+    m_document.tell(Change::Curves);
+}
+
+// ---- edits -------------------------------------------------------------------------------------------------------
+
+void SceneCurves::edit(std::vector<Curve> curves, const QString &text, const QString &mergeKey)
+{
+    landmarks::LandmarkSet set = m_document.landmarkSet();
+    set.curves = std::move(curves);
+    static_cast<void>(m_document.editLandmarkSet(std::move(set), {text, mergeKey}));
+}
+
+QString SceneCurves::join(const std::vector<std::size_t> &points, landmarks::CurveKind kind)
+{
+    const std::vector<Landmark> &landmarks = m_document.landmarks();
+    if (points.size() < 2)
+        return faultOf({curves::CurveError::Code::TooFew, 0}, {});
+    Curve curve;
+    curve.kind = kind;
+    for (const std::size_t place : points) {
+        const Landmark &point = landmarks[place];
+        if (point.name.empty())
+            return tr("%1 has no name; a curve knows its points by their names")
+                .arg(ScenePoints::shownNameOf(landmarks, place));
+        curve.points.push_back(point.name);
+    }
+    if (const Request request = requestOf(curve); !request.fault.isEmpty())
+        return request.fault;
+    std::vector<Curve> curves = all();
+    for (std::size_t number = curves.size() + 1; curve.name.empty(); ++number) {
+        const std::string name = tr("Curve %1").arg(number).toStdString();
+        if (std::none_of(curves.begin(), curves.end(), [&](const Curve &other) { return other.name == name; }))
+            curve.name = name;
+    }
+    const QString text = tr("Join %1").arg(shownNameOf(curve, curves.size()));
+    curves.push_back(std::move(curve));
+    edit(std::move(curves), text);
+    return {};
+}
+
+void SceneCurves::setCount(std::size_t curve, int count)
+{
+    std::vector<Curve> curves = all();
+    curves[curve].count = static_cast<std::uint32_t>(std::clamp(count, 2, landmarks::kMostSemilandmarks));
+    edit(std::move(curves), tr("Semilandmarks of %1").arg(shownNameOf(all()[curve], curve)),
+         QStringLiteral("count of curve %1").arg(curve));
+}
+
+void SceneCurves::setKind(std::size_t curve, landmarks::CurveKind kind)
+{
+    std::vector<Curve> curves = all();
+    curves[curve].kind = kind;
+    edit(std::move(curves), tr("Kind of %1").arg(shownNameOf(all()[curve], curve)));
+}
+
+void SceneCurves::rename(std::size_t curve, const QString &name)
+{
+    std::vector<Curve> curves = all();
+    const std::string wanted = name.trimmed().toStdString();
+    const bool isTaken = std::any_of(curves.begin(), curves.end(), [&](const Curve &c) { return c.name == wanted; });
+    if (wanted.empty() || isTaken)
+        return;
+    curves[curve].name = wanted;
+    edit(std::move(curves), tr("Rename %1").arg(shownNameOf(all()[curve], curve)));
+}
+
+void SceneCurves::remove(std::size_t curve)
+{
+    std::vector<Curve> curves = all();
+    curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(curve));
+    edit(std::move(curves), tr("Remove %1").arg(shownNameOf(all()[curve], curve)));
+}
+
+} // namespace unprojector::gui

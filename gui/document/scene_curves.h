@@ -1,0 +1,107 @@
+#pragma once
+
+#include "core/curves/curve_line.h"
+#include "core/landmarks/landmark.h"
+#include "core/scene/scene.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
+class SceneDocument;
+
+/// A measure that the view shows where it is measured.
+struct ShownMeasure {
+    enum class Shape {
+        Polyline, ///< straight from point to point
+        Angle,    ///< at the first point, between those to the second and the third
+        Height,   ///< of the fourth point over the plane of the three before it
+        Surface,  ///< along the surface: SceneCurves::throughSelected
+    };
+    Shape shape = Shape::Polyline;
+    std::vector<std::size_t> points; ///< places in SceneDocument::landmarks()
+    QString text;                    ///< "12.3 ± 0.1 mm"
+    friend bool operator==(const ShownMeasure &, const ShownMeasure &) = default;
+};
+
+/// The curves between the placed points of a document's scene: how they go on the surface now, and what is done to single ones. Each
+/// edit is one step of undo, by the name of the curve. Places are places in SceneDocument::landmarkSet().curves.
+///
+/// How a curve goes follows from where its points are; it is worked out anew whenever they move, of small models at once, of others
+/// on a thread of its own. Until then the line before is shown as what it is. Change::Curves tells of what has come.
+class SceneCurves : public QObject {
+    Q_OBJECT
+public:
+    /// How a curve goes.
+    struct Line {
+        bool isComputing = false;              ///< `line` is of where the points were before
+        std::optional<curves::CurveLine> line; ///< none: `reason` says why, or it is not known yet
+        QString reason;                        ///< a sentence without a full stop
+    };
+
+    explicit SceneCurves(SceneDocument &document);
+    ~SceneCurves() override;
+
+    const std::vector<landmarks::Curve> &all() const;
+    /// @pre curve < all().size()
+    const Line &line(std::size_t curve) const;
+    /// The geodesic through the points that are selected, in their order in the list; null where fewer than two are.
+    const Line *throughSelected() const;
+    bool isComputing() const { return m_job != nullptr; }
+    /// Works all of them out before it returns.
+    void complete();
+    /// The points and the curves with their semilandmarks, for a file. Waits for what is not known yet.
+    landmarks::LandmarkSet withSemilandmarks();
+
+    /// What is shown in the view of what is measured at the selected points. Not undoable.
+    const std::optional<ShownMeasure> &shownMeasure() const { return m_shownMeasure; }
+    void showMeasure(std::optional<ShownMeasure> measure);
+
+    // Edits.
+
+    /// Another curve through these points, in this order.
+    /// @return why there is none, in words; empty: it is there
+    QString join(const std::vector<std::size_t> &points, landmarks::CurveKind kind);
+    /// @param count  from 2 to landmarks::kMostSemilandmarks
+    void setCount(std::size_t curve, int count);
+    void setKind(std::size_t curve, landmarks::CurveKind kind);
+    /// An empty name, and one that another curve has, change nothing.
+    void rename(std::size_t curve, const QString &name);
+    void remove(std::size_t curve);
+
+    static QString shownNameOf(const landmarks::Curve &curve, std::size_t place);
+
+private:
+    struct Request;
+    struct Known;
+    struct Job;
+    class Surfaces;
+
+    /// Of so many triangles a line is worked out at once: in less time than a picture takes.
+    static constexpr std::size_t kMostAtOnce = 2'000;
+
+    void refresh();
+    /// Finds the object that all points lie on.
+    void locate(Request &request) const;
+    Request requestOf(const landmarks::Curve &curve) const;
+    void begin();
+    void take(const std::shared_ptr<Job> &job);
+    void edit(std::vector<landmarks::Curve> curves, const QString &text, const QString &mergeKey = {});
+
+    SceneDocument &m_document;
+    std::shared_ptr<Surfaces> m_surfaces;
+    std::vector<Known> m_known;        ///< one a curve
+    std::unique_ptr<Known> m_selected; ///< of what is selected
+    std::shared_ptr<Job> m_job;
+    std::optional<ShownMeasure> m_shownMeasure;
+};
+
+} // namespace unprojector::gui

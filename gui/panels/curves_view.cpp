@@ -1,0 +1,214 @@
+#include "gui/panels/curves_view.h"
+
+#include "gui/document/scene_curves.h"
+#include "gui/document/scene_document.h"
+#include "gui/panels/measure_rows.h"
+#include "gui/text/error_text.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QStyledItemDelegate>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Curve;
+using landmarks::CurveKind;
+
+enum Column { Name, Points, Kind, Count, Length };
+
+/// Names and numbers of semilandmarks are typed in place.
+class CurveDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        if (index.column() != Name && index.column() != Count)
+            return nullptr;
+        QWidget *editor = QStyledItemDelegate::createEditor(parent, option, index);
+        if (auto *box = qobject_cast<QSpinBox *>(editor))
+            box->setRange(2, landmarks::kMostSemilandmarks);
+        return editor;
+    }
+};
+
+} // namespace
+
+CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
+    : QWidget(parent), m_document(document), m_rows(new QTreeWidget), m_reason(new QLabel), m_join(new QToolButton)
+{
+    m_rows->setAccessibleName(tr("Curves"));
+    m_rows->setRootIsDecorated(false);
+    m_rows->setUniformRowHeights(true);
+    m_rows->setHeaderLabels({tr("Curve"), tr("Points"), tr("Way"), tr("Semilandmarks"), tr("Length")});
+    m_rows->headerItem()->setToolTip(Count,
+                                     plainToolTip(tr("In equal steps along the curve, both ends included; they are "
+                                                     "written into files with the points")));
+    m_rows->setTextElideMode(Qt::ElideMiddle);
+    m_rows->setItemDelegate(new CurveDelegate(m_rows));
+    m_rows->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_rows->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_rows->header()->setStretchLastSection(false);
+    for (const int column : {Name, Kind, Count, Length})
+        m_rows->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    m_rows->header()->setSectionResizeMode(Points, QHeaderView::Stretch);
+    connect(m_rows, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem *item, int column) {
+        const int row = m_rows->indexOfTopLevelItem(item);
+        // Not while the editor is still at it: the rows are made anew.
+        QTimer::singleShot(0, this,
+                           [this, row, column, text = item->data(column, Qt::EditRole)] { apply(row, column, text); });
+    });
+    connect(m_rows, &QWidget::customContextMenuRequested, this, &CurvesView::showMenu);
+    auto *remove = new QShortcut(QKeySequence::Delete, m_rows);
+    remove->setContext(Qt::WidgetShortcut);
+    connect(remove, &QShortcut::activated, this, &CurvesView::removeCurrent);
+
+    m_reason->setWordWrap(true);
+    m_reason->setTextFormat(Qt::PlainText);
+    m_reason->setAccessibleName(tr("Why there is no curve"));
+    m_reason->hide();
+
+    m_join->setText(tr("Join"));
+    m_join->setToolTip(
+        tr("Join the selected points on the surface, in their order in the list: a curve with semilandmarks"));
+    m_join->setFocusPolicy(Qt::StrongFocus);
+    m_join->setPopupMode(QToolButton::InstantPopup);
+    auto *menu = new QMenu(m_join);
+    menu->setToolTipsVisible(true);
+    const auto add = [&](const QString &text, const QString &tip, CurveKind kind) {
+        menu->addAction(text, this,
+                        [this, kind] {
+                            const QString reason = m_document.curves().join(m_document.points().selection(), kind);
+                            m_reason->setText(tr("No curve: %1.").arg(reason));
+                            m_reason->setVisible(!reason.isEmpty());
+                            setVisible(!reason.isEmpty() || !m_document.curves().all().empty());
+                        })
+            ->setToolTip(tip);
+    };
+    add(tr("On the &Surface"), tr("A geodesic: as a thread pulled tight on the surface"), CurveKind::Geodesic);
+    add(tr("Along a &Plane"),
+        tr("Where the plane through two points and the surface's normals at them cuts the surface"),
+        CurveKind::PlaneSection);
+    m_join->setMenu(menu);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_rows, 1);
+    layout->addWidget(m_reason);
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & (Change::Landmarks | Change::LandmarkSelection))
+            m_reason->hide();
+        if (changes & Change::Landmarks)
+            showRows();
+        else if (changes & (Change::Objects | Change::Placement | Change::Curves))
+            showLengths();
+        m_join->setEnabled(m_document.points().selection().size() >= 2);
+        setVisible(!m_reason->isHidden() || !m_document.curves().all().empty());
+    });
+    m_join->setEnabled(false);
+    showRows();
+    if (m_document.curves().all().empty())
+        hide();
+}
+
+std::optional<std::size_t> CurvesView::current() const
+{
+    const int row = m_rows->indexOfTopLevelItem(m_rows->currentItem());
+    return row < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(row));
+}
+
+void CurvesView::showRows()
+{
+    const QSignalBlocker blocker(m_rows);
+    const int current = m_rows->indexOfTopLevelItem(m_rows->currentItem());
+    m_rows->clear();
+    const std::vector<Curve> &all = m_document.curves().all();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Curve &curve = all[i];
+        auto *item = new QTreeWidgetItem(m_rows);
+        item->setText(Name, SceneCurves::shownNameOf(curve, i));
+        QStringList names;
+        for (const std::string &name : curve.points)
+            names << QString::fromStdString(name).simplified();
+        item->setText(Points, names.join(QStringLiteral(" – ")));
+        item->setText(Kind, curve.points.empty()                ? tr("as read")
+                            : curve.kind == CurveKind::Geodesic ? tr("on the surface")
+                                                                : tr("along a plane"));
+        if (curve.points.empty())
+            item->setText(Count, QString::number(curve.semilandmarks.size()));
+        else
+            item->setData(Count, Qt::EditRole, static_cast<int>(curve.count));
+        item->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+    }
+    if (current >= 0 && current < m_rows->topLevelItemCount())
+        m_rows->setCurrentItem(m_rows->topLevelItem(current));
+    showLengths();
+}
+
+void CurvesView::showLengths()
+{
+    const QSignalBlocker blocker(m_rows);
+    const SceneCurves &curves = m_document.curves();
+    const QString unit = QString::fromStdString(m_document.landmarkSet().unit);
+    for (std::size_t i = 0; i < curves.all().size(); ++i) {
+        QTreeWidgetItem *item = m_rows->topLevelItem(static_cast<int>(i));
+        if (!item)
+            return; // the points have not been told yet
+        item->setText(Length, curveLengthText(curves.line(i), unit));
+        for (int column = 0; column <= Length; ++column)
+            item->setToolTip(column, plainToolTip(item->text(Name) + u' ' + item->text(Points) + QStringLiteral(": ")
+                                                  + item->text(Length)));
+    }
+}
+
+void CurvesView::apply(int row, int column, const QVariant &typed)
+{
+    const auto place = static_cast<std::size_t>(row);
+    SceneCurves &curves = m_document.curves();
+    if (row < 0 || place >= curves.all().size())
+        return;
+    if (column == Name)
+        curves.rename(place, typed.toString());
+    else if (column == Count && !curves.all()[place].points.empty())
+        curves.setCount(place, typed.toInt());
+    showRows(); // what was refused is as before
+}
+
+void CurvesView::removeCurrent()
+{
+    if (const std::optional<std::size_t> place = current())
+        m_document.curves().remove(*place);
+}
+
+void CurvesView::showMenu(const QPoint &place)
+{
+    const std::optional<std::size_t> curve = current();
+    if (!curve)
+        return;
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const Curve &shown = m_document.curves().all()[*curve];
+    if (!shown.points.empty()) {
+        const bool isGeodesic = shown.kind == CurveKind::Geodesic;
+        menu->addAction(
+            isGeodesic ? tr("Lead Along a &Plane") : tr("Lead on the &Surface"), this, [this, curve, isGeodesic] {
+                m_document.curves().setKind(*curve, isGeodesic ? CurveKind::PlaneSection : CurveKind::Geodesic);
+            });
+    }
+    menu->addAction(tr("Re&move"), this, [this, curve] { m_document.curves().remove(*curve); });
+    connect(&m_document, &SceneDocument::changed, menu, &QWidget::close);
+    menu->popup(m_rows->viewport()->mapToGlobal(place));
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+#include <cstddef>
+#include <optional>
+
+class QLabel;
+class QToolButton;
+class QTreeWidget;
+class QVariant;
+
+namespace unprojector::gui {
+
+class SceneDocument;
+
+/// The curves of a document: the points that each joins, how it goes, on how many semilandmarks, how long it is. It is hidden while
+/// there are none and nothing is to be said.
+class CurvesView : public QWidget {
+    Q_OBJECT
+public:
+    explicit CurvesView(SceneDocument &document, QWidget *parent = nullptr);
+
+    /// Joins the points that are selected; to be put where these are listed.
+    QToolButton *joinButton() const { return m_join; }
+
+private:
+    void showRows();
+    void showLengths();
+    void apply(int row, int column, const QVariant &typed);
+    void showMenu(const QPoint &place);
+    void removeCurrent();
+    std::optional<std::size_t> current() const;
+
+    SceneDocument &m_document;
+    QTreeWidget *m_rows;
+    QLabel *m_reason;
+    QToolButton *m_join;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,155 @@
+#include "gui/view/measure_mark.h"
+
+#include "gui/document/scene_curves.h"
+
+#include <QPainter>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::gui {
+namespace {
+
+using Shape = ShownMeasure::Shape;
+
+/// Lines of the world in the picture.
+class Drawing {
+public:
+    explicit Drawing(const Picture &picture) : m_picture(picture), m_clipFromWorld(clipFromWorld(picture)) {}
+
+    std::optional<QPointF> seen(const glm::dvec3 &point) const
+    {
+        if (!m_clipFromWorld)
+            return std::nullopt;
+        const glm::dvec4 clip = *m_clipFromWorld * glm::dvec4(point, 1.0);
+        if (!(clip.w > 0.0))
+            return std::nullopt;
+        const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
+        const DevicePoint device = deviceFromWindow(
+            m_picture.surface, windowFromNdc(m_picture.viewport, m_picture.depthRange, ndc, ndcDepthOf(m_picture)));
+        const WidgetPoint widget = widgetFromDevice(m_picture.surface, device);
+        return QPointF(widget.x, widget.y);
+    }
+    void add(const glm::dvec3 &from, const glm::dvec3 &to)
+    {
+        const std::optional<QPointF> a = seen(from), b = seen(to);
+        if (a && b)
+            m_lines.emplace_back(*a, *b);
+    }
+    std::vector<QLineF> take() { return std::move(m_lines); }
+
+private:
+    const Picture &m_picture;
+    Result<glm::dmat4> m_clipFromWorld;
+    std::vector<QLineF> m_lines;
+};
+
+/// Both legs of an angle, and an arc between them.
+/// @return the middle of the arc
+glm::dvec3 addAngle(Drawing &drawing, const std::vector<glm::dvec3> &at)
+{
+    constexpr int kSteps = 24;
+    constexpr double kShare = 0.35; // of the shorter leg
+    const glm::dvec3 a = at[1] - at[0], c = at[2] - at[0];
+    drawing.add(at[0], at[1]);
+    drawing.add(at[0], at[2]);
+    const double radius = kShare * std::min(glm::length(a), glm::length(c));
+    const glm::dvec3 from = glm::normalize(a), other = glm::normalize(c);
+    const glm::dvec3 side = other - glm::dot(from, other) * from;
+    if (!(glm::length(side) > 0.0))
+        return at[0] + radius * from;
+    const double angle = std::atan2(glm::length(side), glm::dot(from, other));
+    const auto onArc = [&](double share) {
+        return at[0] + radius * (std::cos(share * angle) * from + std::sin(share * angle) * glm::normalize(side));
+    };
+    for (int i = 0; i < kSteps; ++i)
+        drawing.add(onArc(double(i) / kSteps), onArc(double(i + 1) / kSteps));
+    return onArc(0.5);
+}
+
+/// The triangle of the plane, the height over it, and from its foot to the middle of the triangle.
+/// @return the middle of the height
+glm::dvec3 addHeight(Drawing &drawing, const std::vector<glm::dvec3> &at)
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        drawing.add(at[i], at[(i + 1) % 3]);
+    const glm::dvec3 normal = glm::normalize(glm::cross(at[1] - at[0], at[2] - at[0]));
+    const glm::dvec3 foot = at[3] - glm::dot(at[3] - at[0], normal) * normal;
+    drawing.add(at[3], foot);
+    drawing.add(foot, (at[0] + at[1] + at[2]) / 3.0);
+    return (at[3] + foot) / 2.0;
+}
+
+/// @return the middle of it, measured along it
+glm::dvec3 addPolyline(Drawing &drawing, const std::vector<glm::dvec3> &at)
+{
+    std::vector<WorldPoint> path;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        path.push_back(WorldPoint(at[i]));
+        if (i > 0)
+            drawing.add(at[i - 1], at[i]);
+    }
+    return curves::resampled(path, 3)[1].coordinates();
+}
+
+} // namespace
+
+std::optional<MeasureMark> measureMark(const SceneDocument &document)
+{
+    const std::optional<ShownMeasure> &shown = document.curves().shownMeasure();
+    if (!shown)
+        return std::nullopt;
+    std::vector<glm::dvec3> at;
+    for (const std::size_t place : shown->points) {
+        if (place >= document.landmarks().size() || document.landmarks()[place].isMissing())
+            return std::nullopt; // the list of measures follows at once
+        at.push_back(document.landmarks()[place].world->coordinates());
+    }
+    Drawing drawing(document.geometry());
+    glm::dvec3 middle(0.0);
+    switch (shown->shape) {
+    case Shape::Polyline: middle = addPolyline(drawing, at); break;
+    case Shape::Angle: middle = addAngle(drawing, at); break;
+    case Shape::Height: middle = addHeight(drawing, at); break;
+    case Shape::Surface: {
+        const SceneCurves::Line *line = document.curves().throughSelected();
+        if (!line || !line->line || line->isComputing || line->line->path.empty())
+            return std::nullopt;
+        middle = curves::resampled(line->line->path, 3)[1].coordinates();
+        break;
+    }
+    }
+    const std::optional<QPointF> seen = drawing.seen(middle);
+    if (!seen)
+        return std::nullopt;
+    MeasureMark mark;
+    mark.lines = drawing.take();
+    mark.label.at = *seen;
+    mark.label.label = shown->text;
+    mark.label.isCurrent = true; // it finds its place before others
+    return mark;
+}
+
+void drawMeasure(QPainter &painter, const MeasureMark &mark, const std::optional<PlacedLabel> &label)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    std::vector<QLineF> lines = mark.lines;
+    if (label && label->hasLeader)
+        lines.emplace_back(mark.label.at, label->box.center()); // which the box hides the end of
+    for (const auto &[color, width] : {std::pair(QColor(0, 0, 0, 170), 3.5), std::pair(QColor(Qt::white), 1.5)}) {
+        painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
+        for (const QLineF &line : lines)
+            painter.drawLine(line);
+    }
+    if (!label)
+        return;
+    painter.setPen(QPen(QColor(0, 0, 0, 170), 1.0));
+    painter.setBrush(QColor(0xff, 0xf4, 0xcc, 240));
+    painter.drawRoundedRect(label->box, 3.0, 3.0);
+    painter.setPen(QColor(0x18, 0x1a, 0x1c));
+    painter.drawText(label->box, Qt::AlignCenter | Qt::TextSingleLine | Qt::TextDontClip, mark.label.label);
+}
+
+} // namespace unprojector::gui

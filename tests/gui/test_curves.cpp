@@ -1,0 +1,357 @@
+// Curves between placed points: in the document, in files, in their list and in the view; and measures in the view.
+
+#include "core/ray/closest_place.h"
+#include "core/scene/solids.h"
+#include "gui/document/point_files.h"
+#include "gui/document/scene_curves.h"
+#include "gui/panels/curves_view.h"
+#include "gui/panels/measures_view.h"
+#include "gui/view/curve_shapes.h"
+#include "gui/view/measure_mark.h"
+#include "gui_scene.h"
+#include "window_user.h"
+
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace guitest;
+using landmarks::CurveKind;
+using landmarks::Landmark;
+using Shape = ShownMeasure::Shape;
+
+namespace {
+
+/// On the top of the cube and on its front, as far from the edge between them; and on its right side.
+const glm::dvec3 kTop = kCubeCenter + glm::dvec3(0.0, 1.0, 0.5), kFront = kCubeCenter + glm::dvec3(0.0, 0.25, 1.0),
+                 kRight = kCubeCenter + glm::dvec3(1.0, 0.0, 0.0);
+
+Landmark heldAt(const SceneObject &object, const glm::dvec3 &world, const std::string &name)
+{
+    const auto placement = worldFromObject(object.transform);
+    const glm::dvec3 inObject(glm::inverse(placement) * glm::dvec4(world, 1.0));
+    Landmark point;
+    point.name = name;
+    point.object = object.name;
+    point.world = WorldPoint(world);
+    point.hold = ray::ClosestPlaces::build(object.model, {})->to(ObjectPoint(inObject))->hold;
+    point.uncertainty = WorldVector(0.01, 0.01, 0.01);
+    return point;
+}
+
+/// Three points on the cube.
+void putPoints(SceneDocument &document)
+{
+    const SceneObject &cube = document.objects()[0];
+    QVERIFY(document.editLandmarks(
+        {heldAt(cube, kTop, "top"), heldAt(cube, kFront, "front"), heldAt(cube, kRight, "right")}, {"put"}));
+}
+
+std::unique_ptr<SceneDocument> cubeDocument()
+{
+    auto document = std::make_unique<SceneDocument>();
+    document->setSurface({800, 600, 1.0});
+    document->setObjects(cubeScene());
+    putPoints(*document);
+    return document;
+}
+
+void add(SceneDocument &document, const Landmark &point)
+{
+    std::vector<Landmark> points = document.landmarks();
+    points.push_back(point);
+    QVERIFY(document.editLandmarks(std::move(points), {"add"}));
+}
+
+double lengthOf(SceneDocument &document, std::size_t curve)
+{
+    const auto &line = document.curves().line(curve).line;
+    return line ? line->length.value : std::nan("");
+}
+
+} // namespace
+
+class TestCurves : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void pointsAreJoinedAsOneStep();
+    void curvesFollowTheirPoints();
+    void curvesSayWhyTheyDoNotGo();
+    void joiningIsRefusedInWords();
+    void largeModelsAreWorkedOutAside();
+    void filesHaveTheSemilandmarks();
+    void theListEditsCurves();
+    void theLengthAlongTheSurfaceIsAMeasure();
+    void curvesAreDrawnOnTheSurface();
+    void theChosenMeasureIsShown_data();
+    void theChosenMeasureIsShown();
+};
+
+void TestCurves::pointsAreJoinedAsOneStep()
+{
+    const auto document = cubeDocument();
+    QCOMPARE(document->curves().join({0, 1}, CurveKind::Geodesic), QString());
+    QCOMPARE(document->undoStack().undoText(), "Join Curve 1");
+    QVERIFY(std::abs(lengthOf(*document, 0) - 1.25) < 1e-6);
+    QVERIFY(document->curves().line(0).line->length.error.has_value());
+    document->curves().setCount(0, 5);
+    document->curves().setCount(0, 7); // one after the other is one step
+    QCOMPARE(document->undoStack().undoText(), "Semilandmarks of Curve 1");
+    const std::vector<WorldPoint> seven = document->curves().withSemilandmarks().curves[0].semilandmarks;
+    QCOMPARE(seven.size(), std::size_t(7));
+    QVERIFY(distance(seven[0], WorldPoint(kTop)) < 1e-6 && distance(seven[6], WorldPoint(kFront)) < 1e-6);
+    document->undoStack().undo();
+    QCOMPARE(document->curves().all()[0].count, 10u);
+    document->curves().setKind(0, CurveKind::PlaneSection);
+    QVERIFY(std::abs(lengthOf(*document, 0) - 1.25) < 1e-6);
+    document->curves().rename(0, "brow");
+    QCOMPARE(document->curves().all()[0].name, "brow");
+    document->curves().remove(0);
+    QCOMPARE(document->undoStack().undoText(), "Remove brow");
+    QVERIFY(document->curves().all().empty());
+    document->undoStack().undo();
+    QVERIFY(std::abs(lengthOf(*document, 0) - 1.25) < 1e-6);
+}
+
+void TestCurves::curvesFollowTheirPoints()
+{
+    const auto document = cubeDocument();
+    QCOMPARE(document->curves().join({0, 1, 2}, CurveKind::Geodesic), QString());
+    const double before = lengthOf(*document, 0);
+    QVERIFY(document->points().move(1, heldAt(document->objects()[0], kCubeCenter + glm::dvec3(0.5, 0.5, 1.0), "")));
+    const double moved = lengthOf(*document, 0);
+    QVERIFY(std::abs(moved - before) > 0.1);
+    QVERIFY(document->points().rename(1, "chin"));
+    QCOMPARE(document->curves().all()[0].points[1], "chin");
+    QCOMPARE(lengthOf(*document, 0), moved);
+    QVERIFY(document->points().reorder(2, 0));
+    QCOMPARE(lengthOf(*document, 0), moved);
+    // With its object, stretched: the length is the world's.
+    QVERIFY(document->editTransform(0, {Scale{glm::dvec3(2.0)}}, {"scale"}));
+    QVERIFY(std::abs(lengthOf(*document, 0) - 2.0 * moved) < 1e-5);
+    while (document->undoStack().canUndo())
+        document->undoStack().undo();
+    QVERIFY(document->curves().all().empty());
+}
+
+void TestCurves::curvesSayWhyTheyDoNotGo()
+{
+    const auto document = cubeDocument();
+    QCOMPARE(document->curves().join({0, 1}, CurveKind::Geodesic), QString());
+    const auto reason = [&] { return document->curves().line(0).reason; };
+    QVERIFY(document->points().setMissing({1}));
+    QCOMPARE(reason(), "“front” is not placed");
+    QVERIFY(!document->curves().line(0).line);
+    document->undoStack().undo();
+    QVERIFY(document->points().moveTo(1, WorldPoint(kFront + glm::dvec3(0, 0, 1))));
+    QCOMPARE(reason(), "“front” is not on a surface; B puts it there");
+    document->undoStack().undo();
+    QVERIFY(document->points().remove({1}));
+    QCOMPARE(reason(), "there is no point “front”");
+    document->undoStack().undo();
+    QVERIFY(document->points().rename(2, "front"));
+    QCOMPARE(reason(), "several points are called “front”; rename all but one");
+    document->undoStack().undo();
+    QCOMPARE(reason(), QString());
+    QVERIFY(document->curves().line(0).line.has_value());
+}
+
+void TestCurves::joiningIsRefusedInWords()
+{
+    const auto document = cubeDocument();
+    QCOMPARE(document->curves().join({0}, CurveKind::Geodesic), "a curve has two points at least");
+    QVERIFY(document->points().rename(1, ""));
+    QCOMPARE(document->curves().join({0, 1}, CurveKind::Geodesic),
+             "point 2 has no name; a curve knows its points by their names");
+    document->undoStack().undo();
+    std::vector<SceneObject> other = cubeScene();
+    other[0].name = "other";
+    QVERIFY(document->addObjects(other));
+    add(*document, heldAt(document->objects()[1], kFront, "there"));
+    QCOMPARE(document->curves().join({0, 3}, CurveKind::Geodesic), "“there” lies on another object than “top”");
+    QVERIFY(document->curves().all().empty());
+}
+
+void TestCurves::largeModelsAreWorkedOutAside()
+{
+    SceneDocument document;
+    document.setSurface({800, 600, 1.0});
+    SceneObject ball;
+    ball.name = "ball";
+    auto model = std::make_shared<Model>();
+    model->meshes.push_back(sphereMesh(1.0, 5));
+    model->bounds = boundsOf(model->meshes);
+    ball.model = model;
+    document.setObjects({ball});
+    QVERIFY(document.editLandmarks({heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {0, 1, 0}, "b")}, {"put"}));
+    QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
+    QVERIFY(document.curves().line(0).isComputing);
+    QVERIFY(!document.curves().line(0).line);
+    QTRY_VERIFY(!document.curves().line(0).isComputing);
+    QVERIFY(std::abs(lengthOf(document, 0) - 1.5708) < 2e-3);
+    // Moved, the line before is what it is until the new one comes; it is not drawn as the curve.
+    QVERIFY(document.points().move(1, heldAt(ball, {0, 0, 1}, "b")));
+    QVERIFY(document.curves().line(0).isComputing && document.curves().line(0).line);
+    QVERIFY(curveShapes(document).lines.empty() && !curveShapes(document).former.empty());
+    QVERIFY(document.points().move(1, heldAt(ball, {0, -1, 0}, "b"))); // while the other is under way
+    document.curves().complete();
+    QVERIFY(distance(document.curves().line(0).line->path.back(), WorldPoint(0, -1, 0)) < 0.05);
+    QVERIFY(!curveShapes(document).lines.empty());
+    QVERIFY(document.points().move(1, heldAt(ball, {0, 0, 1}, "b"))); // and it may end while it works
+}
+
+void TestCurves::filesHaveTheSemilandmarks()
+{
+    const auto document = cubeDocument();
+    QCOMPARE(document->curves().join({0, 1}, CurveKind::Geodesic), QString());
+    document->curves().setCount(0, 6);
+    const QTemporaryDir folder;
+    const auto fileOf = [&](const char *name) {
+        return std::filesystem::path(folder.filePath(QLatin1String(name)).toStdU16String());
+    };
+    PointFiles files(*document, nullptr);
+    QVERIFY(files.exportTo(fileOf("p.csv")) && files.exportTo(fileOf("p.tps")) && files.exportTo(fileOf("p.pts")));
+    const auto textOf = [&](const char *name) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    QVERIFY(textOf("p.csv").contains("Curve 1:06,"));
+    QVERIFY(textOf("p.tps").contains("CURVES=1\nPOINTS=6\n"));
+    QCOMPARE(textOf("p.pts").split('\n')[1].trimmed(), QByteArray("9"));
+    const auto curves = document->curves().all();
+    QVERIFY(document->editLandmarkSet({}, {"away"}));
+    QVERIFY(files.importFrom(fileOf("p.csv")));
+    QVERIFY(document->curves().all() == curves);
+    QVERIFY(std::abs(lengthOf(*document, 0) - 1.25) < 1e-6);
+    // Those of another program have no points to go through: they are where the file has them.
+    QVERIFY(document->editLandmarkSet({}, {"away"}));
+    QVERIFY(files.importFrom(fileOf("p.tps")));
+    QCOMPARE(document->curves().all().size(), std::size_t(1));
+    QCOMPARE(document->curves().line(0).line->path.size(), std::size_t(6));
+    QCOMPARE(document->curves().withSemilandmarks().curves[0].semilandmarks.size(), std::size_t(6));
+}
+
+void TestCurves::theListEditsCurves()
+{
+    const auto document = cubeDocument();
+    CurvesView view(*document);
+    QVERIFY(view.isHidden() && !view.joinButton()->isEnabled());
+    document->points().select({0, 1});
+    QVERIFY(view.joinButton()->isEnabled());
+    view.joinButton()->menu()->actions()[0]->trigger();
+    QCOMPARE(document->curves().all().size(), std::size_t(1));
+    QVERIFY(!view.isHidden());
+    auto *rows = view.findChild<QTreeWidget *>();
+    QCOMPARE(rows->topLevelItem(0)->text(0), "Curve 1");
+    QCOMPARE(rows->topLevelItem(0)->text(1), "top – front");
+    QVERIFY2(rows->topLevelItem(0)->text(4).startsWith("1.25"), qPrintable(rows->topLevelItem(0)->text(4)));
+    rows->topLevelItem(0)->setData(3, Qt::EditRole, 25);
+    QTRY_COMPARE(document->curves().all()[0].count, 25u);
+    rows->topLevelItem(0)->setText(0, "ridge");
+    QTRY_COMPARE(document->curves().all()[0].name, "ridge");
+    QVERIFY(document->points().setMissing({1}));
+    QCOMPARE(rows->topLevelItem(0)->text(4), "“front” is not placed");
+    rows->setCurrentItem(rows->topLevelItem(0));
+    document->curves().remove(0);
+    QVERIFY(view.isHidden());
+}
+
+void TestCurves::theLengthAlongTheSurfaceIsAMeasure()
+{
+    const auto document = cubeDocument();
+    MeasuresView view(*document);
+    document->points().select({0, 1});
+    auto *rows = view.findChild<QTreeWidget *>();
+    QCOMPARE(rows->topLevelItemCount(), 2);
+    QCOMPARE(rows->topLevelItem(1)->text(0), "Along the surface");
+    QVERIFY(rows->topLevelItem(1)->text(2).startsWith("1.25 ± "));
+    QVERIFY(view.csv().contains("\nAlong the surface,top – front,1.25"));
+    QVERIFY(document->points().moveTo(1, WorldPoint(0, 0, 0)));
+    QCOMPARE(rows->topLevelItem(1)->text(2), "“front” is not on a surface; B puts it there");
+}
+
+void TestCurves::curvesAreDrawnOnTheSurface()
+{
+    const std::unique_ptr<MainWindow> window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    putPoints(document);
+    QVERIFY(document.points().setHidden({2}, true));
+    const QImage before = window->view().grabFramebuffer();
+    QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
+    const QImage after = window->view().grabFramebuffer();
+    QVERIFY(differentPixels(before, after) > 50);
+    // In the middle of the front's part the curve is drawn, in the usual colour of points.
+    const QPointF at = localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.55, 1.0));
+    bool isDrawn = false;
+    for (int x = -3; x <= 3; ++x) {
+        const QColor color = after.pixelColor(at.toPoint() * after.devicePixelRatio() + QPoint(x, 0));
+        isDrawn = isDrawn || (color.red() > 200 && color.green() > 150 && color.blue() < 100);
+    }
+    QVERIFY(isDrawn);
+    QVERIFY(document.points().setHidden({0}, true));
+    QVERIFY(curveShapes(document).lines.empty());
+}
+
+void TestCurves::theChosenMeasureIsShown_data()
+{
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<int>("points");
+    QTest::addColumn<int>("lines");
+    QTest::newRow("distance") << "Distance" << 2 << 1;
+    QTest::newRow("surface") << "Along the surface" << 2 << 0;
+    QTest::newRow("angle") << "Angle" << 3 << 26;
+    QTest::newRow("length") << "Length along" << 3 << 2;
+    QTest::newRow("height") << "Height" << 4 << 5;
+}
+
+void TestCurves::theChosenMeasureIsShown()
+{
+    QFETCH(QString, kind);
+    QFETCH(int, points);
+    QFETCH(int, lines);
+    const std::unique_ptr<MainWindow> window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    putPoints(document);
+    add(document, heldAt(document.objects()[0], kCubeCenter + glm::dvec3(0.7, 0.9, 1.0), "more"));
+    auto *measures = window->findChild<MeasuresView *>();
+    QVERIFY(measures);
+    std::vector<std::size_t> places;
+    for (int i = 0; i < points; ++i)
+        places.push_back(std::size_t(i));
+    document.points().select(places);
+    QVERIFY(!measureMark(document));
+    const QImage before = window->view().grabFramebuffer();
+    auto *rows = measures->findChild<QTreeWidget *>();
+    const QList<QTreeWidgetItem *> items = rows->findItems(kind, Qt::MatchExactly);
+    QVERIFY(!items.isEmpty());
+    const QString value = items[0]->text(2);
+    emit rows->itemClicked(items[0], 0);
+    const auto mark = measureMark(document);
+    QVERIFY(mark);
+    QCOMPARE(mark->label.label, value);
+    QCOMPARE(int(mark->lines.size()), lines);
+    QVERIFY(differentPixels(before, window->view().grabFramebuffer()) > 200);
+    // Its label stands clear of the points' labels.
+    std::vector<PointMark> marks = pointMarks(document);
+    marks.push_back(mark->label);
+    const auto labels = placedLabels(marks, QFontMetricsF(window->font()), QRectF(window->view().rect()), mark->lines);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (std::size_t k = i + 1; k < labels.size(); ++k)
+            QVERIFY(!labels[i].box.intersects(labels[k].box));
+    }
+    QVERIFY(std::any_of(labels.begin(), labels.end(),
+                        [&](const PlacedLabel &label) { return label.mark + 1 == marks.size(); }));
+    emit rows->itemClicked(rows->findItems(kind, Qt::MatchExactly)[0], 0); // once more
+    QVERIFY(!measureMark(document));
+}
+
+QTEST_MAIN(TestCurves)
+#include "test_curves.moc"
