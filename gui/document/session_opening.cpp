@@ -185,6 +185,8 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
     const int others = static_cast<int>(models.size()) - 1;
     m_document.setObjects(std::move(objects));
     setScene(others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first));
+    if (const QString sizes = sizesText(m_document.objects(), m_document.objects().size()); !sizes.isEmpty())
+        emit noticed(sizes);
 }
 
 void Session::takeScene(Pending pending, const std::vector<LoadedModel> &models)

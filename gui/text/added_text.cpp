@@ -47,29 +47,49 @@ std::optional<Misfit> misfitAmong(const std::vector<SceneObject> &objects, std::
     return misfit;
 }
 
+/// Whether each that is seen is a speck in the picture of all.
+bool areFarApart(const std::vector<SceneObject> &objects)
+{
+    Box all;
+    double largest = 0.0;
+    for (const SceneObject &object : objects) {
+        if (object.isHidden)
+            continue;
+        all.add(boundsOf(object));
+        largest = std::max(largest, boundsOf(object).diagonal());
+    }
+    return largest > 0.0 && all.diagonal() > kMuchLarger * largest;
+}
+
 } // namespace
+
+QString sizesText(const std::vector<SceneObject> &objects, std::size_t added)
+{
+    if (areFarApart(objects))
+        return AddedText::tr("The objects lie so far apart that all of them are specks: Fit, in Objects, shows each.");
+    const std::optional<Misfit> misfit = misfitAmong(objects, added);
+    if (!misfit)
+        return {};
+    const QString name = QString::fromStdString(misfit->object->name);
+    const double times = std::max(misfit->ratio, 1.0 / misfit->ratio);
+    const QString ratio = QLocale().toString(std::round(times), 'f', 0);
+    return misfit->ratio > 1.0
+               ? AddedText::tr("%1 is %2 times as large as the rest: Fit, in Objects, shows each.").arg(name, ratio)
+               : AddedText::tr("The rest is %2 times as large as %1: Fit, in Objects, shows each.").arg(name, ratio);
+}
 
 QString addedText(const std::vector<SceneObject> &objects, std::size_t added)
 {
     std::size_t triangles = 0;
     for (std::size_t i = objects.size() - added; i < objects.size(); ++i)
         triangles += objects[i].model->triangleCount();
-    QString text =
+    const QString text =
         added == 1
             ? AddedText::tr("%1 added: %2").arg(QString::fromStdString(objects.back().name), trianglesText(triangles))
             : AddedText::tr("%1 models added: %2").arg(added).arg(trianglesText(triangles));
-    if (const std::optional<Misfit> misfit = misfitAmong(objects, added)) {
-        const QString name = QString::fromStdString(misfit->object->name);
-        const double times = std::max(misfit->ratio, 1.0 / misfit->ratio);
-        const QString ratio = QLocale().toString(std::round(times), 'f', 0);
-        const QString how =
-            misfit->ratio > 1.0
-                ? AddedText::tr("%1 is %2 times as large as the rest: Fit, in Objects, shows each.").arg(name, ratio)
-                : AddedText::tr("The rest is %2 times as large as %1: Fit, in Objects, shows each.").arg(name, ratio);
-        //: two sentences, the second with its full stop
-        text = AddedText::tr("%1. %2").arg(text, how);
-    }
-    return text;
+    const QString sizes = sizesText(objects, added);
+    //: two sentences, the second with its full stop
+    return sizes.isEmpty() ? text : AddedText::tr("%1. %2").arg(text, sizes);
 }
 
 } // namespace unprojector::gui

@@ -915,6 +915,10 @@
         <source>The rest is %2 times as large as %1: Fit, in Objects, shows each.</source>
         <translation>其余物体的大小是 %1 的 %2 倍：用“物体”面板中的“适合窗口”可分别查看。</translation>
     </message>
+    <message>
+        <source>The objects lie so far apart that all of them are specks: Fit, in Objects, shows each.</source>
+        <translation>各物体相距太远，都只是小点：用“物体”面板中的“适合窗口”可分别查看。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ClipGroup</name>

@@ -145,6 +145,7 @@ private slots:
     void modelsAreAddedAsOneStep();
     void whatWasAddedIsTold_data();
     void whatWasAddedIsTold();
+    void modelsFarApartAreTold();
     void modelsOfOneNameAreToldApart();
     void aFileOfManyObjectsIsReadOnce();
     void theNameAndTheMarkFollow();
@@ -415,6 +416,18 @@ void TestSession::whatWasAddedIsTold()
     QCOMPARE(desk->notices, QStringList(said));
     QCOMPARE(desk->document.undoStack().count(), 1);
     desk->session.end();
+}
+
+void TestSession::modelsFarApartAreTold()
+{
+    const QString away = write(QStringLiteral("away.obj"), "v 1000 0 0\nv 1001 0 0\nv 1000 1 0\nf 1 2 3\n");
+    const auto desk = this->desk();
+    QVERIFY(desk->openAndWait({file(QStringLiteral("triangle.obj")), away}));
+    QCOMPARE(desk->notices.size(), 1);
+    QVERIFY2(desk->notices[0].contains(QStringLiteral("so far apart")), qPrintable(desk->notices[0]));
+    desk->notices.clear();
+    QVERIFY(desk->openAndWait({file(QStringLiteral("triangle.obj")), file(QStringLiteral("triangle.obj"))}));
+    QVERIFY(desk->notices.isEmpty());
 }
 
 void TestSession::modelsOfOneNameAreToldApart()
