@@ -274,13 +274,20 @@ void SceneCurves::refresh()
             request.points.push_back(m_document.landmarks()[place]);
             request.points.back().name = ScenePoints::shownNameOf(m_document.landmarks(), place).toStdString();
         }
-        locate(request);
+        if (selection.size() > kMostMeasured)
+            request.fault = tr("it is worked out for at most %1 points").arg(kMostMeasured);
+        else
+            locate(request);
         m_selected = std::make_unique<Known>(known({}, std::move(request), formerSelected.get()));
     }
-    if (m_job)
-        m_job->isEnded = true; // what it has done is taken; the rest is asked again
-    else
+    const auto isWanted = [this](const Request &request) {
+        const auto asks = [&](const Known &each) { return each.line.isComputing && each.request == request; };
+        return std::any_of(m_known.begin(), m_known.end(), asks) || (m_selected && asks(*m_selected));
+    };
+    if (!m_job)
         begin();
+    else if (!std::all_of(m_job->requests.begin(), m_job->requests.end(), isWanted))
+        m_job->isEnded = true; // what it has done is taken; the rest is asked again
 }
 
 void SceneCurves::begin()

@@ -87,6 +87,8 @@ private:
 
     /// Of so many triangles a line is worked out at once: in less time than a picture takes.
     static constexpr std::size_t kMostAtOnce = 2'000;
+    /// Through more points that are selected, as all of them, nobody has asked for a line.
+    static constexpr std::size_t kMostMeasured = 20;
 
     void refresh();
     /// Finds the object that all points lie on.

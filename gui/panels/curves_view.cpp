@@ -50,18 +50,20 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     m_rows->setAccessibleName(tr("Curves"));
     m_rows->setRootIsDecorated(false);
     m_rows->setUniformRowHeights(true);
-    m_rows->setHeaderLabels({tr("Curve"), tr("Points"), tr("Way"), tr("Semilandmarks"), tr("Length")});
-    m_rows->headerItem()->setToolTip(Count,
-                                     plainToolTip(tr("In equal steps along the curve, both ends included; they are "
-                                                     "written into files with the points")));
+    m_rows->setHeaderLabels({tr("Curve"), tr("Points"), tr("Way"), tr("n"), tr("Length")});
+    m_rows->headerItem()->setToolTip(
+        Count, plainToolTip(tr("Semilandmarks, in equal steps along the curve, both ends included; they are "
+                               "written into files with the points")));
     m_rows->setTextElideMode(Qt::ElideMiddle);
     m_rows->setItemDelegate(new CurveDelegate(m_rows));
     m_rows->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_rows->setContextMenuPolicy(Qt::CustomContextMenu);
     m_rows->header()->setStretchLastSection(false);
-    for (const int column : {Name, Kind, Count, Length})
+    for (const int column : {Name, Kind, Count})
         m_rows->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    m_rows->header()->setSectionResizeMode(Points, QHeaderView::Stretch);
+    for (const int column :
+         {Points, Length}) // why a curve does not go is longer than the room for it: the tip has it whole
+        m_rows->header()->setSectionResizeMode(column, QHeaderView::Stretch);
     connect(m_rows, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem *item, int column) {
         const int row = m_rows->indexOfTopLevelItem(item);
         // Not while the editor is still at it: the rows are made anew.
@@ -142,8 +144,8 @@ void CurvesView::showRows()
             names << QString::fromStdString(name).simplified();
         item->setText(Points, names.join(QStringLiteral(" – ")));
         item->setText(Kind, curve.points.empty()                ? tr("as read")
-                            : curve.kind == CurveKind::Geodesic ? tr("on the surface")
-                                                                : tr("along a plane"));
+                            : curve.kind == CurveKind::Geodesic ? tr("geodesic")
+                                                                : tr("plane"));
         if (curve.points.empty())
             item->setText(Count, QString::number(curve.semilandmarks.size()));
         else

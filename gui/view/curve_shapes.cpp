@@ -91,7 +91,7 @@ CurveShapes curveShapes(const SceneDocument &document)
         for (const WorldPoint &place : semilandmarks) {
             // A line as long as it is wide is a dot; without any length it would have no direction.
             const glm::dvec3 at = lifted(place);
-            const glm::dvec3 half = 2.5 * worldPerLogicalPixel(picture, place) * frame->upward.coordinates();
+            const glm::dvec3 half = 3.5 * worldPerLogicalPixel(picture, place) * frame->upward.coordinates();
             shapes.dots.push_back({at - half, at + half, *color});
         }
     }

@@ -80,7 +80,7 @@ void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat
 
 void SceneOverlay::drawCurves(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
-    constexpr float kWidthLogical = 2.5f, kRimLogical = 4.5f, kDotLogical = 7.0f;
+    constexpr float kWidthLogical = 2.5f, kRimLogical = 4.5f, kDotLogical = 9.0f;
     const Picture &g = document.geometry();
     const CurveShapes shapes = curveShapes(document);
     const auto draw = [&](const std::vector<LineSegment> &lines, float widthLogical) {

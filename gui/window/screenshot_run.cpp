@@ -3,6 +3,7 @@
 #include "core/files/replace_file.h"
 #include "core/scene_file/clicks.h"
 #include "core/scene_file/scene_error_text.h"
+#include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
@@ -118,6 +119,7 @@ void ScreenshotRun::pressAndSave()
     // Rays say what a click meets, and which points are behind something.
     if (!m_request.clicks.empty() || !m_window->document().landmarks().empty())
         m_window->document().rayCasters().complete(m_window->document().objects());
+    m_window->document().curves().complete();
     std::vector<Click> clicks;
     for (const WidgetPoint &position : m_request.clicks) {
         SceneView &view = m_window->view();

@@ -1367,16 +1367,16 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <translation>路径</translation>
     </message>
     <message>
-        <source>Semilandmarks</source>
-        <translation>半标志点</translation>
+        <source>n</source>
+        <translation>n</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>长度</translation>
     </message>
     <message>
-        <source>In equal steps along the curve, both ends included; they are written into files with the points</source>
-        <translation>沿曲线等距分布，包括两端；与点一起写入文件</translation>
+        <source>Semilandmarks, in equal steps along the curve, both ends included; they are written into files with the points</source>
+        <translation>半标志点，沿曲线等距分布，包括两端；与点一起写入文件</translation>
     </message>
     <message>
         <source>Why there is no curve</source>
@@ -1415,12 +1415,12 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <translation>如文件所给</translation>
     </message>
     <message>
-        <source>on the surface</source>
-        <translation>沿曲面</translation>
+        <source>geodesic</source>
+        <translation>测地线</translation>
     </message>
     <message>
-        <source>along a plane</source>
-        <translation>沿平面</translation>
+        <source>plane</source>
+        <translation>平面</translation>
     </message>
     <message>
         <source>Lead Along a &amp;Plane</source>
@@ -4392,6 +4392,10 @@ of a point that needs no division</source>
     <message>
         <source>there is no point “%1”</source>
         <translation>没有点“%1”</translation>
+    </message>
+    <message>
+        <source>it is worked out for at most %1 points</source>
+        <translation>最多对 %1 个点进行计算</translation>
     </message>
     <message>
         <source>several points are called “%1”; rename all but one</source>

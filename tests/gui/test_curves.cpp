@@ -20,6 +20,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <numeric>
 
 using namespace guitest;
 using landmarks::CurveKind;
@@ -276,6 +277,12 @@ void TestCurves::theLengthAlongTheSurfaceIsAMeasure()
     QVERIFY(view.csv().contains("\nAlong the surface,top – front,1.25"));
     QVERIFY(document->points().moveTo(1, WorldPoint(0, 0, 0)));
     QCOMPARE(rows->topLevelItem(1)->text(2), "“front” is not on a surface; B puts it there");
+    std::vector<Landmark> many(21, document->landmarks()[0]);
+    QVERIFY(document->editLandmarks(many, {"many"}));
+    std::vector<std::size_t> all(many.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    document->points().select(all);
+    QCOMPARE(rows->topLevelItem(rows->topLevelItemCount() - 1)->text(2), "it is worked out for at most 20 points");
 }
 
 void TestCurves::curvesAreDrawnOnTheSurface()
