@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <unordered_map>
+#include <utility>
 
 namespace unprojector::curves {
 namespace {
