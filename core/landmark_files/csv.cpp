@@ -242,6 +242,17 @@ void addToCurve(LandmarkSet &set, const Cells &cells)
         curve->semilandmarks.push_back(WorldPoint(*place));
 }
 
+/// Whether a row of a curve has what is kept of landmarks only.
+bool saysMore(const Cells &cells, const Header &header, const CsvRow &row)
+{
+    const auto isOther = [&](const auto &other) { return !row.cells[other.first].empty(); };
+    for (std::size_t column = Object; column <= Hidden; ++column) {
+        if (!cells[Column(column)].empty())
+            return true;
+    }
+    return std::any_of(header.others.begin(), header.others.end(), isOther);
+}
+
 } // namespace
 
 ReadLandmarks readCsv(std::string_view text)
@@ -251,6 +262,7 @@ ReadLandmarks readCsv(std::string_view text)
         throw Failure{1, "the file is empty; the first line names the columns, name,x,y,z at least"};
     const Header header = headerOf(rows.front());
     ReadLandmarks read;
+    Notes notes;
     std::map<std::string, std::size_t, std::less<>> places;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const CsvRow &row = rows[i];
@@ -274,11 +286,15 @@ ReadLandmarks readCsv(std::string_view text)
                                             + "\", and that of the rows before is \"" + *known
                                             + "\"; a specimen has one, so give it in each of its rows"};
         }
-        if (cells[CurveName].empty())
+        if (cells[CurveName].empty()) {
             set.landmarks.push_back(landmarkOf(header, row));
-        else
+        } else {
             addToCurve(set, cells);
+            if (saysMore(cells, header, row))
+                notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
+        }
     }
+    read.notes = notes.take();
     for (LandmarkSet &set : read.sets) {
         for (Curve &curve : set.curves) {
             if (curve.count == 0) // the table of somebody who knows the semilandmarks only

@@ -68,6 +68,7 @@ struct LandmarkNote {
         FlatPoints,         ///< count: of two coordinates, z is 0
         Scaled,             ///< detail: the factor that coordinates were multiplied by
         CurvesLeftOut,      ///< count: points of curves that have fewer than two
+        CurveCellsLeftOut,  ///< count: rows of semilandmarks that say more than where they are
         MissingHadPosition, ///< count: points that are not placed and have coordinates all the same
         CommentsLeftOut,    ///< count: lines
     };

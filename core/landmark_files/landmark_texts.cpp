@@ -76,6 +76,9 @@ std::string noteText(const LandmarkNote &note)
     case Kind::Scaled: return "coordinates are multiplied by the SCALE of the file, " + note.detail;
     case Kind::CurvesLeftOut:
         return counted(note.count, "point", "points") + " of curves are left out: a curve has two at least";
+    case Kind::CurveCellsLeftOut:
+        return counted(note.count, "row of a curve says", "rows of curves say")
+               + " more than where a semilandmark is, which is left out";
     case Kind::CurvesAsPoints:
         return counted(note.count, "semilandmark is", "semilandmarks are")
                + " written as points behind the others, named by their curve; what the curves go through is left out";

@@ -138,6 +138,9 @@ ReadLandmarks readTps(std::string_view text)
                 if (place.isMissing())
                     throw Failure{lines.number(), "a point of a curve is NA; a curve has all its points"};
                 curve.semilandmarks.push_back(WorldPoint(place.world->coordinates() * scaleOfSet));
+                if (!isFinite(curve.semilandmarks.back()))
+                    throw Failure{lines.number(),
+                                  "SCALE makes this point's coordinates too large; write a smaller one"};
             }
             if (count < 2) {
                 notes.add(LandmarkNote::Kind::CurvesLeftOut, count);

@@ -436,6 +436,12 @@ void TestLandmarkFiles::curvesComeBackFromTheFormatsThatHoldThem()
     QVERIFY2(read.hasValue(), read ? "" : errorText(read.error()).c_str());
     QVERIFY(read->sets.front() == set);
 
+    const auto more =
+        parseLandmarks("x,y,z,curve,note,sex\n1,2,3,c,,\n1,2,3,c,worn,\n1,2,3,c,,f\n", Format::Csv, "x.csv");
+    QVERIFY(more);
+    QCOMPARE(textsOf(more->notes),
+             QStringList("2 rows of curves say more than where a semilandmark is, which is left out"));
+
     const auto tps = landmarksText({&set, 1}, Format::Tps);
     const auto back = parseLandmarks(tps->text, Format::Tps, "x.tps");
     QVERIFY(back);
@@ -457,6 +463,9 @@ void TestLandmarkFiles::badCurvesAreRefused_data()
                                << "x:2: curveCount is 1; write 2 to 1000";
     QTest::newRow("tps-missing") << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3\nNA NA NA\n")
                                  << "x:5: a point of a curve is NA; a curve has all its points";
+    QTest::newRow("tps-scale") << int(Format::Tps)
+                               << QByteArray("LM3=0\nSCALE=1e300\nCURVES=1\nPOINTS=2\n1e300 2 3\n1 2 3\n")
+                               << "x:5: SCALE makes this point's coordinates too large; write a smaller one";
     QTest::newRow("tps-row") << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3 4\n1 2 3\n")
                              << "x:4: \"1 2 3 4\" is no point of a curve; write two or three numbers";
 }
