@@ -38,7 +38,9 @@ enum class ErrorCode {
     ViewportTooLarge,      ///< value: the number of pixels, other: the most that is drawn
     FramebufferTooLarge,   ///< value: width, other: height, of a window that no driver draws
     DepthRangeNotDrawable, ///< value: an end outside [0, 1], where OpenGL would cut it
-    ViewNotRigid,          ///< value: how far the axes are from orthonormal; with other, the entry at that place
+    ObjectTooFar,   ///< value: the coordinate that its transform gives it, an infinity or NaN where that overflows
+    ObjectTooSmall, ///< value: the size that its transform leaves of it
+    ViewNotRigid,   ///< value: how far the axes are from orthonormal; with other, the entry at that place
 };
 
 struct Error {

@@ -15,7 +15,7 @@ Check reachable(const SceneObject &object)
     for (const glm::dvec3 &corner : {box.lowest, box.highest}) {
         for (int axis = 0; axis < 3; ++axis) {
             if (!(std::abs(corner[axis]) <= kFarthestWorld))
-                return Error{ErrorCode::NotFinite, corner[axis]};
+                return Error{ErrorCode::ObjectTooFar, corner[axis]};
         }
     }
     const glm::dvec3 size = box.highest - box.lowest;
@@ -24,7 +24,7 @@ Check reachable(const SceneObject &object)
     // Far away an object's size may be lost in its coordinates, which is no matter of its scale.
     const bool isLost = largest == 0.0 && box.lowest != glm::dvec3(0.0);
     if (!isPoint && !isLost && largest < 1.0 / kFarthestWorld)
-        return Error{ErrorCode::NotFinite, std::max(largest, std::numeric_limits<double>::denorm_min())};
+        return Error{ErrorCode::ObjectTooSmall, std::max(largest, std::numeric_limits<double>::denorm_min())};
     return std::monostate{};
 }
 

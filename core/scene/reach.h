@@ -9,8 +9,7 @@ namespace unprojector::scene {
 constexpr double kFarthestWorld = 1e100;
 
 /// Whether an object's transform leaves it where it can be computed with.
-/// @return NotFinite with the coordinate that is too far away, a NaN or an infinity among them, or with a size that is too
-///         small
+/// @return ObjectTooFar; ObjectTooSmall
 Check reachable(const SceneObject &object);
 
 } // namespace unprojector::scene

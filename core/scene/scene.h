@@ -93,7 +93,7 @@ Box boundsOf(const Scene &scene);
 /// Adds what is seen of an object: the corners of its triangles.
 void add(Framing &framing, const SceneObject &object);
 
-/// @return the first error of the camera, projection, viewport rule, depth range, transforms; NotFinite and
+/// @return the first error of the camera, projection, viewport rule, depth range, transforms (reachable too); NotFinite and
 ///         ClipPlaneHasNoNormal (A = B = C = 0) for clip planes
 Check check(const Scene &scene);
 

@@ -74,7 +74,9 @@ std::string causeText(const Error &error)
     case ErrorCode::ViewportNotWhole:
     case ErrorCode::ViewportTooLarge:
     case ErrorCode::FramebufferTooLarge:
-    case ErrorCode::DepthRangeNotDrawable: return errorText(error); // of drawing, not of the file
+    case ErrorCode::DepthRangeNotDrawable:
+    case ErrorCode::ObjectTooFar:
+    case ErrorCode::ObjectTooSmall: return errorText(error); // of showing, not of the file
     case ErrorCode::SingularMatrix: return "the matrix has no inverse";
     case ErrorCode::PointAtInfinity: return "the point lies at infinity";
     case ErrorCode::ScaleIsZero: return "a factor is 0; it must differ from 0";

@@ -8,25 +8,11 @@
 namespace unprojector::text {
 using namespace geometry;
 
-namespace {
-
-/// Between this and its inverse numbers are read as they are given.
-constexpr double kFarthest = 1e99;
-
-} // namespace
-
 std::string errorText(const Error &error)
 {
     const std::string value = shortestText(error.value), other = shortestText(error.other);
     switch (error.code) {
-    case ErrorCode::NotFinite:
-        // Of an object, see scene::reachable.
-        if (std::isfinite(error.value) && std::abs(error.value) > kFarthest)
-            return "an object reaches to " + value
-                   + ", farther than can be computed; look at its scales and translations";
-        if (std::abs(error.value) < 1.0 / kFarthest)
-            return "an object measures " + value + ", less than can be computed; look at its scales";
-        return value + " is not a finite number; give a number";
+    case ErrorCode::NotFinite: return value + " is not a finite number; give a number";
     case ErrorCode::NearNotPositive: return "near is " + value + "; it must be greater than 0 and smaller than far";
     case ErrorCode::NearNotBeforeFar: return "near is " + value + "; it must be smaller than far (" + other + ")";
     case ErrorCode::LeftEqualsRight: return "left and right are both " + value + "; they must differ";
@@ -62,6 +48,10 @@ std::string errorText(const Error &error)
     case ErrorCode::MatrixNotAProjection:
         return "the matrix is no projection of a known form: the entry " + value + " at place " + other
                + " does not fit";
+    case ErrorCode::ObjectTooFar:
+        return "an object reaches to " + value + ", farther than can be computed; look at its scales and translations";
+    case ErrorCode::ObjectTooSmall:
+        return "an object measures " + value + ", less than can be computed; look at its scales";
     case ErrorCode::ViewNotRigid: return "the view matrix does more than turn and move: " + viewFault(error);
     }
     return {};

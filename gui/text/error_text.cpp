@@ -39,9 +39,6 @@ QString viewFault(const Error &error)
         .arg(column + 1);
 }
 
-/// Between this and its inverse numbers are read as they are given.
-constexpr double kFarthest = 1e99;
-
 constexpr auto kModelSuffixes = "*.obj *.stl *.ply *.off *.gltf *.glb";
 
 } // namespace
@@ -78,15 +75,7 @@ QString errorText(const Error &error)
     const QString rounded = writtenText(error.other, 7);
     const QString other = rounded.toDouble() == error.value ? shortestText(error.other) : rounded;
     switch (error.code) {
-    case ErrorCode::NotFinite:
-        // Of an object, see scene::reachable.
-        if (std::isfinite(error.value) && std::abs(error.value) > kFarthest)
-            return Errors::tr("An object reaches to %1, farther than can be computed. Look at its scales and "
-                              "translations.")
-                .arg(value);
-        if (std::abs(error.value) < 1.0 / kFarthest)
-            return Errors::tr("An object measures %1, less than can be computed. Look at its scales.").arg(value);
-        return Errors::tr("%1 is not a finite number; give a number.").arg(value);
+    case ErrorCode::NotFinite: return Errors::tr("%1 is not a finite number; give a number.").arg(value);
     case ErrorCode::NearNotPositive:
         return Errors::tr("Near is %1; it must be greater than 0 and smaller than far (%2).").arg(value, other);
     case ErrorCode::NearNotBeforeFar:
@@ -130,6 +119,12 @@ QString errorText(const Error &error)
             .arg(value)
             .arg(static_cast<int>(error.other) % 4 + 1)
             .arg(static_cast<int>(error.other) / 4 + 1);
+    case ErrorCode::ObjectTooFar:
+        return Errors::tr("An object reaches to %1, farther than can be computed. Look at its scales and "
+                          "translations.")
+            .arg(value);
+    case ErrorCode::ObjectTooSmall:
+        return Errors::tr("An object measures %1, less than can be computed. Look at its scales.").arg(value);
     case ErrorCode::ViewNotRigid: return viewFault(error);
     case ErrorCode::ClipPlaneHasNoNormal:
         return Errors::tr("A, B and C of the clip plane are all 0; one of them must differ.");

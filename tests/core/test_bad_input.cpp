@@ -5,6 +5,7 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/projection.h"
 #include "core/geometry/viewport.h"
+#include "core/scene/reach.h"
 #include "core/unproject/closed_form.h"
 #include "core/unproject/matrix_inverse.h"
 #include "tests/support/unprojecting.h"
@@ -76,6 +77,8 @@ private slots:
     void bothEndsOfTheDepthRangeAreAccepted();
     void aBadMatrixIsRefused_data();
     void aBadMatrixIsRefused();
+    void anObjectOutOfReachIsRefused_data();
+    void anObjectOutOfReachIsRefused();
     void aMatrixOfAnyScaleIsInverted_data();
     void aMatrixOfAnyScaleIsInverted();
     void aBadCameraIsRefused_data();
@@ -315,6 +318,38 @@ void TestBadInput::aBadMatrixIsRefused()
     QVERIFY(isError(unprojectByInverse<WorldSpace>(matrix, kViewport, {}, window), code, value, kNan));
     QVERIFY(isError(unprojectByInverse<ObjectSpace>(matrix, kViewport, {}, window), code, value, kNan));
     QVERIFY(isError((unprojectByInverse<WorldSpace, float>(matrix, kViewport, {}, window)), code, value, kNan));
+}
+
+void TestBadInput::anObjectOutOfReachIsRefused_data()
+{
+    using enum ErrorCode;
+    QTest::addColumn<TransformStep>("step");
+    QTest::addColumn<std::optional<ErrorCode>>("code");
+    QTest::addColumn<double>("value");
+    const auto row = [](const char *name, const TransformStep &step, std::optional<ErrorCode> code, double value) {
+        QTest::newRow(name) << step << code << value;
+    };
+    row("as far as can be", Translate{{0, 9e99, 0}}, {}, 0.0);
+    row("too far", Translate{{0, 2e100, 0}}, ObjectTooFar, 2e100);
+    row("too far, to the left", Translate{{-2e100, 0, 0}}, ObjectTooFar, -2e100);
+    row("too large", Scale{glm::dvec3(1e101)}, ObjectTooFar, -1e101);
+    row("beyond doubles", Scale{glm::dvec3(1e308)}, ObjectTooFar, -1e308);
+    row("as small as can be", Scale{glm::dvec3(1e-100)}, {}, 0.0);
+    row("too small", Scale{glm::dvec3(1e-101)}, ObjectTooSmall, 2e-101);
+}
+
+/// Every number of the transform is finite: that is another refusal.
+void TestBadInput::anObjectOutOfReachIsRefused()
+{
+    QFETCH(TransformStep, step);
+    QFETCH(std::optional<ErrorCode>, code);
+    QFETCH(double, value);
+    const auto model = std::make_shared<scene::Model>();
+    model->bounds = {glm::dvec3(-1.0), glm::dvec3(1.0)};
+    const Check reached = scene::reachable({"object", {}, model, {step}});
+    QCOMPARE(reached.hasValue(), !code);
+    if (code)
+        QVERIFY(isError(reached, *code, value, kNan));
 }
 
 void TestBadInput::aMatrixOfAnyScaleIsInverted_data()

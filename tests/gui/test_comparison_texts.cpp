@@ -278,7 +278,16 @@ void TestComparisonTexts::everyErrorHasItsSentence_data()
     row("point at infinity", ErrorCode::PointAtInfinity);
     row("scale is zero", ErrorCode::ScaleIsZero);
     row("rotation axis is zero", ErrorCode::RotationAxisIsZero);
-    QCOMPARE(codes.size(), std::size_t(ErrorCode::RotationAxisIsZero) + 1); // none is left out
+    row("clip plane without a normal", ErrorCode::ClipPlaneHasNoNormal);
+    row("matrix not a projection", ErrorCode::MatrixNotAProjection, {value});
+    row("viewport not whole", ErrorCode::ViewportNotWhole, {value});
+    row("viewport too large", ErrorCode::ViewportTooLarge, {value, other});
+    row("framebuffer too large", ErrorCode::FramebufferTooLarge, {value, other});
+    row("depth range not drawable", ErrorCode::DepthRangeNotDrawable, {value});
+    row("object too far", ErrorCode::ObjectTooFar, {value});
+    row("object too small", ErrorCode::ObjectTooSmall, {value});
+    row("view not rigid", ErrorCode::ViewNotRigid);
+    QCOMPARE(codes.size(), std::size_t(ErrorCode::ViewNotRigid) + 1); // none is left out
 }
 
 void TestComparisonTexts::everyErrorHasItsSentence()
@@ -290,6 +299,9 @@ void TestComparisonTexts::everyErrorHasItsSentence()
     QVERIFY2(!hasPlaceholder(text), qPrintable(text));
     for (const QString &value : named)
         QVERIFY2(text.contains(value), qPrintable(text));
+    if (code == int(ErrorCode::MatrixNotAProjection)
+        || code == int(ErrorCode::ViewNotRigid)) // they always have a place
+        return;
     const QString nan = errorText(Error{static_cast<ErrorCode>(code)});
     QVERIFY2(!hasPlaceholder(nan), qPrintable(nan));
 }

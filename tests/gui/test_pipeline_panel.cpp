@@ -420,6 +420,7 @@ void TestPipelinePanel::aRefusedChangeLeavesTheNumbers()
     // Valid step by step, but too small for the inverse to be a number.
     const Check refused = document.editTransform(0, {Scale{glm::dvec3(1e-200)}}, {QStringLiteral("Scale")});
     QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::ObjectTooSmall);
     QVERIFY2(errorText(refused.error()).contains(QStringLiteral("less than can be computed")),
              qPrintable(errorText(refused.error())));
     QCOMPARE(value(panel.model().matrix(Stage::ProjectionMatrix), 0, 0), 0.1);
