@@ -7,6 +7,7 @@
 #include "core/files/path_text.h"
 #include "core/scene/bundled_models.h"
 #include "core/scene/opening_view.h"
+#include "core/scene_file/scene_error_text.h"
 #include "core/text/error_text.h"
 
 #include <algorithm>
@@ -125,7 +126,14 @@ std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &s
         std::vector<ModelPointer> models;
         for (const SceneObject &object : opened.objects)
             models.push_back(object.model);
-        scene = sceneFromFile(*opened.file, pathFromUtf8(opened.name), models);
+        Result<Scene, SceneFileError> shown = sceneFromFile(*opened.file, pathFromUtf8(opened.name), models);
+        if (!shown) {
+            SceneFileError error = shown.error();
+            error.file = opened.name;
+            complain(sceneErrorText(error));
+            return std::nullopt;
+        }
+        scene = std::move(shown).value();
     } else {
         Scene first;
         first.objects = opened.objects;

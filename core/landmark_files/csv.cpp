@@ -1,6 +1,7 @@
 // Our own table: name,x,y,z,object,face,u,v,w,note and, where a landmark has more, the columns for it.
 
 #include "core/landmark_files/lines.h"
+#include "core/scene_file/json_text.h"
 #include "core/scene_file/strict_json.h"
 #include "core/text/number_text.h"
 
@@ -136,8 +137,7 @@ bool hiddenOf(std::string_view text, std::size_t line)
 Json jsonOf(const std::string &cell)
 {
     const auto json = scene_file::parseStrictJson(cell); // no deeper than what writes it has stack for
-    const bool isJson =
-        json && !json->is_string() && json->dump(-1, ' ', false, Json::error_handler_t::replace) == cell;
+    const bool isJson = json && !json->is_string() && scene_file::compactJson(*json) == cell;
     return isJson ? *json : Json(cell);
 }
 
@@ -313,7 +313,7 @@ namespace {
 
 std::string cellOf(const Json &value)
 {
-    return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return value.is_string() ? value.get<std::string>() : scene_file::compactJson(value);
 }
 
 std::string number(double value)

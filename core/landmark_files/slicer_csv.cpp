@@ -2,6 +2,7 @@
 
 #include "core/landmark_files/lines.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/scene_file/json_text.h"
 #include "core/text/number_text.h"
 
 #include <array>
@@ -184,7 +185,7 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
             const Json value = isThere ? landmark.extra[key] : Json(usual);
             if (value.is_boolean())
                 return std::string(value.get<bool>() ? "1" : "0");
-            return plain.of(value.is_string() ? value.get<std::string>() : value.dump());
+            return plain.of(value.is_string() ? value.get<std::string>() : scene_file::compactJson(value));
         };
         appendCell(text, extra("id", std::to_string(i)));
         appendNumbers(text, landmark.world ? turned(*landmark.world, set.axes).coordinates() : glm::dvec3(0.0), ',');

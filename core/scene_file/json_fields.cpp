@@ -61,21 +61,9 @@ std::size_t FieldReader::oneKeyOf(std::span<const char *const> keys, std::size_t
             ++count;
         }
     }
-    if (count == 0)
-        m_object.member(keys.front()).fail(SceneFileErrorCode::Missing);
-    if (count > 1)
+    if (count != 1)
         m_object.fail(notOneOf(keys));
     return found;
-}
-
-std::size_t FieldReader::onlyKeyOf(std::span<const char *const> keys, std::size_t)
-{
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (m_object.member(keys[i]).exists() && m_object.json().size() == 1)
-            return i;
-    }
-    m_object.fail(notOneOf(keys));
-    return 0;
 }
 
 std::size_t FieldReader::checkedSize(const JsonNode &list, std::size_t most)

@@ -134,6 +134,22 @@ public:
             static_cast<void>(read(member.element(i), values.emplace_back(), how));
     }
 
+    /// The same of elements that have no place for their unknown keys.
+    /// @param extra  those of each element
+    template <class T>
+    void list(const char *key, std::vector<T> &values, std::vector<Json> &extra)
+    {
+        m_known.add(key);
+        const JsonNode member = m_object.member(key);
+        if (!member.exists())
+            return;
+        values.clear();
+        extra.clear();
+        const std::size_t count = member.size();
+        for (std::size_t i = 0; i < count && !failed(); ++i)
+            extra.push_back(read(member.element(i), values.emplace_back(), Plain{}));
+    }
+
     /// An angle, in degrees in JSON. Where no number of degrees gives the same radians again, those stand under a key of
     /// their own beside them.
     void angle(const char *degreesKey, const char *radiansKey, double &radians);
@@ -157,8 +173,6 @@ public:
     /// Which of the keys is there: exactly one must be, besides any others.
     /// @param written  which one to write
     std::size_t oneKeyOf(std::span<const char *const> keys, std::size_t written);
-    /// The same with no other key beside it.
-    std::size_t onlyKeyOf(std::span<const char *const> keys, std::size_t written);
 
     /// Notes what core says of what was read.
     /// @param check  asked once everything before it was read without an error
@@ -270,6 +284,16 @@ public:
             elements.push_back(write(value, how, nullptr));
         add(key, std::move(elements));
     }
+    /// @param extra  of the first elements; the others have none
+    template <class T>
+    void list(const char *key, const std::vector<T> &values, const std::vector<Json> &extra)
+    {
+        m_known.add(key);
+        Json elements = Json::array();
+        for (std::size_t i = 0; i < values.size(); ++i)
+            elements.push_back(write(values[i], Plain{}, i < extra.size() ? &extra[i] : nullptr));
+        add(key, std::move(elements));
+    }
     void angle(const char *degreesKey, const char *radiansKey, double radians);
     bool has(const char *key, bool isWritten)
     {
@@ -287,7 +311,6 @@ public:
             m_known.add(key);
         return written;
     }
-    std::size_t onlyKeyOf(std::span<const char *const> keys, std::size_t written) { return oneKeyOf(keys, written); }
     template <class Checking, class Key>
     void check(const Checking &, const Key &)
     {

@@ -1,5 +1,6 @@
 #include "core/scene_file/json_node.h"
 
+#include "core/scene_file/json_text.h"
 #include "core/scene_file/strict_json.h"
 
 #include <cmath>
@@ -15,7 +16,7 @@ JsonKind kindOf(const Json &json)
         return JsonKind::Null;
     if (json.is_boolean())
         return JsonKind::Boolean;
-    if (json.is_number())
+    if (isNumber(json))
         return JsonKind::Number;
     if (json.is_string())
         return JsonKind::Text;
@@ -109,7 +110,7 @@ bool JsonNode::hasSize(std::size_t count, JsonKind expected) const
 
 double JsonNode::number() const
 {
-    return is(JsonKind::Number, JsonKind::Number) ? m_json->get<double>() : 0.0;
+    return is(JsonKind::Number, JsonKind::Number) ? numberOf(*m_json) : 0.0;
 }
 
 double JsonNode::numberBetween(double lowest, double highest) const

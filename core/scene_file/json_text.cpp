@@ -1,7 +1,17 @@
 #include "core/scene_file/json_text.h"
 
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace unprojector::scene_file {
 namespace {
@@ -9,24 +19,54 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLineLength = 120;
+constexpr double kExact = 9007199254740992.0; // 2^53: all whole numbers below are doubles
+
+std::string_view keptDigits(const Json &json)
+{
+    const Json::binary_t &bytes = json.get_binary();
+    return {reinterpret_cast<const char *>(bytes.data()), bytes.size()};
+}
+
+/// The digits that all other texts have: the library's differ in the last one where two are as near.
+std::string numberText(double value)
+{
+    if (!std::isfinite(value)) // JSON has no such number
+        return "null";
+    std::string digits = text::shortestText(value);
+    if (digits.find_first_of(".e") != std::string::npos)
+        return digits;
+    if (std::abs(value) < kExact)
+        return digits + ".0";
+    std::array<char, 32> power; // written out, most of its digits would mean nothing
+    const auto end = std::to_chars(power.data(), power.data() + power.size(), value, std::chars_format::scientific);
+    return {power.data(), end.ptr};
+}
+
+std::string leafText(const Json &leaf, Json::error_handler_t badText)
+{
+    if (leaf.is_binary())
+        return std::string(keptDigits(leaf));
+    return leaf.is_number_float() ? numberText(leaf.get<double>()) : leaf.dump(-1, ' ', false, badText);
+}
 
 /// Appends everything on one line and says whether it stayed within `limit` characters; else stops early.
+/// @param blank  behind commas and colons
 bool appendOnOneLine(std::string &text, const Json &json, std::size_t limit,
-                     Json::error_handler_t badText = Json::error_handler_t::strict)
+                     Json::error_handler_t badText = Json::error_handler_t::strict, std::string_view blank = " ")
 {
     if (!json.is_structured()) {
-        text += json.dump(-1, ' ', false, badText);
+        text += leafText(json, badText);
         return text.size() <= limit;
     }
     const bool isObject = json.is_object();
     text += isObject ? '{' : '[';
-    const char *separator = "";
+    bool isFirst = true;
     for (auto it = json.begin(); it != json.end(); ++it) {
-        text += separator;
-        separator = ", ";
+        if (!std::exchange(isFirst, false))
+            text.append(",").append(blank);
         if (isObject)
-            text += Json(it.key()).dump(-1, ' ', false, badText) + ": ";
-        if (!appendOnOneLine(text, *it, limit, badText))
+            text.append(Json(it.key()).dump(-1, ' ', false, badText)).append(":").append(blank);
+        if (!appendOnOneLine(text, *it, limit, badText, blank))
             return false;
     }
     text += isObject ? '}' : ']';
@@ -113,9 +153,41 @@ std::string jsonLine(const Json &json)
     return text;
 }
 
+std::string compactJson(const Json &json)
+{
+    std::string text;
+    appendOnOneLine(text, json, std::string::npos, Json::error_handler_t::replace, {});
+    return text;
+}
+
+Json readNumber(double value, const std::string &written)
+{
+    constexpr std::ptrdiff_t kDigitsOfDoubles = 15; // any number of so many survives
+    const std::string_view mantissa(written.data(), std::min(written.find_first_of("eE"), written.size()));
+    const auto digits = std::count_if(mantissa.begin(), mantissa.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (digits <= kDigitsOfDoubles || numberText(value) == written)
+        return value;
+    return Json::binary(std::vector<std::uint8_t>(written.begin(), written.end()));
+}
+
+bool isNumber(const Json &json)
+{
+    return json.is_number() || json.is_binary();
+}
+
+double numberOf(const Json &json)
+{
+    if (!json.is_binary())
+        return json.get<double>();
+    double value = 0.0;
+    const std::string_view digits = keptDigits(json);
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    // Only a number too small for a double is left: what is too large is no JSON here.
+    return read.ec == std::errc() ? value : 0.0;
+}
+
 Json jsonNumber(double value)
 {
-    constexpr double kExact = 9007199254740992.0; // 2^53
     if (value == std::floor(value) && std::abs(value) < kExact && !(value == 0.0 && std::signbit(value)))
         return static_cast<std::int64_t>(value);
     return value;

@@ -90,7 +90,7 @@ void Plain::read(const JsonNode &node, NdcDepth &value)
         SceneFileError error;
         error.code = SceneFileErrorCode::UnknownChoice;
         error.foundKind = JsonKind::Array;
-        error.found = shortened(node.json().dump());
+        error.found = shortened(compactJson(node.json()));
         error.choices = {"[-1, 1]", "[0, 1]"};
         node.fail(std::move(error));
     }

@@ -1,3 +1,6 @@
+#include "core/files/path_text.h"
+#include "core/geometry/drawable.h"
+#include "core/scene/reach.h"
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
@@ -87,6 +90,32 @@ bool hasSameSource(const SceneFileObject &a, const SceneFileObject &b)
     return isSameFile && a.bundled == b.bundled;
 }
 
+/// What the steps of a transform had of keys that are not ours, each once: to the step that is as it was, else to the one
+/// of its kind that stands in its place.
+std::vector<nlohmann::ordered_json> keptExtra(const std::vector<TransformStep> &steps, const SceneFileObject &before)
+{
+    std::vector<nlohmann::ordered_json> extra(before.transformExtra.empty() ? 0 : steps.size());
+    const std::size_t count = std::min(before.transform.size(), before.transformExtra.size());
+    std::vector<bool> isTaken(count), isKnown(extra.size());
+    const auto take = [&](std::size_t i, std::size_t k) {
+        if (isTaken[k] || isKnown[i])
+            return;
+        extra[i] = before.transformExtra[k];
+        isTaken[k] = isKnown[i] = true;
+    };
+    for (std::size_t i = 0; i < extra.size(); ++i) {
+        for (std::size_t k = 0; k < count; ++k) {
+            if (steps[i] == before.transform[k])
+                take(i, k);
+        }
+    }
+    for (std::size_t i = 0; i < std::min(extra.size(), count); ++i) {
+        if (steps[i].index() == before.transform[i].index())
+            take(i, i);
+    }
+    return extra;
+}
+
 /// Gives objects the keys that are not ours of those before: each of them once, to the one that has its name, else to the
 /// one that stands in its place, as one that was renamed does.
 void keepUnknownKeys(std::vector<SceneFileObject> &objects, const std::vector<SceneFileObject> &before)
@@ -96,6 +125,7 @@ void keepUnknownKeys(std::vector<SceneFileObject> &objects, const std::vector<Sc
         if (isTaken[k] || isKnown[i] || !hasSameSource(objects[i], before[k]))
             return;
         objects[i].extra = before[k].extra;
+        objects[i].transformExtra = keptExtra(objects[i].transform, before[k]);
         isTaken[k] = isKnown[i] = true;
     };
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -108,7 +138,48 @@ void keepUnknownKeys(std::vector<SceneFileObject> &objects, const std::vector<Sc
         take(i, i);
 }
 
+SceneFileError failed(const std::string &name, std::string keyPath, const Error &cause)
+{
+    SceneFileError error;
+    error.code = SceneFileErrorCode::InvalidValue;
+    error.file = name;
+    error.keyPath = std::move(keyPath);
+    error.cause = cause;
+    return error;
+}
+
 } // namespace
+
+std::optional<SceneFileError> whyNotShown(const SceneFile &file, const std::string &name)
+{
+    // The first of the two that the window would take, see sceneFromFile.
+    const ViewportRule *rule = file.ui.viewportRule ? &*file.ui.viewportRule : nullptr;
+    const bool isFixed = rule && rule->kind == ViewportRule::Kind::Fixed;
+    if (isFixed || (!rule && file.viewport)) {
+        const std::string path = isFixed ? "ui.viewportRule.fixed." : "viewport.";
+        const auto &[x, y, width, height] = isFixed ? rule->fixed : *file.viewport;
+        for (const auto &[key, pixels] :
+             {std::pair("x", x), std::pair("y", y), std::pair("width", width), std::pair("height", height)}) {
+            if (const Check valid = checkViewportNumber(pixels); !valid)
+                return failed(name, path + key, valid.error());
+        }
+    }
+    const auto &[atNear, atFar] = file.depthRange;
+    for (const auto &[key, depth] : {std::pair("depthRange[0]", atNear), std::pair("depthRange[1]", atFar)}) {
+        if (const Check valid = checkDepthRangeEnd(depth); !valid)
+            return failed(name, key, valid.error());
+    }
+    if (static_cast<float>(atNear) == static_cast<float>(atFar)) // which is all that OpenGL takes
+        return failed(name, "depthRange", {ErrorCode::EmptyDepthRange, atNear});
+    if (const auto *matrix = std::get_if<MatrixProjection>(&file.projection)) {
+        if (const auto form = recognised(*matrix); !form)
+            return failed(name, "projection.matrix", form.error());
+    }
+    if (const Result<Picture> picture = byParameters(pictureOf(file)); !picture)
+        return failed(name, std::holds_alternative<glm::dmat4>(file.view) ? "view.matrix" : "projection",
+                      picture.error());
+    return std::nullopt;
+}
 
 Picture pictureOf(const SceneFile &scene)
 {
@@ -127,32 +198,35 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
     return object.file.empty() ? std::filesystem::path() : sceneFile.parent_path() / object.file;
 }
 
-Result<Scene> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,
-                            const std::vector<std::shared_ptr<const Model>> &models)
+Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,
+                                            const std::vector<std::shared_ptr<const Model>> &models)
 {
     assert(models.size() == file.objects.size());
-    const Result<Picture> picture = byParameters(pictureOf(file));
-    if (!picture)
-        return picture.error();
+    const std::string name = files::utf8FromPath(sceneFile.filename());
+    if (const std::optional<SceneFileError> error = whyNotShown(file, name))
+        return *error;
+    const Picture picture = byParameters(pictureOf(file)).value();
     Scene scene;
-    scene.camera = picture->camera();
+    scene.camera = picture.camera();
     scene.home = file.ui.home.value_or(scene.camera);
-    scene.projection = picture->projection();
+    scene.projection = picture.projection();
     if (const auto *matrix = std::get_if<MatrixProjection>(&file.projection))
         scene.given = {*matrix, scene.projection};
     scene.projectionFollowsViewport = file.ui.projectionFollowsViewport.value_or(file.aspectFromViewport);
     scene.clipDistancesFitObjects = file.ui.clipDistancesFitObjects.value_or(false);
     if (file.ui.viewportRule)
         scene.viewport = *file.ui.viewportRule;
-    else if (file.viewport && *file.viewport != wholeSurface(picture->surface)) {
+    else if (file.viewport && *file.viewport != wholeSurface(picture.surface)) {
         scene.viewport.kind = ViewportRule::Kind::Fixed;
         scene.viewport.fixed = *file.viewport;
     }
-    scene.depthRange = picture->depthRange;
+    scene.depthRange = picture.depthRange;
     for (std::size_t i = 0; i < file.objects.size() && i < models.size(); ++i) {
         const SceneFileObject &object = file.objects[i];
         scene.objects.push_back(
             {object.name, objectFile(object, sceneFile), models[i], object.transform, object.isHidden});
+        if (const Check valid = reachable(scene.objects.back()); !valid)
+            return failed(name, "objects[" + std::to_string(i) + "].transform", valid.error());
     }
     scene.clipPlanes = file.clipPlanes;
     scene.landmarks = file.landmarks;

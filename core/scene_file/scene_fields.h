@@ -141,7 +141,7 @@ template <class Fields, Is<TransformStep> T>
 void describe(Fields &json, T &step)
 {
     static constexpr std::array kSteps{"translate", "rotate", "scale"};
-    const std::size_t kind = json.onlyKeyOf(kSteps, step.index());
+    const std::size_t kind = json.oneKeyOf(kSteps, step.index());
     switch (kind) {
     case 0: json.required(kSteps[kind], as<Translate>(step).offset); break;
     case 1: json.required(kSteps[kind], as<Rotate>(step)); break;
@@ -159,7 +159,7 @@ void describe(Fields &json, T &object)
         json.required("file", object.file);
     else
         json.required("bundled", object.bundled, SomeText{});
-    json.list("transform", object.transform);
+    json.list("transform", object.transform, object.transformExtra);
     if (json.has("hidden", object.isHidden))
         json.required("hidden", object.isHidden);
 }

@@ -28,6 +28,7 @@ struct SceneFileObject {
 
     std::filesystem::path absoluteFile; ///< where `file` is, once that is known (see locateObjects)
     bool isHidden = false;              ///< "hidden": the window does not show it. Written only where it is so
+    std::vector<nlohmann::ordered_json> transformExtra = {}; ///< as `extra`, of the first steps of `transform`
 };
 
 /// A plane that does not cut, see ClipPlaneOff.
@@ -51,7 +52,7 @@ struct SceneFileUi {
 /// JSON; angles in degrees as in gluPerspective and glRotate, `window` in logical pixels, `viewport` in device pixels
 /// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "landmarks", "ui", the window's
 /// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
-/// written again after those it knows; only a transform's steps and a clip plane have no room for any.
+/// written again after those it knows, numbers with all the digits that they have in the file.
 /// "landmarks" are {"points": [{"name", "position": [x, y, z] or null where it is missing, "object", "held", …}], …}, in world
 /// space; what each of them lies on is said by the object's name.
 /// Where no number of degrees makes an angle's radians, "fovyRadians", "thetaRadians" or "phiRadians" say them as well.
@@ -125,14 +126,20 @@ void locateObjects(SceneFile &scene, const std::filesystem::path &sceneFile);
 /// @param sceneFile  the file that the scene was read from
 std::filesystem::path objectFile(const SceneFileObject &object, const std::filesystem::path &sceneFile);
 
+/// Why a window cannot draw what a file says, with the first key to change. The command computes with all of it.
+/// @param name  of the file, for the error
+/// @return InvalidValue: the errors of checkViewportNumber and checkDepthRangeEnd; EmptyDepthRange of two ends that are one
+///         in single precision; those of byParameters(Picture), of matrices that no camera of the window's makes
+std::optional<SceneFileError> whyNotShown(const SceneFile &scene, const std::string &name);
+
 /// The scene to show for a file.
 ///
 /// Without "ui" the file's numbers hold as they stand: near and far are not fitted, and the projection follows the
 /// viewport only where the file leaves its aspect to it. A viewport that takes the whole window keeps doing so.
 /// @param models  one for each of scene.objects
-/// @return the errors of byParameters(Picture): matrices that no camera of the window's makes
-Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
-                            const std::vector<std::shared_ptr<const Model>> &models);
+/// @return InvalidValue: whyNotShown; what reachable says of an object, with its place
+Result<Scene, SceneFileError> sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
+                                            const std::vector<std::shared_ptr<const Model>> &models);
 
 /// What to write for a scene: the numbers of the picture as it is shown, and under "ui" how the window makes them. Only
 /// the depth range is the scene's, with all the digits that were typed: OpenGL has it in single precision, and a depth
@@ -141,7 +148,7 @@ Result<Scene> sceneFromFile(const SceneFile &scene, const std::filesystem::path 
 /// @param geometry   of the scene, in the window that shows it
 /// @param sceneFile  to be written; the objects' files are given relative to its folder
 /// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its file
-///                   and its name, or its file and its place in the list, wherever the scene is written; those of a plane that is off while it lies where it did); a matrix as well, to the last digit, while the scene has just the projection or the camera
+///                   and its name, or its file and its place in the list, wherever the scene is written; those of a plane that is off while it lies where it did, those of a step while the transform has it, or a step of its kind in its place); a matrix as well, to the last digit, while the scene has just the projection or the camera
 ///                   that was read from it. Otherwise their parameters are written
 SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile,
                         const SceneFile &before = {});

@@ -33,7 +33,7 @@ enum class SceneFileErrorCode {
     WrongCount,       ///< keyPath; value: how many elements there are, limit: how many there must be
     TooMany,          ///< keyPath; value: how many elements there are, limit: the most there may be
     UnknownChoice,    ///< keyPath; found; choices
-    NotOneChoice,     ///< keyPath; choices: the keys of which exactly one must be there, and no other
+    NotOneChoice,     ///< keyPath; choices: the keys of which exactly one must be there
     OtherAngle,       ///< keyPath; value: radians that are not the angle that `found` says, limit: in degrees
     BadFileName,      ///< keyPath; empty, or with a zero byte
     NotUtf8,          ///< keyPath; a name that JSON cannot hold

@@ -1,5 +1,6 @@
 #include "core/scene_file/strict_json.h"
 
+#include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
@@ -78,7 +79,10 @@ public:
     bool boolean(bool value) { return add(value) != nullptr; }
     bool number_integer(Json::number_integer_t value) { return add(value) != nullptr; }
     bool number_unsigned(Json::number_unsigned_t value) { return add(value) != nullptr; }
-    bool number_float(Json::number_float_t value, const std::string &) { return add(value) != nullptr; }
+    bool number_float(Json::number_float_t value, const std::string &written)
+    {
+        return add(readNumber(value, written)) != nullptr;
+    }
     bool string(std::string &value) { return add(std::move(value)) != nullptr; }
     bool binary(Json::binary_t &) { return false; }
     bool start_object(std::size_t) { return open(Json::object()); }

@@ -1,5 +1,6 @@
 // What a session opens: models, scenes, the bundled one, the tutorials' examples.
 
+#include "core/files/path_text.h"
 #include "core/scene/bundled_models.h"
 #include "core/scene/bundled_scene.h"
 #include "core/scene/examples.h"
@@ -80,6 +81,10 @@ void Session::openScene(const std::filesystem::path &file, std::vector<std::file
     Result<SceneFile, SceneFileError> scene = readSceneFile(file);
     if (!scene) {
         emit failed(QString::fromStdString(sceneErrorText(scene.error())));
+        return;
+    }
+    if (const auto reason = whyNotShown(*scene, files::utf8FromPath(file.filename()))) {
+        emit failed(errorText(*reason));
         return;
     }
     if (!mayLeave())
@@ -210,9 +215,14 @@ void Session::takeScene(Pending pending, const std::vector<LoadedModel> &models)
         }
         inOrder.push_back(found->second);
     }
-    Result<Scene> scene = sceneFromFile(pending.contents, pending.path, inOrder);
-    const Check shown = scene ? m_document.open(std::move(scene).value()) : Check(scene.error());
-    if (!shown) {
+    Result<Scene, SceneFileError> scene = sceneFromFile(pending.contents, pending.path, inOrder);
+    if (!scene) {
+        SceneFileError reason = scene.error();
+        reason.file = pending.name.toStdString();
+        emit failed(errorText(reason));
+        return;
+    }
+    if (const Check shown = m_document.open(std::move(scene).value()); !shown) {
         emit failed(tr("%1: %2").arg(pending.name, errorText(shown.error())));
         return;
     }

@@ -1,6 +1,7 @@
 #include "gui/text/error_text.h"
 
 #include "core/geometry/angle.h"
+#include "core/scene_file/scene_error_text.h"
 #include "gui/text/number_text.h"
 
 #include <QCoreApplication>
@@ -130,6 +131,14 @@ QString errorText(const Error &error)
         return Errors::tr("A, B and C of the clip plane are all 0; one of them must differ.");
     }
     Q_UNREACHABLE();
+}
+
+QString errorText(const scene_file::SceneFileError &error)
+{
+    if (!error.cause)
+        return QString::fromStdString(sceneErrorText(error));
+    return QStringLiteral("%1: %2: %3")
+        .arg(QString::fromStdString(error.file), QString::fromStdString(error.keyPath), errorText(*error.cause));
 }
 
 QString errorText(const text::ExpressionError &error, const QString &typed)

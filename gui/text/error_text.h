@@ -2,6 +2,7 @@
 
 #include "core/geometry/result.h"
 #include "core/mesh_import/mesh_import.h"
+#include "core/scene_file/scene_file_error.h"
 #include "core/text/expression.h"
 
 #include <QString>
@@ -13,6 +14,8 @@ using namespace mesh_import;
 /// The window's wording of what core reports: names the value and says what to do.
 QString errorText(const Error &error);
 QString errorText(const ImportError &error);
+/// Names the file and the place in it.
+QString errorText(const scene_file::SceneFileError &error);
 /// Why a text typed for a number is none, with the place in it.
 QString errorText(const text::ExpressionError &error, const QString &typed);
 

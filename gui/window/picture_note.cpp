@@ -41,6 +41,12 @@ bool isLostInDepth(const ProjectionWindow &window, double distance)
     return distance > n && distance < kWellBefore * f && n * (f - distance) / (distance * (f - n)) < kHalfStep;
 }
 
+bool isOutside(const Viewport &viewport, const Surface &surface)
+{
+    return viewport.x >= surface.widthPixels || viewport.x + viewport.width <= 0.0 || viewport.y >= surface.heightPixels
+           || viewport.y + viewport.height <= 0.0;
+}
+
 } // namespace
 
 QString emptyPictureText(const SceneDocument &document)
@@ -50,6 +56,15 @@ QString emptyPictureText(const SceneDocument &document)
         return {};
     if (std::all_of(objects.begin(), objects.end(), [](const SceneObject &object) { return object.isHidden; }))
         return PictureNote::tr("All objects are hidden. The Objects panel shows them again.");
+    const auto &[surface, viewport, range, lens, pose] = document.geometry();
+    if (isOutside(viewport, surface))
+        return PictureNote::tr(
+                   "The viewport (x %1, y %2, width %3, height %4) lies wholly outside the window, which is "
+                   "%5 × %6 pixels: nothing is drawn. Change x or y, or Reset it.")
+            .arg(readableText(viewport.x), readableText(viewport.y), readableText(viewport.width),
+                 readableText(viewport.height))
+            .arg(surface.widthPixels)
+            .arg(surface.heightPixels);
     const Projection &projection = document.geometry().projection();
     const ProjectionWindow window = projectionWindow(projection);
     const Result<EyeFrame> frame = eyeFrame(document.geometry().camera());

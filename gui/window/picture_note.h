@@ -7,7 +7,7 @@ namespace unprojector::gui {
 class SceneDocument;
 
 /// Why there is nothing to be seen, or not all of it, where the reason is no fault of the picture's numbers: all objects are
-/// hidden, none lies between near and far, or far is so many times near that the depth buffer takes surfaces for background.
+/// hidden, the viewport lies outside the window, none lies between near and far, or far is so many times near that the depth buffer takes surfaces for background.
 /// @return nothing where there is no such reason
 QString emptyPictureText(const SceneDocument &document);
 

@@ -1105,6 +1105,11 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>Off by</source>
         <translation>偏差</translation>
     </message>
+    <message>
+        <source>%1
+… stands for the first digits, which are those under Certain; the window is too narrow for all.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ComparisonPanel</name>
@@ -3268,6 +3273,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Why nothing is seen</source>
         <translation>为何看不到任何内容</translation>
+    </message>
+    <message>
+        <source>The viewport (x %1, y %2, width %3, height %4) lies wholly outside the window, which is %5 × %6 pixels: nothing is drawn. Change x or y, or Reset it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -29,10 +29,9 @@ using Json = nlohmann::ordered_json;
 inline std::size_t mark(Json &json)
 {
     std::size_t marks = 0;
-    for (auto it = json.begin(); it != json.end(); ++it) {
-        const bool isSteps = json.is_object() && it.key() == "transform";
-        if (it->is_structured() && !isSteps)
-            marks += mark(*it);
+    for (Json &member : json) {
+        if (member.is_structured())
+            marks += mark(member);
     }
     if (!json.is_object())
         return marks;

@@ -128,7 +128,7 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("object a text", withMember("\"objects\": [\"a.obj\"]"),
         ": objects[0]: expected an object in { }, found \"a.obj\"");
     row("object without file", withMember("\"objects\": [{\"file\": \"a\"}, {\"name\": \"b\"}]"),
-        ": objects[1].file: is missing");
+        ": objects[1]: must have exactly one of file or bundled");
     row("hidden in words", withMember("\"objects\": [{\"file\": \"a\", \"hidden\": \"yes\"}]"),
         ": objects[0].hidden: expected true or false, found \"yes\"");
     row("object of two sources", withMember("\"objects\": [{\"file\": \"a\", \"bundled\": \"b\"}]"),

@@ -25,6 +25,9 @@ private slots:
     void aWindowsSceneSurvivesASave();
     void aSceneSavedElsewhereKeepsUnknownKeys_data();
     void aSceneSavedElsewhereKeepsUnknownKeys();
+    void unknownKeysOfStepsGoWithThem();
+    void whatNoWindowDrawsIsRefusedWithItsKey_data();
+    void whatNoWindowDrawsIsRefusedWithItsKey();
     void aModelBehindALinkStaysTheSame_data();
     void aModelBehindALinkStaysTheSame();
     void theDepthRangeOfAClickIsInSinglePrecision();
@@ -120,7 +123,7 @@ void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys()
     Json marked = Json::parse(kFullScene);
     marked["objects"][0]["file"] = isAbsolute ? (folder.path() + "/here/models/a.obj").toStdString() : "models/a.obj";
     const std::size_t marks = mark(marked);
-    QCOMPARE(marks, std::size_t(22));
+    QCOMPARE(marks, std::size_t(25));
     marked["objects"][0]["mark"] = "of the first object";
     QFile file(folder.filePath("here/scene.json"));
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -145,6 +148,69 @@ void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys()
     const SceneFile back = sceneFileFrom(sceneFromFile(again, written, {model, model}).value(),
                                          pictureOf(scene, {801, 599, 1.25}, {}).value(), source, after);
     QVERIFY(back.objects[0].extra["mark"] == "of the first object");
+}
+
+void TestSceneDescription::unknownKeysOfStepsGoWithThem()
+{
+    const QByteArray steps = R"([{"translate": [0, 0, -3], "by": "hand"}, {"scale": [2, 2, 2], "unit": "cm"}])";
+    const SceneFile before =
+        parsed(changed("\"window\"", R"("objects": [{"file": "a.obj", "transform": )" + steps + "}], \"window\""));
+    const auto model = std::make_shared<Model>();
+    const auto extraAfter = [&](const std::vector<TransformStep> &now) {
+        Scene scene = sceneFromFile(before, "scene.json", {model}).value();
+        scene.objects[0].transform = now;
+        return sceneFileFrom(scene, pictureOf(scene, {800, 600, 1}, {}).value(), "scene.json", before)
+            .objects[0]
+            .transformExtra;
+    };
+    const Json hand = {{"by", "hand"}}, unit = {{"unit", "cm"}};
+    const TransformStep moved = Translate{{0, 0, -3}}, scaled = Scale{glm::dvec3(2.0)};
+    using All = std::vector<Json>;
+    QVERIFY(extraAfter({moved, scaled}) == (All{hand, unit}));
+    QVERIFY(extraAfter({scaled, moved}) == (All{unit, hand}));                // dragged into another order
+    QVERIFY(extraAfter({Translate{{1, 2, 3}}, scaled}) == (All{hand, unit})); // typed anew
+    QVERIFY(extraAfter({scaled}) == (All{unit}));
+    QVERIFY(extraAfter({Rotate{30, {0, 1, 0}}, moved, scaled, moved}) == (All{nullptr, hand, unit, nullptr}));
+}
+
+void TestSceneDescription::whatNoWindowDrawsIsRefusedWithItsKey_data()
+{
+    QTest::addColumn<QByteArray>("members");
+    QTest::addColumn<QByteArray>("message"); // nothing: it is drawn
+    const auto row = [](const char *name, const char *members, const char *message) {
+        QTest::newRow(name) << QByteArray(members) << QByteArray(message);
+    };
+    row("a fraction", R"("viewport": {"x": 0, "y": 5.5, "width": 80, "height": 60})",
+        "s.json: viewport.y: 5.5 is not a whole number of pixels");
+    row("too wide", R"("viewport": {"x": 0, "y": 0, "width": 16385, "height": 60})",
+        "s.json: viewport.width: 16385 pixels are too many; use at most 16384");
+    row("a fraction that the rule leaves unused",
+        R"("viewport": {"x": 0, "y": 5.5, "width": 80, "height": 60}, "ui": {"viewportRule": {"kind": "wholeWindow"}})",
+        "");
+    row("a fraction of the rule's",
+        R"("ui": {"viewportRule": {"kind": "fixed", "fixed": {"x": -0.5, "y": 5, "width": 80, "height": 60}}})",
+        "s.json: ui.viewportRule.fixed.x: -0.5 is not a whole number of pixels");
+    row("near below 0", R"("depthRange": [-0.25, 1])",
+        "s.json: depthRange[0]: the depth is -0.25; it must lie between 0 and 1");
+    row("far above 1", R"("depthRange": [0, 1.5])",
+        "s.json: depthRange[1]: the depth is 1.5; it must lie between 0 and 1");
+    row("one end in single precision", R"("depthRange": [0.5, 0.500000001])",
+        "s.json: depthRange: both ends are 0.5; they must differ");
+    row("out of reach", R"("objects": [{"file": "a"}, {"file": "b", "transform": [{"translate": [0, 3e200, 0]}]}])",
+        "s.json: objects[1].transform: an object reaches to 3e+200, farther than can be computed; look at its scales "
+        "and "
+        "translations");
+}
+
+void TestSceneDescription::whatNoWindowDrawsIsRefusedWithItsKey()
+{
+    QFETCH(QByteArray, members);
+    QFETCH(QByteArray, message);
+    const SceneFile file = parsed(changed("\"window\"", members + ", \"window\""));
+    const auto model = std::make_shared<Model>();
+    model->bounds = {glm::dvec3(-1.0), glm::dvec3(1.0)};
+    const auto scene = sceneFromFile(file, "folder/s.json", {file.objects.size(), model});
+    QCOMPARE(scene ? QByteArray() : QByteArray::fromStdString(sceneErrorText(scene.error())), message);
 }
 
 void TestSceneDescription::aModelBehindALinkStaysTheSame_data()
@@ -289,8 +355,9 @@ void TestSceneDescription::aWindowShowsWhatMatricesOfItsCamerasSay()
     QVERIFY(scene.projection == Projection(Frustum{-1, 1, -0.75, 0.75, 1, 9}));
     QVERIFY(scene.camera == (LookAt{{0, 0, 5.5}, {0, 0, 2.5}, {0, 1, 0}}));
     const auto refused = sceneFromFile(parsed(withProjection(kMatrix)), "scene.json", {});
-    QVERIFY(!refused && refused.error().code == ErrorCode::MatrixNotAProjection);
-    QCOMPARE(refused.error().other, 2.0);
+    QVERIFY(!refused && refused.error().cause->code == ErrorCode::MatrixNotAProjection);
+    QCOMPARE(refused.error().cause->other, 2.0);
+    QCOMPARE(refused.error().keyPath, std::string("projection.matrix"));
 }
 
 QTEST_GUILESS_MAIN(TestSceneDescription)

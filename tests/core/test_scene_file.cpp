@@ -31,6 +31,9 @@ private slots:
     void whatIsReadIsWrittenAndReadAgain();
     void unknownKeysAreKeptEverywhere_data();
     void unknownKeysAreKeptEverywhere();
+    void numbersOfUnknownKeysAreKeptToTheDigit_data();
+    void numbersOfUnknownKeysAreKeptToTheDigit();
+    void manyDigitsAreANumber();
     void nothingIsLeftOfAnotherProjection();
     void aTextForPeople();
     void everyDoubleSurvives();
@@ -213,6 +216,35 @@ void TestSceneFile::unknownKeysAreKeptEverywhere()
     QCOMPARE(again.begin().key(), "unprojector");
     QCOMPARE(std::prev(again.end()).key(), "mark");
     QCOMPARE(written(parsed(written(scene))), written(scene));
+}
+
+void TestSceneFile::numbersOfUnknownKeysAreKeptToTheDigit_data()
+{
+    QTest::addColumn<QByteArray>("number");
+    for (const char *number :
+         {"9007199254740993", "18446744073709551615", "18446744073709551617", "-9223372036854775809",
+          "123456789012345678901234567890", "0.1000000000000000055511151231257827", "3.14159265358979323846", "-0.0",
+          "1.7976931348623157081e308", "1234567890.12345678901234567890e-5", "1e-07", "0.5", "5e-324",
+          "0.00000000001234567890123456789"})
+        QTest::newRow(number) << QByteArray(number);
+}
+
+void TestSceneFile::numbersOfUnknownKeysAreKeptToTheDigit()
+{
+    QFETCH(QByteArray, number);
+    const QByteArray text = changed("\"window\"", "\"made\": [{\"serial\": N}, N], \"window\"").replace("N", number);
+    const QByteArray again = written(parsed(text));
+    QVERIFY2(again.contains("[{\"serial\": " + number + "}, " + number + "]"), again);
+    QCOMPARE(written(parsed(again)), again);
+}
+
+/// Of a key that is known the double counts, which is written in the fewest digits.
+void TestSceneFile::manyDigitsAreANumber()
+{
+    const SceneFile scene =
+        parsed(changed("[0, 0, 5]", "[0.1000000000000000055511151231257827, 5, 123456789012345678901]"));
+    QVERIFY(std::get<LookAt>(scene.view).eye == WorldPoint(0.1, 5.0, 123456789012345678901.0));
+    QVERIFY2(written(scene).contains("\"eye\": [0.1, 5, 1.2345678901234568e+20]"), written(scene));
 }
 
 void TestSceneFile::nothingIsLeftOfAnotherProjection()

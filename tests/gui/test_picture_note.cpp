@@ -36,6 +36,8 @@ class TestPictureNote : public QObject {
 private slots:
     void anEmptyPictureSaysWhy_data();
     void anEmptyPictureSaysWhy();
+    void aViewportOutsideTheWindowIsSaid_data();
+    void aViewportOutsideTheWindowIsSaid();
     void itComesAndGoes();
 };
 
@@ -74,6 +76,31 @@ void TestPictureNote::anEmptyPictureSaysWhy()
     const QString text = emptyPictureText(document);
     QCOMPARE(text.isEmpty(), said.isEmpty());
     QVERIFY2(text.contains(said), qPrintable(text));
+}
+
+void TestPictureNote::aViewportOutsideTheWindowIsSaid_data()
+{
+    QTest::addColumn<Viewport>("viewport"); // of a window of 400 x 300 pixels
+    QTest::addColumn<bool>("isSaid");
+    QTest::newRow("right of it") << Viewport{400, 0, 100, 100} << true;
+    QTest::newRow("the last column in it") << Viewport{399, 0, 100, 100} << false;
+    QTest::newRow("left of it") << Viewport{-100, 0, 100, 100} << true;
+    QTest::newRow("the first column in it") << Viewport{-99, 0, 100, 100} << false;
+    QTest::newRow("above it") << Viewport{0, 300, 100, 100} << true;
+    QTest::newRow("below it") << Viewport{0, -100, 100, 100} << true;
+    QTest::newRow("larger than it") << Viewport{-100, -100, 1000, 1000} << false;
+}
+
+void TestPictureNote::aViewportOutsideTheWindowIsSaid()
+{
+    QFETCH(Viewport, viewport);
+    QFETCH(bool, isSaid);
+    SceneDocument document;
+    openCube(document, Perspective{0.8, 1.3, 1, 100});
+    QVERIFY(document.editViewport({ViewportRule::Kind::Fixed, viewport, 1.0}, {}, kDeed));
+    const QString text = emptyPictureText(document);
+    QCOMPARE(text.contains(QStringLiteral("outside the window")), isSaid);
+    QCOMPARE(text.contains(QStringLiteral("x %1, y %2").arg(viewport.x).arg(viewport.y)), isSaid);
 }
 
 void TestPictureNote::itComesAndGoes()

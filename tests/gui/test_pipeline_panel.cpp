@@ -288,7 +288,7 @@ void TestPipelinePanel::aFilesMatrixIsShownAsGivenBesideItsConversion()
     given.clipFromEye[3][2] = 1.125;
     file.projection = given;
     file.view = LookAt{};
-    const Result<Scene> scene = sceneFromFile(file, {}, {});
+    const auto scene = sceneFromFile(file, {}, {});
     QVERIFY(scene);
     SceneDocument document;
     document.setSurface(surfaceFromWidget(400, 300, 1.0));
