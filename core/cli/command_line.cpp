@@ -355,8 +355,19 @@ void addLandmarks(CLI::App &app, Run &run)
             ->excludes(from)
             ->excludes(to)
             ->excludes(mesh);
-    CLI::Option *output =
-        addFile(*command, "-o,--output", options->output, "The table; - is standard output")->needs(folder);
+    CLI::Option *repeats =
+        command
+            ->add_option("--repeats", options->repeats,
+                         "The same points placed two or more times, a file each: the mean and the error "
+                         "of each point")
+            ->type_name("FILE")
+            ->excludes(input)
+            ->excludes(converted)
+            ->excludes(to)
+            ->excludes(mesh)
+            ->excludes(folder)
+            ->expected(2, CLI::detail::expected_max_vector_size);
+    CLI::Option *output = addFile(*command, "-o,--output", options->output, "The table; - is standard output");
     addChoice<LandmarkTable>(*command, "--format", options->table,
                              {{"long", LandmarkTable::Long},
                               {"wide", LandmarkTable::Wide},
@@ -373,14 +384,19 @@ void addLandmarks(CLI::App &app, Run &run)
         "Coordinates keep all their digits. What a file has no place for is said on stderr. Of a folder, a file that\n"
         "cannot be read is said on stderr and left out, and the exit code is 1. With --mesh a table of ours has the\n"
         "triangle of each point and its place there; who was farther from the mesh than 1 % of its size is named.\n"
+        "The error of --repeats is the standard deviation of one placing, all three coordinates together; farthest is\n"
+        "that from the mean. Points belong together by their names.\n"
         "\n"
         "Examples:\n"
         "  unproject landmarks skull.pp skull.mrk.json\n"
         "  unproject landmarks --from fcsv --to csv - - < points.fcsv\n"
         "  unproject landmarks --table skulls -o all.csv\n"
-        "  unproject landmarks --table skulls -o all.csv --format wide");
-    command->callback([options, input, converted, output, folder, &run] {
-        if (folder->count() == 0) {
+        "  unproject landmarks --table skulls -o all.csv --format wide\n"
+        "  unproject landmarks --repeats monday.pp tuesday.pp -o error.csv");
+    command->callback([options, input, converted, output, folder, repeats, &run] {
+        if (folder->count() == 0 && repeats->count() == 0) {
+            if (output->count() > 0)
+                throw CLI::RequiredError("--table or --repeats (with -o)");
             for (const CLI::Option *needed : {input, converted}) {
                 if (needed->count() == 0)
                     throw CLI::RequiredError(needed->get_name() + " (or --table)");

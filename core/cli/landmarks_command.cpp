@@ -4,6 +4,7 @@
 #include "core/cli/import_error_text.h"
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
+#include "core/landmark_files/repeats_table.h"
 #include "core/mesh_import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
 
@@ -221,10 +222,53 @@ ExitCode makeTable(const LandmarksOptions &options)
     return written == ExitCode::Done && !folder.badFiles.empty() ? ExitCode::SomeRowsBad : written;
 }
 
+/// The sets of several files as placings of specimens. Where each file has one, they are of one, whatever it is called;
+/// else those of one name belong together, or without names those at one place.
+std::vector<RepeatedSpecimen> specimensOf(const std::vector<std::vector<LandmarkSet>> &files,
+                                          const std::string &firstName)
+{
+    const bool isOne = std::all_of(files.begin(), files.end(), [](const auto &sets) { return sets.size() == 1; });
+    std::vector<RepeatedSpecimen> specimens;
+    for (const std::vector<LandmarkSet> &sets : files) {
+        for (std::size_t i = 0; i < sets.size(); ++i) {
+            const std::string name = !sets[i].name.empty() ? sets[i].name : isOne ? firstName : std::to_string(i + 1);
+            auto known = std::find_if(specimens.begin(), specimens.end(),
+                                      [&](const RepeatedSpecimen &specimen) { return isOne || specimen.name == name; });
+            if (known == specimens.end())
+                known = specimens.insert(known, RepeatedSpecimen{name, {}});
+            known->placings.push_back(sets[i]);
+        }
+    }
+    return specimens;
+}
+
+ExitCode makeRepeats(const LandmarksOptions &options)
+{
+    std::vector<std::vector<LandmarkSet>> files;
+    for (const std::string &file : options.repeats) {
+        if (isOverInput(options.output, {file}))
+            return ExitCode::UnusableInput;
+        const std::optional<Format> format = formatOf(file, options.from, "--from");
+        std::optional<ReadLandmarks> read = format ? readFile(file, *format) : std::nullopt;
+        if (!read)
+            return ExitCode::UnusableInput;
+        files.push_back(std::move(read->sets));
+    }
+    const std::vector<RepeatedSpecimen> specimens =
+        specimensOf(files, specimenOf(pathFromUtf8(options.repeats.front())));
+    for (const RepeatedSpecimen &specimen : specimens) {
+        if (specimen.placings.size() < 2)
+            complain("the specimen \"" + specimen.name + "\" is in one file only: there is nothing to compare it with");
+    }
+    return write(options.output, WrittenLandmarks{repeatsTable(specimens), {}});
+}
+
 } // namespace
 
 ExitCode runLandmarks(const LandmarksOptions &options)
 {
+    if (!options.repeats.empty())
+        return makeRepeats(options);
     return options.folder.empty() ? convert(options) : makeTable(options);
 }
 

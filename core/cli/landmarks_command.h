@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace unprojector::cli {
 
@@ -14,11 +15,13 @@ struct LandmarksOptions {
     std::string input, output;                      ///< UTF-8; "-" is stdin and stdout
     std::optional<landmark_files::Format> from, to; ///< nothing: by the suffix
     std::string mesh;                               ///< model that the points are tied to; empty: none
-    std::string folder;                             ///< a table of its files is made; empty: a file is converted
+    std::string folder;                             ///< a table of its files is made; empty: none
+    std::vector<std::string> repeats;               ///< files of the same points, each placed anew; empty: none
     LandmarkTable table = LandmarkTable::Long;
 };
 
-/// `unproject landmarks`: landmarks from one file to another, or a table of a folder of them. What is lost is said on stderr.
+/// `unproject landmarks`: landmarks from one file to another, a table of a folder of them, or how far repeated placings
+/// scatter. What is lost is said on stderr.
 /// @return SomeRowsBad where files of a folder could not be read
 ExitCode runLandmarks(const LandmarksOptions &options);
 

@@ -4,9 +4,8 @@
 #include "core/files/replace_file.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
+#include "core/landmark_files/repeats_table.h"
 #include "core/landmarks/point_template.h"
-#include "core/landmarks/repeats.h"
-#include "core/text/number_text.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
@@ -33,18 +32,6 @@ bool isScan(const std::filesystem::path &file)
 std::string nameOrNumber(const LandmarkSet &set, std::size_t place)
 {
     return set.landmarks[place].name.empty() ? std::to_string(place + 1) : set.landmarks[place].name;
-}
-
-/// A cell of a table, in quotes where it needs them.
-std::string cell(const std::string &text)
-{
-    if (text.find_first_of(",\"\n\r") == std::string::npos)
-        return text;
-    std::string quoted(1, '"');
-    for (const char c : text)
-        quoted.append(c == '"' ? 2 : 1, c);
-    quoted += '"';
-    return quoted;
 }
 
 QString sentences(const QString &file, const std::vector<LandmarkNote> &notes)
@@ -415,9 +402,10 @@ std::vector<landmarks::LandmarkSet> ScanSeries::alignedSets() const
 
 std::string ScanSeries::repeatsText(QStringList &problems) const
 {
-    std::string text = "specimen,name,placings,x,y,z,error,farthest\n";
+    std::vector<RepeatedSpecimen> specimens;
     for (const Scan &scan : m_scans) {
-        std::vector<LandmarkSet> placings;
+        RepeatedSpecimen &specimen = specimens.emplace_back();
+        specimen.name = files::utf8FromPath(scan.file.stem());
         std::error_code error;
         for (int placing = 1; placing <= kMostPlacings; ++placing) {
             if (!std::filesystem::exists(landmarksBeside(scan.file, placing), error))
@@ -427,29 +415,10 @@ std::string ScanSeries::repeatsText(QStringList &problems) const
             if (placed.isDamaged)
                 problems << placed.problem;
             else
-                placings.push_back(std::move(placed.points));
-        }
-        for (const landmarks::RepeatedLandmark &repeated : landmarks::repeatsOf(placings)) {
-            text += cell(files::utf8FromPath(scan.file.stem()));
-            text += ',';
-            text += cell(repeated.name);
-            text += ',';
-            text += std::to_string(repeated.count);
-            for (int axis = 0; axis < 3; ++axis) {
-                text += ',';
-                if (repeated.mean)
-                    text::appendNumber(text, (*repeated.mean)[axis]);
-            }
-            text += ',';
-            if (repeated.error)
-                text::appendNumber(text, *repeated.error);
-            text += ',';
-            if (repeated.mean)
-                text::appendNumber(text, repeated.farthest);
-            text += '\n';
+                specimen.placings.push_back(std::move(placed.points));
         }
     }
-    return text;
+    return repeatsTable(specimens);
 }
 
 QStringList ScanSeries::leftOut() const

@@ -32,6 +32,8 @@ private slots:
     void aFolderToATable();
     void tablesOfAllKinds();
     void specimensOfOneName();
+    void repeatedPlacings();
+    void repeatedSpecimens();
     void refused_data();
     void refused();
 
@@ -184,6 +186,32 @@ void TestLandmarksCommand::specimensOfOneName()
                                     "stdout: the specimen \"3\" has no points and is left out\n"));
 }
 
+void TestLandmarksCommand::repeatedPlacings()
+{
+    const QString first = m_folder.write("skull.csv", "name,x,y,z\nN,1,2,3\nonce,5,5,5\nnever,,,\n");
+    const QString second = m_folder.write("again.pts", "Version 1.0\n2\nnever 9999 9999 9999\nN 3 2 3\n");
+    const Run run = runCommand({"landmarks", "--repeats", first, second, "-o", "-"});
+    VERIFY_SUCCEEDED(run);
+    QCOMPARE(run.output, QByteArray("specimen,name,placings,x,y,z,error,farthest\n"
+                                    "skull,N,2,2,2,3,1.4142135623730951,1\n"
+                                    "skull,once,1,5,5,5,,0\nskull,never,0,,,,,\n"));
+    const QString table = m_folder.path("error.csv");
+    VERIFY_SUCCEEDED(runCommand({"landmarks", "-o", table, "--repeats", first, second, first}));
+    QVERIFY(bytesOf(table).contains("\nskull,N,3,1.6666666666666665,2,3,"));
+}
+
+void TestLandmarksCommand::repeatedSpecimens()
+{
+    const QString first = m_folder.write("first.tps", "LM3=1\n1 2 3\nID=b\n\nLM3=1\n1 1 1\nID=a\n");
+    const QString second =
+        m_folder.write("second.tps", "LM3=1\n1 1 3\nID=a\n\nLM3=1\n1 2 3\nID=b\n\nLM3=1\n0 0 0\nID=c\n");
+    const Run run = runCommand({"landmarks", "--repeats", first, second, "-o", "-"});
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.output, QByteArray("specimen,name,placings,x,y,z,error,farthest\nb,1,2,1,2,3,0,0\n"
+                                    "a,1,2,1,1,2,1.4142135623730951,1\nc,1,1,0,0,0,,0\n"));
+    QCOMPARE(run.errors, QByteArray("the specimen \"c\" is in one file only: there is nothing to compare it with\n"));
+}
+
 void TestLandmarksCommand::refused_data()
 {
     QTest::addColumn<QStringList>("arguments");
@@ -202,6 +230,12 @@ void TestLandmarksCommand::refused_data()
     QTest::newRow("no folder") << QStringList{"--table", m_folder.path("none"), "-o", "-"}
                                << "none: the folder cannot be read: ";
     QVERIFY(QDir().mkpath(m_folder.path("empty")));
+    QTest::newRow("one placing") << QStringList{"--repeats", input, "-o", "-"} << "--repeats";
+    QTest::newRow("repeats to nowhere") << QStringList{"--repeats", input, input} << "-o,--output is required";
+    QTest::newRow("repeats and a file") << QStringList{"--repeats", input, input, "--to", "csv", "-o", "-"}
+                                        << "excludes";
+    QTest::newRow("repeats over a placing") << QStringList{"--repeats", input, input, "-o", input} << "in.pp";
+    QTest::newRow("an output without a table") << QStringList{input, "-", "-o", "a.csv"} << "--table or --repeats";
     QTest::newRow("an empty folder") << QStringList{"--table", m_folder.path("empty"), "-o", "-"}
                                      << "there are no files of landmarks";
 }
