@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kDoubleDigits = 16;
 constexpr int kFloatDigits = 8;
+constexpr int kThousandths = -3; ///< the place that is told in any room: a survey is of millimetres
 
 /// Tenths while they tell something, whole numbers after that, powers of ten where digits would be noise.
 QString ulpsText(double ulps)
@@ -21,12 +22,11 @@ QString ulpsText(double ulps)
 }
 
 /// With fewer digits where all that are certain would not fit; they are no less certain for it.
-/// @param lastPlace  that the columns beside it have room for. Thousandths are told in any case: a survey is of millimetres
+/// @param lastPlace  that the columns beside it have room for. Thousandths are told in any case
 QString fittingText(double value, double uncertainty, int lastPlace)
 {
     QString text = certainText(value, uncertainty);
     constexpr double kBelowThePower = 0.999; // of ten, so that its logarithm does not round up
-    constexpr int kThousandths = -3;
     if (const double shown = kBelowThePower * std::pow(10.0, std::min(lastPlace, kThousandths)); uncertainty < shown) {
         if (const QString rounded = certainText(value, shown); rounded.size() < text.size())
             text = rounded;
@@ -35,6 +35,33 @@ QString fittingText(double value, double uncertainty, int lastPlace)
          --digits)
         text = significantText(value, digits);
     return text;
+}
+
+/// A coordinate as a column shows it.
+struct Shown {
+    QString text;
+    qsizetype certainLength;
+    bool isCut = false; ///< its first digits are left out
+};
+
+/// All digits that there is room for. Where those would end before the thousandths that are certain, the first ones, which
+/// stand under Certain, are left out instead: what is compared is behind them.
+/// @param formula   what stands under Certain; a number that differs from it in the digits left out keeps them
+/// @param capacity  the column's room
+Shown shownIn(const Notation &notation, double value, double formula, double uncertainty, int capacity)
+{
+    const Shown whole{notation.text(value), notation.certainLength(value, uncertainty)};
+    const int place = std::max(uncertainty > 0.0 ? certainPlace(uncertainty) : kThousandths, kThousandths);
+    if (notation.isScientific || place >= 0 || notation.lastPlace(value) <= place || !std::isfinite(value))
+        return whole;
+    const QString digits = fixedText(std::abs(value), -place);
+    const QString before = std::signbit(value) ? QStringLiteral("-…") : QStringLiteral("…");
+    const qsizetype kept = capacity - before.size();
+    constexpr qsizetype kPoint = 1;
+    const qsizetype ofWhole = kept - kPoint + place; // digits before the point
+    if (ofWhole < 1 || digits.size() <= kept || !(std::abs(value - formula) < 0.5 * std::pow(10.0, ofWhole)))
+        return whole;
+    return {before + digits.right(kept), capacity, true};
 }
 
 bool isCoordinate(int column)
@@ -169,6 +196,12 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
     const Row &row = m_rows[static_cast<std::size_t>(index.row())];
     const int column = index.column();
     const std::optional<double> v = value(row, column);
+    const auto shown = [&] {
+        const Notation whole = notation(row, column);
+        if (column == MatrixInFloat) // it has no digits to leave out
+            return Shown{whole.text(*v), whole.certainLength(*v, row.uncertainty)};
+        return shownIn(whole, *v, by(Method::Formula, row).value_or(*v), row.uncertainty, m_capacity);
+    };
     switch (role) {
     case Qt::DisplayRole:
         if (!v)
@@ -177,16 +210,21 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
             return fittingText(*by(Method::Formula, row), row.uncertainty,
                                notation(row, Formula).lastPlace(*by(Method::Formula, row)));
         if (isCoordinate(column))
-            return notation(row, column).text(*v);
+            return shown().text;
         if (column == Ulps)
             return ulpsText(*v);
         return significantText(*v, 2);
     case kCertainLengthRole:
-        return v && isCoordinate(column)
-                   ? QVariant(static_cast<int>(notation(row, column).certainLength(*v, row.uncertainty)))
-                   : QVariant();
+        return v && isCoordinate(column) ? QVariant(static_cast<int>(shown().certainLength)) : QVariant();
     case kValueRole: return v ? QVariant(*v) : QVariant();
-    case Qt::ToolTipRole: return v ? QVariant(toolTip(row, column)) : QVariant();
+    case Qt::ToolTipRole:
+        if (!v)
+            return {};
+        if (isCoordinate(column) && shown().isCut)
+            return tr("%1\n… stands for the first digits, which are those under Certain; the window is too narrow for "
+                      "all.")
+                .arg(shortestText(*v));
+        return toolTip(row, column);
     case Qt::TextAlignmentRole: return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     default: return {};
     }

@@ -24,6 +24,8 @@ private slots:
     void whatIsBlackAgreesWithWhatIsCertain();
     void eachAxisHasItsOwnUncertainty();
     void coordinatesOfASurveyCanBeReadAtAnyWidth();
+    void theFirstDigitsGiveWay_data();
+    void theFirstDigitsGiveWay();
     void greyDigitsCanBeRead_data();
     void greyDigitsCanBeRead();
 };
@@ -156,8 +158,15 @@ void TestComparisonDigits::coordinatesOfASurveyCanBeReadAtAnyWidth()
                 return table->model()->index(row, column).data().toString();
             };
             for (const int column : {ComparisonModel::Formula, ComparisonModel::Matrix}) {
-                QVERIFY2(text(0, column).startsWith(QStringLiteral("4000000")), qPrintable(text(0, column)));
-                QVERIFY2(text(1, column).startsWith(QStringLiteral("500000")), qPrintable(text(1, column)));
+                // Down to the thousandths; what there is no room for is left out in front of them.
+                const QString far = text(0, column), less = text(1, column);
+                QVERIFY2(far.startsWith(QStringLiteral("4000000.123"))
+                             || far == QStringLiteral("…%1").arg(QStringLiteral("4000000.123").right(far.size() - 1)),
+                         qPrintable(far));
+                QVERIFY2(less.startsWith(QStringLiteral("500000.45"))
+                             || less == QStringLiteral("…%1").arg(QStringLiteral("500000.457").right(less.size() - 1)),
+                         qPrintable(less));
+                QVERIFY2(far.endsWith(QStringLiteral(".123")) || far.size() > 11, qPrintable(far));
                 QVERIFY2(text(2, column).startsWith(QStringLiteral("300.789")), qPrintable(text(2, column)));
                 for (int row = 0; row < 3; ++row)
                     QVERIFY(table->fontMetrics().horizontalAdvance(text(row, column)) <= table->columnWidth(column));
@@ -168,6 +177,50 @@ void TestComparisonDigits::coordinatesOfASurveyCanBeReadAtAnyWidth()
             QVERIFY(!text(0, ComparisonModel::MatrixInFloat).contains(u'e'));
         }
     }
+}
+
+void TestComparisonDigits::theFirstDigitsGiveWay_data()
+{
+    QTest::addColumn<double>("formula");
+    QTest::addColumn<double>("matrix");
+    QTest::addColumn<double>("uncertainty");
+    QTest::addColumn<QString>("byFormula");
+    QTest::addColumn<QString>("byMatrix");
+    const auto row = [](const char *name, double formula, double matrix, double off, const char *a, const char *b) {
+        QTest::newRow(name) << formula << matrix << off << QString::fromUtf8(a) << QString::fromUtf8(b);
+    };
+    row("millimetres of a survey", 4000000.5331, 4000000.5342, 0.0005, "…000.533", "…000.534");
+    row("negative", -4000000.5331, -4000000.5342, 0.0005, "-…00.533", "-…00.534");
+    row("centimetres are certain", 4000000.5331, 4000000.5342, 0.006, "…0000.53", "…0000.53");
+    row("nothing is uncertain", 4000000.5331, 4000000.5331, 0.0, "…000.533", "…000.533");
+    row("metres are certain", 4000000.5331, 4000000.5342, 0.6, "4000001", "4000001");
+    row("there is room", 400.5331, 400.5342, 0.0005, "400.533", "400.534");
+    // What the first digits differ in is not left out; what only carries into them is.
+    row("far apart", 4000000.5331, 4002000.5331, 0.0005, "…000.533", "4002001");
+    row("a carry", 4000999.9999, 4001000.0004, 0.0005, "…000.000", "…000.000");
+    row("a carry of thousandths", 4000999.999, 4001000.001, 0.0005, "…999.999", "…000.001");
+}
+
+void TestComparisonDigits::theFirstDigitsGiveWay()
+{
+    QFETCH(double, formula);
+    QFETCH(double, matrix);
+    QFETCH(double, uncertainty);
+    QFETCH(QString, byFormula);
+    QFETCH(QString, byMatrix);
+    ComparisonModel model;
+    model.setCapacity(8);
+    model.setPick(pickWith({formula, 0.0, 0.0}, {matrix, 0.0, 0.0}, {matrix, 0.0, 0.0}, uncertainty));
+    QCOMPARE(cell(model, 0, ComparisonModel::Formula).toString(), byFormula);
+    QCOMPARE(cell(model, 0, ComparisonModel::Matrix).toString(), byMatrix);
+    if (!byFormula.contains(u'…'))
+        return;
+    // All of it is certain, and the whole number is said where the pointer rests.
+    QCOMPARE(cell(model, 0, ComparisonModel::Formula, ComparisonModel::kCertainLengthRole).toInt(),
+             int(byFormula.size()));
+    QVERIFY(cell(model, 0, ComparisonModel::Formula, Qt::ToolTipRole)
+                .toString()
+                .startsWith(QString::number(formula, 'f', QLocale::FloatingPointShortest)));
 }
 
 void TestComparisonDigits::greyDigitsCanBeRead_data()
