@@ -17,6 +17,14 @@ std::string inLowerCase(std::string_view name)
     return lower;
 }
 
+const Landmark *find(std::string_view name, std::span<const Landmark> names)
+{
+    const std::string wanted = inLowerCase(name);
+    const auto found = std::find_if(names.begin(), names.end(),
+                                    [&wanted](const Landmark &point) { return inLowerCase(point.name) == wanted; });
+    return found != names.end() ? &*found : nullptr;
+}
+
 } // namespace
 
 std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names)
@@ -39,10 +47,18 @@ std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<co
 
 std::string_view hintFor(std::string_view name, std::span<const Landmark> names)
 {
-    const std::string wanted = inLowerCase(name);
-    const auto found = std::find_if(names.begin(), names.end(),
-                                    [&wanted](const Landmark &point) { return inLowerCase(point.name) == wanted; });
-    return found != names.end() ? std::string_view(found->note) : std::string_view();
+    const Landmark *found = find(name, names);
+    return found ? std::string_view(found->note) : std::string_view();
+}
+
+std::string_view pictureFor(std::string_view name, std::span<const Landmark> names)
+{
+    const Landmark *found = find(name, names);
+    if (!found || !found->extra.is_object())
+        return {};
+    const auto picture = found->extra.find(kPictureColumn);
+    return picture != found->extra.end() && picture->is_string() ? picture->get_ref<const std::string &>()
+                                                                 : std::string_view();
 }
 
 } // namespace unprojector::landmarks

@@ -11,11 +11,18 @@ namespace unprojector::landmarks {
 // A template is a set of landmarks too: names in the order in which they are to be placed, and notes that say where. Where
 // its own landmarks lie does not matter.
 
+/// The column of a template's table that has them, see pictureFor.
+constexpr const char *kPictureColumn = "picture";
+
 /// Landmarks with those of a template that they lack put behind them, as missing: without a place, a note or an object.
 /// Which are there already is told by their names, in whatever case; of a name that the template has twice, two.
 std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names);
 
 /// What a template says of a landmark of this name, in whatever case: its note. Empty where it has none.
 std::string_view hintFor(std::string_view name, std::span<const Landmark> names);
+
+/// The file of a picture that a template shows of a landmark of this name, as it stands in the template: its column
+/// "picture". Empty where it has none.
+std::string_view pictureFor(std::string_view name, std::span<const Landmark> names);
 
 } // namespace unprojector::landmarks

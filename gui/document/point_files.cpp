@@ -112,6 +112,11 @@ bool PointFiles::isPointFile(const std::filesystem::path &file)
     return format && *format != Format::Nts && *format != Format::MeshLabTemplate && !isOtherJson;
 }
 
+bool PointFiles::isTemplate(const std::filesystem::path &file)
+{
+    return formatOf(file) == Format::MeshLabTemplate;
+}
+
 QString PointFiles::importFilter()
 {
     QStringList patterns;

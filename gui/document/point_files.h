@@ -38,6 +38,8 @@ public:
 
     /// Whether a file is one of points by its name. "x.json" is none: "x.mrk.json" is.
     static bool isPointFile(const std::filesystem::path &file);
+    /// Whether a file is one of names to place, by its name.
+    static bool isTemplate(const std::filesystem::path &file);
     /// As filters of file dialogs have it: "Points (*.csv *.pp …)".
     static QString importFilter();
     /// One a format, separated by ";;".

@@ -1,5 +1,6 @@
 #include "gui/document/point_templates.h"
 
+#include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/point_template.h"
 #include "gui/document/scene_document.h"
@@ -53,6 +54,13 @@ QString PointTemplates::hintFor(const QString &name) const
     for (auto known = m_bundled.begin(); hint.empty() && known != m_bundled.end(); ++known)
         hint = landmarks::hintFor(wanted, known->points);
     return QString::fromUtf8(hint.data(), static_cast<qsizetype>(hint.size()));
+}
+
+std::filesystem::path PointTemplates::pictureFor(const QString &name) const
+{
+    const std::string wanted = name.toStdString();
+    const std::string_view picture = landmarks::pictureFor(wanted, m_chosen);
+    return picture.empty() ? std::filesystem::path() : m_folder / files::pathFromUtf8(picture);
 }
 
 void fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &points, const QString &name)

@@ -29,13 +29,21 @@ public:
 
     const std::vector<Bundled> &bundled() const { return m_bundled; }
     /// The names of the template that was chosen last.
-    void choose(std::vector<landmarks::Landmark> points) { m_chosen = std::move(points); }
+    /// @param folder  that its pictures are given from
+    void choose(std::vector<landmarks::Landmark> points, const std::filesystem::path &folder = {})
+    {
+        m_chosen = std::move(points);
+        m_folder = folder;
+    }
     /// Where a point of this name is; empty: nobody says.
     QString hintFor(const QString &name) const;
+    /// The picture that the chosen template has of a point of this name; empty: none.
+    std::filesystem::path pictureFor(const QString &name) const;
 
 private:
     std::vector<Bundled> m_bundled;
     std::vector<landmarks::Landmark> m_chosen;
+    std::filesystem::path m_folder;
 };
 
 /// Puts the names of a template that a scene lacks behind its points, as missing, in one undoable step, and lets the first

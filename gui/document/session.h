@@ -69,7 +69,7 @@ public:
     // ---- opening: what goes wrong is told by `failed`, and then nothing has changed
 
     /// Opens model files as a new scene, or the scene where there is a scene file among them; points of files among them
-    /// come to what is shown then.
+    /// and templates come to what is shown then.
     void openFiles(std::vector<std::filesystem::path> files);
     /// Opens model files and puts them beside the objects that are there, as one undoable step.
     void addFiles(std::vector<std::filesystem::path> files);
@@ -124,7 +124,8 @@ signals:
     /// Another scene is shown.
     /// @param example  the id of one of core's examples, or empty
     void opened(const QString &example);
-    /// Files of points were opened with the models that are shown now, or alone: what becomes of them is not the session's.
+    /// Files of points or templates of names were opened with the models that are shown now, or alone: what becomes of them
+    /// is not the session's.
     void pointFilesOpened(const std::vector<std::filesystem::path> &files);
     /// What could not be opened or saved, in words.
     void failed(const QString &reason);

@@ -38,8 +38,9 @@ bool hasBundledModels(const SceneFile &scene)
 
 void Session::openFiles(std::vector<std::filesystem::path> files)
 {
-    const auto points = std::stable_partition(
-        files.begin(), files.end(), [](const std::filesystem::path &file) { return !PointFiles::isPointFile(file); });
+    const auto points = std::stable_partition(files.begin(), files.end(), [](const std::filesystem::path &file) {
+        return !PointFiles::isPointFile(file) && !PointFiles::isTemplate(file);
+    });
     std::vector<std::filesystem::path> pointFiles(points, files.end());
     files.erase(points, files.end());
     if (files.empty() && !pointFiles.empty()) {

@@ -1,11 +1,14 @@
 #include "gui/panels/next_point_bar.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/text/error_text.h"
 
 #include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QImageReader>
 #include <QLabel>
+#include <QPixmap>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -14,16 +17,18 @@
 
 namespace unprojector::gui {
 
-NextPointBar::NextPointBar(SceneDocument &document, Hint hint, QWidget *parent)
-    : QWidget(parent), m_document(document), m_hint(std::move(hint)), m_name(new QLabel), m_where(new QLabel),
-      m_count(new QLabel), m_skip(new QToolButton)
+NextPointBar::NextPointBar(SceneDocument &document, Hint hint, Picture picture, QWidget *parent)
+    : QWidget(parent), m_document(document), m_hint(std::move(hint)), m_picture(std::move(picture)), m_name(new QLabel),
+      m_where(new QLabel), m_drawing(new QLabel), m_count(new QLabel), m_skip(new QToolButton)
 {
-    for (QLabel *label : {m_name, m_where, m_count}) {
+    for (QLabel *label : {m_name, m_where, m_drawing, m_count}) {
         label->setTextFormat(Qt::PlainText); // names come from files
         label->setWordWrap(label != m_count);
     }
     m_name->setAccessibleName(tr("The point that is placed next"));
     m_where->setAccessibleName(tr("Where that is"));
+    m_drawing->setAccessibleName(tr("The template's picture of it"));
+    m_drawing->hide();
     m_count->setAccessibleName(tr("How many points are placed"));
     m_skip->setText(tr("Skip"));
     m_skip->setToolTip(tr("Leave this one missing and go on with the next"));
@@ -43,7 +48,10 @@ NextPointBar::NextPointBar(SceneDocument &document, Hint hint, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(line);
-    layout->addWidget(m_where);
+    auto *place = new QHBoxLayout;
+    place->addWidget(m_where, 1, Qt::AlignTop);
+    place->addWidget(m_drawing, 0, Qt::AlignTop);
+    layout->addLayout(place);
     useFonts();
     refresh();
 }
@@ -63,6 +71,32 @@ void NextPointBar::changeEvent(QEvent *event)
         useFonts();
 }
 
+void NextPointBar::showPicture(const std::filesystem::path &file)
+{
+    if (file == m_shownPicture)
+        return;
+    m_shownPicture = file;
+    m_drawing->clear();
+    m_drawing->setVisible(!file.empty());
+    if (file.empty())
+        return;
+    const QString name = pathText(file);
+    m_drawing->setToolTip(plainToolTip(name));
+    QImageReader reader(name);
+    reader.setAutoTransform(true);
+    const QImage image = reader.read();
+    if (image.isNull()) {
+        m_drawing->setText(tr("The picture %1 cannot be shown: %2.").arg(name, reader.errorString()));
+        return;
+    }
+    constexpr int kLines = 9;
+    const double ratio = devicePixelRatioF();
+    const int side = static_cast<int>(kLines * fontMetrics().lineSpacing() * ratio);
+    QPixmap pixmap = QPixmap::fromImage(image.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    pixmap.setDevicePixelRatio(ratio);
+    m_drawing->setPixmap(pixmap);
+}
+
 void NextPointBar::refresh()
 {
     const std::vector<landmarks::Landmark> &points = m_document.landmarks();
@@ -74,6 +108,7 @@ void NextPointBar::refresh()
         return;
     const QString name = ScenePoints::shownNameOf(points, *waiting);
     m_name->setText(tr("Next: %1").arg(name));
+    showPicture(m_picture(QString::fromStdString(points[*waiting].name)));
     const QString hint = m_hint(QString::fromStdString(points[*waiting].name));
     m_where->setText(hint);
     m_where->setVisible(!hint.isEmpty());

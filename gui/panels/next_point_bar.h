@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include <filesystem>
 #include <functional>
 
 class QLabel;
@@ -11,14 +12,17 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// Which point is placed next, in large letters, and where that is. Only there while one waits.
+/// Which point is placed next, in large letters, where that is, and the template's picture of it. Only there while one waits.
 class NextPointBar : public QWidget {
     Q_OBJECT
 public:
     /// What is known of where a point of a name is; empty: nothing.
     using Hint = std::function<QString(const QString &name)>;
 
-    NextPointBar(SceneDocument &document, Hint hint, QWidget *parent = nullptr);
+    /// The file of a picture of a point of a name; empty: none.
+    using Picture = std::function<std::filesystem::path(const QString &name)>;
+
+    NextPointBar(SceneDocument &document, Hint hint, Picture picture, QWidget *parent = nullptr);
 
     /// Shows what waits now; to be called where hints have changed.
     void refresh();
@@ -28,11 +32,15 @@ protected:
 
 private:
     void useFonts();
+    void showPicture(const std::filesystem::path &file);
 
     SceneDocument &m_document;
     Hint m_hint;
+    Picture m_picture;
+    std::filesystem::path m_shownPicture;
     QLabel *m_name;
     QLabel *m_where;
+    QLabel *m_drawing;
     QLabel *m_count;
     QToolButton *m_skip;
 };

@@ -1,6 +1,8 @@
 #include "gui/panels/points_panel.h"
 
+#include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
+#include "core/landmarks/point_template.h"
 #include "gui/document/point_templates.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
@@ -24,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <system_error>
 #include <utility>
 
 namespace unprojector::gui {
@@ -47,7 +50,9 @@ QIcon swatch(const glm::u8vec3 &color, int size)
 PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWidget *parent)
     : QWidget(parent), m_document(document), m_templates(templates), m_model(new PointsModel(document, this)),
       m_table(new PointsTable(document, m_model)),
-      m_next(new NextPointBar(document, [this](const QString &name) { return m_templates.hintFor(name); })),
+      m_next(new NextPointBar(
+          document, [this](const QString &name) { return m_templates.hintFor(name); },
+          [this](const QString &name) { return m_templates.pictureFor(name); })),
       m_empty(new QLabel), m_reason(new QLabel), m_template(new QToolButton), m_up(new QToolButton),
       m_down(new QToolButton), m_remove(new QToolButton)
 {
@@ -183,14 +188,18 @@ void PointsPanel::loadTemplate()
         tr("Templates and points (%1)").arg(QStringLiteral("*.pptpl *.csv *.pp *.mrk.json *.fcsv *.pts *.tps")));
     if (name.isEmpty())
         return;
-    const std::filesystem::path file(name.toStdU16String());
+    takeTemplate(std::filesystem::path(name.toStdU16String()));
+}
+
+void PointsPanel::takeTemplate(const std::filesystem::path &file)
+{
     auto read = landmark_files::readLandmarkFile(file);
     if (!read) {
         emit warned(QString::fromStdString(landmark_files::errorText(read.error())));
         return;
     }
     std::vector<Landmark> points = std::move(read).value().sets.front().landmarks;
-    m_templates.choose(points);
+    m_templates.choose(points, file.parent_path());
     fillFromTemplate(m_document, points, pathText(file.stem()));
     m_next->refresh();
 }
@@ -207,7 +216,13 @@ void PointsPanel::saveTemplate()
     for (const Landmark &point : m_document.landmarks()) {
         Landmark named;
         named.name = point.name;
-        named.note = m_templates.hintFor(QString::fromStdString(point.name)).toStdString();
+        const QString called = QString::fromStdString(point.name);
+        named.note = m_templates.hintFor(called).toStdString();
+        if (const std::filesystem::path picture = m_templates.pictureFor(called); !picture.empty()) {
+            std::error_code error; // an absolute path does as well
+            const std::filesystem::path relative = std::filesystem::proximate(picture, file.parent_path(), error);
+            named.extra = {{landmarks::kPictureColumn, files::utf8FromPath(error ? picture : relative)}};
+        }
         set.landmarks.push_back(std::move(named));
     }
     const auto written = landmark_files::writeLandmarkFile(file, {&set, 1});

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <filesystem>
+
 class QLabel;
 class QMenu;
 class QToolButton;
@@ -19,6 +21,9 @@ class PointsPanel : public QWidget {
     Q_OBJECT
 public:
     explicit PointsPanel(SceneDocument &document, PointTemplates &templates, QWidget *parent = nullptr);
+
+    /// The names of a file are to be placed one after the other; those that are there already stay as they are.
+    void takeTemplate(const std::filesystem::path &file);
 
     /// What is being typed counts, as if Enter were pressed.
     void applyTyped();

@@ -99,8 +99,10 @@ void MainWindow::connectSession()
     connect(m_session, &Session::noticed, this,
             [this](const QString &text) { statusBar()->showMessage(text, kNoticeMilliseconds); });
     connect(m_session, &Session::pointFilesOpened, this, [this](const std::vector<std::filesystem::path> &files) {
-        for (const std::filesystem::path &file : files)
-            m_pointFiles->importFrom(file);
+        for (const std::filesystem::path &file : files) {
+            if (!PointFiles::isTemplate(file))
+                m_pointFiles->importFrom(file);
+        }
     });
     connect(m_series, &ScanSeries::failed, this, &MainWindow::showFailure);
     connect(m_series, &ScanSeries::warned, m_session, &Session::warned);

@@ -2,6 +2,7 @@
 
 #include "gui/window/main_window.h"
 
+#include "gui/document/point_files.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/lifecycle_panel.h"
 #include "gui/panels/objects_panel.h"
@@ -85,6 +86,12 @@ void MainWindow::createPanels()
     auto *points = new PointsPanel(*m_document, *m_templates);
     connect(m_session, &Session::typedToCount, points, &PointsPanel::applyTyped);
     connect(points, &PointsPanel::warned, m_session, &Session::warned);
+    connect(m_session, &Session::pointFilesOpened, points, [points](const std::vector<std::filesystem::path> &files) {
+        for (const std::filesystem::path &file : files) {
+            if (PointFiles::isTemplate(file))
+                points->takeTemplate(file);
+        }
+    });
     m_seriesPanel = new SeriesPanel(*m_series);
     auto *pipeline = new PipelinePanel(*m_document);
     pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself

@@ -1108,7 +1108,8 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>%1
 … stands for the first digits, which are those under Certain; the window is too narrow for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+“…”代表开头的数位，与“确定值”一栏相同；窗口太窄，放不下全部数位。</translation>
     </message>
 </context>
 <context>
@@ -2939,6 +2940,14 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
     </message>
+    <message>
+        <source>The template&apos;s picture of it</source>
+        <translation>模板中该点的图片</translation>
+    </message>
+    <message>
+        <source>The picture %1 cannot be shown: %2.</source>
+        <translation>无法显示图片 %1：%2。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::NoteTexts</name>
@@ -3276,7 +3285,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>The viewport (x %1, y %2, width %3, height %4) lies wholly outside the window, which is %5 × %6 pixels: nothing is drawn. Change x or y, or Reset it.</source>
-        <translation type="unfinished"></translation>
+        <translation>视口（x %1，y %2，宽 %3，高 %4）完全位于窗口之外，窗口为 %5 × %6 像素：什么也不会绘制。请修改 x 或 y，或将其重置。</translation>
     </message>
 </context>
 <context>

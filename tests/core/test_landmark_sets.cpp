@@ -59,6 +59,7 @@ private slots:
     void aTemplateAddsWhatIsLacking_data();
     void aTemplateAddsWhatIsLacking();
     void hintsGoByName();
+    void picturesGoByName();
     void repeatsOfThreePlacings();
     void farFromTheOriginRepeatsAreAsSure();
     void tiedToTheClosest();
@@ -106,6 +107,16 @@ void TestLandmarkSets::hintsGoByName()
     QCOMPARE(hintFor("Nasion", names), std::string_view("between the eyes"));
     QCOMPARE(hintFor("tip", names), std::string_view());
     QCOMPARE(hintFor("chin", names), std::string_view());
+}
+
+void TestLandmarkSets::picturesGoByName()
+{
+    std::vector<Landmark> names{named("nasion"), named("tip"), named("chin")};
+    names[0].extra = {{"picture", "pictures/nasion.png"}};
+    names[1].extra = {{"picture", 7}, {"sex", "f"}};
+    QCOMPARE(pictureFor("NASION", names), std::string_view("pictures/nasion.png"));
+    for (const char *none : {"tip", "chin", "ear"})
+        QCOMPARE(pictureFor(none, names), std::string_view());
 }
 
 void TestLandmarkSets::repeatsOfThreePlacings()

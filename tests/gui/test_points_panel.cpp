@@ -20,6 +20,7 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -72,6 +73,7 @@ private slots:
     void skippedOnesStayMissing();
     void withoutATemplateNothingIsMissing();
     void bundledTemplatesHaveHints();
+    void aTemplatesPictureIsShown();
     void measuresOfWhatIsSelected_data();
     void measuresOfWhatIsSelected();
     void leftAndRight();
@@ -468,6 +470,41 @@ void TestPointsPanel::bundledTemplatesHaveHints()
         return mine;
     }()});
     QCOMPARE(m_templates->hintFor(QStringLiteral("nasion")), QStringLiteral("my own"));
+}
+
+void TestPointsPanel::aTemplatesPictureIsShown()
+{
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("pictures")));
+    QImage image(400, 100, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    QVERIFY(image.save(folder.filePath(QStringLiteral("pictures/ear.png"))));
+    QFile file(folder.filePath(QStringLiteral("t.csv")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("name,x,y,z,note,picture\near,,,,behind the eye,pictures/ear.png\nchin,,,,below,none.png\ntip,,,,,\n");
+    file.close();
+    m_panel->takeTemplate(file.fileName().toStdU16String());
+    auto *picture = [this]() -> QLabel * {
+        for (QLabel *label : m_panel->findChildren<QLabel *>()) {
+            if (label->accessibleName() == QStringLiteral("The template's picture of it"))
+                return label;
+        }
+        return nullptr;
+    }();
+    QVERIFY(picture);
+    m_document->points().waitForNext(std::nullopt); // "gone", which is no name of the template
+    QVERIFY(picture->isHidden());
+    m_document->points().waitForNext(m_document->points().waiting());
+    QVERIFY(!picture->isHidden());
+    const QSize size = picture->pixmap(Qt::ReturnByValue).deviceIndependentSize().toSize();
+    QVERIFY(std::abs(size.width() - 4 * size.height()) <= 4); // as wide and as high as it is, to a pixel
+    QVERIFY(size.width() < 400);
+    // What is not there is said, and not taken for a point without a picture.
+    m_document->points().waitForNext(m_document->points().waiting());
+    QVERIFY2(picture->isVisibleTo(m_panel.get()) && picture->text().contains(QStringLiteral("none.png")),
+             qPrintable(picture->text()));
+    m_document->points().waitForNext(m_document->points().waiting());
+    QVERIFY(picture->isHidden());
 }
 
 void TestPointsPanel::measuresOfWhatIsSelected_data()

@@ -35,6 +35,7 @@ class TestPointsWindow : public QObject {
 private slots:
     void init();
     void droppedPointsComeToTheTable();
+    void aDroppedTemplateHasItsNamesPlaced();
     void keysGoThroughASeries();
     void whatIsBeingTypedIsKeptWithItsScan();
     void fromAScanToASavedSceneAndBack();
@@ -76,6 +77,27 @@ void TestPointsWindow::droppedPointsComeToTheTable()
     emit window->view().filesDropped({QUrl::fromLocalFile(path(QStringLiteral("p.csv")))});
     QVERIFY2(window->message().contains(QStringLiteral("p.csv:2:")), qPrintable(window->message()));
     QCOMPARE(window->document().landmarks().size(), std::size_t(1));
+}
+
+void TestPointsWindow::aDroppedTemplateHasItsNamesPlaced()
+{
+    const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
+    write(QStringLiteral("t.PPTPL"), "<!DOCTYPE PickPointsTemplate>\n<PickPointsTemplate>\n"
+                                     " <point name=\"tip\" active=\"0\"/>\n <point name=\"chin\" active=\"0\"/>\n"
+                                     "</PickPointsTemplate>\n");
+    emit window->view().filesDropped({QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL")))});
+    const std::vector<landmarks::Landmark> &points = window->document().landmarks();
+    QVERIFY2(points.size() == 2, qPrintable(window->message()));
+    QVERIFY(points[0].name == "tip" && points[0].isMissing() && points[1].name == "chin");
+    QCOMPARE(window->document().points().waiting(), std::optional<std::size_t>(0));
+    // With a model, to that one.
+    emit window->view().filesDropped(
+        {QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL"))), QUrl::fromLocalFile(path(QStringLiteral("a.obj")))});
+    QTRY_COMPARE(window->document().objects().size(), std::size_t(1));
+    QTRY_COMPARE(window->document().landmarks().size(), std::size_t(2));
+    write(QStringLiteral("t.PPTPL"), "<PickedPoints/>");
+    emit window->view().filesDropped({QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL")))});
+    QVERIFY2(window->message().contains(QStringLiteral("t.PPTPL")), qPrintable(window->message()));
 }
 
 void TestPointsWindow::keysGoThroughASeries()
