@@ -50,7 +50,7 @@ struct Shown {
 /// @param capacity  the column's room
 Shown shownIn(const Notation &notation, double value, double formula, double uncertainty, int capacity)
 {
-    const Shown whole{notation.text(value), notation.certainLength(value, uncertainty)};
+    Shown whole{notation.text(value), notation.certainLength(value, uncertainty)};
     const int place = std::max(uncertainty > 0.0 ? certainPlace(uncertainty) : kThousandths, kThousandths);
     if (notation.isScientific || place >= 0 || notation.lastPlace(value) <= place || !std::isfinite(value))
         return whole;
