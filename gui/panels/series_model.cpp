@@ -50,15 +50,18 @@ QVariant SeriesModel::text(const QModelIndex &index) const
         return scan.problem.isEmpty() ? tr("%1 of %2").arg(scan.placedCount()).arg(m_names.size()) : tr("not read");
     const QString &name = m_names[index.column() - FirstPoint];
     const auto &points = scan.points.landmarks;
-    const auto found = std::find_if(points.begin(), points.end(), [&name](const landmarks::Landmark &point) {
-        return QString::fromStdString(point.name).compare(name, Qt::CaseInsensitive) == 0;
+    const auto found = std::find_if(points.begin(), points.end(), [&](const landmarks::Landmark &point) {
+        const QString own =
+            point.name.empty() ? QString::number(&point - points.data() + 1) : QString::fromStdString(point.name);
+        return own.compare(name, Qt::CaseInsensitive) == 0;
     });
     return found == points.end() || found->isMissing() ? QStringLiteral("–") : QStringLiteral("●");
 }
 
 QVariant SeriesModel::data(const QModelIndex &index, int role) const
 {
-    if (!index.isValid() || index.row() >= m_rows)
+    // Another folder may have fewer before the rows follow.
+    if (!index.isValid() || static_cast<std::size_t>(index.row()) >= m_series.scans().size())
         return {};
     const ScanSeries::Scan &scan = m_series.scans()[static_cast<std::size_t>(index.row())];
     const bool isCurrent = m_series.current() == static_cast<std::size_t>(index.row());

@@ -1,11 +1,13 @@
 // Points from files and into files, alone and with their models, and series of scans.
 
 #include "core/landmark_files/landmark_file.h"
+#include "core/landmark_files/landmark_folder.h"
 #include "gui/document/point_files.h"
 #include "gui/document/point_templates.h"
 #include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
+#include "gui/text/error_text.h"
 
 #include <QDir>
 #include <QFile>
@@ -13,8 +15,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
+#include <random>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -93,6 +98,7 @@ private slots:
     void unitsAndKeysAreNotLost();
     void aQuestionIsOfTheSceneBelowIt();
     void aHundredScansAndABrokenOne();
+    void noScanGetsThePointsOfAnother();
 
 private:
     QString path(const QString &name) const { return m_folder->filePath(name); }
@@ -770,6 +776,90 @@ void TestPointFiles::aHundredScansAndABrokenOne()
                  QStringLiteral("scan%1,0,0,0,%2,0,0,0,%2,0").arg(i, 3, 10, QChar(u'0')).arg(i + 1).toUtf8());
     }
     QVERIFY(m_warnings.join(u'\n').contains(nameOf(kDamaged)));
+}
+
+/// Whatever is done in whatever order, while files come and go: each scan's file has what was last seen on that scan, and no other's.
+void TestPointFiles::noScanGetsThePointsOfAnother()
+{
+    QVERIFY(QFile::remove(path(QStringLiteral("square.obj"))));
+    const auto nameOf = [](std::size_t i) { return QStringLiteral("scan%1.obj").arg(i); };
+    constexpr std::size_t kScans = 6;
+    for (std::size_t i = 0; i < kScans; ++i)
+        write(nameOf(i), kSquare);
+    std::mt19937 random(11);
+    const auto below = [&random](std::size_t count) { return static_cast<std::size_t>(random() % count); };
+    std::map<std::filesystem::path, std::vector<Landmark>> seen; // by the file that keeps it
+    const auto isScan = [this] { return m_document->objects().size() == 1 && !m_document->objects()[0].file.empty(); };
+    // Names that wait are not written for themselves.
+    const auto placedOf = [](const std::vector<Landmark> &all) {
+        std::vector<std::pair<std::string, WorldPoint>> placed;
+        for (const Landmark &point : all) {
+            if (!point.isMissing())
+                placed.emplace_back(point.name, *point.world);
+        }
+        return placed;
+    };
+    const auto look = [&](bool isOther = false) { // other than last time only by a deed
+        if (!isScan())
+            return;
+        const auto kept = landmark_files::landmarksBeside(m_document->objects()[0].file, m_series->placing());
+        QVERIFY2(isOther || !seen.contains(kept) || placedOf(seen[kept]) == placedOf(points()),
+                 qPrintable(pathText(kept)));
+        seen[kept] = points();
+    };
+    const auto open = [&] {
+        QVERIFY(m_series->open(file(QString())));
+        QTRY_VERIFY(!m_session->isLoading());
+    };
+    open();
+    for (int step = 0; step < 300; ++step) {
+        const std::size_t kind = std::min<std::size_t>(below(14), 11), some = below(kScans);
+        if (kind < 2) {
+            m_series->next();
+        } else if (kind == 2) {
+            m_series->previous();
+        } else if (kind == 3) {
+            m_series->show(below(m_series->scans().size()));
+        } else if (kind == 4) {
+            m_series->setPlacing(1 + static_cast<int>(below(3)));
+        } else if (kind == 5) {
+            m_session->cancelLoading();
+        } else if (kind == 6) { // one at least stays
+            if (some > 0)
+                QFile::remove(path(nameOf(some)));
+        } else if (kind == 7) {
+            write(nameOf(some), kSquare);
+        } else if (kind == 8 && below(4) == 0) {
+            open();
+        } else if (kind == 9 && below(4) == 0) {
+            m_session->openBundledScene();
+        } else if (kind == 10) {
+            m_document->undoStack().undo();
+        } else if (kind == 11 && isScan()) {
+            Landmark point;
+            point.name = "p" + std::to_string(below(4));
+            point.world = WorldPoint(double(below(10)), double(below(10)), 0.0);
+            QVERIFY(m_document->points().place(point));
+        }
+        look(kind == 10 || kind == 11);
+        if (below(3) > 0) { // else what is loading is met by what comes next
+            QTRY_VERIFY(!m_session->isLoading());
+            look();
+        }
+        QVERIFY(!m_series->current() || *m_series->current() < m_series->scans().size());
+    }
+    QTRY_VERIFY(!m_session->isLoading());
+    look();
+    QVERIFY(m_series->keep());
+    std::size_t count = 0;
+    for (const auto &[kept, last] : seen) {
+        const auto points = landmark_files::readLandmarkFile(kept);
+        const auto placed = placedOf(points ? points->sets.front().landmarks : std::vector<Landmark>());
+        QVERIFY2(placed == placedOf(last), qPrintable(pathText(kept)));
+        count += placed.size();
+    }
+    QVERIFY(seen.size() > kScans && count > 30);
+    QCOMPARE(m_answers->saveQuestions, 0); // nothing was lost on the way
 }
 
 QTEST_MAIN(TestPointFiles)
