@@ -2,6 +2,8 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/cli/import_error_text.h"
+#include "core/curves/curve_line.h"
+#include "core/curves/surface_mesh.h"
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/repeats_table.h"
@@ -140,6 +142,38 @@ public:
         }
     }
 
+    /// Leads the curves of a set that is tied anew through its points.
+    void lead(LandmarkSet &set)
+    {
+        for (Curve &curve : set.curves) {
+            const std::string name = "the curve \"" + curve.name + '"';
+            if (curve.points.empty()) {
+                complain(m_mesh + ": " + name + " is left where it was: through which points it goes is not known");
+                continue;
+            }
+            std::vector<const Landmark *> points;
+            for (const std::string &point : curve.points) {
+                const auto found = std::find_if(set.landmarks.begin(), set.landmarks.end(),
+                                                [&point](const Landmark &landmark) { return landmark.name == point; });
+                if (found != set.landmarks.end())
+                    points.push_back(&*found);
+            }
+            curve.semilandmarks.clear(); // of where it was they would tell something else
+            if (points.size() < curve.points.size()) {
+                complain(m_mesh + ": " + name + " has no semilandmarks: not all of its points are there");
+                continue;
+            }
+            if (!m_surface)
+                m_surface = curves::SurfaceMesh::build(m_target.places->model(), {});
+            const auto line = curves::lineThrough(*m_surface, points, curve.kind, m_target.worldFromObject, {});
+            if (line)
+                curve.semilandmarks = curves::resampled(line->path, curve.count);
+            else
+                complain(m_mesh + ": " + name + " has no semilandmarks: there is no way on the mesh to its point \""
+                         + points[line.error().point]->name + '"');
+        }
+    }
+
     void tellFarthest() const
     {
         if (m_count > 0)
@@ -156,6 +190,7 @@ private:
 
     std::string m_mesh, m_farthestName;
     ray::TyingTarget m_target;
+    std::shared_ptr<const curves::SurfaceMesh> m_surface; ///< made for the first curve
     double m_size = 0.0, m_farthest = 0.0;
     std::size_t m_count = 0;
 };
@@ -173,8 +208,10 @@ ExitCode convert(const LandmarksOptions &options)
         std::optional<Tying> tying = Tying::to(options.mesh);
         if (!tying)
             return ExitCode::UnusableInput;
-        for (LandmarkSet &set : read->sets)
+        for (LandmarkSet &set : read->sets) {
             tying->tie(set);
+            tying->lead(set);
+        }
         tying->tellFarthest();
     }
     // Its rows are specimens by name: where the file has none, that of the file.

@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/lines.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +56,10 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
             throw Failure{0, {}, LandmarkFileError::Code::TooLarge};
         if (text.find('\0') != text.npos || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
             throw Failure{0, "this is no text in UTF-8; save it as UTF-8"};
+        // Written on as it is, a name in Latin-1 would make an XML or JSON file that others refuse.
+        if (const std::size_t end = text::firstNotUtf8(text); end != text.npos)
+            throw Failure{static_cast<std::size_t>(std::count(text.begin(), text.begin() + end, '\n')) + 1,
+                          "this is not UTF-8; save the file as UTF-8"};
         if (text.starts_with("\xef\xbb\xbf"))
             text.remove_prefix(3);
         switch (format) {

@@ -18,6 +18,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include <algorithm>
+
 namespace unprojector::gui {
 namespace {
 
@@ -59,11 +61,9 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     m_rows->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_rows->setContextMenuPolicy(Qt::CustomContextMenu);
     m_rows->header()->setStretchLastSection(false);
-    for (const int column : {Name, Kind, Count})
+    for (const int column : {Name, Kind, Count, Length})
         m_rows->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    for (const int column :
-         {Points, Length}) // why a curve does not go is longer than the room for it: the tip has it whole
-        m_rows->header()->setSectionResizeMode(column, QHeaderView::Stretch);
+    m_rows->header()->setSectionResizeMode(Points, QHeaderView::Stretch);
     connect(m_rows, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem *item, int column) {
         const int row = m_rows->indexOfTopLevelItem(item);
         // Not while the editor is still at it: the rows are made anew.
@@ -121,6 +121,25 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     showRows();
     if (m_document.curves().all().empty())
         hide();
+}
+
+void CurvesView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    // Why a curve does not go is longer than the room for it: the tip has it whole.
+    m_rows->header()->setMaximumSectionSize(std::max(m_rows->header()->minimumSectionSize(), width() / 2));
+}
+
+void CurvesView::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    emit shownOrHidden();
+}
+
+void CurvesView::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    emit shownOrHidden();
 }
 
 std::optional<std::size_t> CurvesView::current() const

@@ -24,6 +24,15 @@ public:
     /// Joins the points that are selected; to be put where these are listed.
     QToolButton *joinButton() const { return m_join; }
 
+signals:
+    /// There is a list now, or none any more.
+    void shownOrHidden();
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
 private:
     void showRows();
     void showLengths();

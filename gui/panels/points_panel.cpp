@@ -54,7 +54,7 @@ PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWi
           document, [this](const QString &name) { return m_templates.hintFor(name); },
           [this](const QString &name) { return m_templates.pictureFor(name); })),
       m_empty(new QLabel), m_reason(new QLabel), m_template(new QToolButton), m_up(new QToolButton),
-      m_down(new QToolButton), m_remove(new QToolButton)
+      m_down(new QToolButton), m_remove(new QToolButton), m_parts(new QSplitter(Qt::Vertical))
 {
     m_empty->setText(
         tr("No points yet. Press P, then click where one is to be; or choose a template, and its points are "
@@ -109,16 +109,27 @@ PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWi
     listLayout->addWidget(m_table, 1);
     listLayout->addWidget(m_reason);
     listLayout->addLayout(buttons);
-    auto *halves = new QSplitter(Qt::Vertical);
-    halves->setChildrenCollapsible(false);
-    halves->addWidget(list);
-    halves->addWidget(curves);
-    halves->addWidget(new MeasuresView(document));
-    halves->setStretchFactor(0, 2);
-    halves->setStretchFactor(1, 1);
-    halves->setStretchFactor(2, 1);
-    layout->addWidget(halves, 1);
+    m_parts->setChildrenCollapsible(false);
+    m_parts->addWidget(list);
+    m_parts->addWidget(curves);
+    m_parts->addWidget(new MeasuresView(document));
+    layout->addWidget(m_parts, 1);
+    connect(m_parts, &QSplitter::splitterMoved, this, [this] { m_isPartedByUser = true; });
+    connect(curves, &CurvesView::shownOrHidden, this, &PointsPanel::partHeight,
+            Qt::QueuedConnection); // the splitter takes notice first
     updateButtons();
+}
+
+void PointsPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    partHeight();
+}
+
+void PointsPanel::partHeight()
+{
+    if (!m_isPartedByUser)
+        m_parts->setSizes({2 * height(), height(), height()}); // what is hidden counts for nothing
 }
 
 QSize PointsPanel::minimumSizeHint() const

@@ -6,6 +6,7 @@
 
 class QLabel;
 class QMenu;
+class QSplitter;
 class QToolButton;
 
 namespace unprojector::gui {
@@ -34,7 +35,12 @@ signals:
     /// What went wrong, or was lost, in words.
     void warned(const QString &text);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    /// Gives the points half of the height, or two thirds of it, as long as the user has not parted it otherwise.
+    void partHeight();
     void fillTemplateMenu();
     void loadTemplate();
     void saveTemplate();
@@ -57,6 +63,8 @@ private:
     QToolButton *m_up;
     QToolButton *m_down;
     QToolButton *m_remove;
+    QSplitter *m_parts;
+    bool m_isPartedByUser = false;
 };
 
 } // namespace unprojector::gui

@@ -50,7 +50,8 @@ void TestCommandLine::helpHasExamplesThatWork()
     m_folder.write("depth.raw", QByteArray(qsizetype(1920) * 1080 * 4, '\0'));
     m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
     const QByteArray skull = "<PickedPoints><point x=\"1\" y=\"2\" z=\"3\" name=\"N\"/></PickedPoints>";
-    m_folder.write("skull.pp", skull);
+    for (const char *file : {"skull.pp", "monday.pp", "tuesday.pp"})
+        m_folder.write(file, skull);
     m_folder.write("points.fcsv",
                    "# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n0,1,2,3,0,0,0,1,1,1,0,N,,\n");
     QVERIFY(QDir().mkpath(m_folder.path("skulls")));

@@ -28,6 +28,7 @@ private slots:
     void throughPipes();
     void whatIsLostIsSaid();
     void ontoAMesh();
+    void curvesAreLedOnTheMesh();
     void ontoAMeshOfOthers();
     void aFolderToATable();
     void tablesOfAllKinds();
@@ -82,6 +83,31 @@ void TestLandmarksCommand::ontoAMesh()
              QByteArray("name,x,y,z,object,face,u,v,w,note,mesh\non,1,1,0,roof.obj,0,0.5,0.25,0.25,,roof.obj\n"
                         "above,1,2,0,roof.obj,0,0.25,0.25,0.5,,roof.obj\ngone,,,,,,,,,,roof.obj\n"
                         "corner,0,4,0,roof.obj,0,0,0,1,,roof.obj\n"));
+}
+
+/// The roof's two triangles unfold into a plane, where the curve is straight.
+void TestLandmarksCommand::curvesAreLedOnTheMesh()
+{
+    const QString mesh = m_folder.write("roof.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 2 3\nf 1 3 4\n");
+    const QByteArray points = "name,x,y,z,curve,curvePoints,curveKind,curveCount\nA,1,1,0,,,,\nB,0,1,1,,,,\n";
+    const auto led = [&](const QByteArray &row) {
+        return runCommand({"landmarks", "--from", "csv", "--to", "csv", "--mesh", mesh, "-", "-"}, points + row);
+    };
+    const Run run = led(",7,7,7,rim,\"[\"\"A\"\",\"\"B\"\"]\",geodesic,3\n");
+    QCOMPARE(run.exitCode, 0);
+    QList<QList<double>> places;
+    for (const QByteArray &line : run.lines()) {
+        const QList<QByteArray> cells = line.split(',');
+        if (line.contains("rim"))
+            places << QList<double>{cells[1].toDouble(), cells[2].toDouble(), cells[3].toDouble()};
+    }
+    QCOMPARE(places, QList<QList<double>>({{1, 1, 0}, {0, 1, 0}, {0, 1, 1}}));
+    const Run unknown = led(",7,7,7,rim,\"[\"\"A\"\",\"\"Z\"\"]\",geodesic,3\n");
+    QVERIFY2(unknown.errors.contains("the curve \"rim\" has no semilandmarks: not all of its points are there"),
+             unknown.errors);
+    QVERIFY(!unknown.output.contains("7,7,7"));
+    const Run given = led(",7,7,7,rim,,,\n,8,8,8,rim,,,\n");
+    QVERIFY2(given.errors.contains("the curve \"rim\" is left where it was"), given.errors);
 }
 
 /// A point in RAS on a mesh in LPS, say.

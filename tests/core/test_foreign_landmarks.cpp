@@ -161,6 +161,14 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
     add("tps: SCALE twice", Format::Tps, "LM3=1\n1 2 3\nSCALE=2\nscale=2\n",
         "f:4: SCALE stands here for the second time in a specimen; remove one of them");
     add("csv: UTF-16", Format::Csv, QByteArray("\xff\xfen\0a\0", 6), "f: this is no text in UTF-8; save it as UTF-8");
+    add("csv: Latin-1", Format::Csv, "name,x,y,z\na,1,2,3\n\xe9t\xe9,1,2,3\n",
+        "f:3: this is not UTF-8; save the file as UTF-8");
+    add("pts: overlong", Format::Idav, "Version 1.0\n1\n\xc0\x81 1 2 3\n",
+        "f:3: this is not UTF-8; save the file as UTF-8");
+    add("pp: a surrogate", Format::MeshLab, "<PickedPoints>\n<point name=\"\xed\xa0\x80\"/>",
+        "f:2: this is not UTF-8; save the file as UTF-8");
+    add("tps: cut within a letter", Format::Tps, "LM3=1\n1 2 3\nID=\xe9\xbc",
+        "f:3: this is not UTF-8; save the file as UTF-8");
     add("pp: no XML", Format::MeshLab, "<PickedPoints>\n<point x=\"1\"\n", "f:3: this is no XML: ");
     add("pp: another document", Format::MeshLab, "<MeshLabProject/>",
         "f:1: there is no <PickedPoints>, which holds the points of MeshLab; is it another file?");

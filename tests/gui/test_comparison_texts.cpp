@@ -321,6 +321,7 @@ void TestComparisonTexts::everyImportErrorHasItsSentence_data()
     row("empty", ImportErrorCode::EmptyFile, "0 bytes");
     row("unknown format", ImportErrorCode::UnknownFormat, "OBJ, STL, PLY, OFF, glTF or GLB");
     row("malformed", ImportErrorCode::Malformed, "line 42");
+    row("unsupported", ImportErrorCode::Unsupported, "line 42");
     row("no triangles", ImportErrorCode::NoTriangles, "no triangles");
     row("not finite", ImportErrorCode::NotFinite, "vertex 17");
     row("cancelled", ImportErrorCode::Cancelled, "cancelled");
