@@ -107,10 +107,11 @@ ReadLandmarks readTps(std::string_view text)
             set.mesh = value;
         } else if (key == "SCALE") {
             const double scale = numberOf(value, lines.number(), "SCALE");
-            const auto enlarge = [&](WorldPoint &point) {
+            // By name: Clang 14 does not let a structured binding be captured otherwise.
+            const auto enlarge = [&lines, scale, given = value](WorldPoint &point) {
                 point = WorldPoint(point.coordinates() * scale);
                 if (!isFinite(point))
-                    throw Failure{lines.number(), "SCALE is " + std::string(value)
+                    throw Failure{lines.number(), "SCALE is " + std::string(given)
                                                       + ", which makes coordinates too large; "
                                                         "write a smaller one"};
             };
