@@ -47,7 +47,8 @@ public:
 } // namespace
 
 CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
-    : QWidget(parent), m_document(document), m_rows(new QTreeWidget), m_reason(new QLabel), m_join(new QToolButton)
+    : QWidget(parent), m_document(document), m_rows(new QTreeWidget), m_reason(new QLabel),
+      m_join(new QToolButton(this))
 {
     m_rows->setAccessibleName(tr("Curves"));
     m_rows->setRootIsDecorated(false);
