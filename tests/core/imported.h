@@ -62,7 +62,8 @@ inline double areaOf(const unprojector::scene::Mesh &mesh)
 /// A grid of 5 x 5 points beside a survey's origin, in steps of a millimetre, as a file would have them.
 inline glm::dvec3 surveyPoint(int i)
 {
-    return {4000000.0 + 0.001 * (i % 5), 500000.0 + 0.001 * (i / 5), 300.0 + 0.001 * ((i * 7) % 5)};
+    const int column = i % 5, row = i / 5;
+    return {4000000.0 + 0.001 * column, 500000.0 + 0.001 * row, 300.0 + 0.001 * ((i * 7) % 5)};
 }
 inline constexpr int kSurveyPoints = 25;
 

@@ -32,9 +32,10 @@ public:
     template <class Number>
     int addView(const std::vector<Number> &numbers)
     {
+        const qsizetype bytes = qsizetype(numbers.size()) * qsizetype(sizeof(Number));
         m_views << R"({"buffer":0,"byteOffset":)" + QByteArray::number(m_buffer.size()) + R"(,"byteLength":)"
-                       + QByteArray::number(qsizetype(numbers.size() * sizeof(Number))) + '}';
-        m_buffer.append(reinterpret_cast<const char *>(numbers.data()), qsizetype(numbers.size() * sizeof(Number)));
+                       + QByteArray::number(bytes) + '}';
+        m_buffer.append(reinterpret_cast<const char *>(numbers.data()), bytes);
         m_buffer.append((4 - m_buffer.size() % 4) % 4, '\0');
         return int(m_views.size()) - 1;
     }

@@ -330,9 +330,8 @@ void TestCurves::theChosenMeasureIsShown()
     add(document, heldAt(document.objects()[0], kCubeCenter + glm::dvec3(0.7, 0.9, 1.0), "more"));
     auto *measures = window->findChild<MeasuresView *>();
     QVERIFY(measures);
-    std::vector<std::size_t> places;
-    for (int i = 0; i < points; ++i)
-        places.push_back(std::size_t(i));
+    std::vector<std::size_t> places(static_cast<std::size_t>(points));
+    std::iota(places.begin(), places.end(), std::size_t(0));
     document.points().select(places);
     QVERIFY(!measureMark(document));
     const QImage before = window->view().grabFramebuffer();
