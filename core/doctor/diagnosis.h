@@ -1,0 +1,99 @@
+#pragma once
+
+#include "core/geometry/picture.h"
+#include "core/geometry/result.h"
+#include "core/geometry/spaces.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Which mistake makes this wrong coordinate: every mistake is a function from what the wrong program was given to what it
+/// answers; all of them and all pairs of them are tried, and ranked by how far their answers are from the point that was got.
+namespace unprojector::doctor {
+using namespace geometry;
+
+/// In which space the program says that its point lies.
+enum class PointSpace { World, Eye, Object };
+
+/// A model of the scene, for programs that leave its matrix in, or out.
+struct PlacedModel {
+    std::string name;
+    glm::dmat4 worldFromObject{1.0};
+};
+
+/// What the program was looking at.
+struct Case {
+    Picture picture;
+    std::vector<PlacedModel> models; ///< those that the mistakes of the model matrix are tried with
+    /// The depth of what is seen at a position, in the picture's depth range; nothing on the background. Empty where the
+    /// scene has no mesh.
+    std::function<std::optional<double>(const DevicePoint &)> depthOnMesh;
+};
+
+/// A point that a program answered, as it was given.
+struct WrongPoint {
+    DevicePoint pixel;           ///< continuous device pixels from the framebuffer's top-left corner
+    std::optional<double> depth; ///< the right one, in the picture's depth range
+    glm::dvec3 got{0.0};         ///< the wrong coordinate
+    glm::dvec3 lastDigit{1e-4};  ///< > 0: the unit of the last digit given, of each coordinate
+    PointSpace space = PointSpace::World;
+    std::size_t model = 0;       ///< of Case::models, for object space
+    double depthLastDigit = 0.0; ///< the unit of the depth's last digit; 0: the depth is exact
+};
+
+/// One mistake, or two of them, and what it answers.
+struct Candidate {
+    std::string id;        ///< "right", "y-not-flipped", …, of two "a+b"
+    std::string variant;   ///< which of several ways to make it, in words: "ratio 1.5"; empty where there is one
+    glm::dvec3 point{0.0}; ///< its answer to the first point, in that point's space
+    double distance =
+        0.0;        ///< the greatest difference of a coordinate, in units of its last digit; mean over the points
+    int digits = 0; ///< how many of the digits given it explains, all coordinates of all points
+    bool explains = false; ///< all digits given, of all points
+};
+
+/// Where the wrong point lands with the right matrices: what is wrong there sorts the mistakes.
+enum class Landing {
+    Right,
+    Pixel,  ///< the depth is right, x' and y' are not: pixel, viewport or lens
+    Depth,  ///< x' and y' are right, the depth is not
+    Matrix, ///< neither is right
+};
+
+/// How the points' own depths were known.
+enum class DepthKnown {
+    Given,
+    FromMesh, ///< of the scene's mesh, where the ray meets it
+    ByRay,    ///< not at all: answers are rays, and mistakes of the depth cannot be told from each other
+};
+
+struct Diagnosis {
+    std::string verdict; ///< an id; "right"; "unknown" where nothing explains the point, or anything might
+    std::vector<Candidate> candidates; ///< the best first, each id once; at least five
+    /// x', y' (device pixels from the top-left corner) and depth of the first wrong point, by the right matrices; nothing in
+    /// the plane of the eye.
+    std::optional<glm::dvec3> projected;
+    Landing landing = Landing::Right;
+    DepthKnown depthKnown = DepthKnown::Given;
+    int digitsGiven = 0;             ///< what Candidate::digits is at most
+    std::optional<DevicePoint> next; ///< the pixel whose answers tell the first candidates apart best
+    double nextApart = 0.0;          ///< how far apart those of the first two are there, units of the space
+    std::size_t tried = 0;           ///< mistakes and pairs, with all their variants
+    double chance = 0.0; ///< that a point without any such reason is explained as well as the first candidate does
+};
+
+/// @param points  at least one, of one program
+/// @return the errors of check(picture) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point); SingularMatrix
+Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> points);
+
+/// The ids of all mistakes, in the order of their frequency in public reports.
+std::vector<std::string> mistakeIds();
+
+} // namespace unprojector::doctor
