@@ -1,0 +1,349 @@
+#include "tests/support/wrong_programs.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace wrong_programs {
+namespace {
+
+using glm::dmat4;
+using glm::dvec2;
+using glm::dvec3;
+using glm::dvec4;
+
+dmat4 lookAt(const Scene &scene)
+{
+    const dvec3 f = glm::normalize(scene.target - scene.eye);
+    const dvec3 s = glm::normalize(glm::cross(f, scene.up));
+    const dvec3 u = glm::cross(s, f);
+    const dvec3 moved(-glm::dot(s, scene.eye), -glm::dot(u, scene.eye), glm::dot(f, scene.eye));
+    return {dvec4(s.x, u.x, -f.x, 0.0), dvec4(s.y, u.y, -f.y, 0.0), dvec4(s.z, u.z, -f.z, 0.0), dvec4(moved, 1.0)};
+}
+
+/// A program at work: what it has at hand at each step. A mistake changes something of it before the step is taken.
+struct Program {
+    const Scene &scene;
+    Click click;
+    double flipHeight;
+    dvec4 viewport;
+    dvec2 window{}; ///< origin bottom-left
+    Lens lens;
+    double halfWidth = 0.0, halfHeight = 0.0; ///< of the picture, at distance 1 in perspective
+    dmat4 projection{1.0}, view{1.0};
+    dvec3 ndc{};
+    dvec3 world{};
+
+    explicit Program(const Scene &s, const Click &c)
+        : scene(s), click(c), flipHeight(s.framebufferHeight), viewport(s.viewport), lens(s.lens)
+    {
+    }
+
+    void flip() { window = {click.px, flipHeight - click.py}; }
+    void measureLens()
+    {
+        halfHeight = lens.isPerspective ? std::tan(lens.fovyRadians / 2.0) : lens.height / 2.0;
+        halfWidth = halfHeight * lens.aspect;
+    }
+    void makeMatrices()
+    {
+        const double n = lens.nearDistance, f = lens.farDistance;
+        projection = dmat4(0.0);
+        projection[0][0] = 1.0 / halfWidth;
+        projection[1][1] = 1.0 / halfHeight;
+        if (lens.isPerspective) {
+            projection[2][2] = -(f + n) / (f - n);
+            projection[3][2] = -2.0 * f * n / (f - n);
+            projection[2][3] = -1.0;
+        } else {
+            projection[2][2] = -2.0 / (f - n);
+            projection[3][2] = -(f + n) / (f - n);
+            projection[3][3] = 1.0;
+        }
+        view = lookAt(scene);
+    }
+    void toNdc()
+    {
+        ndc = {2.0 * (window.x - viewport.x) / viewport.z - 1.0, 2.0 * (window.y - viewport.y) / viewport.w - 1.0,
+               2.0 * click.depth - 1.0};
+    }
+    /// gluUnProject.
+    void unproject() { divide(glm::inverse(projection * view) * dvec4(ndc, 1.0)); }
+    void divide(const dvec4 &p) { world = dvec3(p) / p.w; }
+
+    /// By the formulas: the distance in front of the eye, of z_n.
+    double distance() const
+    {
+        const double n = lens.nearDistance, f = lens.farDistance, d = (ndc.z + 1.0) / 2.0;
+        return lens.isPerspective ? n * f / (f - d * (f - n)) : n + d * (f - n);
+    }
+    dvec3 eyePoint() const
+    {
+        const double z = distance(), size = lens.isPerspective ? z : 1.0;
+        return {ndc.x * halfWidth * size, ndc.y * halfHeight * size, -z};
+    }
+    void fromEye(const dvec3 &p) { world = dvec3(glm::inverse(view) * dvec4(p, 1.0)); }
+};
+
+/// Before the y flip; after it; on the viewport; on the lens's numbers; on its size in the picture; on the matrices; on
+/// NDC; instead of gluUnProject; on the point.
+enum class Step { Mouse, Window, Lens, Size, Matrices, Ndc, Unproject, Point };
+
+struct Wrong {
+    std::string_view id;
+    int variants;
+    Step step;
+    void (*make)(Program &, int variant);
+};
+
+void setDistance(Program &p, double z)
+{
+    const double n = p.lens.nearDistance, f = p.lens.farDistance;
+    p.click.depth = p.lens.isPerspective ? (f - n * f / z) / (f - n) : (z - n) / (f - n);
+}
+
+double trueDistance(Program &p)
+{
+    p.ndc.z = 2.0 * p.click.depth - 1.0;
+    return p.distance();
+}
+
+const double kNoNumber = std::nan("");
+
+/// Only a perspective has it; in a box nobody can make the mistake.
+void inPerspective(Program &p)
+{
+    if (!p.lens.isPerspective)
+        p.world.x = kNoNumber;
+}
+
+const std::vector<Wrong> &wrongs()
+{
+    static const std::vector<Wrong> all{
+        // The mouse and the window
+        {"y-not-flipped", 1, Step::Window, [](Program &p, int) { p.window.y = p.click.py; }},
+        {"row-above", 1, Step::Window, [](Program &p, int) { p.window.y += 1.0; }},
+        // (i, H-1-j), the lower left corner, or (i, H-j), the upper left one
+        {"pixel-corner", 2, Step::Window,
+         [](Program &p, int variant) {
+             p.window.x -= 0.5;
+             p.window.y += variant == 0 ? -0.5 : 0.5;
+         }},
+        {"xy-swapped", 1, Step::Window, [](Program &p, int) { std::swap(p.window.x, p.window.y); }},
+        {"ratio-logical-in-device", 1, Step::Mouse,
+         [](Program &p, int) {
+             p.click.px /= p.scene.pixelRatio;
+             p.click.py /= p.scene.pixelRatio;
+         }},
+        {"ratio-logical-both", 1, Step::Mouse,
+         [](Program &p, int) {
+             p.click.px /= p.scene.pixelRatio;
+             p.click.py /= p.scene.pixelRatio;
+             p.flipHeight /= p.scene.pixelRatio;
+         }},
+        // glViewport's numbers in logical pixels; with the flip by the logical height as well, or with the ratio multiplied
+        // twice, which is the same
+        {"ratio-device-in-logical", 2, Step::Mouse,
+         [](Program &p, int variant) {
+             p.viewport /= p.scene.pixelRatio;
+             if (variant == 1)
+                 p.flipHeight /= p.scene.pixelRatio;
+         }},
+        {"viewport-origin-ignored", 1, Step::Window, [](Program &p, int) { p.viewport.x = p.viewport.y = 0.0; }},
+        {"flipped-with-viewport-height", 1, Step::Mouse, [](Program &p, int) { p.flipHeight = p.scene.viewport.w; }},
+        {"viewport-is-window", 1, Step::Window,
+         [](Program &p, int) {
+             p.viewport = {0.0, 0.0, p.scene.framebufferWidth, p.scene.framebufferHeight};
+         }},
+        // The lens
+        {"aspect-integer", 1, Step::Lens,
+         [](Program &p, int) {
+             const int aspect = int(p.scene.viewport.z) / int(p.scene.viewport.w);
+             p.lens.aspect = aspect;
+         }},
+        {"aspect-inverted", 1, Step::Lens, [](Program &p, int) { p.lens.aspect = 1.0 / p.lens.aspect; }},
+        {"fov-degrees-as-radians", 1, Step::Lens,
+         [](Program &p, int) { p.lens.fovyRadians *= 180.0 / std::numbers::pi; }},
+        {"fov-half", 1, Step::Lens, [](Program &p, int) { p.lens.fovyRadians /= 2.0; }},
+        {"fov-double", 1, Step::Lens, [](Program &p, int) { p.lens.fovyRadians *= 2.0; }},
+        // The angle spans the width
+        {"fov-horizontal", 1, Step::Size,
+         [](Program &p, int) {
+             if (p.lens.isPerspective) {
+                 p.halfWidth = std::tan(p.lens.fovyRadians / 2.0);
+                 p.halfHeight = p.halfWidth / p.lens.aspect;
+             }
+         }},
+        // 1/10, or ten times as far
+        {"near-differs", 2, Step::Lens,
+         [](Program &p, int variant) { p.lens.nearDistance *= variant == 0 ? 0.1 : 10.0; }},
+        {"far-differs", 2, Step::Lens,
+         [](Program &p, int variant) { p.lens.farDistance *= variant == 0 ? 10.0 : 0.1; }},
+        // Depth
+        {"depth-not-remapped", 1, Step::Ndc, [](Program &p, int) { p.ndc.z = p.click.depth; }},
+        {"depth-remapped-twice", 1, Step::Ndc, [](Program &p, int) { p.ndc.z = 2.0 * p.ndc.z - 1.0; }},
+        // A linear depth taken for OpenGL's, or OpenGL's for a linear one
+        {"depth-linear", 2, Step::Mouse,
+         [](Program &p, int variant) {
+             const double n = p.lens.nearDistance, f = p.lens.farDistance;
+             if (variant == 0)
+                 p.click.depth = (trueDistance(p) - n) / (f - n);
+             else
+                 setDistance(p, n + p.click.depth * (f - n));
+         }},
+        {"depth-zero", 1, Step::Mouse, [](Program &p, int) { p.click.depth = 0.0; }},
+        {"depth-one", 1, Step::Mouse, [](Program &p, int) { p.click.depth = 1.0; }},
+        {"depth-is-eye-distance", 1, Step::Mouse, [](Program &p, int) { p.click.depth = trueDistance(p); }},
+        {"depth-reversed", 1, Step::Mouse, [](Program &p, int) { p.click.depth = 1.0 - p.click.depth; }},
+        {"ray-length-as-z", 1, Step::Unproject,
+         [](Program &p, int) {
+             if (!p.lens.isPerspective)
+                 return p.unproject();
+             const dvec3 eye = p.eyePoint();
+             p.fromEye(eye * (glm::length(eye) / -eye.z));
+         }},
+        {"z-as-ray-length", 1, Step::Unproject,
+         [](Program &p, int) {
+             if (!p.lens.isPerspective)
+                 return p.unproject();
+             const dvec3 eye = p.eyePoint();
+             p.fromEye(glm::normalize(eye) * -eye.z);
+         }},
+        // The formulas
+        {"linear-angle", 1, Step::Unproject,
+         [](Program &p, int) {
+             const double z = p.distance();
+             const double x = std::atan(p.halfWidth), y = std::atan(p.halfHeight);
+             p.fromEye({std::tan(p.ndc.x * x) * z, std::tan(p.ndc.y * y) * z, -z});
+             inPerspective(p);
+         }},
+        {"eye-z-positive", 1, Step::Unproject,
+         [](Program &p, int) {
+             const dvec3 eye = p.eyePoint();
+             p.fromEye({eye.x, eye.y, -eye.z});
+         }},
+        {"eye-xy-mirrored", 1, Step::Unproject,
+         [](Program &p, int) {
+             const dvec3 eye = p.eyePoint();
+             p.fromEye({-eye.x, -eye.y, eye.z});
+         }},
+        // (11), (12) with glFrustum's left, right, bottom, top
+        {"ortho-formula", 1, Step::Unproject,
+         [](Program &p, int) {
+             const double n = p.lens.nearDistance;
+             p.fromEye({p.ndc.x * p.halfWidth * n, p.ndc.y * p.halfHeight * n, -p.distance()});
+             inPerspective(p);
+         }},
+        {"divided-by-far", 1, Step::Unproject,
+         [](Program &p, int) {
+             const double n = p.lens.nearDistance, z = p.distance(), share = n * z / p.lens.farDistance;
+             p.fromEye({p.ndc.x * p.halfWidth * share, p.ndc.y * p.halfHeight * share, -z});
+             inPerspective(p);
+         }},
+        // The matrices
+        {"projection-transposed", 1, Step::Matrices,
+         [](Program &p, int) { p.projection = glm::transpose(p.projection); }},
+        {"view-transposed", 1, Step::Matrices, [](Program &p, int) { p.view = glm::transpose(p.view); }},
+        {"both-transposed", 1, Step::Matrices,
+         [](Program &p, int) {
+             p.projection = glm::transpose(p.projection);
+             p.view = glm::transpose(p.view);
+         }},
+        {"view-inverse-as-view", 1, Step::Matrices, [](Program &p, int) { p.view = glm::inverse(p.view); }},
+        {"product-transposed", 1, Step::Unproject,
+         [](Program &p, int) { p.divide(glm::inverse(glm::transpose(p.projection * p.view)) * dvec4(p.ndc, 1.0)); }},
+        {"inverse-order", 1, Step::Unproject,
+         [](Program &p, int) { p.divide(glm::inverse(p.projection) * glm::inverse(p.view) * dvec4(p.ndc, 1.0)); }},
+        {"not-inverted", 1, Step::Unproject,
+         [](Program &p, int) { p.divide(p.projection * p.view * dvec4(p.ndc, 1.0)); }},
+        {"no-w-divide", 1, Step::Unproject,
+         [](Program &p, int) { p.world = dvec3(glm::inverse(p.projection * p.view) * dvec4(p.ndc, 1.0)); }},
+        {"overwritten-in-place", 1, Step::Unproject,
+         [](Program &p, int) {
+             // for each row: v[row] = m.row(row) . v
+             const dmat4 m = glm::transpose(glm::inverse(p.projection * p.view));
+             dvec4 v(p.ndc, 1.0);
+             for (int row = 0; row < 4; ++row)
+                 v[row] = glm::dot(m[row], v);
+             p.divide(v);
+         }},
+        {"view-left-out", 1, Step::Matrices, [](Program &p, int) { p.view = dmat4(1.0); }},
+        // The point
+        {"model-left-in", 1, Step::Point,
+         [](Program &p, int) { p.world = dvec3(glm::inverse(p.scene.worldFromObject) * dvec4(p.world, 1.0)); }},
+        {"model-left-out", 1, Step::Point,
+         [](Program &p, int) { p.world = dvec3(p.scene.worldFromObject * dvec4(p.world, 1.0)); }},
+        {"eye-added", 1, Step::Point, [](Program &p, int) { p.world += p.scene.eye; }},
+    };
+    return all;
+}
+
+const Wrong *wrongOf(std::string_view id)
+{
+    const auto found = std::find_if(wrongs().begin(), wrongs().end(), [&](const Wrong &w) { return w.id == id; });
+    return found == wrongs().end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const std::vector<Mistake> &mistakes()
+{
+    static const std::vector<Mistake> all = [] {
+        std::vector<Mistake> result;
+        for (const Wrong &wrong : wrongs())
+            result.push_back({wrong.id, wrong.variants});
+        return result;
+    }();
+    return all;
+}
+
+Click clickOn(const Scene &scene, const dvec3 &world)
+{
+    Program program(scene, {});
+    program.measureLens();
+    program.makeMatrices();
+    const dvec4 clip = program.projection * program.view * dvec4(world, 1.0);
+    const dvec3 ndc = dvec3(clip) / clip.w;
+    const dvec4 &v = scene.viewport;
+    return {v.x + (ndc.x + 1.0) * v.z / 2.0, scene.framebufferHeight - (v.y + (ndc.y + 1.0) * v.w / 2.0),
+            (ndc.z + 1.0) / 2.0};
+}
+
+std::optional<dvec3> printed(const Scene &scene, const Click &click, const std::vector<Made> &made)
+{
+    Program program(scene, click);
+    const auto mistakesAt = [&](Step step) {
+        bool any = false;
+        for (const Made &m : made) {
+            const Wrong *wrong = wrongOf(m.id);
+            if (wrong == nullptr || wrong->step != step)
+                continue;
+            wrong->make(program, m.variant);
+            any = true;
+        }
+        return any;
+    };
+    mistakesAt(Step::Mouse);
+    program.flip();
+    mistakesAt(Step::Window);
+    mistakesAt(Step::Lens);
+    program.measureLens();
+    mistakesAt(Step::Size);
+    program.makeMatrices();
+    mistakesAt(Step::Matrices);
+    program.toNdc();
+    mistakesAt(Step::Ndc);
+    if (!mistakesAt(Step::Unproject))
+        program.unproject();
+    mistakesAt(Step::Point);
+    const dvec3 &p = program.world;
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        return std::nullopt;
+    return p;
+}
+
+} // namespace wrong_programs
