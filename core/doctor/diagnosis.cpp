@@ -1,19 +1,269 @@
 #include "core/doctor/diagnosis.h"
 
-namespace unprojector::doctor {
+#include "core/doctor/chance.h"
+#include "core/doctor/next_click.h"
+#include "core/doctor/ranking.h"
+#include "core/geometry/finite.h"
 
-Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint>)
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::doctor {
+namespace {
+
+/// How likely it may be that chance explains a point, for its explanation to be the verdict. One mistake is what most
+/// wrong points come from; two are seldom, and there are thousands of pairs.
+constexpr double kChanceOfOne = 0.2;
+constexpr double kChanceOfTwo = 0.02;
+
+constexpr std::size_t kFewestCandidates = 5;
+constexpr std::size_t kMostCandidates = 10;
+/// What the next click tries to tell apart.
+constexpr std::size_t kMostToldApart = 4;
+
+/// Depths on a mesh are those of its triangles, not of what a depth buffer rounds them to.
+constexpr double kDepthBufferStep = 1.0 / 16777215.0;
+
+Check checkPoint(const Case &scene, const WrongPoint &point)
 {
-    if (const Check valid = check(scene.picture); !valid)
-        return valid.error();
+    for (const double number : {point.pixel.x, point.pixel.y, point.got.x, point.got.y, point.got.z}) {
+        if (!std::isfinite(number))
+            return Error{ErrorCode::NotFinite, number};
+    }
+    const auto [low, high] = std::minmax(scene.picture.depthRange.atNear, scene.picture.depthRange.atFar);
+    if (point.depth && !(*point.depth >= low && *point.depth <= high))
+        return Error{ErrorCode::DepthOutsideRange, *point.depth};
+    return std::monostate{};
+}
+
+/// A point prepared, with how its depth was known.
+struct Prepared {
+    Sought sought;
+    Sought right; ///< what the right program may answer: of an unknown depth, anything between near and far
+    Click click;
+    DepthKnown depthKnown = DepthKnown::Given;
+    std::optional<glm::dvec3> projected;
+};
+
+Click clickOf(const Case &scene, const Given &given, const WrongPoint &point, double depth)
+{
+    Click click;
+    click.pixel = point.pixel;
+    click.depth = depth;
+    click.space = point.space;
+    if (point.space == PointSpace::Object && point.model < scene.models.size())
+        click.worldFromObject = scene.models[point.model].worldFromObject;
+    setRightEye(given, click);
+    if (scene.depthOnMesh) {
+        click.depthAbove = scene.depthOnMesh(DevicePoint(point.pixel.x, point.pixel.y - 1.0));
+        click.depthBelow = scene.depthOnMesh(DevicePoint(point.pixel.x, point.pixel.y + 1.0));
+    }
+    return click;
+}
+
+Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point)
+{
+    Prepared result;
+    const auto [low, high] = std::minmax(given.depthRange.atNear, given.depthRange.atFar);
+    std::optional<double> depth = point.depth;
+    double step = point.depthLastDigit;
+    if (!depth && scene.depthOnMesh) {
+        depth = scene.depthOnMesh(point.pixel);
+        step = kDepthBufferStep;
+        result.depthKnown = DepthKnown::FromMesh;
+    }
+    result.sought.got = point.got;
+    result.sought.lastDigit = point.lastDigit;
+    std::vector<double> depths;
+    if (depth && step > 0.0) {
+        depths = {std::max(low, *depth - step / 2.0), std::min(high, *depth + step / 2.0)};
+    } else if (depth) {
+        depths = {*depth};
+    } else {
+        result.depthKnown = DepthKnown::ByRay;
+        result.sought.isLine = true;
+        // Two depths about that of the point, where digits suffice to make a line of them.
+        Click anywhere = clickOf(scene, given, point, low);
+        const std::optional<glm::dvec3> there = projected(given, anywhere, point.got);
+        const double at = there ? std::clamp(there->z, low, high) : (low + high) / 2.0;
+        depth = at;
+        depths = {at, at > (low + high) / 2.0 ? (low + at) / 2.0 : (at + high) / 2.0};
+    }
+    for (const double each : depths)
+        result.sought.clicks.push_back(clickOf(scene, given, point, each));
+    result.click = clickOf(scene, given, point, *depth);
+    result.right = result.sought;
+    if (result.sought.isLine) {
+        result.right.isLine = false;
+        result.right.clicks = {clickOf(scene, given, point, low), clickOf(scene, given, point, high)};
+    }
+    result.projected = projected(given, result.click, point.got);
+    return result;
+}
+
+Hypothesis rightHypothesis(const Given &given, std::span<const Prepared> points)
+{
+    Hypothesis right;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::optional<Nearest> found = nearest(given, points[i].right, {});
+        const double distance = found ? found->distance : std::numeric_limits<double>::infinity();
+        if (i == 0 && found)
+            right.point = found->point;
+        right.distance += distance / double(points.size());
+        right.worst = std::max(right.worst, distance);
+    }
+    return right;
+}
+
+/// How far the place in the picture moves when the point does, within its last digits.
+std::optional<glm::dvec3> unsureOf(const Given &given, const Prepared &point)
+{
+    glm::dvec3 sum(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 moved = point.sought.got;
+        moved[axis] += kCutOff * point.sought.lastDigit[axis];
+        const std::optional<glm::dvec3> there = projected(given, point.click, moved);
+        if (!there)
+            return std::nullopt;
+        sum += glm::abs(*there - *point.projected);
+    }
+    return sum;
+}
+
+Landing landingOf(const Given &given, const Prepared &point)
+{
+    const std::optional<glm::dvec3> unsure = point.projected ? unsureOf(given, point) : std::nullopt;
+    if (!unsure)
+        return Landing::Matrix;
+    const glm::dvec3 right(point.click.pixel.coordinates(), point.click.depth);
+    const glm::dvec3 off = glm::abs(*point.projected - right);
+    const bool isPixelRight = off.x <= unsure->x + 1e-6 && off.y <= unsure->y + 1e-6;
+    // Of a depth that is not known, `click` has that of the point, unless it is none of the picture's.
+    double depthUnsure = unsure->z + 1e-9;
+    if (point.sought.clicks.size() > 1 && !point.sought.isLine)
+        depthUnsure += std::abs(point.sought.clicks[1].depth - point.sought.clicks[0].depth);
+    const bool isDepthRight = off.z <= depthUnsure;
+    if (isPixelRight)
+        return isDepthRight ? Landing::Right : Landing::Depth;
+    return isDepthRight && !point.sought.isLine ? Landing::Pixel : Landing::Matrix;
+}
+
+/// How many numbers had to agree for an explanation, see chanceOf.
+int agreeing(std::span<const Prepared> points, std::span<const Landing> landings)
+{
+    int sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const int all = points[i].sought.isLine ? 2 : 3;
+        const bool isOnRay = landings[i] == Landing::Right || landings[i] == Landing::Depth;
+        sum += isOnRay ? 1 : landings[i] == Landing::Pixel ? 2 : all;
+    }
+    return sum;
+}
+
+Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::span<const Prepared> points)
+{
+    Candidate candidate;
+    candidate.id = idOf(hypothesis);
+    candidate.variant = variantOf(hypothesis);
+    candidate.point = hypothesis.point;
+    candidate.distance = hypothesis.distance;
+    candidate.explains = hypothesis.worst <= kCutOff;
+    const auto parts = hypothesis.inOrder();
+    for (const Prepared &point : points) {
+        const Sought &sought = hypothesis.count == 0 ? point.right : point.sought;
+        const std::optional<Nearest> found = nearest(given, sought, {parts.data(), hypothesis.count});
+        for (int axis = 0; found && axis < 3; ++axis)
+            candidate.digits += digitsExplained(sought.got[axis], sought.lastDigit[axis], found->point[axis]);
+    }
+    return candidate;
+}
+
+/// Whether a hypothesis says at which depth the point lies, though the depth is not known.
+bool saysDepth(const Hypothesis &hypothesis, const Given &given, const Prepared &point)
+{
+    const auto parts = hypothesis.inOrder();
+    const std::span<const Variant *const> list(parts.data(), hypothesis.count);
+    const auto a = answer(given, point.sought.clicks[0], list), b = answer(given, point.sought.clicks[1], list);
+    return a && b && glm::distance(*a, *b) <= 1e-9 * (1.0 + glm::length(*a));
+}
+
+std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, double chance, const Given &given,
+                      std::span<const Prepared> points)
+{
+    if (best.worst > kCutOff)
+        return "unknown";
+    if (best.count == 0)
+        return "right";
+    if (chance > (best.count == 1 ? kChanceOfOne : kChanceOfTwo))
+        return "unknown";
+    // By the ray alone the mistakes of the depth are all alike.
+    const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.sought.isLine; });
+    if (isByRay && list.size() > 1 && list[1].worst <= kCutOff && !saysDepth(best, given, points.front()))
+        return "unknown";
+    return idOf(best);
+}
+
+} // namespace
+
+Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
+{
+    const Result<Given> picture = Given::of(scene.picture);
+    if (!picture)
+        return picture.error();
+    std::vector<Prepared> points;
+    std::vector<Sought> sought;
+    std::vector<Landing> landings;
+    for (const WrongPoint &point : given) {
+        if (const Check valid = checkPoint(scene, point); !valid)
+            return valid.error();
+        points.push_back(prepared(scene, *picture, point));
+        sought.push_back(points.back().sought);
+        landings.push_back(landingOf(*picture, points.back()));
+    }
+    const std::vector<Variant> list = variants(*picture, scene.models);
+    std::vector<Hypothesis> all = hypotheses(*picture, sought, list);
+    all.push_back(rightHypothesis(*picture, points));
+    const std::vector<Hypothesis> best = ranked(all);
+
     Diagnosis diagnosis;
-    diagnosis.verdict = "unknown";
+    diagnosis.projected = points.front().projected;
+    diagnosis.landing = landings.front();
+    diagnosis.tried = all.size();
+    for (const Prepared &point : points) {
+        diagnosis.depthKnown = std::max(diagnosis.depthKnown, point.depthKnown);
+        for (int axis = 0; axis < 3; ++axis)
+            diagnosis.digitsGiven += digitsOf(point.sought.got[axis], point.sought.lastDigit[axis]);
+    }
+    diagnosis.chance =
+        chanceOf(all, best.front(), best.front().worst <= kRounded ? kRounded : kCutOff, agreeing(points, landings));
+    diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *picture, points);
+    std::vector<Hypothesis> told;
+    for (const Hypothesis &hypothesis : best) {
+        const bool explains = hypothesis.worst <= kCutOff;
+        if (diagnosis.candidates.size() < (explains ? kMostCandidates : kFewestCandidates))
+            diagnosis.candidates.push_back(candidateOf(hypothesis, *picture, points));
+        if (told.size() < (explains ? kMostToldApart : 2))
+            told.push_back(hypothesis);
+    }
+    // Some are one answer everywhere; then the first two count.
+    while (told.size() > 1 && !diagnosis.next) {
+        if (const auto next = nextClick(*picture, points.front().click, told, scene.depthOnMesh)) {
+            diagnosis.next = next->pixel;
+            diagnosis.nextApart = next->apart;
+        }
+        told.pop_back();
+    }
     return diagnosis;
 }
 
 std::vector<std::string> mistakeIds()
 {
-    return {};
+    std::vector<std::string> ids;
+    for (const Mistake &mistake : mistakes())
+        ids.emplace_back(mistake.id);
+    return ids;
 }
 
 } // namespace unprojector::doctor

@@ -56,7 +56,7 @@ struct Candidate {
     double distance =
         0.0;        ///< the greatest difference of a coordinate, in units of its last digit; mean over the points
     int digits = 0; ///< how many of the digits given it explains, all coordinates of all points
-    bool explains = false; ///< all digits given, of all points
+    bool explains = false; ///< all digits given, of all points; the last of them may be cut off instead of rounded
 };
 
 /// Where the wrong point lands with the right matrices: what is wrong there sorts the mistakes.
@@ -93,7 +93,7 @@ struct Diagnosis {
 /// @return the errors of check(picture) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point); SingularMatrix
 Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> points);
 
-/// The ids of all mistakes, in the order of their frequency in public reports.
+/// The ids of all mistakes, by the way of a click.
 std::vector<std::string> mistakeIds();
 
 } // namespace unprojector::doctor

@@ -1,0 +1,49 @@
+#include "core/doctor/chance.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace unprojector::doctor {
+namespace {
+
+constexpr std::size_t kFewest = 4;
+
+bool isSameMistakes(const Hypothesis &a, const Hypothesis &b)
+{
+    for (std::size_t i = 0; i < a.count; ++i) {
+        if (a.parts[i]->mistake != b.parts[i]->mistake)
+            return false;
+    }
+    return a.count == b.count;
+}
+
+bool isSameAnswer(const Hypothesis &a, const Hypothesis &b)
+{
+    const double size = 1.0 + glm::length(b.point);
+    return glm::length(a.point - b.point) <= 1e-9 * size;
+}
+
+} // namespace
+
+double chanceOf(std::span<const Hypothesis> all, const Hypothesis &best, double within, int agreeing)
+{
+    std::vector<double> distances;
+    distances.reserve(all.size());
+    for (const Hypothesis &other : all) {
+        if (other.count > best.count || isSameMistakes(other, best) || isSameAnswer(other, best))
+            continue;
+        distances.push_back(other.distance);
+    }
+    std::sort(distances.begin(), distances.end());
+    double chance = 0.0;
+    for (std::size_t m = kFewest; m <= distances.size(); m *= 2) {
+        const double share = std::min(1.0, within / distances[m - 1]);
+        chance = std::max(chance, double(m) * std::pow(share, agreeing));
+    }
+    return std::min(chance, 1.0);
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/doctor/mistakes.h"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace unprojector::doctor {
+
+/// A point that somebody got, and what programs are asked for to answer it: one click, or two where the depth is not known
+/// to the digit; then any answer between theirs will do, and any on their line where the depth is not known at all.
+struct Sought {
+    std::vector<Click> clicks; ///< one or two
+    bool isLine = false;       ///< of two
+    glm::dvec3 got{0.0};
+    glm::dvec3 lastDigit{1.0};
+};
+
+/// The answer closest to what was got.
+struct Nearest {
+    glm::dvec3 point{0.0};
+    double distance = 0.0; ///< the greatest difference of a coordinate, in units of its last digit
+};
+
+/// Nothing where a program with these mistakes has no answer.
+std::optional<Nearest> nearest(const Given &given, const Sought &sought, std::span<const Variant *const> mistakes);
+
+/// No mistake, one or two, and how close their answers come.
+struct Hypothesis {
+    std::array<const Variant *, 2> parts{}; ///< by their place in the list of mistakes
+    std::size_t count = 0;
+    bool isSecondFirst = false; ///< of two in the same stage: the second is made before the first
+    glm::dvec3 point{0.0};      ///< the answer to the first point
+    double distance = 0.0;      ///< mean over the points
+    double worst = 0.0;         ///< of the points
+
+    std::array<const Variant *, 2> inOrder() const;
+};
+
+/// The ways to make one mistake, and two of different ones; those without effect on all of the points are left out.
+/// @param list  must outlive what is returned
+std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Sought> points, std::span<const Variant> list);
+
+} // namespace unprojector::doctor

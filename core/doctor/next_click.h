@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/doctor/hypotheses.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace unprojector::doctor {
+
+/// A click that tells hypotheses apart.
+struct NextClick {
+    DevicePoint pixel;  ///< its centre
+    double apart = 0.0; ///< how far the first hypothesis's answer is from that of any other, at least
+};
+
+/// The pixel, of a grid over the viewport, where the answer of the first hypothesis is farthest from those of all others.
+/// @param like     a click of the same program: its space, and its depth where there is no mesh
+/// @param depthAt  of a mesh, see Case::depthOnMesh; may be empty
+/// @return nothing where nothing tells them apart
+std::optional<NextClick> nextClick(const Given &given, const Click &like, std::span<const Hypothesis> hypotheses,
+                                   const std::function<std::optional<double>(const DevicePoint &)> &depthAt);
+
+} // namespace unprojector::doctor

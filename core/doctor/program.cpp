@@ -1,0 +1,213 @@
+#include "core/doctor/program.h"
+
+#include "core/geometry/finite.h"
+
+#include <glm/matrix.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace unprojector::doctor {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool isFinite(const glm::dvec3 &v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// What a projection's matrix does not say by itself.
+void readLens(Given &given, const Lens &lens)
+{
+    if (const auto *projection = std::get_if<Projection>(&lens)) {
+        const ProjectionWindow window = projectionWindow(*projection);
+        given.isPerspective = geometry::isPerspective(*projection);
+        given.isFrustum = kindOf(*projection) == ProjectionKind::Frustum;
+        given.nearDistance = window.nearDistance;
+        given.farDistance = window.farDistance;
+        return;
+    }
+    given.isPerspective = given.clipFromEye[2][3] != 0.0;
+    given.nearDistance = given.farDistance = kUnknown;
+    const Result<RecognisedProjection> form = recognised(std::get<MatrixProjection>(lens));
+    if (!form)
+        return;
+    given.isReversed = form->reversed;
+    given.side = form->looksAlongPlusZ ? 1.0 : -1.0;
+    std::visit(
+        [&](const auto &parameters) {
+            const ProjectionWindow window = projectionWindow(Projection(parameters));
+            given.nearDistance = window.nearDistance;
+            given.farDistance = form->infiniteFar ? kInfinity : window.farDistance;
+        },
+        form->parameters);
+}
+
+glm::dvec2 ndcXy(const Viewport &viewport, const glm::dvec2 &window)
+{
+    return {2.0 * (window.x - viewport.x) / viewport.width - 1.0,
+            2.0 * (window.y - viewport.y) / viewport.height - 1.0};
+}
+
+double ndcZ(const Given &given, double unitDepth)
+{
+    return given.ndcDepth == NdcDepth::ZeroToOne ? unitDepth : 2.0 * unitDepth - 1.0;
+}
+
+glm::dmat4 combined(const Run &run)
+{
+    const glm::dmat4 eyeFromSpace = run.eyeFromWorld * run.click.worldFromObject;
+    switch (run.order) {
+    case Run::Order::InverseOfProduct: break;
+    case Run::Order::InverseOfTransposed: return glm::inverse(glm::transpose(run.clipFromEye * eyeFromSpace));
+    case Run::Order::InversesInTheOrderOfTheFactors: return glm::inverse(run.clipFromEye) * glm::inverse(eyeFromSpace);
+    case Run::Order::NotInverted: return run.clipFromEye * eyeFromSpace;
+    }
+    return glm::inverse(run.clipFromEye * eyeFromSpace);
+}
+
+glm::dvec4 product(const glm::dmat4 &m, glm::dvec4 v, bool isInPlace)
+{
+    if (!isInPlace)
+        return m * v;
+    for (int row = 0; row < 4; ++row)
+        v[row] = m[0][row] * v.x + m[1][row] * v.y + m[2][row] * v.z + m[3][row] * v.w;
+    return v;
+}
+
+/// Works through the mistakes in the order of the stages.
+class Mistakes {
+public:
+    Mistakes(Run &run, std::span<const Variant *const> mistakes) : m_run(run), m_mistakes(mistakes) {}
+
+    bool has(Stage stage) const
+    {
+        for (const Variant *mistake : m_mistakes) {
+            if (mistake->stage == stage)
+                return true;
+        }
+        return false;
+    }
+    void make(Stage stage)
+    {
+        for (const Variant *mistake : m_mistakes) {
+            if (mistake->stage == stage)
+                mistake->apply(m_run, *mistake);
+        }
+    }
+
+private:
+    Run &m_run;
+    std::span<const Variant *const> m_mistakes;
+};
+
+/// The mistakes of closed formulas, made on the eye point; the matrices then get what would lead there.
+void throughEye(Run &run, Mistakes &mistakes)
+{
+    const glm::dvec4 undivided = glm::inverse(run.clipFromEye) * glm::dvec4(run.ndc, 1.0);
+    run.eye = glm::dvec3(undivided) / undivided.w;
+    mistakes.make(Stage::Eye);
+    const glm::dvec4 clip = run.clipFromEye * glm::dvec4(run.eye, 1.0);
+    run.ndc = glm::dvec3(clip) / clip.w;
+}
+
+} // namespace
+
+Result<Given> Given::of(const Picture &picture)
+{
+    if (const Check valid = check(picture); !valid)
+        return valid.error();
+    const Result<glm::dmat4> projection = geometry::clipFromEye(picture), view = geometry::eyeFromWorld(picture);
+    if (!projection)
+        return projection.error();
+    if (!view)
+        return view.error();
+    Given given;
+    given.surface = picture.surface;
+    given.viewport = picture.viewport;
+    given.depthRange = picture.depthRange;
+    given.ndcDepth = ndcDepthOf(picture);
+    given.clipFromEye = *projection;
+    given.eyeFromWorld = *view;
+    readLens(given, picture.lens);
+    const glm::dmat4 worldFromEye = glm::inverse(*view);
+    given.eyePosition = glm::dvec3(worldFromEye[3]) / worldFromEye[3].w;
+    if (!checkFinite(glm::inverse(*projection)) || !checkFinite(worldFromEye))
+        return Error{ErrorCode::SingularMatrix};
+    return given;
+}
+
+void Run::setDistance(double distance)
+{
+    if (given.isPerspective)
+        eye *= distance / this->distance();
+    else
+        eye.z = given.side * distance;
+}
+
+std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> list)
+{
+    Run run(given, click);
+    Mistakes mistakes(run, list);
+
+    run.position = click.pixel.coordinates();
+    run.flipHeight = given.surface.heightPixels;
+    run.viewport = given.viewport;
+    mistakes.make(Stage::Pixel);
+    run.window = {run.position.x, run.isFlipped ? run.flipHeight - run.position.y : run.position.y};
+    mistakes.make(Stage::Window);
+
+    const auto &[atNear, atFar] = given.depthRange;
+    run.depth = (click.depth - atNear) / (atFar - atNear);
+    mistakes.make(Stage::Depth);
+
+    run.nearDistance = given.nearDistance;
+    run.farDistance = given.farDistance;
+    run.clipFromEye = given.clipFromEye;
+    // Who answers in eye space has no view matrix to get wrong.
+    run.eyeFromWorld = click.space == PointSpace::Eye ? glm::dmat4(1.0) : given.eyeFromWorld;
+    mistakes.make(Stage::Lens);
+    run.ndc = glm::dvec3(ndcXy(run.viewport, run.window), ndcZ(given, run.depth));
+    if (mistakes.has(Stage::Eye))
+        throughEye(run, mistakes);
+
+    mistakes.make(Stage::Factors);
+    mistakes.make(Stage::Product);
+    mistakes.make(Stage::Divide);
+    const glm::dvec4 undivided = product(combined(run), glm::dvec4(run.ndc, 1.0), run.isInPlace);
+    run.point = glm::dvec3(undivided);
+    for (int i = 0; i < run.divisions; ++i)
+        run.point /= undivided.w;
+    mistakes.make(Stage::Point);
+    if (run.isLost || !isFinite(run.point))
+        return std::nullopt;
+    return run.point;
+}
+
+void setRightEye(const Given &given, Click &click)
+{
+    const auto &[atNear, atFar] = given.depthRange;
+    const glm::dvec2 window(click.pixel.x, flippedY(given.surface, click.pixel.y));
+    const glm::dvec3 ndc(ndcXy(given.viewport, window), ndcZ(given, (click.depth - atNear) / (atFar - atNear)));
+    const glm::dvec4 eye = glm::inverse(given.clipFromEye) * glm::dvec4(ndc, 1.0);
+    click.eye = glm::dvec3(eye) / eye.w;
+}
+
+std::optional<glm::dvec3> projected(const Given &given, const Click &click, const glm::dvec3 &point)
+{
+    glm::dmat4 clipFromSpace = given.clipFromEye;
+    if (click.space != PointSpace::Eye)
+        clipFromSpace = clipFromSpace * given.eyeFromWorld * click.worldFromObject;
+    const glm::dvec4 clip = clipFromSpace * glm::dvec4(point, 1.0);
+    const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+    if (!isFinite(ndc))
+        return std::nullopt;
+    const WindowPoint window = windowFromNdc(given.viewport, given.depthRange, NdcPoint(ndc), given.ndcDepth);
+    return glm::dvec3(window.x, flippedY(given.surface, window.y), window.z);
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,116 @@
+#include "core/doctor/ranking.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace unprojector::doctor {
+namespace {
+
+/// 0: explains as rounded, 1: as cut off, 2: does not.
+int tierOf(const Hypothesis &hypothesis)
+{
+    return hypothesis.worst <= kRounded ? 0 : hypothesis.worst <= kCutOff ? 1 : 2;
+}
+
+double reportsOf(const Hypothesis &hypothesis)
+{
+    double product = 1.0;
+    for (std::size_t i = 0; i < hypothesis.count; ++i)
+        product *= mistakes()[hypothesis.parts[i]->mistake].reports;
+    return product;
+}
+
+/// Mistakes by their places, as a key.
+using Key = std::array<std::size_t, 2>;
+constexpr std::size_t kNone = ~std::size_t{0};
+
+Key keyOf(const Hypothesis &hypothesis)
+{
+    Key key{kNone, kNone};
+    for (std::size_t i = 0; i < hypothesis.count; ++i)
+        key[i] = hypothesis.parts[i]->mistake;
+    return key;
+}
+
+bool isBetter(const Hypothesis &a, const Hypothesis &b)
+{
+    const int tierA = tierOf(a), tierB = tierOf(b);
+    if (tierA != tierB)
+        return tierA < tierB;
+    if (tierA < 2) {
+        if (a.count != b.count)
+            return a.count < b.count;
+        if (const double reportsA = reportsOf(a), reportsB = reportsOf(b); reportsA != reportsB)
+            return reportsA > reportsB;
+    }
+    return std::pair(a.distance, a.count) < std::pair(b.distance, b.count);
+}
+
+} // namespace
+
+std::string idOf(const Hypothesis &hypothesis)
+{
+    if (hypothesis.count == 0)
+        return "right";
+    std::string id(mistakes()[hypothesis.parts[0]->mistake].id);
+    if (hypothesis.count > 1)
+        id += '+' + std::string(mistakes()[hypothesis.parts[1]->mistake].id);
+    return id;
+}
+
+std::string variantOf(const Hypothesis &hypothesis)
+{
+    std::string words;
+    for (std::size_t i = 0; i < hypothesis.count; ++i) {
+        const std::string &more = hypothesis.parts[i]->words;
+        words += (words.empty() || more.empty() ? "" : "; ") + more;
+    }
+    return words;
+}
+
+std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
+{
+    std::map<Key, const Hypothesis *> best;
+    for (const Hypothesis &hypothesis : all) {
+        const Hypothesis *&held = best[keyOf(hypothesis)];
+        if (!held || isBetter(hypothesis, *held))
+            held = &hypothesis;
+    }
+    const auto explainsAsWell = [&](const Key &key, int tier) {
+        const auto found = best.find(key);
+        return found != best.end() && tierOf(*found->second) <= tier;
+    };
+    std::vector<Hypothesis> result;
+    for (const auto &[key, hypothesis] : best) {
+        const int tier = tierOf(*hypothesis);
+        if (hypothesis->count == 2 && tier < 2
+            && (explainsAsWell({key[0], kNone}, tier) || explainsAsWell({key[1], kNone}, tier)
+                || explainsAsWell({kNone, kNone}, tier)))
+            continue;
+        result.push_back(*hypothesis);
+    }
+    std::sort(result.begin(), result.end(), isBetter);
+    return result;
+}
+
+int digitsOf(double coordinate, double lastDigit)
+{
+    const double units = std::round(std::abs(coordinate) / lastDigit);
+    return units < 1.0 ? 1 : int(std::floor(std::log10(units) + 1e-9)) + 1;
+}
+
+int digitsExplained(double coordinate, double lastDigit, double answer)
+{
+    const int given = digitsOf(coordinate, lastDigit);
+    const double off = std::abs(answer - coordinate) / lastDigit;
+    if (off <= kCutOff)
+        return given;
+    // An error of 5 units of a digit takes the digit after it, too.
+    const double lost = std::ceil(std::log10(2.0 * off));
+    return lost >= given ? 0 : given - int(lost);
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/doctor/hypotheses.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace unprojector::doctor {
+
+/// A rounded coordinate is half a unit of its last digit off, one that was cut off a whole one. What single precision adds
+/// to either.
+constexpr double kRounded = 0.6;
+constexpr double kCutOff = 1.1;
+
+/// The id of a hypothesis: "right", that of its mistake, or those of both with a plus.
+std::string idOf(const Hypothesis &hypothesis);
+/// Which of several ways to make its mistakes.
+std::string variantOf(const Hypothesis &hypothesis);
+
+/// Hypotheses by how well they explain the points, the best first, each pair of mistakes once, by its best variant.
+///
+/// First come those that explain all digits as rounded, then those that do as cut off, each by their simplicity and then by
+/// how often such mistakes are reported; then the others by their distance. A pair that explains no more than one
+/// of its mistakes does alone is left out.
+std::vector<Hypothesis> ranked(std::span<const Hypothesis> hypotheses);
+
+/// How many digits a coordinate was given with, those before the first that is not 0 left out; at least 1.
+int digitsOf(double coordinate, double lastDigit);
+/// How many of them an answer explains.
+int digitsExplained(double coordinate, double lastDigit, double answer);
+
+} // namespace unprojector::doctor

@@ -1,0 +1,475 @@
+// What the doctor says of wrong points. The points of the table were computed apart from this program, by following each
+// mistake through the textbook formulas, to four decimals; pairs go through the oracle.
+#include "core/doctor/diagnosis.h"
+#include "core/doctor/mistakes.h"
+#include "core/geometry/transform.h"
+#include "core/unproject/unprojector.h"
+#include "tests/support/oracle.h"
+#include "tests/support/random_scene.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace unprojector;
+using namespace unprojector::doctor;
+
+namespace {
+
+const glm::dvec3 kTruth(0.5, 0.75, -0.25);
+
+/// Viewport (100, 40, 800, 600) in a window of 1000 x 700, 45 degrees, near 1, far 100, seen from (3, 2, 5), with a model
+/// that is moved by (2, 0, -1).
+Case scene()
+{
+    Case result;
+    result.picture = {{1000, 700, 1.0},
+                      {100, 40, 800, 600},
+                      {},
+                      Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1, 100}),
+                      LookAt{WorldPoint(3, 2, 5), WorldPoint(0, 0, 0), {0, 1, 0}}};
+    result.models = {{"box", worldFromObject({Translate{{2, 0, -1}}})}};
+    return result;
+}
+
+double rounded(double number, int decimals)
+{
+    const double unit = std::pow(10.0, decimals);
+    return std::round(number * unit) / unit;
+}
+
+WrongPoint pointAt(const Case &of, const WorldPoint &truth, const glm::dvec3 &got, int decimals = 4)
+{
+    const WindowPoint window = windowFromWorld(of.picture, truth).value();
+    WrongPoint point;
+    point.pixel = deviceFromWindow(of.picture.surface, window);
+    point.depth = window.z;
+    for (int axis = 0; axis < 3; ++axis)
+        point.got[axis] = rounded(got[axis], decimals);
+    point.lastDigit = glm::dvec3(std::pow(10.0, -decimals));
+    return point;
+}
+
+Diagnosis diagnosed(const Case &of, const WrongPoint &point)
+{
+    return diagnose(of, {&point, 1}).value();
+}
+
+const Candidate *named(const Diagnosis &diagnosis, const std::string &id)
+{
+    const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                    [&](const Candidate &candidate) { return candidate.id == id; });
+    return found == diagnosis.candidates.end() ? nullptr : &*found;
+}
+
+/// What the oracle finds under a window position, y up, in the scene.
+glm::dvec3 oracleUnder(double x, double y, double depth)
+{
+    oracle::Projection projection;
+    projection.kind = oracle::RandomKind::Perspective;
+    projection.verticalFovRadians = std::numbers::pi / 4;
+    projection.aspect = 800.0 / 600.0;
+    projection.nearDistance = 1;
+    projection.farDistance = 100;
+    oracle::Target target;
+    target.x = 100;
+    target.y = 40;
+    target.width = 800;
+    target.height = 600;
+    const oracle::Oracle judge({{3, 2, 5}, {0, 0, 0}, {0, 1, 0}}, projection, target);
+    const oracle::Vector3 world = judge.worldUnder({x, y, depth});
+    return {double(world[0]), double(world[1]), double(world[2])};
+}
+
+} // namespace
+
+class TestDoctor : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aMistakeIsNamed_data();
+    void aMistakeIsNamed();
+    void theOracleAgreesOnPairs();
+    void aRightPointIsRight_data();
+    void aRightPointIsRight();
+    void nothingExplainsRandomPoints();
+    void fewDigitsAreNoVerdict();
+    void theLandingSortsMistakes();
+    void theNextClickTellsCandidatesApart();
+    void severalPointsSettleIt();
+    void withoutADepthTheRayJudges();
+    void theMeshKnowsTheDepth();
+    void aRoundedDepthIsAllowedFor();
+    void otherSpaces();
+    void aMatrixIsAsGoodAsParameters();
+    void everyMistakeHasItsIdOnce();
+    void conventionsAnswerTheSame_data();
+    void conventionsAnswerTheSame();
+    void badInputIsRefused();
+};
+
+void TestDoctor::aMistakeIsNamed_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QList<double>>("got");
+    const auto row = [](const char *name, const char *id, double x, double y, double z) {
+        QTest::newRow(name) << QString(id) << QList<double>{x, y, z};
+    };
+    row("y not flipped", "y-not-flipped", 0.7051, -0.4122, 0.0918);
+    row("row above", "row-above", 0.4986, 0.7577, -0.2523);
+    row("pixel's corner", "pixel-corner", 0.4972, 0.7462, -0.2468);
+    row("logical pixel, device height", "ratio-logical-in-device", -1.6654, 1.8035, 0.6279);
+    row("logical pixel and height", "ratio-logical-both", -1.1911, -0.8846, 1.4185);
+    row("device pixel, logical viewport", "ratio-device-in-logical", 3.8822, 4.0191, -3.5869);
+    row("viewport's origin", "viewport-origin-ignored", 1.1420, 1.0572, -0.7581);
+    row("viewport's height", "flipped-with-viewport-height", 0.6355, -0.0180, -0.0241);
+    row("whole window", "viewport-is-window", 0.4326, 0.5902, -0.1456);
+    row("integer aspect", "aspect-integer", 0.3805, 0.75, -0.1783);
+    row("degrees as radians", "fov-degrees-as-radians", 0.6255, 0.9781, -0.4165);
+    row("half field of view", "fov-half", 0.3119, 0.4080, -0.0004);
+    row("eye x and y mirrored", "eye-xy-mirrored", -0.2237, -0.5658, 0.7105);
+    row("ortho formula", "ortho-formula", 0.1997, 0.2040, 0.1486);
+    row("divided by far", "divided-by-far", 0.1418, 0.0987, 0.2255);
+    row("linear angle", "linear-angle", 0.4654, 0.7185, -0.2166);
+    row("x and y swapped", "xy-swapped", -0.6893, 1.8481, 0.0243);
+    row("z_ndc = d", "depth-not-remapped", -1.7223, -0.3612, -4.9168);
+    row("2d - 1 twice", "depth-remapped-twice", 1.7121, 1.3561, 2.2955);
+    row("linear depth", "depth-linear", 2.5531, 1.7765, 4.0614);
+    row("depth 0", "depth-zero", 2.5749, 1.7874, 4.1072);
+    row("depth 1", "depth-one", -39.51, -19.26, -84.28);
+    row("eye distance", "depth-is-eye-distance", 3.0882, 2.0441, 5.1852);
+    row("reversed depth", "depth-reversed", 2.4939, 1.7469, 3.9371);
+    row("far times 10", "far-differs", 0.3839, 0.6920, -0.4937);
+    row("z as ray length", "z-as-ray-length", 0.5282, 0.7641, -0.1907);
+    row("ray length as z", "ray-length-as-z", 0.4714, 0.7357, -0.3100);
+    row("no division", "no-w-divide", 0.0850, 0.1275, -0.0425);
+    row("no view", "view-left-out", 0.5574, 0.6955, -5.8805);
+    row("model left in", "model-left-in", -1.5, 0.75, 0.75);
+    row("model left out", "model-left-out", 2.5, 0.75, -1.25);
+    row("eye added", "eye-added", 3.5, 2.75, 4.75);
+    row("view transposed", "view-transposed", -0.1383, -0.0869, 0.1686);
+    row("projection transposed", "projection-transposed", 4.0449, 2.2838, 7.8147);
+    row("both transposed", "both-transposed", -0.1580, -0.1100, 0.1491);
+    row("product transposed", "product-transposed", -0.0545, 0.0108, -1.3291);
+    row("inverses' order", "inverse-order", -0.8773, -0.4777, 0.4633);
+    row("not inverted", "not-inverted", -0.0669, 0.0236, 0.6488);
+    row("camera's matrix", "view-inverse-as-view", 3.5034, 2.2009, -10.4372);
+    row("in place", "overwritten-in-place", 0.1684, 0.2526, 0.0006);
+    row("eye z positive", "eye-z-positive", 6.2237, 4.5658, 9.2895);
+}
+
+void TestDoctor::aMistakeIsNamed()
+{
+    QFETCH(QString, id);
+    QFETCH(QList<double>, got);
+    const bool isCoarse = id == "depth-one"; // two decimals
+    const Case of = scene();
+    const Diagnosis diagnosis =
+        diagnosed(of, pointAt(of, WorldPoint(kTruth), {got[0], got[1], got[2]}, isCoarse ? 2 : 4));
+    QCOMPARE(QString::fromStdString(diagnosis.candidates.front().id), id);
+    QCOMPARE(QString::fromStdString(diagnosis.verdict), id);
+    QVERIFY(diagnosis.candidates.front().distance <= 0.6);
+    QVERIFY(diagnosis.candidates.front().explains);
+    QCOMPARE(diagnosis.candidates.front().digits, diagnosis.digitsGiven);
+    QVERIFY(diagnosis.candidates.size() >= 5);
+    for (int axis = 0; axis < 3; ++axis)
+        QVERIFY(std::abs(diagnosis.candidates.front().point[axis] - got[axis]) < (isCoarse ? 0.6e-2 : 0.6e-4));
+}
+
+void TestDoctor::theOracleAgreesOnPairs()
+{
+    const Case of = scene();
+    const WindowPoint window = windowFromWorld(of.picture, WorldPoint(kTruth)).value();
+    const double x = window.x, y = window.y, d = window.z;
+    const struct {
+        const char *id;
+        glm::dvec3 got;
+    } rows[] = {
+        {"y-not-flipped+depth-reversed", oracleUnder(x, 700 - y, 1 - d)},
+        {"ratio-logical-in-device+depth-not-remapped", oracleUnder(x / 2, 700 - (700 - y) / 2, (1 + d) / 2)},
+        {"ratio-logical-both+viewport-origin-ignored", oracleUnder(x / 2 + 100, y / 2 + 40, d)},
+        {"pixel-corner+ratio-logical-in-device", oracleUnder(x / 2 - 0.5, 700 - (700 - y) / 2 - 0.5, d)},
+        {"row-above+eye-added", oracleUnder(x, y + 1, d) + glm::dvec3(3, 2, 5)},
+    };
+    for (const auto &[id, got] : rows) {
+        const Diagnosis diagnosis = diagnosed(of, pointAt(of, WorldPoint(kTruth), got));
+        const Candidate *candidate = named(diagnosis, id);
+        QVERIFY2(candidate, id);
+        QVERIFY2(candidate->explains, id);
+        QVERIFY2(candidate - diagnosis.candidates.data() < 3, id);
+        QVERIFY2(diagnosis.verdict.find('+') != std::string::npos, id);
+    }
+}
+
+void TestDoctor::aRightPointIsRight_data()
+{
+    QTest::addColumn<int>("decimals");
+    for (const int decimals : {0, 1, 2, 4, 8})
+        QTest::addRow("%d decimals", decimals) << decimals;
+}
+
+void TestDoctor::aRightPointIsRight()
+{
+    QFETCH(int, decimals);
+    const Case of = scene();
+    for (const glm::dvec3 &truth : {kTruth, glm::dvec3(0), glm::dvec3(1.23456789, -0.98765432, 0.11111111)}) {
+        const Diagnosis diagnosis = diagnosed(of, pointAt(of, WorldPoint(truth), truth, decimals));
+        QCOMPARE(diagnosis.verdict, std::string("right"));
+        QCOMPARE(diagnosis.candidates.front().id, std::string("right"));
+        QCOMPARE(diagnosis.candidates.front().digits, diagnosis.digitsGiven);
+        QVERIFY(diagnosis.candidates.size() >= 5);
+    }
+}
+
+void TestDoctor::nothingExplainsRandomPoints()
+{
+    const Case of = scene();
+    oracle::Random random(12);
+    int explained = 0;
+    for (int i = 0; i < 100; ++i) {
+        const glm::dvec3 got(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5));
+        const Diagnosis diagnosis = diagnosed(of, pointAt(of, WorldPoint(kTruth), got));
+        explained += diagnosis.verdict == "unknown" ? 0 : 1;
+        QVERIFY(diagnosis.candidates.size() >= 5);
+        QVERIFY(std::is_sorted(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                               [](const Candidate &a, const Candidate &b) { return a.distance < b.distance; }));
+    }
+    QVERIFY2(explained <= 1, qPrintable(QString::number(explained)));
+}
+
+/// What has one digit is explained by something, which says nothing.
+void TestDoctor::fewDigitsAreNoVerdict()
+{
+    const Case of = scene();
+    const Diagnosis diagnosis = diagnosed(of, pointAt(of, WorldPoint(kTruth), {-1.2, 0.9, 1.4}, 0));
+    QVERIFY(diagnosis.candidates.front().explains);
+    QCOMPARE(diagnosis.verdict, std::string("unknown"));
+    QVERIFY(diagnosis.chance > 0.2);
+}
+
+void TestDoctor::theLandingSortsMistakes()
+{
+    const Case of = scene();
+    const auto landing = [&](const glm::dvec3 &got) { return diagnosed(of, pointAt(of, WorldPoint(kTruth), got)); };
+    QCOMPARE(landing(kTruth).landing, Landing::Right);
+    QCOMPARE(landing({0.7051, -0.4122, 0.0918}).landing, Landing::Pixel);
+    QCOMPARE(landing({2.4939, 1.7469, 3.9371}).landing, Landing::Depth);
+    QCOMPARE(landing({-0.1383, -0.0869, 0.1686}).landing, Landing::Matrix);
+    // y' = H - y
+    const Diagnosis flipped = landing({0.7051, -0.4122, 0.0918});
+    QVERIFY(std::abs(flipped.projected->x - 568.647) < 0.02);
+    QVERIFY(std::abs(flipped.projected->y - 425.662) < 0.02);
+    QVERIFY(std::abs(flipped.projected->z - 0.838331) < 1e-5);
+}
+
+void TestDoctor::theNextClickTellsCandidatesApart()
+{
+    // Close to the middle of the viewport a mirrored picture is hardly another one.
+    const Case of = scene();
+    WrongPoint point = pointAt(of, WorldPoint(kTruth), kTruth, 1);
+    point.pixel = DevicePoint(501, 359.5);
+    const auto under = oracleUnder(499, 700 - 360.5, *point.depth);
+    for (int axis = 0; axis < 3; ++axis)
+        point.got[axis] = rounded(under[axis], 1);
+    const Diagnosis diagnosis = diagnosed(of, point);
+    QVERIFY(diagnosis.next);
+    // It is in the viewport, at the centre of a pixel, and far from the middle.
+    QCOMPARE(diagnosis.next->x - std::floor(diagnosis.next->x), 0.5);
+    QCOMPARE(diagnosis.next->y - std::floor(diagnosis.next->y), 0.5);
+    QVERIFY(diagnosis.next->x > 100 && diagnosis.next->x < 900);
+    QVERIFY(diagnosis.next->y > 60 && diagnosis.next->y < 660);
+    QVERIFY(std::hypot(diagnosis.next->x - 500, diagnosis.next->y - 360) > 150);
+    QVERIFY(diagnosis.nextApart > 0.0);
+}
+
+/// One point to one decimal leaves much open; three of one program do not.
+void TestDoctor::severalPointsSettleIt()
+{
+    const Case of = scene();
+    std::vector<WrongPoint> points;
+    for (const glm::dvec3 &truth : {kTruth, glm::dvec3(-1, -0.5, 0.5), glm::dvec3(0.9, -1.1, 0.3)}) {
+        const WindowPoint at = windowFromWorld(of.picture, WorldPoint(truth)).value();
+        points.push_back(pointAt(of, WorldPoint(truth), oracleUnder(at.x, 700 - at.y, at.z), 1));
+    }
+    const Diagnosis settled = diagnose(of, points).value();
+    QCOMPARE(settled.verdict, std::string("y-not-flipped"));
+    // One of them is of another program: no mistake explains all.
+    points[1].got.x += 0.8;
+    QCOMPARE(diagnose(of, points).value().verdict, std::string("unknown"));
+}
+
+void TestDoctor::withoutADepthTheRayJudges()
+{
+    const Case of = scene();
+    const auto byRay = [&](const glm::dvec3 &got) {
+        WrongPoint point = pointAt(of, WorldPoint(kTruth), got);
+        point.depth.reset();
+        return diagnosed(of, point);
+    };
+    const Diagnosis flipped = byRay({0.7051, -0.4122, 0.0918});
+    QCOMPARE(flipped.candidates.front().id, std::string("y-not-flipped"));
+    QCOMPARE(flipped.depthKnown, DepthKnown::ByRay);
+    // Any depth on the ray is right as far as the ray tells.
+    QCOMPARE(byRay(kTruth).verdict, std::string("right"));
+    QCOMPARE(byRay({0.3839, 0.6920, -0.4937}).verdict, std::string("right"));
+    // The eye's side of the near plane is no depth at all.
+    const Diagnosis beyond = byRay({3.0882, 2.0441, 5.1852});
+    QVERIFY(beyond.verdict != "right");
+    QCOMPARE(beyond.landing, Landing::Depth);
+}
+
+void TestDoctor::theMeshKnowsTheDepth()
+{
+    Case of = scene();
+    const WindowPoint window = windowFromWorld(of.picture, WorldPoint(kTruth)).value();
+    of.depthOnMesh = [&](const DevicePoint &) { return std::optional<double>(window.z); };
+    WrongPoint point = pointAt(of, WorldPoint(kTruth), {2.4939, 1.7469, 3.9371});
+    point.depth.reset();
+    const Diagnosis diagnosis = diagnosed(of, point);
+    QCOMPARE(diagnosis.depthKnown, DepthKnown::FromMesh);
+    QCOMPARE(diagnosis.verdict, std::string("depth-reversed"));
+    // Its background says nothing.
+    of.depthOnMesh = [](const DevicePoint &) { return std::optional<double>(); };
+    QCOMPARE(diagnosed(of, point).depthKnown, DepthKnown::ByRay);
+}
+
+/// A depth of three digits moves the point by hundredths.
+void TestDoctor::aRoundedDepthIsAllowedFor()
+{
+    const Case of = scene();
+    WrongPoint point = pointAt(of, WorldPoint(kTruth), {0.7051, -0.4122, 0.0918});
+    point.depth = 0.838;
+    QVERIFY(diagnosed(of, point).candidates.front().id != "y-not-flipped");
+    point.depthLastDigit = 1e-3;
+    QCOMPARE(diagnosed(of, point).candidates.front().id, std::string("y-not-flipped"));
+}
+
+void TestDoctor::otherSpaces()
+{
+    const Case of = scene();
+    WrongPoint point = pointAt(of, WorldPoint(kTruth), {0.5574, 0.6955, -5.8805});
+    point.space = PointSpace::Eye;
+    QCOMPARE(diagnosed(of, point).verdict, std::string("right"));
+    point.got = {-1.5, 0.75, 0.75};
+    point.space = PointSpace::Object;
+    QCOMPARE(diagnosed(of, point).verdict, std::string("right"));
+    point.got = kTruth;
+    QCOMPARE(diagnosed(of, point).verdict, std::string("model-left-out"));
+}
+
+void TestDoctor::aMatrixIsAsGoodAsParameters()
+{
+    Case of = scene();
+    const Case byParameters = of;
+    of.picture.lens = MatrixProjection{clipFromEye(of.picture).value(), {}};
+    of.picture.pose = eyeFromWorld(byParameters.picture).value();
+    for (const glm::dvec3 &got : {glm::dvec3(0.3119, 0.4080, -0.0004), glm::dvec3(0.3839, 0.6920, -0.4937),
+                                  glm::dvec3(0.1997, 0.2040, 0.1486), glm::dvec3(2.5531, 1.7765, 4.0614)}) {
+        const WrongPoint point = pointAt(byParameters, WorldPoint(kTruth), got);
+        QCOMPARE(diagnosed(of, point).verdict, diagnosed(byParameters, point).verdict);
+        QVERIFY(diagnosed(of, point).verdict != "unknown");
+    }
+}
+
+void TestDoctor::everyMistakeHasItsIdOnce()
+{
+    std::vector<std::string> ids = mistakeIds();
+    QVERIFY(ids.size() >= 45);
+    std::sort(ids.begin(), ids.end());
+    QVERIFY(std::adjacent_find(ids.begin(), ids.end()) == ids.end());
+    // Each can be made on some picture.
+    Case of = scene();
+    std::vector<std::size_t> made;
+    for (const bool isPerspective : {true, false}) {
+        if (!isPerspective)
+            of.picture.lens = Projection(Ortho{});
+        of.picture.depthRange = {0.1, 0.9};
+        for (const Variant &variant : variants(Given::of(of.picture).value(), of.models))
+            made.push_back(variant.mistake);
+    }
+    for (std::size_t i = 0; i < mistakes().size(); ++i)
+        QVERIFY2(std::find(made.begin(), made.end(), i) != made.end(), mistakes()[i].id.data());
+}
+
+Q_DECLARE_METATYPE(unprojector::unproject::Conventions)
+
+/// Mistakes that are values of Conventions as well give the same points there.
+void TestDoctor::conventionsAnswerTheSame_data()
+{
+    using unproject::Conventions;
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<Conventions>("conventions");
+    const auto row = [](const char *id, auto change) {
+        Conventions conventions;
+        change(conventions);
+        QTest::newRow(id) << QString(id) << conventions;
+    };
+    row("y-not-flipped", [](auto &c) { c.flip = Conventions::Flip::Left; });
+    row("flipped-with-viewport-height", [](auto &c) { c.flip = Conventions::Flip::ByViewportHeight; });
+    row("row-above", [](auto &c) { c.pixelPart = Conventions::PixelPart::RowAbove; });
+    row("viewport-origin-ignored", [](auto &c) { c.viewportOffset = Conventions::ViewportOffset::Forgotten; });
+    row("viewport-is-window", [](auto &c) { c.viewportOffset = Conventions::ViewportOffset::WholeWindow; });
+    row("depth-not-remapped", [](auto &c) { c.ndcDepth = Conventions::NdcDepthTaken::AsItIs; });
+    row("depth-remapped-twice", [](auto &c) { c.ndcDepth = Conventions::NdcDepthTaken::Stretched; });
+    row("depth-reversed", [](auto &c) { c.reversed = true; });
+    row("fov-degrees-as-radians", [](auto &c) { c.angleUnit = Conventions::AngleUnit::DegreesTakenForRadians; });
+    row("fov-horizontal", [](auto &c) { c.fovAxis = Conventions::FovAxis::VerticalTakenForHorizontal; });
+    row("view-transposed", [](auto &c) { c.transposed = Conventions::Transposed::View; });
+    row("projection-transposed", [](auto &c) { c.transposed = Conventions::Transposed::Projection; });
+    row("both-transposed", [](auto &c) { c.transposed = Conventions::Transposed::Both; });
+    row("product-transposed", [](auto &c) { c.transposed = Conventions::Transposed::Product; });
+    row("inverse-order", [](auto &c) { c.order = Conventions::Order::InversesInTheOrderOfTheFactors; });
+    row("not-inverted", [](auto &c) { c.inverse = Conventions::Inverse::Forgotten; });
+    row("view-inverse-as-view", [](auto &c) { c.inverse = Conventions::Inverse::ViewInvertedTwice; });
+    row("no-w-divide", [](auto &c) { c.w = Conventions::W::Ignored; });
+    row("model-left-in", [](auto &c) { c.model = Conventions::Model::LeftIn; });
+    row("model-left-out", [](auto &c) { c.model = Conventions::Model::AppliedAgain; });
+}
+
+void TestDoctor::conventionsAnswerTheSame()
+{
+    QFETCH(QString, id);
+    QFETCH(unproject::Conventions, conventions);
+    const Case of = scene();
+    const Given given = Given::of(of.picture).value();
+    Click click;
+    click.pixel = DevicePoint(612.5, 301.5);
+    click.depth = 0.83;
+    setRightEye(given, click);
+    const auto prepared =
+        unproject::Unprojector::of(of.picture, conventions, of.models.front().worldFromObject).value();
+    const WindowPoint window =
+        unproject::windowOfClick(of.picture, conventions, WidgetPoint(612.5, 301.5), 0.83).value();
+    const WorldPoint expected = prepared.worldAt(unproject::Method::Matrix, window).value();
+    double closest = 1e300;
+    for (const Variant &variant : variants(given, of.models)) {
+        if (mistakes()[variant.mistake].id != id.toStdString())
+            continue;
+        const Variant *const list[] = {&variant};
+        if (const auto point = answer(given, click, list))
+            closest = std::min(closest, glm::distance(*point, expected.coordinates()));
+    }
+    QVERIFY2(closest < 1e-9, qPrintable(QString::number(closest)));
+}
+
+void TestDoctor::badInputIsRefused()
+{
+    const Case of = scene();
+    WrongPoint point = pointAt(of, WorldPoint(kTruth), kTruth);
+    point.depth = 5.88;
+    const Result<Diagnosis> outside = diagnose(of, {&point, 1});
+    QVERIFY(!outside);
+    QCOMPARE(outside.error().code, ErrorCode::DepthOutsideRange);
+    QCOMPARE(outside.error().value, 5.88);
+    point.depth = 0.5;
+    point.got.y = std::numeric_limits<double>::quiet_NaN();
+    QCOMPARE(diagnose(of, {&point, 1}).error().code, ErrorCode::NotFinite);
+    Case empty = of;
+    empty.picture.viewport.width = 0;
+    QCOMPARE(diagnose(empty, {&point, 1}).error().code, ErrorCode::EmptyViewport);
+}
+
+QTEST_GUILESS_MAIN(TestDoctor)
+#include "test_doctor.moc"
