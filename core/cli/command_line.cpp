@@ -213,21 +213,37 @@ void addScene(CLI::App &app, Run &run)
     command
         ->add_option(
             "--from-matrices", options->fromMatrices,
-            "Modelview (16 numbers), projection (16) and viewport (4: x y width height),\nor a text file that has "
-            "them; - is standard input. In this order, or each\nbehind its name")
+            "Modelview (16 numbers), projection (16) and viewport (4: x y width height),\nor their product (16) and "
+            "the "
+            "viewport, or a text file that has them; - is\nstandard input. In this order, or each behind its name "
+            "(modelview, view,\nprojection, MVP, viewport)")
         ->required()
         ->expected(1, 64);
-    addChoice<bool>(*command, "--order", options->isRowByRow, {{"column", false}, {"row", true}},
-                    "How the 16 numbers follow each other, by columns (as OpenGL has them) or rows");
+    addChoice<std::optional<NumberOrder>>(*command, "--order", options->order,
+                                          {{"column", NumberOrder::ByColumns}, {"row", NumberOrder::ByRows}},
+                                          "How the 16 numbers follow each other; without it, as programs\nwrite them: "
+                                          "16 in a row by columns, four lines or "
+                                          "four brackets of four by\nrows, glm::to_string by columns");
+    addChoice<std::optional<NdcDepth>>(
+        *command, "--depth", options->depth,
+        {{"minus-one-to-one", NdcDepth::MinusOneToOne}, {"zero-to-one", NdcDepth::ZeroToOne}},
+        "NDC depths that the projection goes by");
+    addChoice<std::optional<bool>>(*command, "--y", options->isYDown, {{"up", false}, {"down", true}},
+                                   "Which way NDC y grows: down, as in Vulkan, turns it round");
+    command->add_flag("--reversed", options->isReversed,
+                      "Depths are 1 on the near plane: by the projection, or else by the depth\nrange");
     command->add_option("--window", options->window, "The window's size in pixels; without it, what the viewport needs")
         ->type_name("WxH");
     addFile(*command, "-o,--output", options->output, "Scene file; - is standard output")->default_str("-");
-    command->footer("Brackets, commas and other words between the numbers are passed over.\n"
-                    "\n"
-                    "Examples:\n"
-                    "  unproject scene --from-matrices matrices.txt -o scene.json\n"
-                    "  unproject scene --from-matrices \"modelview 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1\n"
-                    "      projection 1 0 0 0  0 1 0 0  0 0 -1.2 -1  0 0 -2.2 0  viewport 0 0 800 600\"");
+    command->footer(
+        "Brackets, commas, subscripts (m[3] =) and other words between the numbers are passed over. What is\n"
+        "to be seen of a matrix is said, and nothing changed: transposed, an inverse, depths from 0 to 1 or\n"
+        "reversed, y turned round, a scale.\n"
+        "\n"
+        "Examples:\n"
+        "  unproject scene --from-matrices matrices.txt -o scene.json\n"
+        "  unproject scene --from-matrices \"modelview 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1\n"
+        "      projection 1 0 0 0  0 1 0 0  0 0 -1.2 -1  0 0 -2.2 0  viewport 0 0 800 600\"");
     command->callback([options, &run] { run = [options] { return runScene(*options); }; });
 }
 

@@ -3,13 +3,11 @@
 #include "core/cli/byte_stream.h"
 #include "core/cli/size_text.h"
 #include "core/files/path_text.h"
+#include "core/matrices/matrix_findings.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <system_error>
@@ -19,103 +17,19 @@ using namespace scene_file;
 using namespace files;
 namespace {
 
-/// The three things that are asked for, in the order in which they come where nothing is said.
-struct Part {
-    const char *name;
-    std::size_t wanted;
-    std::vector<double> numbers{};
-};
-using Parts = std::array<Part, 3>;
-
-bool isWordCharacter(char c)
-{
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' || c == '-';
-}
-
-std::string lowerCase(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    return result;
-}
-
-/// A number, with the f of a C float behind it or not.
-std::optional<double> numberOf(std::string_view word)
-{
-    if (word.size() > 1 && word.front() == '+')
-        word.remove_prefix(1);
-    if (word.size() > 1 && (word.back() == 'f' || word.back() == 'F') && word.find_first_of("0123456789") != word.npos)
-        word.remove_suffix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size())
-        return std::nullopt;
-    return value;
-}
-
-/// Sorts the numbers of a text into the parts: those behind a part's name are that part's; those behind none go to the
-/// first part that is not yet full. Brackets, commas and other words are passed over.
-/// @param name  of the text, for the message
-/// @return what is wrong, or nothing
-std::string sortNumbers(const std::string &text, const std::string &name, Parts &parts)
-{
-    Part *named = nullptr;
-    for (std::size_t at = 0; at < text.size();) {
-        if (!isWordCharacter(text[at])) {
-            ++at;
-            continue;
-        }
-        std::size_t end = at;
-        while (end < text.size() && isWordCharacter(text[end]))
-            ++end;
-        const std::string word = text.substr(at, end - at);
-        at = end;
-        const std::optional<double> value = numberOf(word);
-        if (!value) {
-            const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part &p) {
-                return lowerCase(word).find(p.name) != std::string::npos;
-            });
-            if (part != parts.end())
-                named = &*part;
-            continue;
-        }
-        if (!std::isfinite(*value)) {
-            const std::string_view before = std::string_view(text).substr(0, end - word.size());
-            const std::string line = std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
-            const std::string column = std::to_string(before.size() - (before.rfind('\n') + 1) + 1);
-            return name + ':' + line + ':' + column + ": \"" + word + "\" is not a finite number";
-        }
-        Part *target = named;
-        if (target == nullptr) {
-            const auto open =
-                std::find_if(parts.begin(), parts.end(), [](const Part &p) { return p.numbers.size() < p.wanted; });
-            target = open == parts.end() ? &parts.back() : &*open;
-        }
-        target->numbers.push_back(*value);
-    }
-    for (const Part &part : parts) {
-        if (part.numbers.size() != part.wanted)
-            return name + ": " + part.name + ": " + std::to_string(part.numbers.size()) + " numbers found, "
-                   + std::to_string(part.wanted) + " are needed";
-    }
-    return {};
-}
-
-glm::dmat4 matrixOf(const std::vector<double> &numbers, bool isRowByRow)
-{
-    glm::dmat4 m;
-    for (int i = 0; i < 16; ++i) {
-        const int outer = i / 4, inner = i % 4;
-        (isRowByRow ? m[inner][outer] : m[outer][inner]) = numbers[static_cast<std::size_t>(i)];
-    }
-    return m;
-}
-
 struct Pasted {
     std::string text, name;
     bool isFile = false; ///< or stdin
 };
+
+std::string pasteErrorText(const PasteError &error, const std::string &name)
+{
+    if (!error.word.empty())
+        return name + ':' + std::to_string(error.line) + ':' + std::to_string(error.column) + ": \"" + error.word
+               + "\" is not a finite number";
+    return name + ": " + nameOf(error.part) + ": " + std::to_string(error.found) + " numbers found, "
+           + std::to_string(error.wanted) + " are needed";
+}
 
 /// What was pasted: the words themselves, or a file's text. What is wrong is said on stderr.
 std::optional<Pasted> pasted(const std::vector<std::string> &words)
@@ -163,6 +77,93 @@ bool setWindow(const SceneOptions &options, const Viewport &viewport, SceneFile 
     return true;
 }
 
+/// What can be done about a finding, by an option or by hand.
+std::string adviceFor(const MatrixFinding &finding, NumberOrder order)
+{
+    switch (finding.fault) {
+    case MatrixFault::Transposed:
+        return order == NumberOrder::ByColumns ? "; read by columns, --order row reads it by rows"
+                                               : "; read by rows, --order column reads it by columns";
+    case MatrixFault::Inverse: return "; if it is, give its inverse";
+    case MatrixFault::Exchanged: return "; give each behind its name, modelview and projection";
+    case MatrixFault::DepthZeroToOne: return "; --depth zero-to-one takes it so, --depth minus-one-to-one does not";
+    case MatrixFault::DepthReversed: return "; --reversed says that they are";
+    case MatrixFault::YDown: return "; --y down turns it back, --y up leaves it so";
+    case MatrixFault::Mirrored:
+    case MatrixFault::Scaled:
+    case MatrixFault::UnknownForm:
+    case MatrixFault::FarAtInfinity:
+    case MatrixFault::LeftHanded: break;
+    }
+    return {};
+}
+
+class Taker {
+public:
+    Taker(const SceneOptions &options, const std::string &name) : m_options(options), m_name(name) {}
+
+    /// The matrix in the order that is asked for, or in that of its form.
+    glm::dmat4 matrix(const PastedMatrix &pasted) const { return matrixOf(pasted.numbers, order(pasted)); }
+
+    void say(PastedPart part, const std::string &what) const { complain(m_name + ": " + nameOf(part) + ": " + what); }
+
+    /// Says what is to be seen of a matrix, but for what an option has an answer to.
+    /// @return whether depths are reversed by it
+    bool lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole role,
+                const std::optional<glm::dmat4> &clipFromEye = std::nullopt) const
+    {
+        bool isReversed = false;
+        for (const MatrixFinding &finding : findings(matrix(pasted), role, m_options.depth, clipFromEye)) {
+            const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
+            isReversed = isReversed || isAboutDepth;
+            if ((isAboutDepth && m_options.isReversed) || (finding.fault == MatrixFault::YDown && m_options.isYDown))
+                continue;
+            say(part, findingText(finding, role) + adviceFor(finding, order(pasted)));
+        }
+        return isReversed;
+    }
+
+private:
+    NumberOrder order(const PastedMatrix &pasted) const { return m_options.order.value_or(orderOf(pasted.form)); }
+
+    const SceneOptions &m_options;
+    const std::string &m_name;
+};
+
+/// Projection and view as pasted; what options ask for is done to them, and what else is to be seen of them is said.
+void setMatrices(const SceneOptions &options, const PastedScene &pasted, const std::string &name, SceneFile &scene)
+{
+    const Taker taker(options, name);
+    const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
+    const PastedMatrix &lens = isWhole ? *pasted.projection : *pasted.product;
+    glm::dmat4 clipFromEye = taker.matrix(lens);
+    bool isReversed = false;
+    if (isWhole) {
+        const PastedMatrix &view = pasted.view ? *pasted.view : *pasted.modelView;
+        const PastedPart viewPart = pasted.view ? PastedPart::View : PastedPart::ModelView;
+        scene.view = taker.matrix(view);
+        taker.lookAt(view, viewPart, MatrixRole::View, clipFromEye);
+        isReversed = taker.lookAt(lens, PastedPart::Projection, MatrixRole::Projection);
+        if (pasted.product)
+            taker.say(PastedPart::Product,
+                      "left out, since the projection and the " + std::string(nameOf(viewPart)) + " are there");
+        if (pasted.view && pasted.modelView)
+            taker.say(PastedPart::ModelView, "left out, since the view is there");
+    } else {
+        scene.view = glm::dmat4(1.0);
+        isReversed = taker.lookAt(lens, PastedPart::Product, MatrixRole::Product);
+        taker.say(PastedPart::Product, "lens and eye are not apart in it: only the inverted matrix will answer, the "
+                                       "formulas need projection and view");
+    }
+    if (pasted.model)
+        taker.say(PastedPart::Model, "left out: world coordinates have no need of it");
+    if (options.isYDown.value_or(false))
+        clipFromEye = repaired(clipFromEye, {MatrixFault::YDown, MatrixRepair::TurnY});
+    if (options.isReversed && !isReversed)
+        scene.depthRange = {1.0, 0.0};
+    scene.projection = MatrixProjection{clipFromEye, options.depth};
+}
+
 } // namespace
 
 ExitCode runScene(const SceneOptions &options)
@@ -170,22 +171,22 @@ ExitCode runScene(const SceneOptions &options)
     const std::optional<Pasted> given = pasted(options.fromMatrices);
     if (!given)
         return ExitCode::UnusableInput;
-    Parts parts{{{"modelview", 16}, {"projection", 16}, {"viewport", 4}}};
-    if (const std::string problem = sortNumbers(given->text, given->name, parts); !problem.empty()) {
-        const bool hasNumbers =
-            std::any_of(parts.begin(), parts.end(), [](const Part &p) { return !p.numbers.empty(); });
-        const bool isFileMeant = !hasNumbers && given->name == "--from-matrices" && options.fromMatrices.size() == 1;
-        complain(isFileMeant ? options.fromMatrices[0] + ": there is no such file" : problem);
+    const auto numbers = pastedScene(given->text);
+    if (!numbers) {
+        const PasteError &error = numbers.error();
+        const bool isFileMeant =
+            error.word.empty() && error.all == 0 && !given->isFile && options.fromMatrices.size() == 1;
+        complain(isFileMeant ? options.fromMatrices[0] + ": there is no such file"
+                             : pasteErrorText(error, given->name));
         return ExitCode::UnusableInput;
     }
 
     SceneFile scene;
-    const std::vector<double> &v = parts[2].numbers;
+    const std::array<double, 4> &v = numbers->viewport;
     scene.viewport = Viewport{v[0], v[1], v[2], v[3]};
     if (!setWindow(options, *scene.viewport, scene))
         return ExitCode::UnusableInput;
-    scene.view = matrixOf(parts[0].numbers, options.isRowByRow);
-    scene.projection = MatrixProjection{matrixOf(parts[1].numbers, options.isRowByRow), std::nullopt};
+    setMatrices(options, *numbers, given->name, scene);
 
     // What is written must be read again: the reader says what a scene may not be.
     const auto written = sceneText(scene);

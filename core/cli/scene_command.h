@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/cli/exit_code.h"
-#include "core/matrices/matrix_format.h"
+#include "core/geometry/matrix_projection.h"
+#include "core/matrices/pasted_matrix.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,10 @@ using namespace matrices;
 /// `unproject scene`: makes a scene file from what another program prints of its matrices.
 struct SceneOptions {
     std::vector<std::string> fromMatrices; ///< the numbers, or the name of one text file that has them, "-" for stdin
-    bool isRowByRow = false;               ///< how the sixteen numbers of a matrix follow each other
+    std::optional<NumberOrder> order;      ///< how the sixteen numbers of a matrix follow each other; none: as written
+    std::optional<NdcDepth> depth;         ///< of the projection; none: as its numbers tell
+    std::optional<bool> isYDown;           ///< NDC y, as Vulkan has it; none: up
+    bool isReversed = false;               ///< depths are 1 on the near plane
     std::string window;                    ///< "WxH"; empty: as far as the viewport reaches
     std::string output = "-";              ///< a scene file, "-" for stdout
 };

@@ -22,6 +22,11 @@ private slots:
     void theSceneUnprojects();
     void matricesComeBackAsTheyWere();
     void fileAndWindow();
+    void whatIsToBeSeenOfAMatrixIsSaid_data();
+    void whatIsToBeSeenOfAMatrixIsSaid();
+    void aProductAloneUnprojects();
+    void optionsTakeMatricesOtherwise_data();
+    void optionsTakeMatricesOtherwise();
     void badMatricesAreRefused_data();
     void badMatricesAreRefused();
     void badArgumentsAreNamed_data();
@@ -100,6 +105,101 @@ void TestSceneCommand::fileAndWindow()
     // The viewport's bottom left corner is the window's: 400 pixels down.
     const Run points = runCommand({"points", "--method", "formula", output}, "px,py,depth\n0,400,0\n");
     QVERIFY2(points.output.endsWith("\n0,400,0,-1,-1,4\n"), points.output.constData());
+}
+
+void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QByteArray>("said");
+    // glFrustum(-1,1,-1,1,0.1,100), with depths in [0, 1] and y turned round for Vulkan.
+    const QByteArray zeroToOne = "projection 0.1 0 0 0  0 0.1 0 0  0 0 -1.001001 -1  0 0 -0.1001001 0 ";
+    const QByteArray turned = "projection 1 0 0 0  0 -1 0 0  0 0 -2 -1  0 0 -3 0 ";
+    const QByteArray reversed = "projection 1 0 0 0  0 1 0 0  0 0 0 -1  0 0 0.5 0 ";
+    const QByteArray rest = "modelview " + kModelview + " viewport " + kViewport;
+    const QByteArray none;
+    QTest::newRow("Eigen's rows need no word") << QByteArray("modelview\n1 0 0 0\n0 1 0 0\n0 0 1 -5\n0 0 0 1\n")
+                                                      + "projection " + kProjection + " viewport " + kViewport
+                                               << QStringList() << none;
+    QTest::newRow("rows taken for columns")
+        << "modelview 1 0 0 0  0 1 0 0  0 0 1 -5  0 0 0 1 projection " + kProjection + " viewport " + kViewport
+        << QStringList()
+        << QByteArray("stdin: modelview: looks transposed: its last column, not its "
+                      "last row, is 0 0 0 1; read by columns, --order row reads it "
+                      "by rows\n");
+    QTest::newRow("[0, 1]") << zeroToOne + rest << QStringList()
+                            << QByteArray(
+                                   "stdin: projection: seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): "
+                                   "near is then 0.1; --depth zero-to-one takes it so, --depth minus-one-to-one "
+                                   "does not\n");
+    QTest::newRow("[0, 1], asked for") << zeroToOne + rest << QStringList{"--depth", "zero-to-one"} << none;
+    QTest::newRow("[-1, 1], asked for") << zeroToOne + rest << QStringList{"--depth", "minus-one-to-one"} << none;
+    QTest::newRow("Vulkan's y") << turned + rest << QStringList()
+                                << QByteArray("stdin: projection: turns y round, as is done for Vulkan: the picture is "
+                                              "upside down for OpenGL; --y down turns it back, --y up leaves it so\n");
+    QTest::newRow("Vulkan's y, turned back") << turned + rest << QStringList{"--y", "down"} << none;
+    QTest::newRow("Vulkan's y, left") << turned + rest << QStringList{"--y", "up"} << none;
+    QTest::newRow("reversed, asked for")
+        << reversed + rest << QStringList{"--reversed", "--depth", "zero-to-one"}
+        << QByteArray("stdin: projection: has its far plane at infinity: depths there have no point\n");
+    QTest::newRow("a model beside it") << "model " + kModelview + ' ' + rest + " projection " + kProjection
+                                       << QStringList()
+                                       << QByteArray("stdin: model: left out: world coordinates have no need of it\n");
+}
+
+void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QStringList, options);
+    QFETCH(QByteArray, said);
+    const Run run = runCommand(QStringList{"scene", "--from-matrices", "-"} + options, text);
+    QCOMPARE(run.errors, said);
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(!run.output.isEmpty());
+}
+
+void TestSceneCommand::aProductAloneUnprojects()
+{
+    // kProjection times kModelview.
+    const Run scene = runCommand({"scene", "--from-matrices", "-"},
+                                 "MVP 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5  viewport " + kViewport);
+    QVERIFY2(scene.errors.startsWith("stdin: product: lens and eye are not apart in it"), scene.errors.constData());
+    QCOMPARE(scene.exitCode, 0);
+    const Run points = runCommand({"points", "--method", "matrix", m_folder.write("product.json", scene.output)},
+                                  "px,py,depth\n400,300,1\n");
+    const QList<QByteArray> cells = points.lines().at(1).split(',');
+    const QList<double> expected{3, -3, 2};
+    for (int k = 0; k < 3; ++k)
+        QVERIFY2(std::abs(cells[3 + k].toDouble() - expected[k]) <= 1e-13, points.output.constData());
+}
+
+void TestSceneCommand::optionsTakeMatricesOtherwise_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QByteArray>("row");
+    QTest::addColumn<QList<double>>("expected");
+    QTest::newRow("as they are") << QStringList() << QByteArray("200,0,0") << QList<double>{0, 1, 4};
+    QTest::newRow("y down") << QStringList{"--y", "down"} << QByteArray("200,0,0") << QList<double>{0, -1, 4};
+    QTest::newRow("reversed") << QStringList{"--reversed"} << QByteArray("200,0,1") << QList<double>{0, 1, 4};
+    // -2 z - 3 over z is 0 at a distance of 1.5.
+    QTest::newRow("[0, 1]") << QStringList{"--depth", "zero-to-one"} << QByteArray("200,0,0")
+                            << QList<double>{0, 1.5, 3.5};
+}
+
+void TestSceneCommand::optionsTakeMatricesOtherwise()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QByteArray, row);
+    QFETCH(QList<double>, expected);
+    const Run scene = runCommand(QStringList{"scene", "--from-matrices", "-"} + options,
+                                 kModelview + ' ' + kProjection + ' ' + kViewport);
+    QCOMPARE(scene.exitCode, 0);
+    const Run points = runCommand({"points", m_folder.write("otherwise.json", scene.output)}, "px,py,depth\n" + row);
+    const QList<QByteArray> cells = points.lines().at(1).split(',');
+    for (int k = 0; k < 3; ++k) {
+        QVERIFY2(std::abs(cells[3 + k].toDouble() - expected[k]) <= 1e-13, points.output.constData());
+        QVERIFY2(std::abs(cells[6 + k].toDouble() - expected[k]) <= 1e-13, points.output.constData());
+    }
 }
 
 void TestSceneCommand::badMatricesAreRefused_data()

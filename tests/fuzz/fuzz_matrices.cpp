@@ -20,7 +20,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     cli::SceneOptions options;
     // Two words are the numbers themselves, never the name of a file.
     options.fromMatrices = {std::string(fuzz::text(data, size)), ""};
-    options.isRowByRow = size % 2 == 1;
+    if (size % 3 > 0)
+        options.order = size % 3 == 1 ? matrices::NumberOrder::ByRows : matrices::NumberOrder::ByColumns;
+    options.isReversed = size % 5 == 1;
+    if (size % 7 < 2)
+        options.isYDown = size % 7 == 1;
     options.output = made.string();
     if (runScene(options) == cli::ExitCode::Done)
         fuzz::require(scene_file::readSceneFile(made).hasValue(), "a scene that was made can be read");

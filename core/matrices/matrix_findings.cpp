@@ -1,0 +1,362 @@
+#include "core/matrices/matrix_findings.h"
+
+#include "core/geometry/condition_number.h"
+#include "core/geometry/view_matrix.h"
+#include "core/matrices/matrix_format.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+namespace unprojector::matrices {
+namespace {
+
+using glm::dmat4;
+using glm::dvec3;
+using glm::dvec4;
+
+/// Of the largest entry: what printed digits and single precision leave where a zero was.
+constexpr double kZero = 1e-6;
+
+double largestEntry(const dmat4 &m)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
+    return largest;
+}
+
+dvec4 row(const dmat4 &m, int i)
+{
+    return {m[0][i], m[1][i], m[2][i], m[3][i]};
+}
+
+/// With true zeros, and a one, in the places that only rounding keeps from them.
+dmat4 withoutRounding(const dmat4 &matrix)
+{
+    dmat4 m = matrix;
+    const double largest = largestEntry(m);
+    for (int i = 0; i < 16; ++i) {
+        double &entry = m[i / 4][i % 4];
+        // The third row's numbers may be small ones.
+        if (i % 4 != 2 && std::abs(entry) <= kZero * kZero * largest)
+            entry = 0.0;
+    }
+    return m;
+}
+
+/// Last row 0 0 0 w.
+bool isAffine(const dmat4 &m)
+{
+    const dvec4 last = row(m, 3);
+    return last.w != 0.0 && glm::length(dvec3(last)) <= kZero * std::abs(last.w);
+}
+
+std::optional<RecognisedProjection> projectionIn(const dmat4 &m, const std::optional<NdcDepth> &depth)
+{
+    const auto result = recognised({withoutRounding(m), depth});
+    if (!result)
+        return std::nullopt;
+    return *result;
+}
+
+/// How many digits a number has, up to what single precision and printing leave of it.
+int digitsOf(double value)
+{
+    constexpr double kPrinted = 1e-5;
+    constexpr int kMost = 9;
+    for (int digits = 1; digits < kMost; ++digits) {
+        const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
+        if (std::abs(std::round(value / unit) * unit - value) <= kPrinted * value)
+            return digits;
+    }
+    return kMost;
+}
+
+double nearOf(const RecognisedProjection &r)
+{
+    return std::visit(
+        [](const auto &p) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(p)>, Oblique>)
+                return p.box.nearDistance;
+            else
+                return p.nearDistance;
+        },
+        r.parameters);
+}
+
+/// Near by [0, 1], where that is what the matrix was made with: it must be, or near has few digits so and many otherwise.
+std::optional<double> nearByZeroToOne(const dmat4 &m, const RecognisedProjection &r)
+{
+    if (r.ndcDepth == NdcDepth::ZeroToOne)
+        return nearOf(r);
+    const auto other = projectionIn(m, NdcDepth::ZeroToOne);
+    constexpr int kFew = 3, kMany = 5;
+    if (!other || !r.coefficients.perspective || !(nearOf(*other) > 0.0) || !(nearOf(r) > 0.0))
+        return std::nullopt;
+    if (digitsOf(nearOf(*other)) <= kFew && digitsOf(nearOf(r)) >= kMany)
+        return nearOf(*other);
+    return std::nullopt;
+}
+
+void lookAtProjection(const dmat4 &m, const RecognisedProjection &r, const std::optional<NdcDepth> &depth,
+                      std::vector<MatrixFinding> &found)
+{
+    if (!depth) {
+        if (const auto n = nearByZeroToOne(m, r))
+            found.push_back({MatrixFault::DepthZeroToOne, MatrixRepair::DepthZeroToOne, *n});
+    }
+    if (r.reversed)
+        found.push_back({MatrixFault::DepthReversed, MatrixRepair::None, nearOf(r)});
+    if (r.infiniteFar)
+        found.push_back({MatrixFault::FarAtInfinity, MatrixRepair::None, nearOf(r)});
+    if (r.coefficients.yScale < 0.0)
+        found.push_back({MatrixFault::YDown, MatrixRepair::TurnY});
+    if (r.coefficients.xScale < 0.0)
+        found.push_back({MatrixFault::Mirrored, MatrixRepair::TurnX});
+    if (r.looksAlongPlusZ)
+        found.push_back({MatrixFault::LeftHanded});
+}
+
+/// Whether a projection has this form and its w is 1, as it is in every one that is not transposed.
+bool isPlainProjection(const dmat4 &m)
+{
+    const auto r = projectionIn(m, std::nullopt);
+    return r && std::abs(r->coefficients.w - 1.0) <= kZero;
+}
+
+std::vector<MatrixFinding> projectionFindings(const dmat4 &m, const std::optional<NdcDepth> &depth)
+{
+    std::vector<MatrixFinding> found;
+    const bool isPlain = isPlainProjection(m);
+    if (!isPlain && isPlainProjection(glm::transpose(m)))
+        return {{MatrixFault::Transposed, MatrixRepair::OtherOrder}};
+    if (!isPlain && isPlainProjection(glm::inverse(m)))
+        return {{MatrixFault::Inverse, MatrixRepair::Invert}};
+    if (!isPlain && isPlainProjection(glm::inverse(glm::transpose(m))))
+        return {{MatrixFault::Transposed, MatrixRepair::OtherOrder}, {MatrixFault::Inverse, MatrixRepair::Invert}};
+    if (const auto r = projectionIn(m, depth)) {
+        lookAtProjection(m, *r, depth, found);
+        return found;
+    }
+    if (axesOff(m) || axesOff(glm::transpose(m)))
+        return {{MatrixFault::Exchanged, MatrixRepair::Exchange}};
+    return {{MatrixFault::UnknownForm}};
+}
+
+/// How far from the middle of the picture the world's origin is, 1 at its edge; nothing where it is behind the eye.
+std::optional<double> originOffMiddle(const dmat4 &view, const std::optional<dmat4> &clipFromEye)
+{
+    const dvec4 eye = row(glm::transpose(view), 3) / view[3][3];
+    if (!clipFromEye) {
+        if (!(eye.z < 0.0))
+            return std::nullopt;
+        return std::max(std::abs(eye.x), std::abs(eye.y)) / -eye.z;
+    }
+    const dvec4 clip = *clipFromEye * eye;
+    if (!(clip.w > 0.0) || std::abs(clip.z) > clip.w)
+        return std::nullopt;
+    return std::max(std::abs(clip.x), std::abs(clip.y)) / clip.w;
+}
+
+std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat4> &clipFromEye)
+{
+    if (!isAffine(m)) {
+        if (isAffine(glm::transpose(m)))
+            return {{MatrixFault::Transposed, MatrixRepair::OtherOrder}};
+        if (isPlainProjection(m) || isPlainProjection(glm::transpose(m)))
+            return {{MatrixFault::Exchanged, MatrixRepair::Exchange}};
+        return {{MatrixFault::UnknownForm}};
+    }
+    std::vector<MatrixFinding> found;
+    const glm::dmat3 axes = glm::dmat3(m) / m[3][3];
+    const double determinant = glm::determinant(axes), scale = std::cbrt(std::abs(determinant));
+    const glm::dmat3 squared = axes * glm::transpose(axes) / (scale * scale);
+    double off = 0.0;
+    for (int i = 0; i < 9; ++i)
+        off = std::max(off, std::abs(squared[i / 3][i % 3] - (i / 3 == i % 3 ? 1.0 : 0.0)));
+    constexpr double kRigid = 1e-4;
+    if (off > kRigid) {
+        double longest = 0.0;
+        for (int i = 0; i < 3; ++i)
+            longest = std::max(longest, glm::length(dvec3(axes[0][i], axes[1][i], axes[2][i])));
+        found.push_back({MatrixFault::Scaled, MatrixRepair::None, longest});
+    } else if (std::abs(scale - 1.0) > kRigid) {
+        found.push_back({MatrixFault::Scaled, MatrixRepair::WithoutScale, scale});
+    }
+    if (determinant < 0.0)
+        found.push_back({MatrixFault::Mirrored, MatrixRepair::TurnX});
+    const dmat4 inverse = glm::inverse(m);
+    constexpr double kInTheMiddle = 0.5;
+    const auto otherOff = originOffMiddle(inverse, clipFromEye);
+    if (!originOffMiddle(m, clipFromEye) && otherOff && *otherOff <= kInTheMiddle)
+        found.push_back({MatrixFault::Inverse, MatrixRepair::Invert});
+    return found;
+}
+
+/// The projection of a product: its rows are x's, y's and w's, made of the axes; the depth's is made of w's alone.
+struct TakenApart {
+    dmat4 clipFromEye{0.0};
+    double w = 1.0; ///< what the product was divided by: 1 but for scaled views
+    bool isMirrored = false;
+};
+
+std::optional<TakenApart> takenApart(const dmat4 &product)
+{
+    const double w = glm::length(dvec3(row(product, 3)));
+    if (!(w > kZero * largestEntry(product)))
+        return std::nullopt;
+    const dmat4 m = product / w;
+    const dvec3 x(row(m, 0)), y(row(m, 1)), z(row(m, 2)), forward(row(m, 3));
+    const double zScale = glm::dot(z, forward), xOffset = glm::dot(x, forward), yOffset = glm::dot(y, forward);
+    const dvec3 upward = y - yOffset * forward, side = x - xOffset * forward;
+    const double xScale = glm::length(side), yScale = glm::length(upward);
+    const bool isPinhole = glm::length(z - zScale * forward) <= kZero * std::max(glm::length(z), kZero)
+                           && std::abs(glm::dot(side, upward)) <= 1e-4 * xScale * yScale && xScale * yScale > 0.0;
+    if (!isPinhole)
+        return std::nullopt;
+    TakenApart result;
+    result.w = w;
+    result.clipFromEye[0][0] = xScale;
+    result.clipFromEye[1][1] = yScale;
+    result.clipFromEye[2] = dvec4(-xOffset, -yOffset, -zScale, -1.0);
+    result.clipFromEye[3][2] = m[3][2] - zScale * m[3][3];
+    result.isMirrored = glm::dot(glm::cross(side, upward), forward) > 0.0;
+    return result;
+}
+
+std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<NdcDepth> &depth)
+{
+    // A view that looks at the world's origin makes of a product's inverse and transpose almost such products; but for w.
+    const auto isPlain = [](const dmat4 &p) {
+        const auto apart = takenApart(p);
+        return isAffine(p) || (apart && std::abs(apart->w - 1.0) <= 10.0 * kZero);
+    };
+    const auto isProduct = [](const dmat4 &p) { return takenApart(p).has_value(); };
+    const dmat4 transposed = glm::transpose(m), inverse = glm::inverse(m);
+    const bool isMeant = isPlain(m) || (!isPlain(transposed) && !isPlain(inverse) && isProduct(m));
+    if (!isMeant) {
+        if (isPlain(transposed))
+            return {{MatrixFault::Transposed, MatrixRepair::OtherOrder}};
+        if (isPlain(inverse))
+            return {{MatrixFault::Inverse, MatrixRepair::Invert}};
+        return {{MatrixFault::UnknownForm}};
+    }
+    std::vector<MatrixFinding> found;
+    const auto apart = takenApart(m);
+    if (!apart)
+        return found;
+    if (const auto r = projectionIn(apart->clipFromEye, depth))
+        lookAtProjection(apart->clipFromEye, *r, depth, found);
+    if (apart->isMirrored)
+        found.push_back({MatrixFault::YDown, MatrixRepair::TurnY});
+    return found;
+}
+
+std::string number(double value)
+{
+    constexpr int kDigits = 5; // that are left of near in a matrix of single precision
+    return numberText(value, Digits::Double, kDigits);
+}
+
+} // namespace
+
+std::string_view idOf(MatrixFault fault)
+{
+    switch (fault) {
+    case MatrixFault::Transposed: return "transposed";
+    case MatrixFault::Inverse: return "inverse";
+    case MatrixFault::Exchanged: return "exchanged";
+    case MatrixFault::UnknownForm: return "unknown-form";
+    case MatrixFault::DepthZeroToOne: return "depth-zero-to-one";
+    case MatrixFault::DepthReversed: return "depth-reversed";
+    case MatrixFault::FarAtInfinity: return "far-at-infinity";
+    case MatrixFault::YDown: return "y-down";
+    case MatrixFault::Mirrored: return "mirrored";
+    case MatrixFault::LeftHanded: return "left-handed";
+    case MatrixFault::Scaled: break;
+    }
+    return "scaled";
+}
+
+std::vector<MatrixFinding> findings(const dmat4 &matrix, MatrixRole role, const std::optional<NdcDepth> &ndcDepth,
+                                    const std::optional<dmat4> &clipFromEye)
+{
+    if (isSingular(matrix))
+        return {};
+    switch (role) {
+    case MatrixRole::View: return viewFindings(matrix, clipFromEye);
+    case MatrixRole::Projection: return projectionFindings(matrix, ndcDepth);
+    case MatrixRole::Product: break;
+    }
+    return productFindings(matrix, ndcDepth);
+}
+
+dmat4 repaired(const dmat4 &matrix, const MatrixFinding &finding)
+{
+    dmat4 m = matrix;
+    const auto turnRow = [&m](int i) {
+        for (int column = 0; column < 4; ++column)
+            m[column][i] = m[column][i] == 0.0 ? 0.0 : -m[column][i];
+    };
+    switch (finding.repair) {
+    case MatrixRepair::None:
+    case MatrixRepair::Exchange:
+    case MatrixRepair::DepthZeroToOne: break;
+    case MatrixRepair::OtherOrder: return glm::transpose(m);
+    case MatrixRepair::Invert: return glm::inverse(m);
+    case MatrixRepair::TurnY: turnRow(1); break;
+    case MatrixRepair::TurnX: turnRow(0); break;
+    case MatrixRepair::WithoutScale:
+        // Eye coordinates stay, since near and far count in them: it is the object's that grow to the world's.
+        for (int column = 0; column < 3; ++column) {
+            for (int i = 0; i < 3; ++i)
+                m[column][i] /= finding.value;
+        }
+        break;
+    }
+    return m;
+}
+
+std::string findingText(const MatrixFinding &finding, MatrixRole role)
+{
+    const bool isView = role == MatrixRole::View;
+    switch (finding.fault) {
+    case MatrixFault::Transposed:
+        return isView ? "looks transposed: its last column, not its last row, is 0 0 0 1"
+                      : "looks transposed: only with rows for columns has it a projection's form";
+    case MatrixFault::Inverse:
+        return isView ? "may be the camera's own matrix, world from eye: as a view it has the world's origin out of "
+                        "sight, its inverse has it in sight"
+                      : "is an inverse: its own inverse has a projection's form";
+    case MatrixFault::Exchanged:
+        return isView ? "has a projection's form: view and projection seem to be exchanged"
+                      : "has a view's form: view and projection seem to be exchanged";
+    case MatrixFault::UnknownForm:
+        return "has no form that formulas are known for: only the inverted matrix will answer";
+    case MatrixFault::DepthZeroToOne:
+        return "seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): near is then " + number(finding.value);
+    case MatrixFault::DepthReversed:
+        return "has reversed depths: near, " + number(finding.value)
+               + ", is at 1; the depths of clicks must be reversed ones too";
+    case MatrixFault::FarAtInfinity: return "has its far plane at infinity: depths there have no point";
+    case MatrixFault::YDown: return "turns y round, as is done for Vulkan: the picture is upside down for OpenGL";
+    case MatrixFault::Mirrored: return isView ? "is mirrored: its axes are left-handed" : "mirrors x";
+    case MatrixFault::LeftHanded: return "is for an eye space that looks along +z (Direct3D, OpenCV)";
+    case MatrixFault::Scaled: break;
+    }
+    return finding.repair == MatrixRepair::None
+               ? "has axes of unlike lengths or not at right angles, the longest " + number(finding.value)
+                     + ": what comes out are the object's coordinates, not the world's"
+               : "scales by " + number(finding.value)
+                     + ": a model's scale is in it, and what comes out are the object's "
+                       "coordinates, not the world's";
+}
+
+} // namespace unprojector::matrices

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/geometry/matrix_projection.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::matrices {
+using namespace geometry;
+
+/// What a pasted matrix is given as.
+enum class MatrixRole {
+    View,       ///< eye from world, or the modelview
+    Projection, ///< clip from eye
+    Product     ///< clip from world
+};
+
+/// What is to be seen of a pasted matrix. All of it can be meant; what is not is the commonest reason why its points are
+/// wrong.
+enum class MatrixFault {
+    Transposed,     ///< its last column is what the last row has to be
+    Inverse,        ///< its inverse has the form of such a matrix; of a view: has the world's origin in sight
+    Exchanged,      ///< a view given as the projection, or the reverse
+    UnknownForm,    ///< neither of the forms that closed formulas are known for
+    DepthZeroToOne, ///< value: near by NDC depths in [0, 1]
+    DepthReversed,  ///< value: near
+    FarAtInfinity,  ///< value: near
+    YDown,          ///< y is turned round, as for Vulkan
+    Mirrored,       ///< x is turned round, or the axes are left-handed ones
+    LeftHanded,     ///< eye space looks along +z
+    Scaled          ///< value: how many times as long an axis is
+};
+
+/// What can be done about it.
+enum class MatrixRepair {
+    None,
+    OtherOrder, ///< read by rows what was read by columns, or the reverse
+    Invert,
+    Exchange, ///< view for projection
+    DepthZeroToOne,
+    TurnY, ///< the row of y times -1
+    TurnX,
+    WithoutScale ///< axes of length 1, eye coordinates as they are
+};
+
+struct MatrixFinding {
+    MatrixFault fault;
+    MatrixRepair repair = MatrixRepair::None;
+    double value = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A fixed name: "transposed", "inverse", "exchanged", "unknown-form", "depth-zero-to-one", "depth-reversed",
+/// "far-at-infinity", "y-down", "mirrored", "left-handed", "scaled".
+std::string_view idOf(MatrixFault fault);
+
+/// What is to be seen of a matrix. Nothing is changed; what would be read in another order or inverted is not looked at
+/// further. What rounding leaves of a zero counts as one, and printed numbers as those they were rounded from.
+/// @param matrix    column vectors, finite
+/// @param ndcDepth  what is known of the NDC depths: then nothing is said of them
+/// @param clipFromEye  with a view: its projection, to tell whether the world's origin is in sight
+std::vector<MatrixFinding> findings(const glm::dmat4 &matrix, MatrixRole role,
+                                    const std::optional<NdcDepth> &ndcDepth = std::nullopt,
+                                    const std::optional<glm::dmat4> &clipFromEye = std::nullopt);
+
+/// The matrix after a repair. None, Exchange and DepthZeroToOne leave it as it is: these are said elsewhere.
+glm::dmat4 repaired(const glm::dmat4 &matrix, const MatrixFinding &finding);
+
+/// In a sentence without its subject: "looks transposed: …".
+std::string findingText(const MatrixFinding &finding, MatrixRole role);
+
+} // namespace unprojector::matrices

@@ -1,0 +1,236 @@
+#include "core/matrices/pasted_matrix.h"
+
+#include "core/matrices/pasted_numbers.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+namespace unprojector::matrices {
+namespace {
+
+using Numbers = std::span<const PastedNumber>;
+constexpr std::size_t kEntries = 16;
+
+/// Whether the numbers come in four runs of four that a key tells apart.
+template <class Key>
+bool isFourTimesFour(Numbers numbers, const Key &keyOf)
+{
+    std::set<std::size_t> keys;
+    for (std::size_t i = 0; i < kEntries; ++i) {
+        if (keyOf(numbers[i]) != keyOf(numbers[i - i % 4]))
+            return false;
+        keys.insert(keyOf(numbers[i]));
+    }
+    return keys.size() == 4;
+}
+
+bool anyWord(Numbers numbers, std::size_t count, std::string_view part)
+{
+    return std::any_of(numbers.begin(), numbers.begin() + std::ptrdiff_t(count), [&](const PastedNumber &n) {
+        return std::any_of(n.words.begin(), n.words.end(),
+                           [&](const std::string &word) { return word.find(part) != std::string::npos; });
+    });
+}
+
+bool haveSubscripts(Numbers numbers, std::size_t count)
+{
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [&](const PastedNumber &n) { return n.subscripts.size() == count; });
+}
+
+MatrixForm formOf(Numbers numbers)
+{
+    if (haveSubscripts(numbers, 1))
+        return MatrixForm::Indexed;
+    if (haveSubscripts(numbers, 2))
+        return MatrixForm::IndexPairs;
+    // mat4x4((…), …), glm::dmat4(…), vec4(…)
+    if (anyWord(numbers, kEntries, "mat4") || anyWord(numbers, kEntries, "vec4"))
+        return MatrixForm::GlmColumns;
+    if (isFourTimesFour(numbers, [](const PastedNumber &n) { return n.bracket; }))
+        return MatrixForm::NestedRows;
+    bool areSemicolonsBetweenRows = true;
+    for (std::size_t i = 1; i < kEntries; ++i)
+        areSemicolonsBetweenRows = areSemicolonsBetweenRows && numbers[i].isBehindSemicolon == (i % 4 == 0);
+    const bool isLineARow = isFourTimesFour(numbers, [](const PastedNumber &n) { return n.line; });
+    const bool isBare = numbers.front().bracket == 0 || anyWord(numbers, 1, "matrix4x4");
+    if (areSemicolonsBetweenRows || (isLineARow && isBare))
+        return MatrixForm::RowLines;
+    return MatrixForm::Flat;
+}
+
+/// By the subscripts, where they say a place for each; else as the numbers stand.
+PastedMatrix assembled(Numbers numbers)
+{
+    PastedMatrix matrix;
+    matrix.form = formOf(numbers);
+    for (std::size_t i = 0; i < kEntries; ++i)
+        matrix.numbers[i] = numbers[i].value;
+    if (matrix.form != MatrixForm::Indexed && matrix.form != MatrixForm::IndexPairs)
+        return matrix;
+    // Some count from 1: m11 to m44.
+    int least = 16;
+    for (const PastedNumber &n : numbers)
+        least = std::min(least, *std::min_element(n.subscripts.begin(), n.subscripts.end()));
+    std::array<bool, kEntries> isTaken{};
+    PastedMatrix placed = matrix;
+    for (const PastedNumber &n : numbers) {
+        const int first = n.subscripts[0] - least;
+        const int place = n.subscripts.size() == 1 ? first : 4 * first + n.subscripts[1] - least;
+        const bool isPlace = place >= 0 && place < int(kEntries) && (n.subscripts.size() == 1 || first < 4);
+        if (!isPlace || isTaken[std::size_t(place)])
+            return matrix;
+        isTaken[std::size_t(place)] = true;
+        placed.numbers[std::size_t(place)] = n.value;
+    }
+    return placed;
+}
+
+struct Part {
+    PastedPart part;
+    std::vector<PastedNumber> numbers{};
+    std::size_t wanted() const { return part == PastedPart::Viewport ? 4 : kEntries; }
+};
+
+constexpr std::array<PastedPart, 6> kParts{PastedPart::ModelView,  PastedPart::View,    PastedPart::Model,
+                                           PastedPart::Projection, PastedPart::Product, PastedPart::Viewport};
+
+class Parts {
+public:
+    Parts()
+    {
+        for (const PastedPart part : kParts)
+            m_parts[std::size_t(part)].part = part;
+    }
+    Part &operator[](PastedPart part) { return m_parts[std::size_t(part)]; }
+    bool has(PastedPart part) { return !(*this)[part].numbers.empty(); }
+
+    /// What a scene is made of, of what is there.
+    std::vector<PastedPart> needed()
+    {
+        const bool isWhole = has(PastedPart::Projection) && (has(PastedPart::ModelView) || has(PastedPart::View));
+        if (has(PastedPart::Product) && !isWhole)
+            return {PastedPart::Product, PastedPart::Viewport};
+        const bool isViewAlone = has(PastedPart::View) && !has(PastedPart::ModelView);
+        return {isViewAlone ? PastedPart::View : PastedPart::ModelView, PastedPart::Projection, PastedPart::Viewport};
+    }
+
+private:
+    std::array<Part, kParts.size()> m_parts;
+};
+
+/// Numbers behind no name go to the first part that is needed and not yet full.
+void sort(std::vector<PastedNumber> &numbers, Parts &parts)
+{
+    constexpr std::size_t kProductAndViewport = 20;
+    const bool isUnnamed = std::none_of(numbers.begin(), numbers.end(), [](const auto &n) { return bool(n.part); });
+    std::vector<PastedNumber> unnamed;
+    for (PastedNumber &number : numbers) {
+        if (number.part)
+            parts[*number.part].numbers.push_back(std::move(number));
+        else
+            unnamed.push_back(std::move(number));
+    }
+    std::vector<PastedPart> needed = parts.needed();
+    if (isUnnamed && unnamed.size() == kProductAndViewport)
+        needed = {PastedPart::Product, PastedPart::Viewport};
+    for (PastedNumber &number : unnamed) {
+        const auto open = std::find_if(needed.begin(), needed.end(), [&](PastedPart part) {
+            return parts[part].numbers.size() < parts[part].wanted();
+        });
+        parts[open == needed.end() ? needed.back() : *open].numbers.push_back(std::move(number));
+    }
+}
+
+PasteError countError(const Part &part, std::size_t all)
+{
+    PasteError error;
+    error.part = part.part;
+    error.found = part.numbers.size();
+    error.wanted = part.wanted();
+    error.all = all;
+    return error;
+}
+
+} // namespace
+
+NumberOrder orderOf(MatrixForm form)
+{
+    switch (form) {
+    case MatrixForm::Flat:
+    case MatrixForm::Indexed:
+    case MatrixForm::GlmColumns: return NumberOrder::ByColumns;
+    case MatrixForm::IndexPairs:
+    case MatrixForm::RowLines:
+    case MatrixForm::NestedRows: break;
+    }
+    return NumberOrder::ByRows;
+}
+
+glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order)
+{
+    glm::dmat4 m;
+    for (int i = 0; i < int(kEntries); ++i) {
+        const int outer = i / 4, inner = i % 4;
+        (order == NumberOrder::ByRows ? m[inner][outer] : m[outer][inner]) = numbers[std::size_t(i)];
+    }
+    return m;
+}
+
+const char *nameOf(PastedPart part)
+{
+    switch (part) {
+    case PastedPart::ModelView: return "modelview";
+    case PastedPart::View: return "view";
+    case PastedPart::Model: return "model";
+    case PastedPart::Projection: return "projection";
+    case PastedPart::Product: return "product";
+    case PastedPart::Viewport: break;
+    }
+    return "viewport";
+}
+
+Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)
+{
+    Result<std::vector<PastedNumber>, PasteError> numbers = pastedNumbers(text);
+    if (!numbers)
+        return numbers.error();
+    if (numbers->size() == kEntries)
+        return assembled(*numbers);
+    PasteError error;
+    error.found = error.all = numbers->size();
+    return error;
+}
+
+Result<PastedScene, PasteError> pastedScene(std::string_view text)
+{
+    Result<std::vector<PastedNumber>, PasteError> numbers = pastedNumbers(text);
+    if (!numbers)
+        return numbers.error();
+    Parts parts;
+    std::vector<PastedNumber> all = std::move(numbers).value();
+    sort(all, parts);
+    const std::vector<PastedPart> needed = parts.needed();
+    for (const PastedPart part : kParts) {
+        const bool isNeeded = std::find(needed.begin(), needed.end(), part) != needed.end();
+        if ((isNeeded || parts.has(part)) && parts[part].numbers.size() != parts[part].wanted())
+            return countError(parts[part], all.size());
+    }
+    PastedScene scene;
+    const auto matrix = [&parts](PastedPart part) -> std::optional<PastedMatrix> {
+        if (!parts.has(part))
+            return std::nullopt;
+        return assembled(parts[part].numbers);
+    };
+    scene.modelView = matrix(PastedPart::ModelView);
+    scene.view = matrix(PastedPart::View);
+    scene.model = matrix(PastedPart::Model);
+    scene.projection = matrix(PastedPart::Projection);
+    scene.product = matrix(PastedPart::Product);
+    for (std::size_t i = 0; i < scene.viewport.size(); ++i)
+        scene.viewport[i] = parts[PastedPart::Viewport].numbers[i].value;
+    return scene;
+}
+
+} // namespace unprojector::matrices

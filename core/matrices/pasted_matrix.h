@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/geometry/result.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::matrices {
+using namespace geometry;
+
+/// How the sixteen numbers of a matrix follow each other.
+enum class NumberOrder { ByColumns, ByRows };
+
+/// How a program writes a matrix; the order follows from it.
+enum class MatrixForm {
+    Flat,       ///< sixteen numbers in a row or in one pair of brackets: memory, C arrays, JSON, three.js: by columns
+    Indexed,    ///< m[0] = 1 … m[15] = 1: by columns
+    GlmColumns, ///< glm::to_string, GLM's and GLSL's constructors: by columns
+    IndexPairs, ///< m(0,1) as Eigen counts, m01 as Unity does: row, column
+    RowLines,   ///< four lines of four, or semicolons between the rows: Eigen, OpenCV, QMatrix4x4
+    NestedRows  ///< four brackets of four: NumPy, JSON, C arrays of arrays
+};
+
+/// A matrix as it was pasted.
+struct PastedMatrix {
+    std::array<double, 16> numbers{}; ///< as they stand in the text; those with indices, by these
+    MatrixForm form = MatrixForm::Flat;
+    friend bool operator==(const PastedMatrix &, const PastedMatrix &) = default;
+};
+
+/// The order that a form has.
+NumberOrder orderOf(MatrixForm form);
+
+/// The matrix that sixteen numbers are in an order: column vectors.
+glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order);
+
+/// What a text may say of a scene's matrices. Those behind a name are that part's; model is world from object, product the
+/// projection times the view, or times the modelview.
+enum class PastedPart { ModelView, View, Model, Projection, Product, Viewport };
+const char *nameOf(PastedPart part);
+
+struct PastedScene {
+    std::optional<PastedMatrix> modelView, view, model, projection, product;
+    std::array<double, 4> viewport{}; ///< x y width height
+};
+
+struct PasteError {
+    std::string word;                 ///< the number that is not finite; empty where their count is wrong
+    std::size_t line = 0, column = 0; ///< of the word, from 1
+    PastedPart part = PastedPart::ModelView;
+    std::size_t found = 0, wanted = 16;
+    std::size_t all = 0; ///< numbers in the text
+};
+
+/// One matrix. Brackets, commas, quotes and words are passed over, and so are subscripts (m[3], m(0,1), "3":).
+/// @return 16 numbers; what is wrong with them
+Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
+
+/// The matrices and the viewport of a scene: numbers behind a name (modelview, view, model, projection, MVP, viewport)
+/// are that part's, whatever their order; those behind none are modelview, projection and viewport, in this order, or,
+/// where there are twenty altogether, the product and the viewport.
+/// @return the viewport, the projection and the modelview or the view; or the product; whatever else was there
+Result<PastedScene, PasteError> pastedScene(std::string_view text);
+
+} // namespace unprojector::matrices

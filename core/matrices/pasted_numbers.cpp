@@ -1,0 +1,248 @@
+#include "core/matrices/pasted_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace unprojector::matrices {
+namespace {
+
+/// U+2212, which typeset numbers have for the sign.
+constexpr std::string_view kMinusSign = "\xe2\x88\x92";
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool isWordCharacter(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' || c == '-';
+}
+
+std::string inSmallLetters(std::string_view text)
+{
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    return result;
+}
+
+/// A number, with the f of a C float behind it or not.
+std::optional<double> numberOf(std::string_view word)
+{
+    if (word.size() > 1 && word.front() == '+')
+        word.remove_prefix(1);
+    if (word.size() > 1 && (word.back() == 'f' || word.back() == 'F') && word.find_first_of("0123456789") != word.npos)
+        word.remove_suffix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size())
+        return std::nullopt;
+    return value;
+}
+
+/// The part that words say: "gl_ModelViewMatrix", "model view", "P*V", "mvp".
+std::optional<PastedPart> partOf(std::string_view words)
+{
+    std::string letters;
+    for (const char c : inSmallLetters(words)) {
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+            letters += c;
+    }
+    const auto has = [&letters](const char *name) { return letters.find(name) != std::string::npos; };
+    if (has("viewport"))
+        return PastedPart::Viewport;
+    const bool isProjection =
+        has("projection") || letters == "proj" || letters == "p" || has("projmat") || letters == "clipfromeye";
+    if (has("mvp") || has("product") || (isProjection && has("view")) || letters == "vp" || letters == "pv"
+        || letters == "clipfromworld" || letters == "viewproj")
+        return PastedPart::Product;
+    if (isProjection)
+        return PastedPart::Projection;
+    if (has("modelview") || letters == "mv")
+        return PastedPart::ModelView;
+    if (has("view") || letters == "v" || letters == "eyefromworld" || has("matrixworldinverse"))
+        return PastedPart::View;
+    if (has("model"))
+        return PastedPart::Model;
+    return std::nullopt;
+}
+
+/// One or two whole numbers in the brackets that open at `at`, as in m[3] and m(0, 1), or nothing. A single number in round
+/// brackets is no subscript.
+std::optional<std::vector<int>> subscriptsAt(std::string_view text, std::size_t at, std::size_t &end)
+{
+    const char close = text[at] == '[' ? ']' : ')';
+    std::vector<int> indices;
+    for (end = at + 1; end < text.size() && indices.size() < 2;) {
+        while (end < text.size() && text[end] == ' ')
+            ++end;
+        int index = 0;
+        std::size_t digits = 0;
+        for (; end < text.size() && isDigit(text[end]) && digits < 3; ++end, ++digits)
+            index = 10 * index + (text[end] - '0');
+        if (digits == 0 || digits > 2)
+            return std::nullopt;
+        indices.push_back(index);
+        while (end < text.size() && text[end] == ' ')
+            ++end;
+        if (end >= text.size())
+            return std::nullopt;
+        if (text[end] == close && (close == ']' || indices.size() == 2)) {
+            ++end;
+            return indices;
+        }
+        if (text[end++] != ',')
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// {row, column} of m01 and M_01.
+std::vector<int> subscriptsOfName(const std::string &word)
+{
+    const std::size_t n = word.size();
+    if (n < 3 || !isDigit(word[n - 1]) || !isDigit(word[n - 2]))
+        return {};
+    const char before = word[n - 3] == '_' && n > 3 ? word[n - 4] : word[n - 3];
+    if (before != 'm')
+        return {};
+    return {word[n - 2] - '0', word[n - 1] - '0'};
+}
+
+class Reader {
+public:
+    explicit Reader(std::string_view text) : m_text(text) {}
+
+    Result<std::vector<PastedNumber>, PasteError> read()
+    {
+        while (m_at < m_text.size()) {
+            if (isWordHere()) {
+                if (const auto error = readWord())
+                    return *error;
+            } else {
+                readMark();
+            }
+        }
+        return std::move(m_numbers);
+    }
+
+private:
+    bool isWordHere() const { return isWordCharacter(m_text[m_at]) || m_text.substr(m_at).starts_with(kMinusSign); }
+
+    void readMark()
+    {
+        const char c = m_text[m_at];
+        if (c == '[' || c == '(') {
+            const bool isBehindName = m_at > 0 && (isWordCharacter(m_text[m_at - 1]) || m_text[m_at - 1] == ']');
+            std::size_t end = 0;
+            if (const auto indices = isBehindName ? subscriptsAt(m_text, m_at, end) : std::nullopt) {
+                // m[1][2] as GLM counts: the place in memory.
+                const bool isSecond = m_text[m_at - 1] == ']' && m_subscripts.size() == 1 && indices->size() == 1;
+                m_subscripts = isSecond ? std::vector<int>{4 * m_subscripts[0] + indices->front()} : *indices;
+                m_at = end;
+                return;
+            }
+        }
+        if (c == '[' || c == '(' || c == '{') {
+            m_open.push_back(++m_brackets);
+            m_subscripts.clear();
+        } else if ((c == ']' || c == ')' || c == '}') && !m_open.empty()) {
+            m_open.pop_back();
+        } else if (c == ';') {
+            m_isBehindSemicolon = true;
+        } else if (c == '\n') {
+            ++m_line;
+            m_lineStart = m_at + 1;
+        }
+        ++m_at;
+    }
+
+    /// Whether what ends at `end` is a key: a colon follows, perhaps behind a quote.
+    bool isKey(std::size_t end) const
+    {
+        if (end < m_text.size() && (m_text[end] == '"' || m_text[end] == '\''))
+            ++end;
+        return end < m_text.size() && m_text[end] == ':';
+    }
+
+    std::optional<PasteError> readWord()
+    {
+        const std::size_t start = m_at;
+        std::string word;
+        while (m_at < m_text.size() && isWordHere()) {
+            const bool isSign = !isWordCharacter(m_text[m_at]);
+            word += isSign ? '-' : m_text[m_at];
+            m_at += isSign ? kMinusSign.size() : 1;
+        }
+        const std::optional<double> value = numberOf(word);
+        if (!value) {
+            name(word, start);
+            return std::nullopt;
+        }
+        if (!std::isfinite(*value)) {
+            PasteError error;
+            error.word = word;
+            error.line = m_line + 1;
+            error.column = start - m_lineStart + 1;
+            return error;
+        }
+        if (isKey(m_at) && word.find_first_not_of("0123456789") == word.npos && word.size() <= 2) {
+            m_subscripts = {int(*value)};
+            return std::nullopt;
+        }
+        PastedNumber number;
+        number.value = *value;
+        number.at = start;
+        number.line = m_line;
+        number.bracket = m_open.empty() ? 0 : m_open.back();
+        number.isBehindSemicolon = m_isBehindSemicolon;
+        number.subscripts = std::move(m_subscripts);
+        number.words = std::move(m_words);
+        number.part = m_part;
+        m_numbers.push_back(std::move(number));
+        m_subscripts.clear();
+        m_words.clear();
+        m_name.clear();
+        m_isBehindSemicolon = false;
+        return std::nullopt;
+    }
+
+    /// Words that stand side by side are one name: "model view", "projection * view".
+    void name(const std::string &word, std::size_t start)
+    {
+        const bool isJoined =
+            !m_name.empty() && m_text.substr(m_nameEnd, start - m_nameEnd).find_first_not_of(" *\t") == m_text.npos;
+        m_name = isJoined ? m_name + ' ' + word : word;
+        m_nameEnd = m_at;
+        m_words.push_back(inSmallLetters(word));
+        m_subscripts = subscriptsOfName(m_words.back());
+        if (const auto part = partOf(m_name))
+            m_part = part;
+    }
+
+    std::string_view m_text;
+    std::size_t m_at = 0, m_line = 0, m_lineStart = 0;
+    std::vector<std::size_t> m_open; ///< the brackets around
+    std::size_t m_brackets = 0;
+    bool m_isBehindSemicolon = false;
+    std::vector<int> m_subscripts;
+    std::vector<std::string> m_words;
+    std::string m_name;
+    std::size_t m_nameEnd = 0;
+    std::optional<PastedPart> m_part;
+    std::vector<PastedNumber> m_numbers;
+};
+
+} // namespace
+
+Result<std::vector<PastedNumber>, PasteError> pastedNumbers(std::string_view text)
+{
+    return Reader(text).read();
+}
+
+} // namespace unprojector::matrices
