@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kDoubleDigits = 16;
 constexpr int kFloatDigits = 8;
-constexpr int kThousandths = -3; ///< the place that is told in any room: a survey is of millimetres
+constexpr int kThousandths = -3; ///< the place that is told in narrow columns too: a survey is of millimetres
 
 /// Tenths while they tell something, whole numbers after that, powers of ten where digits would be noise.
 QString ulpsText(double ulps)
@@ -21,16 +21,13 @@ QString ulpsText(double ulps)
     return significantText(size < 10.0 ? std::round(ulps * 10.0) / 10.0 : std::round(ulps), 6);
 }
 
-/// With fewer digits where all that are certain would not fit; they are no less certain for it.
-/// @param lastPlace  that the columns beside it have room for. Thousandths are told in any case
-QString fittingText(double value, double uncertainty, int lastPlace)
+/// All that is certain, or as much of it as the column has room for.
+QString fittingText(double value, double uncertainty)
 {
     QString text = certainText(value, uncertainty);
-    constexpr double kBelowThePower = 0.999; // of ten, so that its logarithm does not round up
-    if (const double shown = kBelowThePower * std::pow(10.0, std::min(lastPlace, kThousandths)); uncertainty < shown) {
-        if (const QString rounded = certainText(value, shown); rounded.size() < text.size())
-            text = rounded;
-    }
+    // Decimal by decimal, so that zeros which are certain stay.
+    while (text.size() > ComparisonModel::kCertainRoom && text.contains(u'.') && !text.contains(u'e'))
+        text = fixedText(value, static_cast<int>(text.size() - text.indexOf(u'.')) - 2);
     for (int digits = ComparisonModel::kCertainRoom - 1; text.size() > ComparisonModel::kCertainRoom && digits > 0;
          --digits)
         text = significantText(value, digits);
@@ -207,8 +204,7 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
         if (!v)
             return by(Method::Formula, row) || by(Method::Matrix, row) ? tr("none") : QStringLiteral("–");
         if (column == Certain)
-            return fittingText(*by(Method::Formula, row), row.uncertainty,
-                               notation(row, Formula).lastPlace(*by(Method::Formula, row)));
+            return fittingText(*by(Method::Formula, row), row.uncertainty);
         if (isCoordinate(column))
             return shown().text;
         if (column == Ulps)

@@ -22,6 +22,8 @@ private slots:
     void certainDigitsAreRoundedThenGrey_data();
     void certainDigitsAreRoundedThenGrey();
     void whatIsBlackAgreesWithWhatIsCertain();
+    void allThatIsCertainIsShownWhereThereIsRoom_data();
+    void allThatIsCertainIsShownWhereThereIsRoom();
     void eachAxisHasItsOwnUncertainty();
     void coordinatesOfASurveyCanBeReadAtAnyWidth();
     void theFirstDigitsGiveWay_data();
@@ -115,12 +117,49 @@ void TestComparisonDigits::whatIsBlackAgreesWithWhatIsCertain()
                 }
                 const double place = std::abs((unit + power).toDouble());
                 const QString context = QStringLiteral("%1 of %2, certain %3").arg(text.left(length), text, certain);
-                // No more digits are certain than stand beside; fewer where its own column is narrow.
-                const double off = std::abs(certain.toDouble() - std::round(x / place) * place);
-                QVERIFY2(off <= (certain.size() < ComparisonModel::kCertainRoom ? 1e-6 * place : 1e-7 * std::abs(x)),
-                         qPrintable(context));
+                // Where all that stands beside is black, more may be certain than there is room for beside, or less than
+                // there is room for in its own column.
+                const bool isAllBlack = length >= mantissa;
+                const double off = std::abs(certain.toDouble() - (isAllBlack ? x : std::round(x / place) * place));
+                const double most = isAllBlack                                       ? 0.5 * place
+                                    : certain.size() < ComparisonModel::kCertainRoom ? 1e-6 * place
+                                                                                     : 1e-7 * std::abs(x);
+                QVERIFY2(off <= most * (1.0 + 1e-9), qPrintable(context));
             }
         }
+    }
+}
+
+void TestComparisonDigits::allThatIsCertainIsShownWhereThereIsRoom_data()
+{
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("uncertainty");
+    QTest::addColumn<QString>("certain");
+    const auto row = [](const char *name, double x, double uncertainty, const char *certain) {
+        QTest::newRow(name) << x << uncertainty << QString::fromLatin1(certain);
+    };
+    // The columns of the methods have room for six decimals of these.
+    row("of a small scan", 0.00903634, 1.4e-8, "0.0090363");
+    row("negative", -0.00903634, 1.4e-8, "-0.0090363");
+    row("its last ones are zeros", 0.0090000004, 1.4e-9, "0.00900000");
+    row("as many as there is room for", 0.123456789, 1e-9, "0.123456789");
+    row("more than there is room for", -0.123456789, 1e-9, "-0.12345679");
+    row("more, the last one a zero", -0.123456701, 1e-9, "-0.12345670");
+    row("more, before the point", -123456.78904, 1e-6, "-123456.789");
+    row("tiny", 1.23456789e-12, 1e-20, "1.23457e-12");
+    row("nothing is uncertain", 1.0 / 3.0, 0.0, "0.333333333");
+}
+
+void TestComparisonDigits::allThatIsCertainIsShownWhereThereIsRoom()
+{
+    QFETCH(double, x);
+    QFETCH(double, uncertainty);
+    QFETCH(QString, certain);
+    ComparisonModel model;
+    model.setPick(pickWith({x, 0.0, 0.0}, {x, 0.0, 0.0}, {x, 0.0, 0.0}, uncertainty));
+    for (const int capacity : {8, 12, 19}) {
+        model.setCapacity(capacity);
+        QCOMPARE(cell(model, 0, ComparisonModel::Certain).toString(), certain);
     }
 }
 
