@@ -26,9 +26,13 @@ std::string tableText(double value)
     return std::isfinite(value) ? shortestText(value) : "missing";
 }
 
-std::string tableText(const glm::dvec3 &v)
+/// In as few digits as are held as the same floats: those of the file, most often.
+std::string tableText(const glm::dvec3 &v, const glm::dvec3 &halfGap)
 {
-    return tableText(v.x) + ' ' + tableText(v.y) + ' ' + tableText(v.z);
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis)
+        text += (axis > 0 ? " " : "") + (std::isfinite(v[axis]) ? shortestText(v[axis], halfGap[axis]) : "missing");
+    return text;
 }
 
 std::string jsonOfPoint(const glm::dvec3 &point)
@@ -53,7 +57,8 @@ std::string lines(const Measures &m)
     text += "\n  area       " + tableText(m.area) + "\n  volume     " + tableText(m.volume) + '\n';
     if (m.box.isEmpty())
         return text + "  box        empty\n";
-    return text + "  box        " + tableText(m.box.lowest) + "  to  " + tableText(m.box.highest) + '\n';
+    return text + "  box        " + tableText(m.box.lowest, m.lowestHalfGap) + "  to  "
+           + tableText(m.box.highest, m.highestHalfGap) + '\n';
 }
 
 /// One of each, in the order of the objects; with the object's name where there are several.

@@ -163,7 +163,7 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
             continue;
         }
         const std::string name = *hit ? opened.objects[(*hit)->object].name : std::string();
-        sink.write(options.isJson ? pickJson(position, *hit, name) : pickText(position, *hit, name));
+        sink.write(options.isJson ? pickJson(position, *hit, name) : pickText(position, *hit, opened.objects));
     }
     const ExitCode written = sink.finish();
     return written == ExitCode::Done ? code : written;

@@ -1,19 +1,53 @@
 #include "core/cli/pick_texts.h"
 
+#include "core/scene/measures.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/ray_on_mesh.h"
 #include "core/text/number_text.h"
 
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
 namespace unprojector::cli {
 using namespace geometry;
 using namespace ray;
+using namespace scene;
 using namespace scene_file;
 using namespace text;
 namespace {
 
-std::string spaced(const glm::dvec3 &v)
+std::string spaced(const glm::dvec3 &v, const glm::dvec3 &off = glm::dvec3(0.0))
 {
-    return shortestText(v.x) + ' ' + shortestText(v.y) + ' ' + shortestText(v.z);
+    return shortestText(v.x, off.x) + ' ' + shortestText(v.y, off.y) + ' ' + shortestText(v.z, off.z);
+}
+
+/// What is left out of digits is so much of what they may be off.
+constexpr double kLeftOut = 0.1;
+
+std::string boundsText(const WorldVector &uncertainty)
+{
+    const auto withWhatIsLeftOut = [](double bound) { return boundText((1.0 + kLeftOut) * bound); };
+    return withWhatIsLeftOut(uncertainty.x) + ' ' + withWhatIsLeftOut(uncertainty.y) + ' '
+           + withWhatIsLeftOut(uncertainty.z);
+}
+
+/// @param vertex  counted through all meshes of the object's model
+glm::dvec3 halfGapOf(const SceneObject &object, std::size_t vertex)
+{
+    auto mesh = object.model->meshes.begin();
+    for (; vertex >= mesh->positions.size(); ++mesh)
+        vertex -= mesh->positions.size();
+    return halfGapAt(*mesh, vertex, glm::dmat3(worldFromObject(object.transform)));
+}
+
+/// How far an object's own coordinates may be off.
+glm::dvec3 objectBounds(const SceneObject &object, const WorldVector &uncertainty)
+{
+    const glm::dmat3 objectFromWorld = glm::inverse(glm::dmat3(worldFromObject(object.transform)));
+    glm::dvec3 bounds(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        bounds += glm::abs(objectFromWorld[axis]) * uncertainty[axis];
+    return bounds;
 }
 
 } // namespace
@@ -26,27 +60,37 @@ std::string pickJson(const DevicePoint &position, const std::optional<SceneHit> 
     return jsonLine(json) + '\n';
 }
 
-std::string pickText(const DevicePoint &position, const std::optional<SceneHit> &hit, const std::string &name)
+std::string pickText(const DevicePoint &position, const std::optional<SceneHit> &hit,
+                     const std::vector<SceneObject> &objects)
 {
     std::string text = "pixel " + shortestText(position.x) + ' ' + shortestText(position.y) + '\n';
     if (!hit)
         return text + "  nothing is met\n";
-    text += "  object       " + name + '\n';
+    const SceneObject &object = objects[hit->object];
+    const auto rounded = [](const WorldPoint &point, const WorldVector &uncertainty) {
+        return spaced(point.coordinates(), kLeftOut * uncertainty.coordinates());
+    };
+    const auto distanceText = [&hit](double distance) {
+        return shortestText(distance, kLeftOut * length(hit->uncertainty));
+    };
+    text += "  object       " + object.name + '\n';
     if (hit->triangle)
         text += "  triangle     " + std::to_string(hit->triangle->triangle) + ", at "
                 + spaced(hit->triangle->barycentric) + '\n';
-    text += "  world        " + spaced(hit->world.coordinates()) + '\n';
-    text += "  +-           " + spaced(hit->uncertainty.coordinates()) + '\n';
-    text += "  object point " + spaced(hit->objectPoint.coordinates()) + '\n';
+    text += "  world        " + rounded(hit->world, hit->uncertainty) + '\n';
+    text += "  +-           " + boundsText(hit->uncertainty) + '\n';
+    text += "  object point "
+            + spaced(hit->objectPoint.coordinates(), kLeftOut * objectBounds(object, hit->uncertainty)) + '\n';
     if (hit->triangle)
         text += "  normal       " + spaced(hit->triangle->normal.coordinates()) + '\n';
-    text += "  distance     " + shortestText(hit->distance) + '\n';
-    text += "  vertex       " + std::to_string(hit->vertex.id) + " at " + spaced(hit->vertex.world.coordinates()) + ", "
-            + shortestText(hit->vertex.distance) + " away\n";
+    text += "  distance     " + distanceText(hit->distance) + '\n';
+    text += "  vertex       " + std::to_string(hit->vertex.id) + " at "
+            + spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)) + ", "
+            + distanceText(hit->vertex.distance) + " away\n";
     if (hit->triangle) {
         const NearEdge &edge = hit->triangle->edge;
         text += "  edge         " + std::to_string(edge.ids[0]) + " to " + std::to_string(edge.ids[1]) + ", at "
-                + spaced(edge.world.coordinates()) + ", " + shortestText(edge.distance) + " away\n";
+                + rounded(edge.world, edge.uncertainty) + ", " + distanceText(edge.distance) + " away\n";
     }
     return text;
 }

@@ -13,9 +13,10 @@ namespace unprojector::cli {
 /// @param name  of the object that was hit
 std::string pickJson(const geometry::DevicePoint &position, const std::optional<ray::SceneHit> &hit,
                      const std::string &name);
-/// The same in words, several lines.
+/// The same in words, several lines, without the digits that say nothing: a vertex has as many as are held as the same
+/// floats, what is computed has them to a tenth of its ±.
 std::string pickText(const geometry::DevicePoint &position, const std::optional<ray::SceneHit> &hit,
-                     const std::string &name);
+                     const std::vector<scene::SceneObject> &objects);
 
 /// The columns of a pick in rows.
 std::vector<std::string> pickColumns();

@@ -2,8 +2,8 @@
 
 #include "core/geometry/double_double.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -58,7 +58,36 @@ std::size_t placesOf(const std::vector<Mesh> &meshes)
     return count;
 }
 
+/// Widens a box, whose end on an axis has the half gap of the point that it touches.
+void widen(Measures &measures, const glm::dvec3 &lowest, const glm::dvec3 &lowestHalfGap, const glm::dvec3 &highest,
+           const glm::dvec3 &highestHalfGap)
+{
+    const bool isFirst = measures.box.isEmpty();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (isFirst || lowest[axis] < measures.box.lowest[axis]) {
+            measures.box.lowest[axis] = lowest[axis];
+            measures.lowestHalfGap[axis] = lowestHalfGap[axis];
+        }
+        if (isFirst || highest[axis] > measures.box.highest[axis]) {
+            measures.box.highest[axis] = highest[axis];
+            measures.highestHalfGap[axis] = highestHalfGap[axis];
+        }
+    }
+}
+
 } // namespace
+
+glm::dvec3 halfGapAt(const Mesh &mesh, std::size_t vertex, const glm::dmat3 &worldFromSource)
+{
+    glm::dvec3 world(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float size = std::abs(mesh.positions[vertex][axis]);
+        // Below a power of two the gap is half as large as above it.
+        const float other = size > 0.0f ? std::nextafter(size, 0.0f) : std::nextafter(0.0f, 1.0f);
+        world += glm::abs(worldFromSource[axis]) * (std::abs(double{size} - double{other}) / 2.0);
+    }
+    return world;
+}
 
 void Measures::add(const Measures &other)
 {
@@ -68,7 +97,7 @@ void Measures::add(const Measures &other)
     volume += other.volume;
     isOpen = isOpen || other.isOpen;
     if (!other.box.isEmpty())
-        box.add(other.box);
+        widen(*this, other.box.lowest, other.lowestHalfGap, other.box.highest, other.highestHalfGap);
 }
 
 Measures measuresOf(const SceneObject &object)
@@ -88,8 +117,14 @@ Measures measuresOf(const SceneObject &object)
         const auto position = [&mesh](std::size_t element) {
             return glm::dvec3(mesh.positions[mesh.vertexAt(element)]);
         };
-        for (std::size_t element = 0; element < mesh.elementCount(); ++element)
-            measures.box.add(worldOrigin + linear * position(element));
+        for (std::size_t element = 0; element < mesh.elementCount(); ++element) {
+            const glm::dvec3 world = worldOrigin + linear * position(element);
+            if (measures.box.isEmpty() || glm::any(glm::lessThan(world, measures.box.lowest))
+                || glm::any(glm::greaterThan(world, measures.box.highest))) {
+                const glm::dvec3 halfGap = halfGapAt(mesh, mesh.vertexAt(element), linear);
+                widen(measures, world, halfGap, world, halfGap);
+            }
+        }
         for (std::size_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
             const glm::dvec3 a = position(3 * triangle), b = position(3 * triangle + 1), c = position(3 * triangle + 2);
             const glm::dvec3 twice = glm::cross(linear * (b - a), linear * (c - a));

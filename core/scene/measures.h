@@ -2,6 +2,8 @@
 
 #include "core/scene/scene.h"
 
+#include <glm/mat3x3.hpp>
+
 #include <cstddef>
 
 namespace unprojector::scene {
@@ -19,11 +21,18 @@ struct Measures {
     /// one about another origin. An open surface whose openings face each other is not found this way.
     bool isOpen = false;
     Box box; ///< around the vertices that triangles use and the points; empty without any
+    /// Of the box's ends, see halfGapAt.
+    glm::dvec3 lowestHalfGap{0.0}, highestHalfGap{0.0};
 
     void add(const Measures &other);
 };
 
 /// Of an object where it stands, hidden or not. A transform that mirrors it leaves the volume's sign as it is.
 Measures measuresOf(const SceneObject &object);
+
+/// Numbers that are nearer than this to a coordinate of a vertex are held by its mesh as the same float. World space, each axis;
+/// where the mesh is turned, what is left open of a coordinate by the gaps of all three.
+/// @param worldFromSource  the linear part
+glm::dvec3 halfGapAt(const Mesh &mesh, std::size_t vertex, const glm::dmat3 &worldFromSource);
 
 } // namespace unprojector::scene

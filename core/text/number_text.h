@@ -37,4 +37,33 @@ inline std::string shortestText(double value)
     return text;
 }
 
+/// The fewest digits of a number that is less than `off` away from the value: what is behind them is noise where the value is
+/// known no better. Those of shortestText where `off` is 0, NaN or infinite.
+inline std::string shortestText(double value, double off)
+{
+    if (off > 0.0 && std::isfinite(off)) {
+        std::array<char, 32> digits;
+        constexpr int kMostDecimals = 16;
+        for (int decimals = 0; decimals < kMostDecimals; ++decimals) {
+            const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                               std::chars_format::scientific, decimals);
+            double rounded = value;
+            std::from_chars(digits.data(), written.ptr, rounded);
+            if (std::abs(rounded - value) < off)
+                return shortestText(rounded);
+        }
+    }
+    return shortestText(value);
+}
+
+/// What nothing exceeds: two digits, rounded up.
+/// @param bound  not below 0
+inline std::string boundText(double bound)
+{
+    if (!(bound > 0.0) || !std::isfinite(bound))
+        return shortestText(bound);
+    const double unit = std::pow(10.0, std::floor(std::log10(bound)) - 1.0);
+    return shortestText(std::ceil(bound / unit) * unit, unit / 10.0);
+}
+
 } // namespace unprojector::text

@@ -39,6 +39,8 @@ private slots:
     void pointsAndNotes();
     void anOpenSurfaceHasNoVolume();
     void words();
+    void wordsHaveTheDigitsOfTheFile_data();
+    void wordsHaveTheDigitsOfTheFile();
     void whatADoubleDoesNotHoldIsMissing();
     void refused_data();
     void refused();
@@ -138,6 +140,36 @@ void TestInfoCommand::words()
     QCOMPARE(run.exitCode, 0);
     QVERIFY(run.output.contains("volume     6\n"));
     QVERIFY(run.output.contains("box        1 0 0  to  2 2 3\n"));
+}
+
+void TestInfoCommand::wordsHaveTheDigitsOfTheFile_data()
+{
+    QTest::addColumn<QByteArray>("model");
+    QTest::addColumn<QByteArray>("box");
+    QTest::newRow("near the origin") << QByteArray("v 0.009036 0.1 -3.3333333\nv 1.1 0.2 7e-9\nv 0.5 0.3 1\nf 1 2 3\n")
+                                     << QByteArray("0.009036 0.1 -3.3333333  to  1.1 0.3 1");
+    QTest::newRow("far from it") << QByteArray(
+        "v 4000000.123 500000.1 300.7\nv 4000001.3 500001.2 300.9\nv 4000000.7 500000.6 301.1\nf 1 2 3\n")
+                                 << QByteArray("4000000.123 500000.1 300.7  to  4000001.3 500001.2 301.1");
+    QTest::newRow("points") << QByteArray("v 0.1 0.2 0.3\nv 0.7 0.8 0.9\n")
+                            << QByteArray("0.1 0.2 0.3  to  0.7 0.8 0.9");
+}
+
+/// Floats have noise behind the file's digits; JSON keeps all of it, so that it reads back to the same numbers.
+void TestInfoCommand::wordsHaveTheDigitsOfTheFile()
+{
+    QFETCH(QByteArray, model);
+    QFETCH(QByteArray, box);
+    const QString file = m_folder.write("digits.obj", model);
+    const Run words = runCommand({"info", file});
+    QVERIFY2(words.output.contains("box        " + box + '\n'), words.output.constData());
+    const QJsonValue exact = jsonOf(runCommand({"info", "--json", file}));
+    const QList<QByteArray> ends = box.split(' ');
+    for (int axis = 0; axis < 3; ++axis) {
+        const double lowest = numbers(exact["box"]["min"])[axis], told = ends[axis].toDouble();
+        QVERIFY(lowest != told || float(told) == told);
+        QVERIFY(std::abs(lowest - told) < 6e-8 * std::max(1.0, std::abs(told)));
+    }
 }
 
 /// JSON has neither infinity nor NaN.

@@ -53,6 +53,7 @@ private slots:
     void manyRowsKeepTheirOrder();
     void badRowsAreNamed();
     void words();
+    void wordsHaveNoNoise();
     void bundledModels();
     void unusable_data();
     void unusable();
@@ -230,6 +231,38 @@ void TestPickCommand::words()
     QCOMPARE(run.exitCode, 0);
     QVERIFY2(run.output.contains("object       face\n"), run.output.constData());
     QVERIFY(run.output.contains("nothing is met"));
+}
+
+/// Noise behind the digits that a float holds, or that are certain, is left to JSON.
+void TestPickCommand::wordsHaveNoNoise()
+{
+    const QString model = m_folder.write("digits.obj", "v -0.1 -0.2 0.009036\nv 0.3 -0.2 0.009036\nv 0.1 0.7 0.009036\n"
+                                                       "f 1 2 3\n");
+    const Run run = runCommand({"pick", model, "--at", "400,300"});
+    QCOMPARE(run.exitCode, 0);
+    const auto valuesOf = [&run](const QByteArray &name) {
+        for (const QByteArray &line : run.lines()) {
+            if (line.trimmed().startsWith(name + ' '))
+                return line.trimmed().mid(name.size()).simplified().split(' ');
+        }
+        return QList<QByteArray>();
+    };
+    const QList<QByteArray> vertex = valuesOf("vertex").mid(2, 3);
+    QCOMPARE(vertex.size(), 3);
+    QVERIFY2(QList<QByteArray>({"-0.1", "0.3", "0.1"}).contains(vertex[0]), vertex[0]);
+    QCOMPARE(vertex[2], QByteArray("0.009036,"));
+
+    const QJsonObject exact = pick({model, "--at", "400,300"});
+    const QList<double> world = numbers(exact["world"]), uncertainty = numbers(exact["uncertainty"]);
+    const QList<QByteArray> told = valuesOf("world"), bounds = valuesOf("+-");
+    for (int axis = 0; axis < 3; ++axis) {
+        QVERIFY2(told[axis].size() <= 13, told[axis]);
+        QVERIFY2(bounds[axis].size() <= 7, bounds[axis]); // "2.3e-09"
+        // What is told is within what is told of it.
+        QVERIFY(std::abs(told[axis].toDouble() - world[axis]) + uncertainty[axis] <= bounds[axis].toDouble());
+        QVERIFY(bounds[axis].toDouble() < 1.3 * uncertainty[axis]);
+    }
+    QCOMPARE(numbers(exact["vertex"]["world"])[2], double(0.009036f));
 }
 
 void TestPickCommand::bundledModels()
