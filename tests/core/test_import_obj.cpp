@@ -227,7 +227,7 @@ void TestImportObj::readsMaterials_data()
     QTest::addColumn<QVector<float>>("color");
     QTest::addColumn<bool>("hasPicture");
     QTest::addColumn<bool>("repeats");
-    const auto row = [](const char *name, const char *library, const char *use, QVector<float> color,
+    const auto row = [](const char *name, const char *library, const char *use, const QVector<float> &color,
                         bool hasPicture = false, bool repeats = true) {
         QTest::newRow(name) << QByteArray(library) << QByteArray(use) << color << hasPicture << repeats;
     };
@@ -374,23 +374,25 @@ static QByteArray longObj(int rows, int columns)
 
 void TestImportObj::readsFilesOfSeveralChunks()
 {
-    const int rows = 200, columns = 400;
-    const QByteArray text = longObj(rows, columns);
+    const std::size_t rows = 200, columns = 400;
+    const QByteArray text = longObj(int(rows), int(columns));
     QVERIFY(text.size() > 3 << 20);
     const auto result = m_folder.imported("long.obj", text);
     REQUIRE_MODEL(result);
     const Mesh &mesh = result.value()->meshes.front();
-    QCOMPARE(mesh.triangleCount(), std::size_t(2 * (rows - 1) * (columns - 1)));
-    QCOMPARE(mesh.positions.size(), std::size_t(rows * columns));
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        QVERIFY(mesh.position(v) == glm::dvec3(double(v % columns), double(v / columns), 0.25));
+    QCOMPARE(mesh.triangleCount(), 2 * (rows - 1) * (columns - 1));
+    QCOMPARE(mesh.positions.size(), rows * columns);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const std::size_t row = v / columns, column = v % columns;
+        QVERIFY(mesh.position(v) == glm::dvec3(double(column), double(row), 0.25));
+    }
     for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
         const std::size_t row = t / (2 * (columns - 1)), column = t / 2 % (columns - 1);
         const auto a = std::uint32_t(row * columns + column), b = a + std::uint32_t(columns);
         const std::uint32_t expected[2][3] = {{a, a + 1, b + 1}, {a, b + 1, b}};
         QVERIFY(std::equal(expected[t % 2], expected[t % 2] + 3, mesh.indices.begin() + std::ptrdiff_t(3 * t)));
     }
-    QVERIFY(std::abs(areaOf(mesh) - (rows - 1) * (columns - 1)) < 1e-6);
+    QVERIFY(std::abs(areaOf(mesh) - double((rows - 1) * (columns - 1))) < 1e-6);
 }
 
 void TestImportObj::namesTheLineInAnyChunk()
