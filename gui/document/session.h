@@ -80,7 +80,8 @@ public:
     void openExample(const std::string &id);
     ModelStore &models() { return m_models; }
     bool isLoading() const { return m_loader.isLoading(); }
-    void cancelLoading() { m_loader.cancel(); }
+    /// Gives up what is loading, and says so by `noticed`.
+    void cancelLoading();
 
     // ---- saving
 
@@ -157,6 +158,8 @@ private:
 
     /// From now on the working folder does not matter.
     static std::filesystem::path absolutePath(const std::filesystem::path &file);
+    static QString nameOf(const Pending &pending);
+    static QString namesText(const QString &first, int others);
     void load(Pending pending);
     void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
     void takeModels(const std::vector<LoadedModel> &models, Pending::For use);

@@ -118,6 +118,27 @@ void Session::openExample(const std::string &id)
     setScene(exampleText(id)->name, QString::fromStdString(id));
 }
 
+void Session::cancelLoading()
+{
+    if (!m_pending)
+        return;
+    const QString name = nameOf(*m_pending);
+    m_loader.cancel();
+    emit noticed(tr("Opening of %1 cancelled. The scene is as it was.").arg(name));
+}
+
+QString Session::nameOf(const Pending &pending)
+{
+    if (pending.use == Pending::For::SceneFile || pending.models.empty())
+        return pending.name;
+    return namesText(pathText(pending.models.front().filename()), static_cast<int>(pending.models.size()) - 1);
+}
+
+QString Session::namesText(const QString &first, int others)
+{
+    return others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first);
+}
+
 void Session::load(Pending pending)
 {
     m_loader.cancel(); // it would take what this is for
@@ -190,7 +211,7 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
     const QString first = QString::fromStdString(objects.front().name);
     const int others = static_cast<int>(models.size()) - 1;
     m_document.setObjects(std::move(objects));
-    setScene(others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first));
+    setScene(namesText(first, others));
     if (const QString sizes = sizesText(m_document.objects(), m_document.objects().size()); !sizes.isEmpty())
         emit noticed(sizes);
 }

@@ -4,6 +4,7 @@
 #include <QOpenGLContext>
 #include <QScopedValueRollback>
 #include <QSurfaceFormat>
+#include <QWindow>
 
 #include <algorithm>
 #include <set>
@@ -63,6 +64,15 @@ void FrameView::setSmoothEdges(bool smooth)
 {
     m_smoothEdges = smooth;
     update();
+}
+
+bool FrameView::awaitPicture()
+{
+    // What is on no screen is painted for whoever grabs it, and never by itself.
+    const QWindow *screenWindow = window()->windowHandle();
+    const bool isOnAScreen = isVisible() && screenWindow && screenWindow->isExposed();
+    m_isTelling = m_isTelling || (m_isCreated && m_isStale && isOnAScreen);
+    return m_isTelling;
 }
 
 bool FrameView::createFrame()

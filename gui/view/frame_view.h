@@ -45,6 +45,10 @@ public:
     bool isReady() const { return m_isCreated; }
     /// Whether stand-ins are shown, or what was there before, until all is drawn.
     bool isCoarse() const { return m_isCoarse; }
+    /// Asks to be told of the picture that is to be drawn, also where it comes at once: `drawingProgressed` then says when it is
+    /// there.
+    /// @return whether there is one to be drawn on the screen
+    bool awaitPicture();
     /// How this driver tells the object under a pixel; valid once the view is ready.
     ObjectIds objectIds() const { return m_frames[0].ids(); }
 
@@ -55,7 +59,7 @@ signals:
     /// OpenGL cannot draw here, or not all of it, or not read depths; for a message.
     void failed(const QString &reason);
     /// How much is drawn of a picture that is long in coming, while another one or none is shown: from 0 up to 1, when it is
-    /// shown or no longer wanted. Not told where stand-ins are shown.
+    /// shown or no longer wanted. Not told where stand-ins are shown, but for the end of what is awaited.
     void drawingProgressed(double share);
 
 protected:
@@ -83,6 +87,9 @@ protected:
     /// @return whether there is one
     bool showFrame();
 
+    /// Tells of a picture that is awaited or long in coming, see drawingProgressed.
+    void tellDrawn(double share);
+
     /// The widget's size in device pixels.
     Surface currentSurface() const;
     /// To release all that was made in the context, if anything was. It is called when the context goes, as it does when
@@ -100,7 +107,6 @@ private:
     void keepModels();
     void refine(const Deadline &deadline);
     void takeRest();
-    void tellDrawn(double share);
 
     ModelStore *m_models = nullptr;
     std::array<Frame, 2> m_frames;

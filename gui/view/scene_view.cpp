@@ -146,8 +146,10 @@ FrameView::Drawn SceneView::updateFrame()
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
     const Result<Drawable> drawn = drawable(g);
-    if (!matrix || !frame || !drawn)
+    if (!matrix || !frame || !drawn) {
+        tellDrawn(1.0);
         return Drawn::Nothing;
+    }
     return drawFrame({*drawn, m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes});
 }
 

@@ -114,7 +114,7 @@ void MainWindow::connectSession()
 
     connect(m_session, &Session::loadingStarted, m_loading, &LoadingBar::start);
     connect(m_session, &Session::loadingProgressed, m_loading, &LoadingBar::setProgress);
-    connect(m_session, &Session::loadingEnded, m_loading, &LoadingBar::finish);
+    connect(m_session, &Session::loadingEnded, m_loading, [this] { m_loading->finish(!m_view->awaitPicture()); });
     connect(m_loading, &LoadingBar::cancelRequested, m_session, &Session::cancelLoading);
 
     connect(m_session, &Session::offeredChanged, m_recovery, [this] { m_recovery->offer(m_session->offered()); });

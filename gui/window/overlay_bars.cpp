@@ -132,7 +132,7 @@ void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
 
 LoadingBar::LoadingBar(QWidget *parent)
     : QFrame(parent), m_text(new QLabel), m_progress(new QProgressBar), m_cancel(new QPushButton(tr("Cancel"))),
-      m_delay(new QTimer(this))
+      m_delay(new QTimer(this)), m_emptyDelay(new QTimer(this))
 {
     makeOverlay(this, "#f4f6f8", "#a9b3bd");
     m_text->setTextFormat(Qt::PlainText);
@@ -153,6 +153,10 @@ LoadingBar::LoadingBar(QWidget *parent)
         show();
         raise();
     });
+    constexpr int kHandMilliseconds = 700; // a hand that is on its way cannot be stopped sooner
+    m_emptyDelay->setSingleShot(true);
+    m_emptyDelay->setInterval(kHandMilliseconds);
+    connect(m_emptyDelay, &QTimer::timeout, this, [this] { m_emptyPlace->hide(); });
 }
 
 void LoadingBar::start()
@@ -161,6 +165,7 @@ void LoadingBar::start()
     m_text->setText(tr("Opening …"));
     m_progress->setAccessibleName(tr("Opening"));
     m_progress->setValue(0);
+    keepPlaceOfCancel(true);
     m_cancel->show();
     m_delay->start();
 }
@@ -171,11 +176,33 @@ void LoadingBar::setProgress(const QString &fileName, double share)
     m_progress->setValue(static_cast<int>(std::lround(share * 100.0)));
 }
 
-void LoadingBar::finish()
+void LoadingBar::finish(bool isDrawn)
 {
     m_isOpening = false;
+    setDrawn(isDrawn ? 1.0 : 0.0);
+}
+
+void LoadingBar::goAway()
+{
     m_delay->stop();
+    if (isVisible() && parentWidget()) {
+        if (!m_emptyPlace)
+            m_emptyPlace = new QWidget(parentWidget());
+        m_emptyPlace->setGeometry(geometry());
+        m_emptyPlace->show();
+        m_emptyPlace->raise();
+        m_emptyDelay->start();
+    }
     hide();
+    setMinimumWidth(0);
+    keepPlaceOfCancel(false);
+}
+
+void LoadingBar::keepPlaceOfCancel(bool isKept)
+{
+    QSizePolicy policy = m_cancel->sizePolicy();
+    policy.setRetainSizeWhenHidden(isKept);
+    m_cancel->setSizePolicy(policy);
 }
 
 void LoadingBar::setDrawn(double share)
@@ -183,9 +210,11 @@ void LoadingBar::setDrawn(double share)
     if (m_isOpening)
         return;
     if (share >= 1.0) {
-        finish();
+        goAway();
         return;
     }
+    if (isVisible())
+        setMinimumWidth(width()); // shorter words do not make it narrower under a hand
     m_text->setText(tr("Drawing …"));
     m_progress->setAccessibleName(tr("Drawing"));
     m_progress->setValue(static_cast<int>(std::lround(share * 100.0)));

@@ -47,14 +47,18 @@ private:
     QComboBox *m_choice; ///< shown where there are several
 };
 
-/// What is being opened, how far it is, and a button to stop it; then how much of it is drawn. Shown after a moment, so that small files don't flash.
+/// What is being opened, how far it is, and a button to stop it; then how much of it is drawn, until it is. Shown after a
+/// moment, so that small files don't flash; where it stood, nothing is clicked for a moment once it is gone, so that what
+/// was meant for its button does not fall on what is behind.
 class LoadingBar : public QFrame {
     Q_OBJECT
 public:
     explicit LoadingBar(QWidget *parent = nullptr);
     void start();
     void setProgress(const QString &fileName, double share);
-    void finish();
+    /// The opening has ended, in whatever way.
+    /// @param isDrawn  nothing is left to be told: else setDrawn(1.0) will come
+    void finish(bool isDrawn);
     /// @param share  1: it is drawn
     void setDrawn(double share);
 
@@ -62,11 +66,17 @@ signals:
     void cancelRequested();
 
 private:
+    void goAway();
+    /// A button that is hidden can leave its place empty, so that the rest stays where it is.
+    void keepPlaceOfCancel(bool isKept);
+
     QLabel *m_text;
     QProgressBar *m_progress;
     QPushButton *m_cancel;
     bool m_isOpening = false;
     QTimer *m_delay;
+    QWidget *m_emptyPlace = nullptr; ///< where the bar stood; made when it is first needed
+    QTimer *m_emptyDelay;
 };
 
 } // namespace unprojector::gui

@@ -4856,6 +4856,10 @@ of a point that needs no division</source>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
+    <message>
+        <source>Opening of %1 cancelled. The scene is as it was.</source>
+        <translation>已取消打开 %1，场景保持原样。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SteadyLabel</name>

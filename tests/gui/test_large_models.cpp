@@ -189,6 +189,20 @@ void TestLargeModels::longDrawingIsTold()
     QVERIFY(shown.rest());
     QVERIFY2(told.isEmpty(), "stand-ins are seen");
 
+    // A picture that is awaited is told of, but not where it never comes onto a screen.
+    QVERIFY(!shown.view.awaitPicture());
+    shown.document.setCamera(kFromBefore, {});
+    QVERIFY(shown.view.awaitPicture());
+    QTRY_COMPARE(told.size(), 1);
+    QCOMPARE(shareAt(0), 1.0);
+    SceneView unseen(shown.document);
+    unseen.setAttribute(Qt::WA_DontShowOnScreen);
+    unseen.show();
+    static_cast<void>(unseen.grab());
+    QVERIFY(unseen.isReady());
+    shown.document.setCamera(turned(5.0), {});
+    QVERIFY(!unseen.awaitPicture());
+
     LoadingBar bar;
     bar.setDrawn(0.25);
     QTRY_VERIFY(bar.isVisible());

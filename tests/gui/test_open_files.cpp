@@ -12,6 +12,8 @@
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
+#include <QLayout>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
@@ -115,6 +117,7 @@ private slots:
     void aMessageGoesWithTheNextFile();
     void cancelEndsAtOnceAndChangesNothing_data();
     void cancelEndsAtOnceAndChangesNothing();
+    void theBarStaysUntilThePictureIsThere();
     void aSecondLoadingTakesTheFirstOnesPlace();
     void theWindowClosesWhileLoading();
     void recentFilesAreRemembered();
@@ -310,12 +313,14 @@ void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
     std::vector<std::filesystem::path> files;
     for (const QString &file : bigFiles())
         files.push_back(pathOf(file));
+    QSignalSpy noticed(&window->session(), &Session::noticed);
     window->session().openFiles(files);
     auto *bar = window->findChild<LoadingBar *>();
     QVERIFY(bar);
     QVERIFY(QTest::qWaitFor([&] { return bar->isVisible(); }));
     QVERIFY(window->session().isLoading());
     auto *cancel = bar->findChild<QPushButton *>();
+    const QPoint place = cancel->mapTo(window.get(), cancel->rect().center());
     QElapsedTimer timer;
     timer.start();
     if (isByKey)
@@ -326,12 +331,45 @@ void TestOpenFiles::cancelEndsAtOnceAndChangesNothing()
     QVERIFY(timer.elapsed() < kAtOnceMilliseconds);
     QVERIFY(!window->session().isLoading());
     QVERIFY(bar->isHidden());
+    QCOMPARE(noticed.count(), 1);
+    QCOMPARE(noticed.at(0).at(0).toString(),
+             QStringLiteral("Opening of big.stl and 49 more cancelled. The scene is as it was."));
+    // A click that was meant for the button does not fall on the view.
+    QVERIFY(window->childAt(place) != &window->view());
+    QTRY_COMPARE(window->childAt(place), &window->view());
     QVERIFY(before.isThatOf(*window));
     QTest::qWait(300); // nothing comes after it
     QCOMPARE(ended.count(), 1);
     QVERIFY(bar->isHidden());
     QVERIFY(window->message().isEmpty());
     QVERIFY(before.isThatOf(*window));
+}
+
+void TestOpenFiles::theBarStaysUntilThePictureIsThere()
+{
+    const auto window = shownWindow(false, {500, 400});
+    auto *bar = window->findChild<LoadingBar *>();
+    const auto *cancel = bar->findChild<QPushButton *>();
+    emit window->session().loadingStarted();
+    emit window->session().loadingProgressed(QStringLiteral("scan.ply"), 0.5);
+    QTRY_VERIFY(bar->isVisible());
+    const QRect place = bar->geometry();
+    window->document().setObjects(cubeScene());
+    emit window->session().loadingEnded();
+    QVERIFY2(bar->isVisible(), "the cube is not drawn yet");
+    QVERIFY(bar->findChild<QLabel *>()->text().startsWith(QStringLiteral("Drawing")));
+    QVERIFY(cancel->isHidden());
+    bar->parentWidget()->layout()->activate();
+    QCOMPARE(bar->geometry(), place);
+    QTRY_VERIFY(bar->isHidden());
+    QVERIFY(window->childAt(bar->parentWidget()->mapTo(window.get(), place.center())) != &window->view());
+
+    // Where nothing is to be drawn there is nothing to wait for.
+    emit window->session().loadingStarted();
+    QTRY_VERIFY(bar->isVisible());
+    QVERIFY(!cancel->isHidden());
+    emit window->session().loadingEnded();
+    QVERIFY(bar->isHidden());
 }
 
 void TestOpenFiles::aSecondLoadingTakesTheFirstOnesPlace()
