@@ -5,8 +5,8 @@
 #include "gui/view/lifecycle_log.h"
 
 #include <QAction>
+#include <QBoxLayout>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QScrollBar>
 #include <QTableView>
@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kPadding = 8; ///< of a cell, both sides
 constexpr int kRowMargin = 4;
+constexpr int kMargin = 6; ///< of the panel
 
 } // namespace
 
@@ -54,14 +55,13 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
         button->setFocusPolicy(Qt::StrongFocus);
         button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // both as wide as the wider
     }
-    auto *buttons = new QVBoxLayout;
-    buttons->addWidget(m_copy);
-    buttons->addWidget(m_clear);
-    buttons->addStretch();
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->addWidget(m_table, 1);
-    layout->addLayout(buttons);
+    m_buttons = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_buttons->addWidget(m_copy);
+    m_buttons->addWidget(m_clear);
+    m_buttons->addStretch();
+    m_layout = new QBoxLayout(QBoxLayout::LeftToRight, this);
+    m_layout->addWidget(m_table, 1);
+    m_layout->addLayout(m_buttons);
 
     auto *copyKey = new QAction(tr("Copy"), m_table);
     copyKey->setShortcut(QKeySequence::Copy);
@@ -105,7 +105,29 @@ void LifecyclePanel::useFont()
     reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8,"));
     reserve(LifecycleLog::Took, QStringLiteral("888.88 ms,")); // and the mean in a second line
     m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,")) + kPadding;
+    placeButtons();
     fitCalls();
+}
+
+/// Beside the steps; below them, which then have the whole width, where that would leave too little room for the calls.
+void LifecyclePanel::placeButtons()
+{
+    int least = 2 * kMargin + m_layout->spacing() + std::max(m_copy->sizeHint().width(), m_clear->sizeHint().width())
+                + 2 * m_table->frameWidth() + m_table->verticalScrollBar()->sizeHint().width() + m_leastCallsWidth;
+    for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
+        least += m_table->columnWidth(column);
+    const bool isBeside = width() >= least;
+    const int tableMargin = isBeside ? kMargin : 0, buttonMargin = isBeside ? 0 : kMargin;
+    m_layout->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_layout->setContentsMargins(tableMargin, kMargin, tableMargin, kMargin);
+    m_buttons->setDirection(isBeside ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_buttons->setContentsMargins(buttonMargin, 0, buttonMargin, 0);
+}
+
+void LifecyclePanel::resizeEvent(QResizeEvent *event)
+{
+    placeButtons();
+    QWidget::resizeEvent(event);
 }
 
 void LifecyclePanel::changeEvent(QEvent *event)

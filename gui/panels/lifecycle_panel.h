@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QTableView;
 class QToolButton;
 
@@ -22,9 +23,11 @@ protected:
     void showEvent(QShowEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void useFont();
+    void placeButtons();
     void fitCalls();
     void fitRow(int row);
     void follow();
@@ -35,6 +38,7 @@ private:
     QTableView *m_table = nullptr;
     QToolButton *m_copy;
     QToolButton *m_clear;
+    QBoxLayout *m_layout, *m_buttons;
     int m_leastCallsWidth = 0;
     bool m_follows = true;
     bool m_willFollow = false; ///< the scroll to the end is under way

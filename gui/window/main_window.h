@@ -134,6 +134,8 @@ private:
     void showFormulas(const QString &anchor);
     void showKeys();
     void showFirstSteps(bool isShown);
+    /// They tell of the place Click, and are seen there.
+    void placeFirstSteps();
     void showAbout();
 
     Options m_options;
@@ -166,6 +168,7 @@ private:
     FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
     KeySheet *m_keys = nullptr;           ///< so is this
     FirstSteps *m_firstSteps = nullptr;   ///< and this
+    bool m_areFirstStepsShown = false;    ///< where they are seen
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;
     QAction *m_placingAction = nullptr;

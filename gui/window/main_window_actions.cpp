@@ -20,6 +20,7 @@
 #include "gui/window/first_steps.h"
 #include "gui/window/formulas_window.h"
 #include "gui/window/key_sheet.h"
+#include "gui/window/place_ids.h"
 #include "gui/window/work_places.h"
 
 #include <QActionGroup>
@@ -331,7 +332,10 @@ void MainWindow::createHelpMenu()
               tr("All formulas with their sources, and the errors in the originals"), [this] { showFormulas({}); });
     addAction(menu, tr("&Mouse and Keys"), Qt::Key_Question, tr("What the mouse and every key do"),
               [this] { showKeys(); });
-    addAction(menu, tr("First &Steps"), {}, tr("Three things to try"), [this] { showFirstSteps(true); });
+    addAction(menu, tr("First &Steps"), {}, tr("Three things to try"), [this] {
+        m_places->enter(kClickPlace);
+        showFirstSteps(true);
+    });
     menu->addSeparator();
     addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
 }
@@ -382,10 +386,18 @@ void MainWindow::showFirstSteps(bool isShown)
     }
     if (!m_firstSteps)
         return;
-    m_firstSteps->setVisible(isShown);
-    m_firstSteps->raise();
+    m_areFirstStepsShown = isShown;
+    placeFirstSteps();
     if (!isShown && m_options.remembers)
         QSettings().setValue(QStringLiteral("firstSteps/areDone"), true);
+}
+
+void MainWindow::placeFirstSteps()
+{
+    if (!m_firstSteps)
+        return;
+    m_firstSteps->setVisible(m_areFirstStepsShown && qstrcmp(m_places->current(), kClickPlace) == 0);
+    m_firstSteps->raise();
 }
 
 } // namespace unprojector::gui

@@ -143,6 +143,7 @@ void MainWindow::showAccompanying()
 {
     m_places->dock(kExample)->setVisible(!m_exampleNote->isEmpty());
     m_places->dock(kObserver)->setVisible(m_observerAction->isChecked() && !m_inset);
+    placeFirstSteps();
 }
 
 QMenu *MainWindow::createPopupMenu()

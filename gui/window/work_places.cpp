@@ -183,9 +183,7 @@ void WorkPlaces::arrange()
                 fronts[area] = panel->dock;
             lasts[area] = panel->dock;
         }
-        // A small window starts with the fewer panels.
-        const bool isLeftOut = panel->area == Qt::BottomDockWidgetArea && !isRoom;
-        panel->dock->setVisible(rank(*panel) < shown.size() && !isLeftOut);
+        panel->dock->setVisible(rank(*panel) < shown.size());
     }
     for (QDockWidget *front : std::as_const(fronts))
         front->raise();

@@ -73,6 +73,9 @@ private slots:
     void aRightClickOffersNoEmptyPanel();
     void theInsetsBorderAloneHasItsPointer();
     void messagesAreReadBesideTheFirstSteps();
+    void theFirstStepsStayInTheirPlace();
+    void aSmallWindowHasEveryPanelOfItsPlace_data();
+    void aSmallWindowHasEveryPanelOfItsPlace();
 };
 
 void TestWorkPlaces::thePanelInFrontIsKnown()
@@ -357,6 +360,52 @@ void TestWorkPlaces::messagesAreReadBesideTheFirstSteps()
     // Beside them the view is clicked.
     const QPoint beside = placeOf(*steps).center() + QPoint(steps->width(), 0);
     QCOMPARE(window->childAt(beside), &window->view());
+}
+
+void TestWorkPlaces::theFirstStepsStayInTheirPlace()
+{
+    const auto window = windowOfSize(kWide, true);
+    auto *steps = window->findChild<FirstSteps *>();
+    QVERIFY(steps && steps->isVisible());
+    window->places().enter(kPipelinePlace);
+    QVERIFY(steps->isHidden());
+    window->places().reset();
+    QVERIFY(steps->isHidden());
+    window->places().enter(kClickPlace);
+    QVERIFY2(steps->isVisible(), "nobody has closed them");
+    emit steps->closeRequested();
+    window->places().enter(kPointsPlace);
+    window->places().enter(kClickPlace);
+    QVERIFY(steps->isHidden());
+    // Who asks for them is taken to where they are.
+    window->places().enter(kPipelinePlace);
+    actionOf(*window, QStringLiteral("First Steps"))->trigger();
+    QCOMPARE(window->places().current(), kClickPlace);
+    QVERIFY(steps->isVisible());
+}
+
+void TestWorkPlaces::aSmallWindowHasEveryPanelOfItsPlace_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("wide and high") << kWide;
+    QTest::newRow("not high") << QSize(1280, 500);
+    QTest::newRow("narrow") << kNarrow;
+}
+
+/// Where there is no room for all side by side, some are tabs.
+void TestWorkPlaces::aSmallWindowHasEveryPanelOfItsPlace()
+{
+    QFETCH(QSize, size);
+    const auto window = windowOfSize(size);
+    for (const WorkPlaces::Place &place : window->places().places()) {
+        window->places().enter(place.id);
+        window->places().reset();
+        for (const char *panel : place.panels) {
+            QVERIFY2(!dockOf(*window, panel)->isHidden(), panel);
+            window->places().show(panel);
+            QTRY_VERIFY2(isSeen(*window, panel), panel);
+        }
+    }
 }
 
 QTEST_MAIN(TestWorkPlaces)
