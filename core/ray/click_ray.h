@@ -22,6 +22,10 @@ public:
     /// @return the errors of Unprojector::worldAt
     Result<Ray<WorldSpace>> at(const DevicePoint &position) const;
 
+    /// By which the rays are computed, and between which depths: those of t = 0 and t = 1.
+    Method method() const { return m_method; }
+    DepthRange depths() const { return {m_depthAtNear, m_depthAtFar}; }
+
     const Picture &picture() const { return m_unprojector.picture(); }
     /// Where a perspective's rays meet; nothing for a box and for a matrix that is no known projection.
     const std::optional<WorldPoint> &eye() const { return m_eye; }

@@ -75,7 +75,8 @@ double nearestShare(const WorldPoint &from, const WorldPoint &to, const WorldPoi
 } // namespace
 
 Placement::Placement(const glm::dmat4 &worldFromObject, const ObjectFromWorld &objectFromWorld)
-    : m_worldFromObject(worldFromObject), m_objectFromWorld(objectFromWorld)
+    : m_worldFromObject(worldFromObject), m_objectFromWorld(objectFromWorld),
+      m_plainInverse(glm::inverse(glm::dmat3(worldFromObject)))
 {
 }
 
@@ -96,6 +97,13 @@ Result<Ray<ObjectSpace>> Placement::objectRay(const Ray<WorldSpace> &ray) const
     if (!along)
         return along.error();
     return Ray<ObjectSpace>{*from, *along, ray.low, ray.high};
+}
+
+Ray<ObjectSpace> Placement::plainObjectRay(const Ray<WorldSpace> &ray) const
+{
+    const glm::dvec3 from = ray.from.coordinates() - glm::dvec3(m_worldFromObject[3]);
+    return {ObjectPoint(m_plainInverse * from), Vector<ObjectSpace>(m_plainInverse * ray.along.coordinates()), ray.low,
+            ray.high};
 }
 
 std::array<WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement &placement, std::uint32_t triangle)

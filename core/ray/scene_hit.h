@@ -4,6 +4,7 @@
 #include "core/ray/ray_caster.h"
 #include "core/unproject/object_from_world.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -74,6 +75,8 @@ public:
     /// The same ray in object space, with the same t.
     /// @return NotFinite, PointAtInfinity
     Result<Ray<ObjectSpace>> objectRay(const Ray<WorldSpace> &ray) const;
+    /// The same in plain double, for many rays: off by a few units in the last place of the world's coordinates.
+    Ray<ObjectSpace> plainObjectRay(const Ray<WorldSpace> &ray) const;
     const glm::dmat4 &worldFromObject() const { return m_worldFromObject; }
 
 private:
@@ -81,6 +84,7 @@ private:
 
     glm::dmat4 m_worldFromObject;
     ObjectFromWorld m_objectFromWorld;
+    glm::dmat3 m_plainInverse; ///< of its linear part
 };
 
 /// The corners of a triangle of a placed model.

@@ -50,6 +50,20 @@ std::optional<Ray<WorldSpace>> SceneRays::shownAt(const DevicePoint &position) c
     return ray ? shown(*ray) : std::nullopt;
 }
 
+std::optional<FirstTriangle> SceneRays::firstTriangle(const Ray<WorldSpace> &ray) const
+{
+    const std::optional<Ray<WorldSpace>> part = shown(ray);
+    std::optional<FirstTriangle> first;
+    for (std::size_t k = 0; part && k < m_objects.size(); ++k) {
+        const Object &candidate = m_objects[k];
+        const std::optional<TriangleHit> hit =
+            candidate.caster->nearestTriangle(candidate.placement.plainObjectRay(*part));
+        if (hit && (!first || hit->t < first->hit.t))
+            first = FirstTriangle{candidate.place, *hit};
+    }
+    return first;
+}
+
 std::optional<SceneHit> SceneRays::nearest(const Ray<WorldSpace> &ray) const
 {
     const Object *object = nullptr;

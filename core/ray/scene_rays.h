@@ -22,6 +22,12 @@ enum class Snap {
 /// Device pixels.
 constexpr double kSnapPixels = 8.0;
 
+/// The triangle that a ray meets first, without all that a SceneHit says of it.
+struct FirstTriangle {
+    std::size_t object = 0; ///< place in the scene's list
+    TriangleHit hit;        ///< its t is the ray's
+};
+
 /// What the clicks on a picture of a scene meet: the objects that are not hidden, what of them lies in the view volume and on
 /// the positive side of every clip plane. Immutable: any thread may ask.
 class SceneRays {
@@ -38,6 +44,13 @@ public:
     /// @param position  continuous device pixels, origin top-left; outside the viewport nothing is met
     /// @return nothing where nothing is met; the errors of ClickRays::at
     Result<std::optional<SceneHit>> at(const DevicePoint &position, Snap snap = Snap::Surface) const;
+
+    /// Of many rays: the surface that a ray meets first, points of clouds passed over. The way into the objects' spaces is in
+    /// plain double, see Placement::plainObjectRay.
+    /// @param ray  in world space, of the picture's rays
+    std::optional<FirstTriangle> firstTriangle(const Ray<WorldSpace> &ray) const;
+    /// Whether an object that can be met has points of a cloud.
+    bool hasPoints() const { return m_hasPoints; }
 
     const ClickRays &rays() const { return m_rays; }
     /// The corners of the triangle that was hit, in the order of its ids. @pre a hit of these rays, on a triangle

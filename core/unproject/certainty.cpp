@@ -7,69 +7,84 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace unprojector::unproject {
 namespace {
 
-/// Parts of an error, as vectors of eye space, on each axis: added up, since all of them can be off at once.
-Uncertainty summed(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
-                   std::span<const glm::dvec3> parts)
+glm::dvec3 parallelRay(const Projection &projection)
 {
-    constexpr double kHalfUlp = 0x1p-53;
-    const EyeFrame frame = eyeFrame(picture.camera()).value();
-    glm::dvec3 inEye = kHalfUlp * glm::abs(eye.coordinates()), inWorld = kHalfUlp * glm::abs(world.coordinates());
-    for (const glm::dvec3 &part : parts) {
-        inEye += glm::abs(part);
-        inWorld += glm::abs(part.x * frame.side.coordinates() + part.y * frame.upward.coordinates()
-                            - part.z * frame.forward.coordinates());
-    }
-    return {EyeVector(inEye), WorldVector(inWorld)};
-}
-
-/// Along the ray through the point, as far as the certainty's distance.
-glm::dvec3 alongRay(const Picture &picture, const EyePoint &eye, const Certainty &certainty)
-{
-    glm::dvec3 ray(0.0, 0.0, -1.0); // for a unit of distance in front of the eye
-    if (const auto *oblique = std::get_if<Oblique>(&picture.projection()))
-        ray = {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians), -1.0};
-    else if (isPerspective(picture.projection()))
-        ray = eye.coordinates() / -eye.z;
-    return ray * certainty.distance;
+    if (const auto *oblique = std::get_if<Oblique>(&projection))
+        return {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians), -1.0};
+    return {0.0, 0.0, -1.0};
 }
 
 } // namespace
 
-Certainty certaintyAt(const Picture &picture, double distance, const DepthError &error)
+Certainties::Certainties(const Picture &picture)
+    : m_window(projectionWindow(picture.projection())), m_isPerspective(isPerspective(picture.projection())),
+      m_parallel(parallelRay(picture.projection())),
+      m_range(std::abs(picture.depthRange.atFar - picture.depthRange.atNear)),
+      m_footprint(pixelFootprint(picture, 1.0)), m_frame(eyeFrame(picture.camera()).value())
 {
-    const ProjectionWindow w = projectionWindow(picture.projection());
-    const double n = w.nearDistance, f = w.farDistance;
-    const double range = std::abs(picture.depthRange.atFar - picture.depthRange.atNear);
-    double whole = error.whole() / range * (f - n), step = error.rounding / range * (f - n);
-    if (isPerspective(picture.projection())) {
+}
+
+glm::dvec3 Certainties::alongRay(const EyePoint &eye, const Certainty &certainty) const
+{
+    return (m_isPerspective ? eye.coordinates() / -eye.z : m_parallel) * certainty.distance;
+}
+
+Uncertainty Certainties::summed(const EyePoint &eye, const WorldPoint &world,
+                                std::initializer_list<glm::dvec3> parts) const
+{
+    constexpr double kHalfUlp = 0x1p-53;
+    glm::dvec3 inEye = kHalfUlp * glm::abs(eye.coordinates()), inWorld = kHalfUlp * glm::abs(world.coordinates());
+    for (const glm::dvec3 &part : parts) {
+        inEye += glm::abs(part);
+        inWorld += glm::abs(part.x * m_frame.side.coordinates() + part.y * m_frame.upward.coordinates()
+                            - part.z * m_frame.forward.coordinates());
+    }
+    return {EyeVector(inEye), WorldVector(inWorld)};
+}
+
+Certainty Certainties::at(double distance, const DepthError &error) const
+{
+    const double n = m_window.nearDistance, f = m_window.farDistance;
+    double whole = error.whole() / m_range * (f - n), step = error.rounding / m_range * (f - n);
+    if (m_isPerspective) {
         const double ofUnit = distance / (f * n); // relative, of an error of `whole` in a box
         const double rest = 1.0 - ofUnit * whole;
         whole = rest > 0.0 ? distance * ofUnit * whole / rest : f - n;
         step *= distance * ofUnit;
     }
     whole = std::min(whole, std::max({f - distance, distance - n, step}));
-    const glm::dvec2 footprint = pixelFootprint(picture, distance);
+    const glm::dvec2 footprint = m_isPerspective ? m_footprint * distance : m_footprint;
     return {step, footprint.x, footprint.y, whole};
+}
+
+Uncertainty Certainties::of(const EyePoint &eye, const WorldPoint &world, const Certainty &certainty) const
+{
+    return summed(eye, world, {alongRay(eye, certainty)});
+}
+
+Certainty certaintyAt(const Picture &picture, double distance, const DepthError &error)
+{
+    return Certainties(picture).at(distance, error);
 }
 
 Uncertainty uncertaintyOf(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
                           const Certainty &certainty)
 {
-    const std::array parts{alongRay(picture, eye, certainty)};
-    return summed(picture, eye, world, parts);
+    return Certainties(picture).of(eye, world, certainty);
 }
 
 Uncertainty withinPixel(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
                         const Certainty &certainty)
 {
-    const std::array parts{alongRay(picture, eye, certainty), glm::dvec3(certainty.footprintWidth / 2.0, 0.0, 0.0),
-                           glm::dvec3(0.0, certainty.footprintHeight / 2.0, 0.0)};
-    return summed(picture, eye, world, parts);
+    const Certainties certainties(picture);
+    return certainties.summed(eye, world,
+                              {certainties.alongRay(eye, certainty),
+                               glm::dvec3(certainty.footprintWidth / 2.0, 0.0, 0.0),
+                               glm::dvec3(0.0, certainty.footprintHeight / 2.0, 0.0)});
 }
 
 } // namespace unprojector::unproject

@@ -3,6 +3,11 @@
 #include "core/geometry/picture.h"
 #include "core/unproject/depth_error.h"
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <initializer_list>
+
 namespace unprojector::unproject {
 using namespace geometry;
 
@@ -46,6 +51,32 @@ struct Uncertainty {
 /// @pre the picture is valid and by parameters; a perspective sees the point (z_eye is not 0)
 Uncertainty uncertaintyOf(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
                           const Certainty &certainty);
+
+/// certaintyAt and uncertaintyOf for many pixels of a picture: what hangs on the picture alone is computed once.
+class Certainties {
+public:
+    /// @pre the picture is valid and by parameters
+    explicit Certainties(const Picture &picture);
+
+    Certainty at(double distance, const DepthError &error) const;
+    Uncertainty of(const EyePoint &eye, const WorldPoint &world, const Certainty &certainty) const;
+
+private:
+    friend Uncertainty withinPixel(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
+                                   const Certainty &certainty);
+
+    /// Along the ray through the point, as far as the certainty's distance.
+    glm::dvec3 alongRay(const EyePoint &eye, const Certainty &certainty) const;
+    /// Parts of an error, as vectors of eye space, on each axis: added up, since all of them can be off at once.
+    Uncertainty summed(const EyePoint &eye, const WorldPoint &world, std::initializer_list<glm::dvec3> parts) const;
+
+    ProjectionWindow m_window;
+    bool m_isPerspective;
+    glm::dvec3 m_parallel; ///< a box's rays, for a unit of distance in front of the eye
+    double m_range;
+    glm::dvec2 m_footprint; ///< of a pixel at the distance 1 in a perspective, anywhere in a box
+    EyeFrame m_frame;
+};
 
 /// How far from the point what lies in its pixel at that distance can be, besides: half a pixel to the side and half a
 /// pixel up, on each axis, and uncertaintyOf. What a hand that points at something leaves open.

@@ -100,50 +100,63 @@ double DepthFormat::halfStep(double depth) const
     return std::ldexp(1.0, std::ilogb(size) - 24);
 }
 
-DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const WorldPoint &world,
-                        const DepthSample &sample, const DrawnSurface &surface)
+double DepthFormat::kept(double depth) const
 {
-    const Viewport &viewport = picture.viewport;
-    const double range = std::abs(picture.depthRange.atFar - picture.depthRange.atNear);
-    const glm::dmat4 clipFromVertices = clipFromWorld(picture).value() * surface.worldFromVertices;
-    const glm::dvec4 place = glm::inverse(surface.worldFromVertices) * glm::dvec4(world.coordinates(), 1.0);
-    const glm::dvec4 clip = clipFromVertices * place;
+    if (isFloat)
+        return static_cast<double>(static_cast<float>(depth));
+    const double steps = std::ldexp(1.0, bits) - 1.0;
+    return std::round(depth * steps) / steps;
+}
+
+DepthErrors::DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVertices)
+    : m_picture(picture), m_clipFromVertices(clipFromWorld(picture).value() * worldFromVertices),
+      m_verticesFromWorld(glm::inverse(worldFromVertices))
+{
+}
+
+DepthError DepthErrors::at(const WindowPoint &window, const WorldPoint &world, const DepthSample &sample,
+                           const std::optional<std::array<glm::dvec3, 3>> &triangle, bool isPoint) const
+{
+    const Viewport &viewport = m_picture.viewport;
+    const double range = std::abs(m_picture.depthRange.atFar - m_picture.depthRange.atNear);
+    const glm::dvec4 place = m_verticesFromWorld * glm::dvec4(world.coordinates(), 1.0);
+    const glm::dvec4 clip = m_clipFromVertices * place;
 
     // What the vertices are off, carried to the place between them.
     glm::dvec4 sums(0.0);
     for (int column = 0; column < 4; ++column)
-        sums += glm::abs(clipFromVertices[column] * place[column]);
+        sums += glm::abs(m_clipFromVertices[column] * place[column]);
     const glm::dvec3 ndc = glm::abs(glm::dvec3(clip) / clip.w);
     const glm::dvec3 vertices = kFloatRounding * (glm::dvec3(sums) + ndc * sums.w) / std::abs(clip.w);
 
     std::optional<DepthSlope> slope = sample.slope;
     std::optional<Corners> corners;
-    if (surface.triangle) {
+    if (triangle) {
         std::array<glm::dvec4, 3> clipCorners;
         Corners windowCorners;
         bool isBeforeTheEye = true;
         for (std::size_t k = 0; k < 3; ++k) {
-            clipCorners[k] = clipFromVertices * glm::dvec4((*surface.triangle)[k], 1.0);
+            clipCorners[k] = m_clipFromVertices * glm::dvec4((*triangle)[k], 1.0);
             const glm::dvec4 &corner = clipCorners[k];
             isBeforeTheEye = isBeforeTheEye && corner.w > 0.0;
             windowCorners[k] =
-                windowFromNdc(viewport, picture.depthRange, NdcPoint(glm::dvec3(corner) / corner.w)).coordinates();
+                windowFromNdc(viewport, m_picture.depthRange, NdcPoint(glm::dvec3(corner) / corner.w)).coordinates();
         }
-        if (const std::optional<DepthSlope> known = slopeOf(picture, clipCorners)) {
+        if (const std::optional<DepthSlope> known = slopeOf(m_picture, clipCorners)) {
             slope = known;
             if (isBeforeTheEye) // else it is cut, and its corners are others
                 corners = windowCorners;
         }
     }
-    if (!slope && !surface.isPoint) {
-        const double distance = isPerspective(picture.projection()) ? std::abs(clip.w) : 1.0;
-        slope = steepSlope(picture, depthOfUnitDistance(picture, distance), distance);
+    if (!slope && !isPoint) {
+        const double distance = isPerspective(m_picture.projection()) ? std::abs(clip.w) : 1.0;
+        slope = steepSlope(m_picture, depthOfUnitDistance(m_picture, distance), distance);
     }
 
     DepthError error{sample.format.halfStep(window.z), 0.0};
     constexpr double kDepthRoundings = 2.0, kInterpolationRoundings = 2.0;
     error.drawing = vertices.z * range / 2.0 + kDepthRoundings * kFloatRounding * std::abs(window.z);
-    if (surface.isPoint)
+    if (isPoint)
         return error;
     const auto interpolation = [](double pixels) {
         return kInterpolationRoundings * kFloatRounding * std::abs(pixels);
@@ -160,6 +173,12 @@ DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const
         }
     }
     return error;
+}
+
+DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const WorldPoint &world,
+                        const DepthSample &sample, const DrawnSurface &surface)
+{
+    return DepthErrors(picture, surface.worldFromVertices).at(window, world, sample, surface.triangle, surface.isPoint);
 }
 
 } // namespace unprojector::unproject

@@ -55,4 +55,20 @@ struct DepthError {
 DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const WorldPoint &world,
                         const DepthSample &sample, const DrawnSurface &surface);
 
+/// The same for many pixels of one mesh: what hangs on the mesh alone is computed once.
+class DepthErrors {
+public:
+    /// @pre the picture is valid and by parameters
+    DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVertices);
+
+    /// @param triangle, isPoint  see DrawnSurface
+    DepthError at(const WindowPoint &window, const WorldPoint &world, const DepthSample &sample,
+                  const std::optional<std::array<glm::dvec3, 3>> &triangle, bool isPoint = false) const;
+
+private:
+    Picture m_picture;
+    glm::dmat4 m_clipFromVertices;
+    glm::dmat4 m_verticesFromWorld;
+};
+
 } // namespace unprojector::unproject

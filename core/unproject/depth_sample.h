@@ -20,6 +20,8 @@ struct DepthFormat {
 
     /// Half the way between two depths that can be kept, at a depth in [0, 1].
     double halfStep(double depth) const;
+    /// What is kept of a depth in [0, 1]: the nearest that can be.
+    double kept(double depth) const;
 
     friend bool operator==(const DepthFormat &, const DepthFormat &) = default;
 };

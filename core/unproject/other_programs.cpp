@@ -1,0 +1,81 @@
+#include "core/unproject/other_programs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::unproject {
+
+std::string_view keyOf(OtherProgram program)
+{
+    switch (program) {
+    case OtherProgram::Paper: return "paper";
+    case OtherProgram::Screen2World: return "screen2world";
+    case OtherProgram::MeshLab: return "meshlab";
+    case OtherProgram::Polyscope: return "polyscope";
+    case OtherProgram::CloudCompare: return "cloudcompare";
+    case OtherProgram::Open3D: return "open3d";
+    case OtherProgram::Vtk: return "vtk";
+    }
+    return {};
+}
+
+std::optional<OtherProgram> otherProgramOf(std::string_view key)
+{
+    const auto found = std::find_if(kOtherPrograms.begin(), kOtherPrograms.end(),
+                                    [key](OtherProgram program) { return keyOf(program) == key; });
+    return found != kOtherPrograms.end() ? std::optional(*found) : std::nullopt;
+}
+
+OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePixel &pixel)
+{
+    const DevicePoint topLeft(pixel.i, pixel.j);
+    const DevicePixel above{pixel.i, pixel.j - 1};
+    switch (program) {
+    case OtherProgram::Paper:
+    case OtherProgram::Open3D: break;
+    case OtherProgram::MeshLab:
+    case OtherProgram::Polyscope: return {topLeft, above};
+    case OtherProgram::CloudCompare: return {DevicePoint(topLeft.x, topLeft.y + 1.0), pixel};
+    case OtherProgram::Screen2World: {
+        // y_w = h - j with the viewport's height, and the depth of the pixel that has its lower edge there.
+        const double yInWindow = picture.viewport.height - pixel.j;
+        const DevicePoint position = deviceFromWindow(picture.surface, WindowPoint(pixel.i, yInWindow, 0.0));
+        const int row = static_cast<int>(std::floor(yInWindow));
+        return {position, {pixel.i, picture.surface.heightPixels - 1 - row}};
+    }
+    case OtherProgram::Vtk: {
+        // A viewport of one pixel has nothing to divide by; its pixel stays where it is.
+        const Viewport &v = picture.viewport;
+        const auto stretched = [](double edge, double start, double size) {
+            return size > 1.0 ? start + (edge - start) * size / (size - 1.0) : edge;
+        };
+        const WindowPoint lowerLeft = windowFromDevice(picture.surface, DevicePoint(topLeft.x, topLeft.y + 1.0), 0.0);
+        return {deviceFromWindow(picture.surface, WindowPoint(stretched(lowerLeft.x, v.x, v.width),
+                                                              stretched(lowerLeft.y, v.y, v.height), 0.0)),
+                pixel};
+    }
+    }
+    return {topLeft, pixel};
+}
+
+std::array<OtherAnswer, kOtherPrograms.size()>
+otherAnswers(const Unprojector &unprojector, const DevicePixel &pixel,
+             const std::function<std::optional<double>(const DevicePixel &)> &depthAt)
+{
+    const Picture &picture = unprojector.picture();
+    std::array<OtherAnswer, kOtherPrograms.size()> answers;
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+        OtherAnswer &answer = answers[k];
+        answer.program = kOtherPrograms[k];
+        answer.click = clickOf(answer.program, picture, pixel);
+        const std::optional<double> depth = depthAt(answer.click.depthFrom);
+        if (!depth)
+            continue;
+        const WindowPoint window = windowFromDevice(picture.surface, answer.click.position, *depth);
+        if (const Result<WorldPoint> point = unprojector.worldAt(Method::Matrix, window))
+            answer.point = *point;
+    }
+    return answers;
+}
+
+} // namespace unprojector::unproject

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/unproject/unprojector.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+namespace unprojector::unproject {
+
+/// Programs that turn a click into a point, as their sources stood in 2026. Beside them stands what is right: the depth of
+/// framebuffer row H - 1 - j, unprojected at (i + 1/2, H - j - 1/2).
+enum class OtherProgram {
+    Paper,        ///< Weng et al. 2008, (7) and (8) taken literally: (i, rect.bottom - j)
+    Screen2World, ///< the tutorial's screen2world: flipped with the viewport's height, the depth of the row above
+    MeshLab,      ///< vcglib, wrap/gl/picking.h: (i, H - j), the depth of the row above
+    Polyscope,    ///< src/pick.cpp: the same place, the depth of the row above
+    CloudCompare, ///< ccGLWindowInterface.cpp, getClick3DPos: (i, H - 1 - j)
+    Open3D,       ///< FilamentCamera.cpp: (i, H - j)
+    Vtk           ///< vtkViewport.cxx: a pixel's number is divided by the viewport's size less one
+};
+inline constexpr std::array kOtherPrograms{OtherProgram::Paper,     OtherProgram::Screen2World, OtherProgram::MeshLab,
+                                           OtherProgram::Polyscope, OtherProgram::CloudCompare, OtherProgram::Open3D,
+                                           OtherProgram::Vtk};
+
+/// The name that the command and files call a program by: "paper", "screen2world", "meshlab", …
+std::string_view keyOf(OtherProgram program);
+std::optional<OtherProgram> otherProgramOf(std::string_view key);
+
+/// What a program makes of a click on a pixel, before it unprojects.
+struct OtherClick {
+    DevicePoint position;  ///< what it unprojects: continuous device pixels, origin top-left
+    DevicePixel depthFrom; ///< whose depth it reads; may lie outside the window, where OpenGL leaves it undefined
+};
+
+OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePixel &pixel);
+
+/// What a program answers to a click: the inverted matrix in double, so that nothing but the click differs. All of them are
+/// asked with this picture, viewport included, whatever else they could not draw of it.
+struct OtherAnswer {
+    OtherProgram program = OtherProgram::Paper;
+    OtherClick click;
+    /// Nothing where the depth that it reads is that of the background, of an object that is not there, or undefined.
+    std::optional<WorldPoint> point;
+};
+
+/// Every program's answer to a click on a pixel.
+/// @param depthAt  the depth of what is seen at a pixel, in the depth range; nothing on the background and outside the window
+/// Source: the programs' sources as named above; the tutorial's and the paper's text.
+std::array<OtherAnswer, kOtherPrograms.size()>
+otherAnswers(const Unprojector &unprojector, const DevicePixel &pixel,
+             const std::function<std::optional<double>(const DevicePixel &)> &depthAt);
+
+} // namespace unprojector::unproject
