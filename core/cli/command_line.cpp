@@ -5,6 +5,7 @@
 #include "core/cli/compare_command.h"
 #include "core/cli/info_command.h"
 #include "core/cli/landmarks_command.h"
+#include "core/cli/map_command.h"
 #include "core/cli/matrices_command.h"
 #include "core/cli/pick_command.h"
 #include "core/cli/points_command.h"
@@ -334,6 +335,79 @@ void addPick(CLI::App &app, Run &run)
     command->callback([options, &run] { run = [options] { return runPick(*options); }; });
 }
 
+std::string conventionNames()
+{
+    constexpr std::size_t kMostInLine = 80;
+    std::string names, line;
+    for (const maps::NamedConvention &convention : maps::namedConventions()) {
+        if (line.size() + convention.key.size() > kMostInLine) {
+            names += line + '\n';
+            line.clear();
+        }
+        line += std::string(convention.key) + ", ";
+    }
+    return names + line.substr(0, line.size() - 2);
+}
+
+void addMap(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("map", "A picture of differences: a number for each pixel, as a float map");
+    auto options = std::make_shared<MapOptions>();
+    addModelOrScene(*command, options->scene);
+    std::map<std::string, maps::Quantity> quantities;
+    for (const maps::Quantity quantity : maps::kQuantities)
+        quantities.emplace(maps::keyOf(quantity), quantity);
+    addChoice<maps::Quantity>(*command, "--what", options->quantity, quantities, "What the numbers are")->required();
+    command
+        ->add_option("--convention", options->convention,
+                     "Of a displacement, which program answers, or which mistake is made:\n" + conventionNames())
+        ->type_name("WORD")
+        ->check([](const std::string &given) {
+            return maps::conventionNamed(given) != nullptr ? std::string()
+                                                           : '"' + given + "\" is none of\n" + conventionNames();
+        });
+    addChoice<maps::Unit>(*command, "--unit", options->unit, {{"world", maps::Unit::World}, {"ulp", maps::Unit::Ulps}},
+                          "World units, or units in the last place of the formulas' largest coordinate");
+    command
+        ->add_option("--size", options->size,
+                     "Of the picture in device pixels. Without it: a scene file's own, 800x600 of a\nmodel")
+        ->type_name("WxH");
+    command
+        ->add_option("--depth", options->depth, "This depth everywhere, in the depth range, instead of the surfaces'")
+        ->type_name("D");
+    addChoice<DepthFormat>(*command, "--depth-buffer", options->format,
+                           {{"16", DepthFormat(16)},
+                            {"24", DepthFormat(24)},
+                            {"32", DepthFormat(32)},
+                            {"float", DepthFormat::floatingPoint()}},
+                           "How the depths of the surfaces are rounded: bits of a whole number, or a float");
+    command->add_flag("--json", options->isJson, "Write the statistics as JSON to standard output");
+    addFile(*command, "-o,--output", options->output, "Portable float map (PFM); - is standard output")->required();
+    command->footer(
+        "No window and no OpenGL: the depth of each pixel's centre is that of what its ray meets, rounded as a depth\n"
+        "buffer does it. Where nothing is met the map has NaN; points of clouds are not met. Rows lie from the bottom\n"
+        "up, as PFM has them.\n"
+        "\n"
+        "  formula-matrix  how far the formulas' point is from the inverted matrix's\n"
+        "  formula-ray     the formulas' point from where the ray meets the mesh; matrix-ray: the inverted matrix's\n"
+        "  uncertainty     how far the surface may be from the point: the length of the +- of a click\n"
+        "  displacement    how far the point of another program, or of a mistake, is from the formulas'\n"
+        "\n"
+        "Examples:\n"
+        "  unproject map scan.ply --what formula-matrix --unit ulp -o map.pfm\n"
+        "  unproject map scene.json --what displacement --convention meshlab --size 1920x1080 -o map.pfm\n"
+        "  unproject map scene.json --what displacement --convention pixel-corner --depth 0.5 -o map.pfm");
+    command->callback([options, command, &run] {
+        const bool isOfOther = options->quantity == maps::Quantity::Displacement;
+        if (isOfOther && options->convention.empty())
+            throw CLI::RequiredError("--convention (with --what displacement)");
+        if (!isOfOther && !options->convention.empty())
+            throw CLI::ExcludesError("--convention", "--what " + std::string(maps::keyOf(options->quantity)));
+        options->isDepthGiven = command->get_option("--depth")->count() > 0;
+        run = [options] { return runMap(*options); };
+    });
+}
+
 CLI::Option *addLandmarkFormat(CLI::App &command, const std::string &name,
                                std::optional<landmark_files::Format> &target, const std::string &description)
 {
@@ -449,6 +523,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
     addScene(app, run);
     addCloud(app, run);
     addCompare(app, run);
+    addMap(app, run);
     addMatrices(app, run);
     addLandmarks(app, run);
     // The library would only say that a command is missing.

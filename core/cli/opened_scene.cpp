@@ -7,6 +7,7 @@
 #include "core/files/path_text.h"
 #include "core/scene/bundled_models.h"
 #include "core/scene/opening_view.h"
+#include "core/scene/reach.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/text/error_text.h"
 
@@ -104,6 +105,34 @@ std::optional<OpenedScene> openScene(const std::string &file)
         opened.objects.push_back({object.name, path, model, object.transform, object.isHidden});
     }
     return opened;
+}
+
+bool areReachable(const OpenedScene &opened)
+{
+    for (const SceneObject &object : opened.objects) {
+        if (const Check valid = reachable(object); !valid) {
+            complain(opened.name + ": " + object.name + ": " + errorText(valid.error()));
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<std::shared_ptr<const ray::RayCaster>> castersOf(const std::vector<SceneObject> &objects)
+{
+    std::map<const Model *, std::shared_ptr<const ray::RayCaster>> built;
+    std::vector<std::shared_ptr<const ray::RayCaster>> casters;
+    for (const SceneObject &object : objects) {
+        if (object.isHidden) {
+            casters.push_back(nullptr);
+            continue;
+        }
+        std::shared_ptr<const ray::RayCaster> &caster = built[object.model.get()];
+        if (!caster)
+            caster = ray::RayCaster::build(object.model, {});
+        casters.push_back(caster);
+    }
+    return casters;
 }
 
 std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &size)

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/ray/ray_caster.h"
 #include "core/scene/scene.h"
 #include "core/scene_file/scene_file.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +25,12 @@ struct OpenedScene {
 /// Opens a model file, a scene file or clicks on one scene; what cannot be read is said on stderr. Models are read once a file.
 /// @param file  UTF-8; "-" is a scene from standard input
 std::optional<OpenedScene> openScene(const std::string &file);
+
+/// Whether all objects lie where they can be computed with; of the first that does not, stderr says why.
+bool areReachable(const OpenedScene &opened);
+
+/// One an object; null where it is hidden. Objects of one model share theirs.
+std::vector<std::shared_ptr<const ray::RayCaster>> castersOf(const std::vector<SceneObject> &objects);
 
 /// The size of a window whose size nobody has given.
 constexpr int kUsualWidth = 800, kUsualHeight = 600;

@@ -5,15 +5,12 @@
 #include "core/cli/opened_scene.h"
 #include "core/cli/pick_texts.h"
 #include "core/cli/row_layout.h"
-#include "core/scene/reach.h"
 #include "core/text/error_text.h"
 
 #include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cmath>
-#include <map>
-#include <memory>
 #include <thread>
 #include <utility>
 
@@ -36,20 +33,6 @@ std::optional<DevicePoint> positionGiven(const std::string &text)
         return position;
     complain("--at " + text + ": give device pixels from the top left corner, as in 400.5,300.5");
     return std::nullopt;
-}
-
-/// One a model, for those that are not hidden.
-std::vector<std::shared_ptr<const RayCaster>> castersOf(const std::vector<SceneObject> &objects)
-{
-    std::map<const Model *, std::shared_ptr<const RayCaster>> built;
-    std::vector<std::shared_ptr<const RayCaster>> casters;
-    for (const SceneObject &object : objects) {
-        std::shared_ptr<const RayCaster> &caster = built[object.model.get()];
-        if (!caster && !object.isHidden)
-            caster = RayCaster::build(object.model, {});
-        casters.push_back(caster);
-    }
-    return casters;
 }
 
 /// Everything that is the same for all rows.
@@ -187,12 +170,8 @@ ExitCode runPick(const PickOptions &options)
     const std::optional<OpenedScene> opened = openScene(options.scene);
     if (!opened)
         return ExitCode::UnusableInput;
-    for (const SceneObject &object : opened->objects) {
-        if (const Check valid = reachable(object); !valid) {
-            complain(opened->name + ": " + object.name + ": " + errorText(valid.error()));
-            return ExitCode::UnusableInput;
-        }
-    }
+    if (!areReachable(*opened))
+        return ExitCode::UnusableInput;
     const std::optional<Picture> picture = pictureOf(*opened, options.size);
     if (!picture)
         return ExitCode::UnusableInput;

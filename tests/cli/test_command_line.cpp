@@ -92,7 +92,7 @@ void TestCommandLine::wordsAreChecked_data()
     };
     row("no command", {}, "A subcommand is required");
     row("no such command", {"pionts", "scene.json"},
-        "\"pionts\" is no command; give one of points, pick, project, info, scene, cloud, compare, matrices, "
+        "\"pionts\" is no command; give one of points, pick, project, info, scene, cloud, compare, map, matrices, "
         "landmarks\n");
     row("an empty word", {""}, "\"\" is no command");
     row("no scene", {"points"}, "SCENE is required");

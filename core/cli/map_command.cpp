@@ -1,0 +1,206 @@
+#include "core/cli/map_command.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/cli/opened_scene.h"
+#include "core/cli/progress_bar.h"
+#include "core/files/path_text.h"
+#include "core/text/error_text.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace unprojector::cli {
+using namespace maps;
+using namespace text;
+namespace {
+
+/// With all that a pixel takes while a map is made, two gigabytes.
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
+
+std::uint64_t pixelsOf(const Picture &picture)
+{
+    return static_cast<std::uint64_t>(picture.surface.widthPixels)
+           * static_cast<std::uint64_t>(picture.surface.heightPixels);
+}
+
+/// A part of the work on a bar; nobody stops it but the system.
+ray::Progress partOf(ProgressBar &bar, std::uint64_t amount)
+{
+    return [&bar, amount, told = std::uint64_t{0}](double share) mutable {
+        const auto done = static_cast<std::uint64_t>(share * static_cast<double>(amount));
+        if (done > told)
+            bar.advance(done - std::exchange(told, done));
+        return true;
+    };
+}
+
+bool hasSuffix(std::string_view name, std::string_view suffix)
+{
+    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+    return name.size() >= suffix.size()
+           && std::equal(suffix.begin(), suffix.end(), name.end() - static_cast<std::ptrdiff_t>(suffix.size()),
+                         [&isSame](char wanted, char given) { return isSame(given, wanted); });
+}
+
+/// Whether a map can go there; what is wrong with it is said on stderr.
+bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
+{
+    if (hasSuffix(options.output, ".png")) {
+        complain(options.output
+                 + ": the command writes float maps only; give a name that ends in .pfm (the window exports PNG)");
+        return false;
+    }
+    if (options.isJson && options.output == "-") {
+        complain("the map and --json cannot both go to standard output; give a file for the map");
+        return false;
+    }
+    if (isOverInput(options.output, {options.scene}))
+        return false;
+    return std::none_of(opened.objects.begin(), opened.objects.end(), [&](const SceneObject &object) {
+        return !object.file.empty() && isOverInput(options.output, {files::utf8FromPath(object.file)});
+    });
+}
+
+/// What is seen at each pixel; what is wrong is said on stderr.
+std::optional<SurfaceImage> surfaces(const MapOptions &options, const OpenedScene &opened,
+                                     const Unprojector &unprojector, ProgressBar &bar)
+{
+    const Picture &picture = unprojector.picture();
+    if (options.isDepthGiven) {
+        if (needsRays(options.quantity)) {
+            complain("--depth: " + std::string(keyOf(options.quantity))
+                     + " is about surfaces; leave the depth out and give a model or a scene with objects");
+            return std::nullopt;
+        }
+        if (const Result<double> valid = unitDepth(picture.depthRange, options.depth); !valid) {
+            complain("--depth " + shortestText(options.depth) + ": " + errorText(valid.error()));
+            return std::nullopt;
+        }
+        SurfaceImage image = surfacesAt(picture, options.depth);
+        partOf(bar, pixelsOf(picture))(1.0);
+        return image;
+    }
+    const bool isAnySeen = std::any_of(opened.objects.begin(), opened.objects.end(),
+                                       [](const SceneObject &object) { return !object.isHidden; });
+    if (!isAnySeen) {
+        complain(opened.name + ": no object is there to be seen; --depth gives a depth to every pixel, from "
+                 + shortestText(picture.depthRange.atNear) + " on the near plane to "
+                 + shortestText(picture.depthRange.atFar) + " on the far plane");
+        return std::nullopt;
+    }
+    if (!areReachable(opened))
+        return std::nullopt;
+    const ray::SceneRays rays(unprojector, opened.objects, castersOf(opened.objects), opened.clipPlanes());
+    if (rays.hasPoints())
+        complain(opened.name + ": the points of clouds are left out; maps are of surfaces");
+    const Result<PixelRays> pixels = PixelRays::of(rays.rays());
+    if (!pixels) {
+        complain(opened.name + ": " + errorText(pixels.error()));
+        return std::nullopt;
+    }
+    return surfacesMet(rays, *pixels, options.format, partOf(bar, pixelsOf(picture)));
+}
+
+/// Three digits: what a scale is read by.
+std::string threeDigits(double value)
+{
+    std::array<char, 32> digits;
+    std::snprintf(digits.data(), digits.size(), "%.3g", value);
+    return digits.data();
+}
+
+std::string statisticsText(const MapOptions &options, const MapStatistics &statistics, std::uint64_t pixels)
+{
+    std::string text = std::string(keyOf(options.quantity));
+    if (!options.convention.empty())
+        text += " of " + options.convention;
+    text += options.unit == Unit::Ulps ? ", ulps" : ", world units";
+    text += ": " + std::to_string(statistics.count) + " of " + std::to_string(pixels) + " pixels";
+    if (statistics.count == 0)
+        return text;
+    return text + "; least " + threeDigits(statistics.least) + ", median " + threeDigits(statistics.median)
+           + ", 99 % at most " + threeDigits(statistics.percentile99) + ", greatest "
+           + threeDigits(statistics.greatest);
+}
+
+std::string statisticsJson(const MapOptions &options, const MapStatistics &statistics, const PixelMap &map)
+{
+    std::string text = "{\"what\": \"" + std::string(keyOf(options.quantity)) + '"';
+    if (!options.convention.empty())
+        text += ", \"convention\": \"" + options.convention + '"';
+    text += std::string(", \"unit\": \"") + (options.unit == Unit::Ulps ? "ulp" : "world") + "\", \"size\": ["
+            + std::to_string(map.widthPixels) + ", " + std::to_string(map.heightPixels)
+            + "], \"count\": " + std::to_string(statistics.count);
+    for (const auto &[name, value] :
+         {std::pair("min", statistics.least), std::pair("median", statistics.median),
+          std::pair("p99", statistics.percentile99), std::pair("max", statistics.greatest)}) {
+        text += std::string(", \"") + name + "\": ";
+        if (statistics.count > 0)
+            appendNumber(text, value);
+        else
+            text += "null";
+    }
+    return text + "}\n";
+}
+
+} // namespace
+
+ExitCode runMap(const MapOptions &options)
+{
+    const std::optional<OpenedScene> opened = openScene(options.scene);
+    if (!opened || !isOutputUsable(options, *opened))
+        return ExitCode::UnusableInput;
+    const std::optional<Picture> picture = pictureOf(*opened, options.size);
+    if (!picture)
+        return ExitCode::UnusableInput;
+    if (pixelsOf(*picture) > kMostPixels) {
+        complain("a picture of " + std::to_string(picture->surface.widthPixels) + 'x'
+                 + std::to_string(picture->surface.heightPixels)
+                 + " is too large for a map; --size gives a smaller one, of at most " + std::to_string(kMostPixels)
+                 + " pixels");
+        return ExitCode::UnusableInput;
+    }
+    const Result<Unprojector> unprojector = Unprojector::of(*picture);
+    if (!unprojector) {
+        complain(opened->name + ": " + errorText(unprojector.error()));
+        return ExitCode::UnusableInput;
+    }
+    ByteSink sink(options.output); // what cannot be written is known before all is computed
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    ProgressBar bar(2 * pixelsOf(*picture), ProgressBar::Unit::Points);
+    const std::optional<SurfaceImage> seen = surfaces(options, *opened, *unprojector, bar);
+    if (!seen)
+        return ExitCode::UnusableInput;
+    Question question{options.quantity, options.unit, OtherProgram::Paper};
+    if (const NamedConvention *convention = conventionNamed(options.convention))
+        question.other = convention->other;
+    const auto map = pixelMap(question, *unprojector, *seen, opened->objects, partOf(bar, pixelsOf(*picture)));
+    bar.finish();
+    if (!map) {
+        complain(opened->name + ": " + errorText(map.error()));
+        return ExitCode::UnusableInput;
+    }
+    const PixelMap &made = **map;
+    sink.write(pfmText(made));
+    if (const ExitCode written = sink.finish(); written != ExitCode::Done)
+        return written;
+    const MapStatistics statistics = statisticsOf(made);
+    if (statistics.count == 0)
+        complain(opened->name + ": no pixel has a number; the map holds NaN only");
+    if (!options.isJson) {
+        complain(statisticsText(options, statistics, pixelsOf(*picture)));
+        return ExitCode::Done;
+    }
+    ByteSink json;
+    json.write(statisticsJson(options, statistics, made));
+    return json.finish();
+}
+
+} // namespace unprojector::cli

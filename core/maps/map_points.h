@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/maps/surface_image.h"
+#include "core/unproject/batch/click_batch.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace unprojector::maps {
+
+/// Many points, one array a coordinate.
+struct PointArrays {
+    std::vector<double> x, y, z;
+
+    void resize(std::size_t count)
+    {
+        x.resize(count);
+        y.resize(count);
+        z.resize(count);
+    }
+    BatchOutput<double> output() { return {x.data(), y.data(), z.data()}; }
+    WorldPoint world(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    EyePoint eye(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+/// Picture elements to unproject.
+struct ElementArrays {
+    std::vector<double> px, py, depth;
+
+    void clear()
+    {
+        px.clear();
+        py.clear();
+        depth.clear();
+    }
+    void add(const DevicePoint &position, double windowDepth)
+    {
+        px.push_back(position.x);
+        py.push_back(position.y);
+        depth.push_back(windowDepth);
+    }
+    std::size_t count() const { return px.size(); }
+
+    void unproject(const ClickBatch &batch, PointArrays &points) const
+    {
+        points.resize(count());
+        batch({px.data(), py.data(), depth.data()}, points.output(), count());
+    }
+};
+
+/// The pixels of a row that have a surface.
+struct RowPixels {
+    ElementArrays elements;          ///< their centres
+    std::vector<DevicePixel> pixels; ///< in the same order
+    std::vector<std::size_t> places; ///< in the image
+
+    void read(const SurfaceImage &surfaces, int row);
+};
+
+} // namespace unprojector::maps

@@ -1,0 +1,400 @@
+#include "core/maps/pixel_map.h"
+
+#include "core/maps/map_points.h"
+#include "core/maps/rows_in_parallel.h"
+#include "core/maps/uncertainty_row.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace unprojector::maps {
+namespace {
+
+/// What a worker of a map has of its own: rows of numbers, NaN where it leaves them.
+class RowWorker {
+public:
+    RowWorker() = default;
+    virtual ~RowWorker() = default;
+    RowWorker(const RowWorker &) = delete;
+    RowWorker &operator=(const RowWorker &) = delete;
+
+    /// The points that a row's numbers are about, and one number each.
+    virtual void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) = 0;
+};
+
+/// Distance to the points of another method.
+class MethodRow : public RowWorker {
+public:
+    explicit MethodRow(const ClickBatch &other) : m_other(other) {}
+
+    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
+    {
+        pixels.elements.unproject(m_other, m_points);
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            numbers[k] = distance(formula.world(k), m_points.world(k));
+    }
+
+private:
+    const ClickBatch &m_other;
+    PointArrays m_points;
+};
+
+/// Distance of a method's points to where the rays meet the mesh.
+class RayRow : public RowWorker {
+public:
+    /// @param method  nothing: the formulas, whose points there are already
+    RayRow(const PixelRays &rays, const SurfaceImage &surfaces, const ClickBatch *method)
+        : m_rays(rays), m_surfaces(surfaces), m_method(method)
+    {
+    }
+
+    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
+    {
+        if (numbers.empty())
+            return;
+        if (m_method != nullptr)
+            pixels.elements.unproject(*m_method, m_points);
+        const PointArrays &points = m_method != nullptr ? m_points : formula;
+        m_rays.ofRow(pixels.pixels.front().j, m_row);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            const ray::Ray<WorldSpace> &ray = m_row[static_cast<std::size_t>(pixels.pixels[k].i)];
+            numbers[k] = distance(points.world(k), ray.at(m_surfaces.ts[pixels.places[k]]));
+        }
+    }
+
+private:
+    const PixelRays &m_rays;
+    const SurfaceImage &m_surfaces;
+    const ClickBatch *m_method;
+    PointArrays m_points;
+    std::vector<ray::Ray<WorldSpace>> m_row;
+};
+
+/// Distance to what a program answers.
+class ProgramRow : public RowWorker {
+public:
+    ProgramRow(OtherProgram program, const Picture &picture, const SurfaceImage &surfaces, const ClickBatch &matrix)
+        : m_program(program), m_picture(picture), m_surfaces(surfaces), m_matrix(matrix)
+    {
+    }
+
+    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
+    {
+        m_elements.clear();
+        for (const DevicePixel &pixel : pixels.pixels) {
+            const OtherClick click = clickOf(m_program, m_picture, pixel);
+            m_elements.add(click.position, depthAt(click.depthFrom));
+        }
+        m_elements.unproject(m_matrix, m_points);
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            numbers[k] = distance(formula.world(k), m_points.world(k));
+    }
+
+private:
+    /// What the depth buffer holds: on the background what it was cleared to; outside the window nobody knows.
+    double depthAt(const DevicePixel &pixel) const
+    {
+        if (pixel.i < 0 || pixel.i >= m_surfaces.widthPixels || pixel.j < 0 || pixel.j >= m_surfaces.heightPixels)
+            return std::numeric_limits<double>::quiet_NaN();
+        const double depth = m_surfaces.depths[m_surfaces.place(pixel.i, pixel.j)];
+        return std::isnan(depth) ? m_picture.depthRange.atFar : depth;
+    }
+
+    OtherProgram m_program;
+    const Picture &m_picture;
+    const SurfaceImage &m_surfaces;
+    const ClickBatch &m_matrix;
+    ElementArrays m_elements;
+    PointArrays m_points;
+};
+
+/// Distance to what a mistake gives, one point after the other: no loop makes mistakes.
+class MistakeRow : public RowWorker {
+public:
+    /// @param unprojectors  with the mistake, one an object, or a single one
+    MistakeRow(const Conventions &conventions, const std::vector<Unprojector> &unprojectors,
+               const SurfaceImage &surfaces)
+        : m_conventions(conventions), m_unprojectors(unprojectors), m_surfaces(surfaces)
+    {
+    }
+
+    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
+    {
+        const Picture &picture = m_unprojectors.front().picture();
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            const WidgetPoint widget = widgetFromDevice(picture.surface, pixelCenter(pixels.pixels[k]));
+            const Result<WindowPoint> window = windowOfClick(picture, m_conventions, widget, pixels.elements.depth[k]);
+            const std::size_t object = m_unprojectors.size() > 1 ? m_surfaces.objects[pixels.places[k]] : 0;
+            const Result<WorldPoint> point =
+                window ? m_unprojectors[object].worldAt(Method::Matrix, *window) : window.error();
+            numbers[k] = point ? distance(formula.world(k), *point) : std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+
+private:
+    const Conventions &m_conventions;
+    const std::vector<Unprojector> &m_unprojectors;
+    const SurfaceImage &m_surfaces;
+};
+
+class UncertaintyWorker : public RowWorker {
+public:
+    UncertaintyWorker(const UncertaintyRow &uncertainty, const ClickBatch &eye) : m_uncertainty(uncertainty), m_eye(eye)
+    {
+    }
+
+    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
+    {
+        pixels.elements.unproject(m_eye, m_points);
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            numbers[k] = m_uncertainty.at(pixels.pixels[k], m_points.eye(k), formula.world(k));
+    }
+
+private:
+    const UncertaintyRow &m_uncertainty;
+    const ClickBatch &m_eye;
+    PointArrays m_points;
+};
+
+/// Everything that a map's workers share.
+struct Prepared {
+    ClickBatch formula;
+    std::optional<ClickBatch> matrix;  ///< by which another answers
+    std::optional<ClickBatch> eye;     ///< the formulas' eye points
+    std::optional<PixelRays> rays;     ///< of the picture
+    std::vector<Unprojector> mistaken; ///< with the mistake asked for
+    std::optional<UncertaintyRow> uncertainty;
+};
+
+Result<Prepared> prepared(const Question &question, const Unprojector &unprojector, const SurfaceImage &surfaces,
+                          std::span<const ray::SceneObject> objects)
+{
+    const Picture &picture = unprojector.picture();
+    const Result<ClickBatch> formula = ClickBatch::of(Method::Formula, picture, {});
+    if (!formula)
+        return formula.error();
+    Prepared result{*formula, {}, {}, {}, {}, {}};
+    const Quantity quantity = question.quantity;
+    const auto *mistake = std::get_if<Conventions>(&question.other);
+    if (quantity == Quantity::FormulaMatrix || quantity == Quantity::MatrixRay
+        || (quantity == Quantity::Displacement && mistake == nullptr)) {
+        const Result<ClickBatch> matrix = ClickBatch::of(Method::Matrix, picture, {});
+        if (!matrix)
+            return matrix.error();
+        result.matrix = *matrix;
+    }
+    if (quantity == Quantity::FormulaRay || quantity == Quantity::MatrixRay) {
+        const Result<PixelRays> rays = PixelRays::of(ray::ClickRays(unprojector));
+        if (!rays)
+            return rays.error();
+        result.rays = *rays;
+    }
+    if (quantity == Quantity::Displacement && mistake != nullptr) {
+        std::vector<glm::dmat4> placements;
+        placements.reserve(objects.size());
+        for (const ray::SceneObject &object : objects)
+            placements.push_back(scene::worldFromObject(object.transform));
+        if (placements.empty() || !surfaces.isMet())
+            placements.assign(1, glm::dmat4(1.0));
+        for (const glm::dmat4 &placement : placements) {
+            const Result<Unprojector> mistaken = Unprojector::of(picture, *mistake, placement);
+            if (!mistaken)
+                return mistaken.error();
+            result.mistaken.push_back(*mistaken);
+        }
+    }
+    if (quantity == Quantity::Uncertainty) {
+        const Result<Picture> parameters = byParameters(picture);
+        if (!parameters)
+            return parameters.error();
+        const Result<ClickBatch> eye = ClickBatch::of(Method::Formula, *parameters, {BatchSpace::Kind::Eye, {}});
+        if (!eye)
+            return eye.error();
+        result.eye = *eye;
+        result.uncertainty.emplace(*parameters, surfaces, objects);
+    }
+    return result;
+}
+
+std::unique_ptr<RowWorker> workerOf(const Question &question, const Prepared &prepared, const Picture &picture,
+                                    const SurfaceImage &surfaces)
+{
+    switch (question.quantity) {
+    case Quantity::FormulaMatrix: return std::make_unique<MethodRow>(*prepared.matrix);
+    case Quantity::FormulaRay: return std::make_unique<RayRow>(*prepared.rays, surfaces, nullptr);
+    case Quantity::MatrixRay: return std::make_unique<RayRow>(*prepared.rays, surfaces, &*prepared.matrix);
+    case Quantity::Uncertainty: return std::make_unique<UncertaintyWorker>(*prepared.uncertainty, *prepared.eye);
+    case Quantity::Displacement: break;
+    }
+    if (const auto *program = std::get_if<OtherProgram>(&question.other))
+        return std::make_unique<ProgramRow>(*program, picture, surfaces, *prepared.matrix);
+    return std::make_unique<MistakeRow>(std::get<Conventions>(question.other), prepared.mistaken, surfaces);
+}
+
+std::vector<NamedConvention> allConventions()
+{
+    using C = Conventions;
+    std::vector<NamedConvention> all;
+    for (const OtherProgram program : kOtherPrograms)
+        all.push_back({keyOf(program), program});
+    const auto add = [&all](std::string_view key, auto member, auto value) {
+        Conventions conventions;
+        conventions.*member = value;
+        all.push_back({key, conventions});
+    };
+    add("y-not-flipped", &C::flip, C::Flip::Left);
+    add("flipped-with-viewport-height", &C::flip, C::Flip::ByViewportHeight);
+    add("row-above", &C::pixelPart, C::PixelPart::RowAbove);
+    add("pixel-corner", &C::pixelPart, C::PixelPart::Corner);
+    add("ratio-logical-in-device", &C::pixelRatio, C::PixelRatio::Forgotten);
+    add("ratio-logical-both", &C::pixelRatio, C::PixelRatio::ForgottenInFlipToo);
+    add("viewport-origin-ignored", &C::viewportOffset, C::ViewportOffset::Forgotten);
+    add("viewport-is-window", &C::viewportOffset, C::ViewportOffset::WholeWindow);
+    add("depth-not-remapped", &C::ndcDepth, C::NdcDepthTaken::AsItIs);
+    add("depth-remapped-twice", &C::ndcDepth, C::NdcDepthTaken::Stretched);
+    add("depth-reversed", &C::reversed, true);
+    add("fov-degrees-as-radians", &C::angleUnit, C::AngleUnit::DegreesTakenForRadians);
+    add("fov-horizontal", &C::fovAxis, C::FovAxis::VerticalTakenForHorizontal);
+    add("projection-transposed", &C::transposed, C::Transposed::Projection);
+    add("view-transposed", &C::transposed, C::Transposed::View);
+    add("both-transposed", &C::transposed, C::Transposed::Both);
+    add("product-transposed", &C::transposed, C::Transposed::Product);
+    add("inverse-order", &C::order, C::Order::InversesInTheOrderOfTheFactors);
+    add("not-inverted", &C::inverse, C::Inverse::Forgotten);
+    add("view-inverse-as-view", &C::inverse, C::Inverse::ViewInvertedTwice);
+    add("no-w-divide", &C::w, C::W::Ignored);
+    add("model-left-in", &C::model, C::Model::LeftIn);
+    add("single-precision", &C::singlePrecision, true);
+    return all;
+}
+
+} // namespace
+
+std::string_view keyOf(Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::FormulaMatrix: return "formula-matrix";
+    case Quantity::FormulaRay: return "formula-ray";
+    case Quantity::MatrixRay: return "matrix-ray";
+    case Quantity::Uncertainty: return "uncertainty";
+    case Quantity::Displacement: return "displacement";
+    }
+    return {};
+}
+
+bool needsRays(Quantity quantity)
+{
+    return quantity == Quantity::FormulaRay || quantity == Quantity::MatrixRay || quantity == Quantity::Uncertainty;
+}
+
+const std::vector<NamedConvention> &namedConventions()
+{
+    static const std::vector<NamedConvention> all = allConventions();
+    return all;
+}
+
+const NamedConvention *conventionNamed(std::string_view key)
+{
+    const std::vector<NamedConvention> &all = namedConventions();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [key](const NamedConvention &one) { return one.key == key; });
+    return found != all.end() ? &*found : nullptr;
+}
+
+void RowPixels::read(const SurfaceImage &surfaces, int row)
+{
+    elements.clear();
+    pixels.clear();
+    places.clear();
+    for (int i = 0; i < surfaces.widthPixels; ++i) {
+        const std::size_t place = surfaces.place(i, row);
+        if (std::isnan(surfaces.depths[place]))
+            continue;
+        elements.add(pixelCenter({i, row}), surfaces.depths[place]);
+        pixels.push_back({i, row});
+        places.push_back(place);
+    }
+}
+
+Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unprojector &unprojector,
+                                         const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects,
+                                         const ray::Progress &progress)
+{
+    const Result<Prepared> shared = prepared(question, unprojector, surfaces, objects);
+    if (!shared)
+        return shared.error();
+    PixelMap map{surfaces.widthPixels, surfaces.heightPixels, {}};
+    map.values.assign(surfaces.depths.size(), std::numeric_limits<float>::quiet_NaN());
+    const bool isWhole = rowsInParallel(map.heightPixels, progress, [&](int begin, int end) {
+        const std::unique_ptr<RowWorker> worker = workerOf(question, *shared, unprojector.picture(), surfaces);
+        RowPixels pixels;
+        PointArrays formula;
+        std::vector<double> numbers;
+        for (int j = begin; j < end; ++j) {
+            pixels.read(surfaces, j);
+            pixels.elements.unproject(shared->formula, formula);
+            numbers.resize(pixels.places.size());
+            worker->row(pixels, formula, numbers);
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                const double unit = question.unit == Unit::Ulps ? ulpOfLargest(formula.world(k)) : 1.0;
+                const auto number = static_cast<float>(numbers[k] / unit);
+                if (std::isfinite(number))
+                    map.values[pixels.places[k]] = number;
+            }
+        }
+    });
+    if (!isWhole)
+        return std::optional<PixelMap>();
+    return std::optional(std::move(map));
+}
+
+MapStatistics statisticsOf(const PixelMap &map)
+{
+    std::vector<float> numbers;
+    numbers.reserve(map.values.size());
+    std::copy_if(map.values.begin(), map.values.end(), std::back_inserter(numbers),
+                 [](float number) { return !std::isnan(number); });
+    MapStatistics statistics;
+    statistics.count = numbers.size();
+    if (numbers.empty())
+        return statistics;
+    const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
+    statistics.least = static_cast<double>(*least);
+    statistics.greatest = static_cast<double>(*greatest);
+    statistics.leastAboveZero = statistics.greatest;
+    for (const float number : numbers) {
+        if (number > 0.0F)
+            statistics.leastAboveZero = std::min(statistics.leastAboveZero, static_cast<double>(number));
+    }
+    const auto rank = [&numbers](double share) {
+        const auto place = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(numbers.size()))) - 1;
+        const auto at = numbers.begin() + std::max<std::ptrdiff_t>(place, 0);
+        std::nth_element(numbers.begin(), at, numbers.end());
+        return static_cast<double>(*at);
+    };
+    statistics.median = rank(0.5);
+    statistics.percentile99 = rank(0.99);
+    return statistics;
+}
+
+std::string pfmText(const PixelMap &map)
+{
+    std::string text = "Pf\n" + std::to_string(map.widthPixels) + ' ' + std::to_string(map.heightPixels) + "\n-1.0\n";
+    text.reserve(text.size() + 4 * map.values.size());
+    const auto width = static_cast<std::size_t>(map.widthPixels);
+    for (int j = map.heightPixels - 1; j >= 0; --j) {
+        for (std::size_t i = 0; i < width; ++i) {
+            const auto bits = std::bit_cast<std::uint32_t>(map.values[static_cast<std::size_t>(j) * width + i]);
+            for (int shift = 0; shift < 32; shift += 8)
+                text += static_cast<char>(static_cast<unsigned char>(bits >> shift));
+        }
+    }
+    return text;
+}
+
+} // namespace unprojector::maps

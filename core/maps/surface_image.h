@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/maps/pixel_rays.h"
+#include "core/ray/scene_rays.h"
+#include "core/unproject/depth_sample.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace unprojector::maps {
+
+/// What is seen at the centre of each pixel of a picture; rows from the top.
+struct SurfaceImage {
+    int widthPixels = 0, heightPixels = 0;
+    DepthFormat format;
+    std::vector<double> depths; ///< in the depth range, as a depth buffer of that format keeps them; NaN: no surface
+    // Of surfaces that rays have met; empty where only a depth was given:
+    std::vector<double> ts;               ///< where on the pixel's ray, see PixelRays
+    std::vector<std::uint32_t> objects;   ///< places in the scene's list
+    std::vector<std::uint32_t> triangles; ///< numbers in the object's model
+
+    std::size_t place(int column, int row) const
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(widthPixels) + static_cast<std::size_t>(column);
+    }
+    bool isMet() const { return !ts.empty(); }
+};
+
+/// What the rays meet first: no window and no OpenGL is needed, and no rasteriser is in between. The depth of what is met is
+/// rounded as a depth buffer does it. Points of clouds are passed over.
+/// @param format    of the depth buffer
+/// @param progress  with the share done, on the calling thread; may be empty
+/// @return nothing when progress says stop. Throws std::bad_alloc.
+std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels, const DepthFormat &format,
+                                        const ray::Progress &progress);
+
+/// The same depth everywhere in the viewport.
+/// @pre the depth lies in the depth range. Throws std::bad_alloc.
+SurfaceImage surfacesAt(const Picture &picture, double depth);
+
+} // namespace unprojector::maps

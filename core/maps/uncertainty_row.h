@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/maps/surface_image.h"
+#include "core/scene/scene.h"
+#include "core/unproject/certainty.h"
+#include "core/unproject/depth_error.h"
+
+#include <span>
+#include <vector>
+
+namespace unprojector::maps {
+
+/// How sure clicks on a picture's pixels are, as a click states it once its triangle is known (see unproject::Pick): with the
+/// slope that the depths around a pixel show, and corners that are moved to 1/256 of a pixel, as graphics cards do.
+class UncertaintyRow {
+public:
+    /// @param picture   by parameters
+    /// @param surfaces, objects  outlive this; @pre surfaces.isMet()
+    UncertaintyRow(const Picture &picture, const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects);
+
+    /// The length of the +- in world space.
+    /// @param pixel       with a surface
+    /// @param eye, world  its formulas' point
+    double at(const DevicePixel &pixel, const EyePoint &eye, const WorldPoint &world) const;
+
+private:
+    std::optional<DepthSlope> slopeAt(const DevicePixel &pixel) const;
+
+    /// A mesh of an object, prepared.
+    struct PreparedMesh {
+        const ray::Mesh *mesh;
+        std::size_t before; ///< triangles of the object's meshes before it
+        DepthErrors errors;
+    };
+
+    Picture m_picture;
+    const SurfaceImage *m_surfaces;
+    Certainties m_certainties;
+    std::vector<std::vector<PreparedMesh>> m_meshes; ///< of each object
+};
+
+} // namespace unprojector::maps
