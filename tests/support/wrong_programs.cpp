@@ -127,13 +127,20 @@ const std::vector<Wrong> &wrongs()
         // The mouse and the window
         {"y-not-flipped", 1, Step::Window, [](Program &p, int) { p.window.y = p.click.py; }},
         {"row-above", 1, Step::Window, [](Program &p, int) { p.window.y += 1.0; }},
-        // (i, H-1-j), the lower left corner, or (i, H-j), the upper left one
-        {"pixel-corner", 2, Step::Window,
+        // (i, H-1-j), the lower left corner; (i, H-j), the upper left one; the half added to y alone, to x alone
+        {"pixel-corner", 4, Step::Window,
          [](Program &p, int variant) {
-             p.window.x -= 0.5;
-             p.window.y += variant == 0 ? -0.5 : 0.5;
+             p.window.x -= variant == 3 ? 0.0 : 0.5;
+             p.window.y += variant == 1 ? 0.5 : variant == 2 ? 0.0 : -0.5;
          }},
-        {"xy-swapped", 1, Step::Window, [](Program &p, int) { std::swap(p.window.x, p.window.y); }},
+        // The window's coordinates, or the mouse's
+        {"xy-swapped", 2, Step::Window,
+         [](Program &p, int variant) {
+             if (variant == 0)
+                 std::swap(p.window.x, p.window.y);
+             else
+                 p.window = {p.click.py, p.flipHeight - p.click.px};
+         }},
         {"ratio-logical-in-device", 1, Step::Mouse,
          [](Program &p, int) {
              p.click.px /= p.scene.pixelRatio;
@@ -170,12 +177,13 @@ const std::vector<Wrong> &wrongs()
          [](Program &p, int) { p.lens.fovyRadians *= 180.0 / std::numbers::pi; }},
         {"fov-half", 1, Step::Lens, [](Program &p, int) { p.lens.fovyRadians /= 2.0; }},
         {"fov-double", 1, Step::Lens, [](Program &p, int) { p.lens.fovyRadians *= 2.0; }},
-        // The angle spans the width
-        {"fov-horizontal", 1, Step::Size,
-         [](Program &p, int) {
+        // The angle spans the width; or the angle that does is passed for gluPerspective's
+        {"fov-horizontal", 2, Step::Size,
+         [](Program &p, int variant) {
+             const double share = variant == 0 ? 1.0 / p.lens.aspect : p.lens.aspect;
              if (p.lens.isPerspective) {
-                 p.halfWidth = std::tan(p.lens.fovyRadians / 2.0);
-                 p.halfHeight = p.halfWidth / p.lens.aspect;
+                 p.halfWidth *= share;
+                 p.halfHeight *= share;
              }
          }},
         // 1/10, or ten times as far
@@ -214,10 +222,11 @@ const std::vector<Wrong> &wrongs()
              p.fromEye(glm::normalize(eye) * -eye.z);
          }},
         // The formulas
-        {"linear-angle", 1, Step::Unproject,
-         [](Program &p, int) {
-             const double z = p.distance();
-             const double x = std::atan(p.halfWidth), y = std::atan(p.halfHeight);
+        // Each angle from its own edge; or both by the same angle a pixel
+        {"linear-angle", 2, Step::Unproject,
+         [](Program &p, int variant) {
+             const double z = p.distance(), y = std::atan(p.halfHeight);
+             const double x = variant == 0 ? std::atan(p.halfWidth) : y * p.lens.aspect;
              p.fromEye({std::tan(p.ndc.x * x) * z, std::tan(p.ndc.y * y) * z, -z});
              inPerspective(p);
          }},
