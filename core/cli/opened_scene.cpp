@@ -34,18 +34,6 @@ ModelPointer readModel(const std::filesystem::path &file, const std::string &ask
     return nullptr;
 }
 
-/// A name that ends in .json is meant as a scene even where the contents are beyond recognition: its error says why.
-bool isMeantAsScene(const std::string &file)
-{
-    constexpr std::string_view kSuffix = ".json";
-    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
-    return file == "-"
-           || (file.size() >= kSuffix.size()
-               && std::equal(file.end() - static_cast<std::ptrdiff_t>(kSuffix.size()), file.end(), kSuffix.begin(),
-                             isSame))
-           || isSceneFile(pathFromUtf8(file));
-}
-
 /// The scene of a file, or the one that its clicks show.
 std::optional<SceneFile> readScene(const std::string &file)
 {
@@ -67,6 +55,17 @@ std::optional<OpenedScene> openModel(const std::string &file)
 }
 
 } // namespace
+
+bool isMeantAsScene(const std::string &file)
+{
+    constexpr std::string_view kSuffix = ".json";
+    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+    return file == "-"
+           || (file.size() >= kSuffix.size()
+               && std::equal(file.end() - static_cast<std::ptrdiff_t>(kSuffix.size()), file.end(), kSuffix.begin(),
+                             isSame))
+           || isSceneFile(pathFromUtf8(file));
+}
 
 std::vector<glm::dvec4> OpenedScene::clipPlanes() const
 {

@@ -22,6 +22,11 @@ struct OpenedScene {
     std::vector<glm::dvec4> clipPlanes() const;
 };
 
+/// Whether a file is opened as a scene and not as a model. A name that ends in .json is meant as a scene even where the contents
+/// are beyond recognition: its error says why.
+/// @param file  UTF-8; "-" is a scene
+bool isMeantAsScene(const std::string &file);
+
 /// Opens a model file, a scene file or clicks on one scene; what cannot be read is said on stderr. Models are read once a file.
 /// @param file  UTF-8; "-" is a scene from standard input
 std::optional<OpenedScene> openScene(const std::string &file);

@@ -22,6 +22,7 @@ constexpr std::size_t kFewestCandidates = 5;
 constexpr std::size_t kMostCandidates = 10;
 /// What the next click tries to tell apart.
 constexpr std::size_t kMostToldApart = 4;
+constexpr std::size_t kMostTried = 20;
 
 /// Depths on a mesh are those of its triangles, not of what a depth buffer rounds them to.
 constexpr double kDepthBufferStep = 1.0 / 16777215.0;
@@ -229,6 +230,8 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
 
     Diagnosis diagnosis;
     diagnosis.projected = points.front().projected;
+    if (const auto right = nearest(*picture, points.front().right, {}))
+        diagnosis.right = right->point;
     diagnosis.landing = landings.front();
     diagnosis.tried = all.size();
     for (const Prepared &point : points) {
@@ -247,13 +250,17 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
         if (told.size() < (explains ? kMostToldApart : 2))
             told.push_back(hypothesis);
     }
-    // Some are one answer everywhere; then the first two count.
-    while (told.size() > 1 && !diagnosis.next) {
-        if (const auto next = nextClick(*picture, points.front().click, told, scene.depthOnMesh)) {
-            diagnosis.next = next->pixel;
-            diagnosis.nextApart = next->apart;
-        }
-        told.pop_back();
+    const glm::dvec3 &lastDigit = points.front().sought.lastDigit;
+    const double tellable = std::max({lastDigit.x, lastDigit.y, lastDigit.z});
+    auto next = nextClick(*picture, points.front().click, told, scene.depthOnMesh, tellable);
+    // Where those are one answer everywhere, the first that is another one.
+    for (std::size_t i = told.size(); !next && i < std::min(best.size(), kMostTried); ++i) {
+        const Hypothesis two[] = {best.front(), best[i]};
+        next = nextClick(*picture, points.front().click, two, scene.depthOnMesh, tellable);
+    }
+    if (next) {
+        diagnosis.next = next->pixel;
+        diagnosis.nextApart = next->apart;
     }
     return diagnosis;
 }

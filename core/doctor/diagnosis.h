@@ -82,6 +82,7 @@ struct Diagnosis {
     std::optional<glm::dvec3> projected;
     Landing landing = Landing::Right;
     DepthKnown depthKnown = DepthKnown::Given;
+    std::optional<glm::dvec3> right; ///< what the first click gives, in its space; of an unknown depth, the nearest
     int digitsGiven = 0;             ///< what Candidate::digits is at most
     std::optional<DevicePoint> next; ///< the pixel whose answers tell the first candidates apart best
     double nextApart = 0.0;          ///< how far apart those of the first two are there, units of the space

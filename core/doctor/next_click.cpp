@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace unprojector::doctor {
 namespace {
@@ -29,37 +30,62 @@ std::optional<glm::dvec3> answerOf(const Given &given, const Click &click, const
     return answer(given, click, {parts.data(), hypothesis.count});
 }
 
-} // namespace
-
-std::optional<NextClick> nextClick(const Given &given, const Click &like, std::span<const Hypothesis> hypotheses,
-                                   const std::function<std::optional<double>(const DevicePoint &)> &depthAt)
+/// The clicks of the grid that see something.
+std::vector<Click> gridOf(const Given &given, const Click &like,
+                          const std::function<std::optional<double>(const DevicePoint &)> &depthAt)
 {
-    std::optional<NextClick> best;
+    std::vector<Click> clicks;
     for (int row = 0; row < kRows; ++row) {
         for (int column = 0; column < kColumns; ++column) {
             const std::optional<DevicePoint> pixel = cellAt(given, column, row);
             if (!pixel)
                 continue;
+            const std::optional<double> depth = depthAt ? depthAt(*pixel) : like.depth;
+            if (!depth)
+                continue;
             Click click = like;
             click.pixel = *pixel;
-            if (depthAt) {
-                const std::optional<double> depth = depthAt(*pixel);
-                if (!depth)
-                    continue;
-                click.depth = *depth;
-            }
+            click.depth = *depth;
             setRightEye(given, click);
-            const std::optional<glm::dvec3> first = answerOf(given, click, hypotheses.front());
-            double apart = std::numeric_limits<double>::infinity();
-            for (std::size_t i = 1; first && i < hypotheses.size(); ++i) {
-                const std::optional<glm::dvec3> other = answerOf(given, click, hypotheses[i]);
-                apart = std::min(apart, other ? glm::distance(*first, *other) : 0.0);
-            }
-            if (first && std::isfinite(apart) && apart > (best ? best->apart : 0.0))
-                best = NextClick{*pixel, apart};
+            clicks.push_back(click);
         }
     }
-    return best;
+    return clicks;
+}
+
+/// How far apart the answers of two hypotheses are, click by click; 0 where one has none.
+std::vector<double> apartOf(const Given &given, std::span<const Click> clicks, const Hypothesis &a, const Hypothesis &b)
+{
+    std::vector<double> apart;
+    for (const Click &click : clicks) {
+        const std::optional<glm::dvec3> first = answerOf(given, click, a), second = answerOf(given, click, b);
+        const double distance = first && second ? glm::distance(*first, *second) : 0.0;
+        apart.push_back(std::isfinite(distance) ? distance : 0.0);
+    }
+    return apart;
+}
+
+} // namespace
+
+std::optional<NextClick> nextClick(const Given &given, const Click &like, std::span<const Hypothesis> hypotheses,
+                                   const std::function<std::optional<double>(const DevicePoint &)> &depthAt,
+                                   double tellable)
+{
+    const std::vector<Click> clicks = gridOf(given, like, depthAt);
+    std::vector<double> least(clicks.size(), std::numeric_limits<double>::infinity());
+    bool isTold = false;
+    for (std::size_t i = 1; i < hypotheses.size(); ++i) {
+        const std::vector<double> apart = apartOf(given, clicks, hypotheses.front(), hypotheses[i]);
+        if (std::none_of(apart.begin(), apart.end(), [&](double each) { return each >= tellable; }))
+            continue;
+        isTold = true;
+        for (std::size_t k = 0; k < least.size(); ++k)
+            least[k] = std::min(least[k], apart[k]);
+    }
+    if (!isTold)
+        return std::nullopt;
+    const auto best = std::max_element(least.begin(), least.end());
+    return NextClick{clicks[std::size_t(best - least.begin())].pixel, *best};
 }
 
 } // namespace unprojector::doctor

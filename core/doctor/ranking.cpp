@@ -81,12 +81,12 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
     }
     const auto explainsAsWell = [&](const Key &key, int tier) {
         const auto found = best.find(key);
-        return found != best.end() && tierOf(*found->second) <= tier;
+        return found != best.end() && tierOf(*found->second) < 2 && tierOf(*found->second) <= tier;
     };
     std::vector<Hypothesis> result;
     for (const auto &[key, hypothesis] : best) {
         const int tier = tierOf(*hypothesis);
-        if (hypothesis->count == 2 && tier < 2
+        if (hypothesis->count == 2
             && (explainsAsWell({key[0], kNone}, tier) || explainsAsWell({key[1], kNone}, tier)
                 || explainsAsWell({kNone, kNone}, tier)))
             continue;

@@ -21,8 +21,8 @@ std::string variantOf(const Hypothesis &hypothesis);
 /// Hypotheses by how well they explain the points, the best first, each pair of mistakes once, by its best variant.
 ///
 /// First come those that explain all digits as rounded, then those that do as cut off, each by their simplicity and then by
-/// how often such mistakes are reported; then the others by their distance. A pair that explains no more than one
-/// of its mistakes does alone is left out.
+/// how often such mistakes are reported; then the others by their distance. A pair is left
+/// out where one of its mistakes, or none at all, explains the points as well.
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> hypotheses);
 
 /// How many digits a coordinate was given with, those before the first that is not 0 left out; at least 1.

@@ -23,7 +23,7 @@ private:
 void TestCommandLine::helpHasExamplesThatWork_data()
 {
     QTest::addColumn<QString>("command");
-    for (const char *command : {"points", "project", "cloud", "compare", "matrices", "scene", "landmarks"})
+    for (const char *command : {"points", "project", "cloud", "compare", "matrices", "scene", "landmarks", "doctor"})
         QTest::newRow(command) << command;
 }
 
@@ -49,6 +49,10 @@ void TestCommandLine::helpHasExamplesThatWork()
     m_folder.write("depth.pfm", "Pf\n800 600\n-1\n" + QByteArray(qsizetype(800) * 600 * 4, '\0'));
     m_folder.write("depth.raw", QByteArray(qsizetype(1920) * 1080 * 4, '\0'));
     m_folder.write("matrices.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300");
+    m_folder.write("wrong.csv", "px,py,depth,x,y,z\n400,300,0.5,0.1,0.2,3.4\n");
+    m_folder.write("scan.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                               "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                               "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     const QByteArray skull = "<PickedPoints><point x=\"1\" y=\"2\" z=\"3\" name=\"N\"/></PickedPoints>";
     for (const char *file : {"skull.pp", "monday.pp", "tuesday.pp"})
         m_folder.write(file, skull);
@@ -77,8 +81,8 @@ void TestCommandLine::helpNamesAllCommandsAndExitCodes()
 {
     const Run run = runCommand({"--help"});
     QCOMPARE(run.exitCode, 0);
-    for (const char *word : {"points", "project", "cloud", "compare", "matrices", "scene", "landmarks", "0 done",
-                             "1 some rows bad", "2 unusable input"})
+    for (const char *word : {"points", "project", "cloud", "compare", "matrices", "scene", "landmarks", "doctor",
+                             "0 done", "1 some rows bad", "2 unusable input"})
         QVERIFY2(run.output.contains(word), word);
     QVERIFY(runCommand({"--version"}).output.startsWith("unproject "));
 }
@@ -93,7 +97,7 @@ void TestCommandLine::wordsAreChecked_data()
     row("no command", {}, "A subcommand is required");
     row("no such command", {"pionts", "scene.json"},
         "\"pionts\" is no command; give one of points, pick, project, info, scene, cloud, compare, map, matrices, "
-        "landmarks\n");
+        "landmarks, doctor\n");
     row("an empty word", {""}, "\"\" is no command");
     row("no scene", {"points"}, "SCENE is required");
     row("an empty name", {"points", ""}, "SCENE: give the name of a file");

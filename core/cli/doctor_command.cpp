@@ -1,0 +1,180 @@
+#include "core/cli/doctor_command.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/cli/doctor_texts.h"
+#include "core/cli/opened_scene.h"
+#include "core/cli/scene_input.h"
+#include "core/cli/wrong_points.h"
+#include "core/ray/scene_rays.h"
+#include "core/text/error_text.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace doctor;
+using namespace text;
+namespace {
+
+/// The case without any mesh. What is wrong is said on stderr.
+std::optional<Case> withoutMesh(const std::string &file)
+{
+    const std::optional<SceneInput> input = sceneInput(file);
+    if (!input)
+        return std::nullopt;
+    Case result{input->geometry, {}, {}};
+    for (const PlacedObject &object : input->objects)
+        result.models.push_back({object.name, object.worldFromObject});
+    return result;
+}
+
+/// The depth at which the ray of a position meets the objects.
+class MeshDepth {
+public:
+    MeshDepth(const Unprojector &unprojector, const OpenedScene &opened)
+        : m_picture(unprojector.picture()),
+          m_rays(std::make_shared<ray::SceneRays>(unprojector, opened.objects, castersOf(opened.objects),
+                                                  opened.clipPlanes()))
+    {
+    }
+
+    std::optional<double> operator()(const DevicePoint &position) const
+    {
+        const auto hit = m_rays->at(position);
+        if (!hit || !*hit)
+            return std::nullopt;
+        const Result<WindowPoint> window = windowFromWorld(m_picture, (*hit)->world);
+        return window ? std::optional(window->z) : std::nullopt;
+    }
+
+private:
+    Picture m_picture;
+    std::shared_ptr<const ray::SceneRays> m_rays;
+};
+
+std::optional<Case> withMesh(const std::string &file)
+{
+    const std::optional<OpenedScene> opened = openScene(file);
+    const std::optional<Picture> picture = opened ? pictureOf(*opened, {}) : std::nullopt;
+    if (!picture)
+        return std::nullopt;
+    Case result{*picture, {}, {}};
+    for (const SceneObject &object : opened->objects)
+        result.models.push_back({object.name, worldFromObject(object.transform)});
+    const Result<Unprojector> unprojector = Unprojector::of(*picture);
+    if (!unprojector) {
+        complain(opened->name + ": " + errorText(unprojector.error()));
+        return std::nullopt;
+    }
+    if (!opened->objects.empty())
+        result.depthOnMesh = MeshDepth(*unprojector, *opened);
+    return result;
+}
+
+/// The mesh is asked for only where a depth is missing: a scene without its models will do otherwise.
+std::optional<Case> caseOf(const std::string &file, bool isDepthMissing)
+{
+    if (!isMeantAsScene(file))
+        return withMesh(file);
+    if (!isDepthMissing)
+        return withoutMesh(file);
+    std::optional<Case> result = withMesh(file);
+    if (result || file == "-")
+        return result;
+    result = withoutMesh(file);
+    if (result)
+        complain(file + ": without its models, pixels without a depth are judged by their rays alone");
+    return result;
+}
+
+/// Sets the space of the points. What is wrong is said on stderr.
+bool setSpace(std::vector<WrongPoint> &points, const std::string &space, const Case &scene)
+{
+    PointSpace named = PointSpace::World;
+    std::size_t model = 0;
+    constexpr std::string_view kObject = "object";
+    if (space == "eye") {
+        named = PointSpace::Eye;
+    } else if (space.starts_with(kObject)) {
+        named = PointSpace::Object;
+        std::string name = space.size() > kObject.size() ? space.substr(kObject.size() + 1) : std::string();
+        std::string names;
+        for (const PlacedModel &placed : scene.models)
+            names += (names.empty() ? "" : ", ") + placed.name;
+        if (space == kObject && scene.models.size() == 1)
+            name = scene.models.front().name;
+        const auto found = std::find_if(scene.models.begin(), scene.models.end(),
+                                        [&](const PlacedModel &placed) { return placed.name == name; });
+        if (found == scene.models.end()) {
+            complain("--got-space " + space + ": "
+                     + (scene.models.empty() ? "the scene has no objects"
+                                             : "give object:NAME with one of the scene's objects: " + names));
+            return false;
+        }
+        model = std::size_t(found - scene.models.begin());
+    }
+    for (WrongPoint &point : points) {
+        point.space = named;
+        point.model = model;
+    }
+    return true;
+}
+
+std::string depthAdvice(const Picture &picture)
+{
+    return "; the scene's go from " + shortestText(picture.depthRange.atNear) + " to "
+           + shortestText(picture.depthRange.atFar) + ". A distance is no depth: leave it out";
+}
+
+} // namespace
+
+ExitCode runDoctor(const DoctorOptions &options)
+{
+    WrongPoints given;
+    if (options.points.empty()) {
+        const std::optional<WrongPoint> point = wrongPoint(options.pixel, options.depth, options.got);
+        if (!point)
+            return ExitCode::UnusableInput;
+        given.points = {*point};
+    } else {
+        if (options.points == "-" && options.scene == "-") {
+            complain("the scene and the points cannot both come from standard input; give a file for one of them");
+            return ExitCode::UnusableInput;
+        }
+        std::optional<WrongPoints> read = wrongPoints(options.points);
+        if (!read)
+            return ExitCode::UnusableInput;
+        given = std::move(*read);
+    }
+    const bool isDepthMissing =
+        std::any_of(given.points.begin(), given.points.end(), [](const WrongPoint &p) { return !p.depth; });
+    const std::optional<Case> scene = caseOf(options.scene, isDepthMissing);
+    if (!scene || !setSpace(given.points, options.gotSpace, *scene))
+        return ExitCode::UnusableInput;
+    const Result<Diagnosis> diagnosis = diagnose(*scene, given.points);
+    if (!diagnosis) {
+        const Error &error = diagnosis.error();
+        complain(error.code == ErrorCode::DepthOutsideRange
+                     ? "--depth " + shortestText(error.value) + ": lies outside the depth range"
+                           + depthAdvice(scene->picture)
+                     : options.scene + ": " + errorText(error));
+        return ExitCode::UnusableInput;
+    }
+    for (const WrongPoint &point : given.points) {
+        const Surface &surface = scene->picture.surface;
+        const DevicePoint &at = point.pixel;
+        if (at.x < 0.0 || at.y < 0.0 || at.x > surface.widthPixels || at.y > surface.heightPixels)
+            complain("pixel " + shortestText(at.x) + ',' + shortestText(at.y) + " lies outside the picture of "
+                     + std::to_string(surface.widthPixels) + 'x' + std::to_string(surface.heightPixels)
+                     + "; device pixels from its top left corner are meant");
+    }
+    ByteSink sink;
+    sink.write(options.isJson ? doctorJson(*diagnosis) : doctorText(*diagnosis, given.points.front()));
+    const ExitCode written = sink.finish();
+    return written == ExitCode::Done && !given.isComplete ? ExitCode::SomeRowsBad : written;
+}
+
+} // namespace unprojector::cli

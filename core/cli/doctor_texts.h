@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/doctor/diagnosis.h"
+
+#include <string>
+
+namespace unprojector::cli {
+
+/// A diagnosis as one JSON object on one line.
+std::string doctorJson(const doctor::Diagnosis &diagnosis);
+/// The same for people, with the lines of code to change.
+/// @param first  the point that the coordinates of the diagnosis belong to
+std::string doctorText(const doctor::Diagnosis &diagnosis, const doctor::WrongPoint &first);
+
+} // namespace unprojector::cli

@@ -1,0 +1,245 @@
+// `unproject doctor`: which mistake makes a wrong coordinate.
+
+#include "tests/cli/command.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cmath>
+
+namespace {
+
+/// The truth (0.5, 0.75, -0.25) lies on pixel 568.647, 274.338 (from the top) at the depth 0.838331.
+const QByteArray kScene = R"({
+  "unprojector": 1,
+  "window": {"width": 1000, "height": 700},
+  "viewport": {"x": 100, "y": 40, "width": 800, "height": 600},
+  "projection": {"type": "perspective", "fovy": 45, "near": 1, "far": 100},
+  "view": {"eye": [3, 2, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
+  "objects": [{"name": "box", "file": "missing.obj", "transform": [{"translate": [2, 0, -1]}]}]
+})";
+const QStringList kClick{"--pixel", "568.6475,274.3378", "--depth", "0.838330516"};
+
+} // namespace
+
+class TestDoctorCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void theVerdictInJson_data();
+    void theVerdictInJson();
+    void theAnswerInWords();
+    void digitsAreReadAsWritten();
+    void aTableIsOneProgram();
+    void badRowsAreNamed();
+    void theMeshGivesTheDepth();
+    void theRayJudgesWithoutModels();
+    void theSpaceOfThePoint();
+    void unusable_data();
+    void unusable();
+
+private:
+    Run doctor(const QStringList &more, const QByteArray &input = {}) const
+    {
+        return runCommand(QStringList{"doctor", m_scene} + more, input);
+    }
+
+    Folder m_folder;
+    QString m_scene;
+};
+
+void TestDoctorCommand::initTestCase()
+{
+    m_scene = m_folder.write("scene.json", kScene);
+}
+
+void TestDoctorCommand::theVerdictInJson_data()
+{
+    QTest::addColumn<QString>("got");
+    QTest::addColumn<QString>("verdict");
+    QTest::newRow("flip") << "0.7051,-0.4122,0.0918"
+                          << "y-not-flipped";
+    QTest::newRow("starts with a minus") << "-1.7223,-0.3612,-4.9168"
+                                         << "depth-not-remapped";
+    QTest::newRow("in brackets") << "[ -0.1383, -0.0869, 0.1686 ]"
+                                 << "view-transposed";
+    QTest::newRow("right") << "0.5000,0.7500,-0.2500"
+                           << "right";
+    QTest::newRow("unknown") << "1.1234,2.2345,0.3456"
+                             << "unknown";
+}
+
+void TestDoctorCommand::theVerdictInJson()
+{
+    QFETCH(QString, got);
+    QFETCH(QString, verdict);
+    const Run run = doctor(kClick + QStringList{"--got", got, "--json"});
+    VERIFY_SUCCEEDED(run);
+    QCOMPARE(run.lines().size(), 1);
+    const QJsonObject json = QJsonDocument::fromJson(run.output).object();
+    QCOMPARE(json["verdict"].toString(), verdict);
+    const QJsonArray candidates = json["candidates"].toArray();
+    QVERIFY(candidates.size() >= 5);
+    for (const QJsonValue value : candidates) {
+        const QJsonObject candidate = value.toObject();
+        QVERIFY(!candidate["id"].toString().isEmpty());
+        QCOMPARE(candidate["point"].toArray().size(), 3);
+        QVERIFY(candidate["distance"].isDouble());
+        QVERIFY(candidate["digits"].toInt() <= json["digitsGiven"].toInt());
+    }
+    if (verdict != "unknown") {
+        QCOMPARE(candidates[0].toObject()["id"].toString(), verdict);
+        QVERIFY(candidates[0].toObject()["distance"].toDouble() < 0.6);
+    }
+    QCOMPARE(json["projected"].toArray().size(), 3);
+    QCOMPARE(json["next"].toObject()["pixel"].toArray().size(), 2);
+    QCOMPARE(json["code"].toArray().isEmpty(), verdict == "right" || verdict == "unknown");
+}
+
+void TestDoctorCommand::theAnswerInWords()
+{
+    const Run run = doctor(kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"});
+    VERIFY_SUCCEEDED(run);
+    QVERIFY(run.output.startsWith("y-not-flipped\n  y is not turned over"));
+    QVERIFY(run.output.contains("all 11 digits given"));
+    QVERIFY(run.output.contains("next best"));
+    QVERIFY(run.output.contains("by a click at"));
+    QVERIFY(run.output.contains("the depth is right, the pixel is not"));
+    QVERIFY(run.output.contains("right is     0.5000 0.7500 -0.2500"));
+    for (const char *library : {"GLU", "GLM", "Qt", "three.js", "NumPy"})
+        QVERIFY2(run.output.contains(library), library);
+    const Run right = doctor(kClick + QStringList{"--got", "0.5000,0.7500,-0.2500"});
+    VERIFY_SUCCEEDED(right);
+    QVERIFY(right.output.startsWith("right\n  The point is right to the digits given."));
+    QVERIFY(!right.output.contains("To change"));
+    const Run unknown = doctor(kClick + QStringList{"--got", "1.1234,2.2345,0.3456"});
+    VERIFY_SUCCEEDED(unknown);
+    QVERIFY(unknown.output.startsWith("unknown\n  Nothing that is known explains this point"));
+    QVERIFY(unknown.output.contains("lands        on pixel"));
+}
+
+/// 0.50 has two decimals, 0.5000 four: a pixel's corner is 0.4972 0.7462 -0.2468.
+void TestDoctorCommand::digitsAreReadAsWritten()
+{
+    const auto verdict = [&](const QString &got) {
+        const Run run = doctor(kClick + QStringList{"--got", got, "--json"});
+        return QJsonDocument::fromJson(run.output).object()["verdict"].toString();
+    };
+    QCOMPARE(verdict("0.50,0.75,-0.25"), QString("right"));
+    QCOMPARE(verdict("0.4972,0.7462,-0.2468"), QString("pixel-corner"));
+    QCOMPARE(verdict("5.0e-1,7.5E-1,-2.5e-1"), QString("right"));
+    QCOMPARE(verdict("5.010e-1,7.5E-1,-2.5e-1"), QString("unknown"));
+}
+
+void TestDoctorCommand::aTableIsOneProgram()
+{
+    const QString points = m_folder.write("wrong.csv", "px,py,depth,x,y,z\r\n"
+                                                       "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918\r\n"
+                                                       "\r\n"
+                                                       "500,360,0.8484848484848485,0.2299,-0.1552,0.2299\r\n");
+    const Run run = doctor({"--points", points, "--json"});
+    QCOMPARE(run.exitCode, 0);
+    const QJsonObject json = QJsonDocument::fromJson(run.output).object();
+    QVERIFY(json["digitsGiven"].toInt() > 20);
+    // Without a header, the depth left out, from standard input.
+    const Run bare = doctor({"--points", "-", "--json"}, "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918\n");
+    VERIFY_SUCCEEDED(bare);
+    QCOMPARE(QJsonDocument::fromJson(bare.output).object()["verdict"].toString(), QString("y-not-flipped"));
+    const Run named = doctor({"--points", "-", "--json"}, "z,x,y,py,px\n0.0918,0.7051,-0.4122,274.3378,568.6475\n");
+    QCOMPARE(named.exitCode, 0);
+    QCOMPARE(QJsonDocument::fromJson(named.output).object()["candidates"].toArray()[0].toObject()["id"].toString(),
+             QString("y-not-flipped"));
+}
+
+void TestDoctorCommand::badRowsAreNamed()
+{
+    const Run run =
+        doctor({"--points", "-", "--json"}, "px,py,depth,x,y,z\n568.6475,274.3378,0.838330516,0.7051,nan,1\n"
+                                            "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918\n");
+    QCOMPARE(run.exitCode, 1);
+    QCOMPARE(run.errors, QByteArray("stdin:2: y: \"nan\" is no number\n"));
+    QCOMPARE(QJsonDocument::fromJson(run.output).object()["verdict"].toString(), QString("y-not-flipped"));
+}
+
+/// A face in the plane z = 3, 2 in front of the eye; its depth 2/3 taken for that in NDC is 5/6, that of 8/3.
+void TestDoctorCommand::theMeshGivesTheDepth()
+{
+    m_folder.write("face.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+    const QString scene = m_folder.write("frustum.json", kFrustumScene);
+    const QStringList click{"doctor", scene, "--json", "--pixel", "600,150", "--got"};
+    const Run right = runCommand(click + QStringList{"1.0000,0.7500,3.0000"});
+    VERIFY_SUCCEEDED(right);
+    const QJsonObject json = QJsonDocument::fromJson(right.output).object();
+    QCOMPARE(json["verdict"].toString(), QString("right"));
+    QCOMPARE(json["depth"].toString(), QString("mesh"));
+    const Run wrong = runCommand(click + QStringList{"1.3333,1.0000,2.3333"});
+    VERIFY_SUCCEEDED(wrong);
+    QCOMPARE(QJsonDocument::fromJson(wrong.output).object()["verdict"].toString(), QString("depth-not-remapped"));
+}
+
+void TestDoctorCommand::theRayJudgesWithoutModels()
+{
+    const QStringList click{"--json", "--pixel", "568.6475,274.3378", "--got"};
+    const Run run = doctor(click + QStringList{"0.7051,-0.4122,0.0918"});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(run.errors.contains("missing.obj"));
+    QVERIFY(run.errors.contains("are judged by their rays alone"));
+    const QJsonObject json = QJsonDocument::fromJson(run.output).object();
+    QCOMPARE(json["verdict"].toString(), QString("y-not-flipped"));
+    QCOMPARE(json["depth"].toString(), QString("unknown"));
+    // With the depth nobody asks for the models.
+    VERIFY_SUCCEEDED(doctor(kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"}));
+    VERIFY_SUCCEEDED(
+        runCommand(QStringList{"doctor", "-"} + kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"}, kScene));
+}
+
+void TestDoctorCommand::theSpaceOfThePoint()
+{
+    const auto verdict = [&](const QString &space, const QString &got) {
+        const Run run = doctor(kClick + QStringList{"--got", got, "--got-space", space, "--json"});
+        return QJsonDocument::fromJson(run.output).object()["verdict"].toString();
+    };
+    QCOMPARE(verdict("eye", "0.5574,0.6955,-5.8805"), QString("right"));
+    QCOMPARE(verdict("world", "0.5574,0.6955,-5.8805"), QString("view-left-out"));
+    QCOMPARE(verdict("object", "-1.5000,0.7500,0.7500"), QString("right"));
+    QCOMPARE(verdict("object:box", "-1.5000,0.7500,0.7500"), QString("right"));
+    QCOMPARE(verdict("world", "-1.5000,0.7500,0.7500"), QString("model-left-in"));
+}
+
+void TestDoctorCommand::unusable_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QByteArray>("named");
+    const QStringList got{"--got", "1,2,3"};
+    QTest::newRow("no pixel") << got << QByteArray("--pixel");
+    QTest::newRow("no point") << kClick << QByteArray("--got");
+    QTest::newRow("pixel of one number") << QStringList{"--pixel", "400"} + got << QByteArray("--pixel 400");
+    QTest::newRow("pixel of words") << QStringList{"--pixel", "a,b"} + got << QByteArray("--pixel a,b");
+    QTest::newRow("infinite point") << kClick + QStringList{"--got", "1,2,inf"} << QByteArray("--got 1,2,inf");
+    QTest::newRow("two coordinates") << kClick + QStringList{"--got", "1,2"} << QByteArray("--got 1,2");
+    QTest::newRow("depth of words") << QStringList{"--pixel", "4,5", "--depth", "far"} + got
+                                    << QByteArray("--depth far");
+    QTest::newRow("depth is a distance") << QStringList{"--pixel", "4,5", "--depth", "5.88"} + got
+                                         << QByteArray("--depth 5.88");
+    QTest::newRow("no such space") << kClick + got + QStringList{"--got-space", "clip"} << QByteArray("clip");
+    QTest::newRow("no such object") << kClick + got + QStringList{"--got-space", "object:ball"}
+                                    << QByteArray("object:ball");
+    QTest::newRow("points and a pixel") << kClick + QStringList{"--points", "-"} << QByteArray("--points");
+    QTest::newRow("no such table") << QStringList{"--points", "nowhere.csv"} << QByteArray("nowhere.csv");
+    QTest::newRow("no rows") << QStringList{"--points", "-"} << QByteArray("stdin");
+}
+
+void TestDoctorCommand::unusable()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QByteArray, named);
+    const Run run = doctor(options);
+    QCOMPARE(run.exitCode, 2);
+    QVERIFY2(run.errors.contains(named), run.errors.constData());
+    QVERIFY(run.output.isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestDoctorCommand)
+#include "test_doctor_command.moc"
