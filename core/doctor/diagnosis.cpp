@@ -108,7 +108,7 @@ Hypothesis rightHypothesis(const Given &given, std::span<const Prepared> points)
 {
     Hypothesis right;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::optional<Nearest> found = nearest(given, points[i].right, {});
+        const std::optional<Nearest> found = right.nearest(given, points[i].right);
         const double distance = found ? found->distance : std::numeric_limits<double>::infinity();
         if (i == 0 && found)
             right.point = found->point;
@@ -171,10 +171,9 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
     candidate.point = hypothesis.point;
     candidate.distance = hypothesis.distance;
     candidate.explains = hypothesis.worst <= kCutOff;
-    const auto parts = hypothesis.inOrder();
     for (const Prepared &point : points) {
         const Sought &sought = hypothesis.count == 0 ? point.right : point.sought;
-        const std::optional<Nearest> found = nearest(given, sought, {parts.data(), hypothesis.count});
+        const std::optional<Nearest> found = hypothesis.nearest(given, sought);
         for (int axis = 0; found && axis < 3; ++axis)
             candidate.digits += digitsExplained(sought.got[axis], sought.lastDigit[axis], found->point[axis]);
     }
@@ -184,9 +183,8 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
 /// Whether a hypothesis says at which depth the point lies, though the depth is not known.
 bool saysDepth(const Hypothesis &hypothesis, const Given &given, const Prepared &point)
 {
-    const auto parts = hypothesis.inOrder();
-    const std::span<const Variant *const> list(parts.data(), hypothesis.count);
-    const auto a = answer(given, point.sought.clicks[0], list), b = answer(given, point.sought.clicks[1], list);
+    const auto a = hypothesis.answerTo(given, point.sought.clicks[0]);
+    const auto b = hypothesis.answerTo(given, point.sought.clicks[1]);
     return a && b && glm::distance(*a, *b) <= 1e-9 * (1.0 + glm::length(*a));
 }
 
@@ -230,7 +228,7 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
 
     Diagnosis diagnosis;
     diagnosis.projected = points.front().projected;
-    if (const auto right = nearest(*picture, points.front().right, {}))
+    if (const auto right = Hypothesis().nearest(*picture, points.front().right))
         diagnosis.right = right->point;
     diagnosis.landing = landings.front();
     diagnosis.tried = all.size();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace unprojector::doctor {
 namespace {
@@ -20,9 +21,8 @@ double largest(const glm::dvec3 &v)
 /// Tries a hypothesis on all points; nothing where one of them has no answer.
 std::optional<Hypothesis> tried(const Given &given, std::span<const Sought> points, Hypothesis hypothesis)
 {
-    const auto parts = hypothesis.inOrder();
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::optional<Nearest> found = nearest(given, points[i], {parts.data(), hypothesis.count});
+        const std::optional<Nearest> found = hypothesis.nearest(given, points[i]);
         if (!found)
             return std::nullopt;
         if (i == 0)
@@ -52,21 +52,36 @@ bool isRatio(const Variant &variant)
     return mistakes()[variant.mistake].id.starts_with("ratio-");
 }
 
-} // namespace
-
-std::array<const Variant *, 2> Hypothesis::inOrder() const
+/// Whether a mistake is one of the view matrix, which closed formulas have too.
+bool isOfView(const Variant &variant)
 {
-    return isSecondFirst ? std::array{parts[1], parts[0]} : parts;
+    return mistakes()[variant.mistake].id.starts_with("view-") && variant.stage == Stage::Factors;
 }
 
-std::optional<Nearest> nearest(const Given &given, const Sought &sought, std::span<const Variant *const> list)
+bool hasOtherWay(const Variant &a, const Variant &b)
 {
-    const std::optional<glm::dvec3> first = answer(given, sought.clicks[0], list);
+    return a.stage == b.stage || (a.stage == Stage::Eye && isOfView(b)) || (isOfView(a) && b.stage == Stage::Eye);
+}
+
+} // namespace
+
+std::optional<glm::dvec3> Hypothesis::answerTo(const Given &given, const Click &click) const
+{
+    const bool isSameStage = count == 2 && parts[0]->stage == parts[1]->stage;
+    std::array<const Variant *, 2> inOrder = parts;
+    if (isOtherWay && isSameStage)
+        std::swap(inOrder[0], inOrder[1]);
+    return answer(given, click, {inOrder.data(), count}, isOtherWay && !isSameStage);
+}
+
+std::optional<Nearest> Hypothesis::nearest(const Given &given, const Sought &sought) const
+{
+    const std::optional<glm::dvec3> first = answerTo(given, sought.clicks[0]);
     if (!first)
         return std::nullopt;
-    glm::dvec3 point = *first;
+    glm::dvec3 closest = *first;
     if (sought.clicks.size() > 1) {
-        const std::optional<glm::dvec3> second = answer(given, sought.clicks[1], list);
+        const std::optional<glm::dvec3> second = answerTo(given, sought.clicks[1]);
         if (!second)
             return std::nullopt;
         // In units of the last digits, so that a coordinate counts by how well it is known.
@@ -76,9 +91,9 @@ std::optional<Nearest> nearest(const Given &given, const Sought &sought, std::sp
         double share = length > 0.0 ? glm::dot(toGot, way) / length : 0.0;
         if (!sought.isLine)
             share = std::clamp(share, 0.0, 1.0);
-        point = *first + share * (*second - *first);
+        closest = *first + share * (*second - *first);
     }
-    return Nearest{point, largest((point - sought.got) / sought.lastDigit)};
+    return Nearest{closest, largest((closest - sought.got) / sought.lastDigit)};
 }
 
 std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Sought> points, std::span<const Variant> list)
@@ -100,7 +115,7 @@ std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Sought> p
                 continue;
             if (const auto two = tried(given, points, {{&a, &b}, 2}))
                 result.push_back(*two);
-            if (a.stage == b.stage) {
+            if (hasOtherWay(a, b)) {
                 if (const auto two = tried(given, points, {{&a, &b}, 2, true}))
                     result.push_back(*two);
             }

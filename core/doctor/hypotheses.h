@@ -26,19 +26,21 @@ struct Nearest {
     double distance = 0.0; ///< the greatest difference of a coordinate, in units of its last digit
 };
 
-/// Nothing where a program with these mistakes has no answer.
-std::optional<Nearest> nearest(const Given &given, const Sought &sought, std::span<const Variant *const> mistakes);
-
 /// No mistake, one or two, and how close their answers come.
 struct Hypothesis {
     std::array<const Variant *, 2> parts{}; ///< by their place in the list of mistakes
     std::size_t count = 0;
-    bool isSecondFirst = false; ///< of two in the same stage: the second is made before the first
-    glm::dvec3 point{0.0};      ///< the answer to the first point
-    double distance = 0.0;      ///< mean over the points
-    double worst = 0.0;         ///< of the points
+    /// The other of two ways to make both. In the same stage: the second before the first. Of the eye point and the view:
+    /// see Run::isClosedForm.
+    bool isOtherWay = false;
+    glm::dvec3 point{0.0}; ///< the answer to the first point
+    double distance = 0.0; ///< mean over the points
+    double worst = 0.0;    ///< of the points
 
-    std::array<const Variant *, 2> inOrder() const;
+    /// What the program answers; nothing where it has no answer.
+    std::optional<glm::dvec3> answerTo(const Given &given, const Click &click) const;
+    /// The answer closest to what was got.
+    std::optional<Nearest> nearest(const Given &given, const Sought &sought) const;
 };
 
 /// The ways to make one mistake, and two of different ones; those without effect on all of the points are left out.

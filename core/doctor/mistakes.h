@@ -8,12 +8,8 @@
 
 namespace unprojector::doctor {
 
-/// What a mistake spoils. Those of the depth leave the point on its ray.
-enum class Family { Pixel, Lens, Depth, Matrix, Point };
-
 struct Mistake {
     std::string_view id;
-    Family family = Family::Pixel;
     int reports = 0; ///< public threads found on its kind; decides between equals
 };
 

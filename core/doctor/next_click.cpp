@@ -24,12 +24,6 @@ std::optional<DevicePoint> cellAt(const Given &given, int column, int row)
     return DevicePoint(std::floor(x) + kHalfPixel, std::floor(y) + kHalfPixel);
 }
 
-std::optional<glm::dvec3> answerOf(const Given &given, const Click &click, const Hypothesis &hypothesis)
-{
-    const auto parts = hypothesis.inOrder();
-    return answer(given, click, {parts.data(), hypothesis.count});
-}
-
 /// The clicks of the grid that see something.
 std::vector<Click> gridOf(const Given &given, const Click &like,
                           const std::function<std::optional<double>(const DevicePoint &)> &depthAt)
@@ -58,7 +52,7 @@ std::vector<double> apartOf(const Given &given, std::span<const Click> clicks, c
 {
     std::vector<double> apart;
     for (const Click &click : clicks) {
-        const std::optional<glm::dvec3> first = answerOf(given, click, a), second = answerOf(given, click, b);
+        const std::optional<glm::dvec3> first = a.answerTo(given, click), second = b.answerTo(given, click);
         const double distance = first && second ? glm::distance(*first, *second) : 0.0;
         apart.push_back(std::isfinite(distance) ? distance : 0.0);
     }

@@ -149,9 +149,11 @@ void Run::setDistance(double distance)
         eye.z = given.side * distance;
 }
 
-std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> list)
+std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> list,
+                                 bool isClosedForm)
 {
     Run run(given, click);
+    run.isClosedForm = isClosedForm;
     Mistakes mistakes(run, list);
 
     run.position = click.pixel.coordinates();
@@ -172,16 +174,20 @@ std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::sp
     run.eyeFromWorld = click.space == PointSpace::Eye ? glm::dmat4(1.0) : given.eyeFromWorld;
     mistakes.make(Stage::Lens);
     run.ndc = glm::dvec3(ndcXy(run.viewport, run.window), ndcZ(given, run.depth));
-    if (mistakes.has(Stage::Eye))
+    if (mistakes.has(Stage::Eye) || run.isClosedForm)
         throughEye(run, mistakes);
 
     mistakes.make(Stage::Factors);
     mistakes.make(Stage::Product);
     mistakes.make(Stage::Divide);
-    const glm::dvec4 undivided = product(combined(run), glm::dvec4(run.ndc, 1.0), run.isInPlace);
-    run.point = glm::dvec3(undivided);
-    for (int i = 0; i < run.divisions; ++i)
-        run.point /= undivided.w;
+    if (run.isClosedForm) {
+        run.point = glm::dvec3(glm::inverse(run.eyeFromWorld * click.worldFromObject) * glm::dvec4(run.eye, 1.0));
+    } else {
+        const glm::dvec4 undivided = product(combined(run), glm::dvec4(run.ndc, 1.0), run.isInPlace);
+        run.point = glm::dvec3(undivided);
+        for (int i = 0; i < run.divisions; ++i)
+            run.point /= undivided.w;
+    }
     mistakes.make(Stage::Point);
     if (run.isLost || !isFinite(run.point))
         return std::nullopt;

@@ -79,6 +79,9 @@ struct Run {
     Order order = Order::InverseOfProduct;
     bool isInPlace = false; ///< each coordinate of the product overwrites that of the vector
     int divisions = 1;      ///< by w
+    /// The eye point goes straight through the inverse of the view, as closed formulas have it: no projection matrix, and
+    /// no division.
+    bool isClosedForm = false;
 
     glm::dvec3 point{0.0};
     bool isLost = false; ///< such a program has no answer here
@@ -101,8 +104,10 @@ struct Variant {
 };
 
 /// What a program with these mistakes answers; nothing where it has no finite answer.
-/// @param mistakes  in the order in which those of the same stage are made
-std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> mistakes);
+/// @param mistakes      in the order in which those of the same stage are made
+/// @param isClosedForm  see Run::isClosedForm; the mistakes are of the stages up to Factors
+std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> mistakes,
+                                 bool isClosedForm = false);
 
 /// Sets the right eye point of a click's pixel and depth.
 void setRightEye(const Given &given, Click &click);

@@ -1,0 +1,166 @@
+#include "core/doctor/variant_list.h"
+#include "core/text/number_text.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+namespace unprojector::doctor {
+namespace {
+
+/// What near and far are off by where they are another frustum's.
+constexpr std::array kClipFactors{0.1, 10.0, 0.01, 100.0};
+
+/// The unit depth of what is read as a depth in the depth range.
+double unitDepth(const Run &run, double depth)
+{
+    const auto &[atNear, atFar] = run.given.depthRange;
+    return (depth - atNear) / (atFar - atNear);
+}
+
+/// The distance of the right point.
+double rightDistance(const Run &run)
+{
+    return run.given.side * run.click.eye.z;
+}
+
+void addMeaningOfDepth(VariantList &list)
+{
+    list.add(
+        "depth-linear", Stage::Depth,
+        [](Run &run, const Variant &) {
+            const double n = run.given.nearDistance, f = run.given.farDistance;
+            run.depth = (rightDistance(run) - n) / (f - n);
+        },
+        0.0, "a share of the way is passed for the depth");
+    list.add(
+        "depth-linear", Stage::Eye,
+        [](Run &run, const Variant &) {
+            const double n = run.nearDistance, f = run.farDistance;
+            run.setDistance(n + run.shareFromNear(run.depth) * (f - n));
+        },
+        0.0, "the depth is taken for a share of the way");
+    list.add(
+        "depth-linear", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(run.depth * run.farDistance); },
+        0.0, "the depth is taken for a share of far");
+    list.add(
+        "depth-is-eye-distance", Stage::Depth,
+        [](Run &run, const Variant &) { run.depth = unitDepth(run, rightDistance(run)); }, 0.0,
+        "the distance is passed for the depth");
+    list.add(
+        "depth-is-eye-distance", Stage::Depth,
+        [](Run &run, const Variant &) { run.depth = unitDepth(run, glm::length(run.click.eye)); }, 0.0,
+        "the length of the ray is passed for the depth");
+    list.add(
+        "depth-is-eye-distance", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(run.click.depth); }, 0.0,
+        "the depth is taken for the distance");
+    list.add("ray-length-as-z", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(glm::length(run.eye)); });
+    list.add("z-as-ray-length", Stage::Eye, [](Run &run, const Variant &) {
+        const double distance = run.distance();
+        run.setDistance(distance * distance / glm::length(run.eye));
+    });
+}
+
+/// The depth entries of the projection matrix for other clip distances: both planes keep their NDC depths.
+void setClipDistances(Run &run, double nearDistance, double farDistance)
+{
+    glm::dmat4 &m = run.clipFromEye;
+    const double z0 = run.given.side * nearDistance, z1 = run.given.side * farDistance;
+    const double old0 = run.given.side * run.nearDistance, old1 = run.given.side * run.farDistance;
+    run.nearDistance = nearDistance;
+    run.farDistance = farDistance;
+    if (!(nearDistance < farDistance)) {
+        run.isLost = true;
+        return;
+    }
+    if (run.given.isPerspective) {
+        const double w = m[2][3];
+        const double atNear = m[2][2] + m[3][2] / old0, atFar = m[2][2] + m[3][2] / old1; // w z_n
+        m[3][2] = (atNear - atFar) / (1.0 / z0 - 1.0 / z1);
+        m[2][2] = atNear - m[3][2] / z0;
+        run.isLost = run.isLost || w == 0.0;
+    } else {
+        const double atNear = m[2][2] * old0 + m[3][2], atFar = m[2][2] * old1 + m[3][2];
+        m[2][2] = (atNear - atFar) / (z0 - z1);
+        m[3][2] = atNear - m[2][2] * z0;
+    }
+}
+
+void addClipDistances(VariantList &list, const Given &given)
+{
+    for (const double factor : kClipFactors) {
+        const std::string times = " times " + text::shortestText(factor);
+        list.add(
+            "near-differs", Stage::Lens,
+            [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance * v.parameter, run.farDistance); },
+            factor, "near" + times);
+        list.add(
+            "far-differs", Stage::Lens,
+            [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance, run.farDistance * v.parameter); },
+            factor, "far" + times);
+        if (given.isFrustum)
+            list.add(
+                "near-differs", Stage::Lens,
+                [](Run &run, const Variant &v) {
+                    run.clipFromEye[0][0] *= v.parameter;
+                    run.clipFromEye[1][1] *= v.parameter;
+                    setClipDistances(run, run.nearDistance * v.parameter, run.farDistance);
+                },
+                factor, "near" + times + ", the window of glFrustum as it was");
+    }
+}
+
+} // namespace
+
+void addDepthMistakes(VariantList &list, const Given &given)
+{
+    list.add("depth-not-remapped", Stage::Depth,
+             [](Run &run, const Variant &) { run.depth = (1.0 + run.depth) / 2.0; });
+    list.add("depth-remapped-twice", Stage::Depth,
+             [](Run &run, const Variant &) { run.depth = 2.0 * run.depth - 1.0; });
+    list.add("depth-zero", Stage::Depth, [](Run &run, const Variant &) { run.depth = unitDepth(run, 0.0); });
+    list.add("depth-one", Stage::Depth, [](Run &run, const Variant &) { run.depth = unitDepth(run, 1.0); });
+    list.add("depth-reversed", Stage::Depth, [](Run &run, const Variant &) { run.depth = 1.0 - run.depth; });
+    if (given.depthRange != DepthRange{}) {
+        list.add(
+            "depth-not-remapped", Stage::Depth,
+            [](Run &run, const Variant &) { run.depth = (1.0 + run.click.depth) / 2.0; }, 0.0,
+            "nor mapped by the depth range");
+        list.add("depth-range-ignored", Stage::Depth, [](Run &run, const Variant &) { run.depth = run.click.depth; });
+        list.add(
+            "depth-zero", Stage::Depth, [](Run &run, const Variant &) { run.depth = 0.0; }, 0.0, "in the depth range");
+        list.add(
+            "depth-one", Stage::Depth, [](Run &run, const Variant &) { run.depth = 1.0; }, 0.0, "in the depth range");
+        list.add(
+            "depth-reversed", Stage::Depth,
+            [](Run &run, const Variant &) { run.depth = unitDepth(run, 1.0 - run.click.depth); }, 0.0,
+            "before the depth range");
+    }
+    for (const int bits : {16, 24, 8}) {
+        list.add(
+            "depth-rounded", Stage::Depth,
+            [](Run &run, const Variant &v) { run.depth = std::round(run.depth * v.parameter) / v.parameter; },
+            double((std::int64_t{1} << bits) - 1), "to " + std::to_string(bits) + " bits");
+    }
+    list.add(
+        "depth-of-another-row", Stage::Depth,
+        [](Run &run, const Variant &) {
+            run.isLost = !run.click.depthAbove;
+            run.depth = unitDepth(run, run.click.depthAbove.value_or(0.0));
+        },
+        0.0, "the row above");
+    list.add(
+        "depth-of-another-row", Stage::Depth,
+        [](Run &run, const Variant &) {
+            run.isLost = !run.click.depthBelow;
+            run.depth = unitDepth(run, run.click.depthBelow.value_or(0.0));
+        },
+        0.0, "the row below");
+    addMeaningOfDepth(list);
+    addClipDistances(list, given);
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,156 @@
+#include "core/doctor/variant_list.h"
+#include "core/geometry/angle.h"
+
+#include <cmath>
+
+namespace unprojector::doctor {
+namespace {
+
+/// Of the half angle that spans the height, as a symmetric frustum has it.
+double tangentOf(const Run &run)
+{
+    return 1.0 / run.clipFromEye[1][1];
+}
+
+double verticalFov(const Run &run)
+{
+    return 2.0 * std::atan(tangentOf(run));
+}
+
+double aspectOf(const Run &run)
+{
+    return run.clipFromEye[1][1] / run.clipFromEye[0][0];
+}
+
+/// Both axes wider by a factor.
+void widen(Run &run, double factor)
+{
+    run.clipFromEye[0][0] /= factor;
+    run.clipFromEye[1][1] /= factor;
+}
+
+void setTangent(Run &run, double tangent)
+{
+    widen(run, tangent / tangentOf(run));
+}
+
+void setAspect(Run &run, double aspect)
+{
+    run.isLost = run.isLost || aspect == 0.0;
+    run.clipFromEye[0][0] = run.clipFromEye[1][1] / aspect;
+}
+
+void addPerspective(VariantList &list)
+{
+    list.add("fov-degrees-as-radians", Stage::Lens,
+             [](Run &run, const Variant &) { setTangent(run, std::tan(degreesFromRadians(verticalFov(run)) / 2.0)); });
+    list.add("fov-radians-as-degrees", Stage::Lens,
+             [](Run &run, const Variant &) { setTangent(run, std::tan(radiansFromDegrees(verticalFov(run)) / 2.0)); });
+    list.add("fov-half", Stage::Lens,
+             [](Run &run, const Variant &) { setTangent(run, std::tan(verticalFov(run) / 4.0)); });
+    list.add("fov-double", Stage::Lens, [](Run &run, const Variant &) { setTangent(run, std::tan(verticalFov(run))); });
+    list.add(
+        "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, 1.0 / aspectOf(run)); }, 0.0,
+        "the vertical angle spans the width");
+    list.add(
+        "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, aspectOf(run)); }, 0.0,
+        "the horizontal angle spans the height");
+    list.add("frustum-centred", Stage::Lens,
+             [](Run &run, const Variant &) { run.clipFromEye[2][0] = run.clipFromEye[2][1] = 0.0; });
+    list.add("ortho-formula", Stage::Eye, [](Run &run, const Variant &) {
+        const double factor = run.nearDistance / run.distance();
+        run.eye.x *= factor;
+        run.eye.y *= factor;
+    });
+    list.add(
+        "ortho-formula", Stage::Eye,
+        [](Run &run, const Variant &) {
+            const double factor = run.nearDistance / run.distance();
+            const double n = run.nearDistance, f = run.farDistance;
+            run.eye = {run.eye.x * factor, run.eye.y * factor,
+                       run.given.side * (n + run.shareFromNear(run.depth) * (f - n))};
+        },
+        0.0, "the depth too");
+    list.add("divided-by-far", Stage::Eye, [](Run &run, const Variant &) {
+        const double factor = run.nearDistance / run.farDistance;
+        run.eye.x *= factor;
+        run.eye.y *= factor;
+    });
+    // Each axis between the angles of the frustum's edges.
+    list.add("linear-angle", Stage::Eye, [](Run &run, const Variant &) {
+        const glm::dmat4 &m = run.clipFromEye;
+        const double z = run.distance();
+        for (int axis = 0; axis < 2; ++axis) {
+            const double centre = -run.given.side * m[2][axis], scale = m[axis][axis] / std::abs(m[2][3]);
+            const double low = std::atan((centre - 1.0) / scale), high = std::atan((centre + 1.0) / scale);
+            run.eye[axis] = z * std::tan(low + (run.ndc[axis] + 1.0) / 2.0 * (high - low));
+        }
+    });
+    list.add(
+        "linear-angle", Stage::Eye,
+        [](Run &run, const Variant &) {
+            const double z = run.distance(), half = verticalFov(run) / 2.0;
+            run.eye.x = z * std::tan(run.ndc.x * half * aspectOf(run));
+            run.eye.y = z * std::tan(run.ndc.y * half);
+        },
+        0.0, "the horizontal angle is the vertical one times the aspect");
+}
+
+void addBox(VariantList &list)
+{
+    list.add("perspective-formula", Stage::Eye, [](Run &run, const Variant &) {
+        const double factor = run.distance() / run.nearDistance;
+        run.eye.x *= factor;
+        run.eye.y *= factor;
+    });
+    list.add(
+        "perspective-formula", Stage::Eye,
+        [](Run &run, const Variant &) {
+            const double n = run.nearDistance, f = run.farDistance;
+            const double d = run.shareFromNear(run.depth), z = n * f / (f * (1.0 - d) + n * d);
+            run.eye = {run.eye.x * z / n, run.eye.y * z / n, run.given.side * z};
+        },
+        0.0, "the depth too");
+    list.add(
+        "perspective-formula", Stage::Eye,
+        [](Run &run, const Variant &) {
+            const double n = run.nearDistance, f = run.farDistance;
+            const double d = run.shareFromNear(run.depth);
+            run.setDistance(n * f / (f * (1.0 - d) + n * d));
+        },
+        0.0, "the depth only");
+}
+
+} // namespace
+
+void addLensMistakes(VariantList &list, const Given &given)
+{
+    if (given.isPerspective)
+        addPerspective(list);
+    else
+        addBox(list);
+    list.add("aspect-integer", Stage::Lens,
+             [](Run &run, const Variant &) { setAspect(run, std::floor(run.viewport.width / run.viewport.height)); });
+    list.add(
+        "aspect-integer", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, std::floor(aspectOf(run))); },
+        0.0, "of the projection");
+    list.add("aspect-inverted", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, 1.0 / aspectOf(run)); });
+    list.add("aspect-of-window", Stage::Lens, [](Run &run, const Variant &) {
+        setAspect(run, double(run.given.surface.widthPixels) / run.given.surface.heightPixels);
+    });
+    list.add("aspect-left-out", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, 1.0); });
+    list.add("eye-z-positive", Stage::Eye, [](Run &run, const Variant &) { run.eye.z = -run.eye.z; });
+    list.add("eye-xy-mirrored", Stage::Eye, [](Run &run, const Variant &) {
+        run.eye.x = -run.eye.x;
+        run.eye.y = -run.eye.y;
+    });
+    list.add(
+        "eye-xy-mirrored", Stage::Window,
+        [](Run &run, const Variant &) {
+            const Viewport &v = run.viewport;
+            run.window = glm::dvec2(2.0 * v.x + v.width, 2.0 * v.y + v.height) - run.window;
+        },
+        0.0, "about the middle of the viewport");
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,117 @@
+#include "core/doctor/variant_list.h"
+#include "core/text/number_text.h"
+
+#include <glm/common.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace unprojector::doctor {
+namespace {
+
+constexpr std::array kUsualRatios{2.0, 1.5, 1.25, 1.75, 3.0};
+void scaleViewport(Run &run, double factor)
+{
+    run.viewport.x *= factor;
+    run.viewport.y *= factor;
+    run.viewport.width *= factor;
+    run.viewport.height *= factor;
+}
+
+void addRatio(VariantList &list, double ratio)
+{
+    const std::string words = "ratio " + text::shortestText(ratio);
+    list.add(
+        "ratio-logical-in-device", Stage::Pixel, [](Run &run, const Variant &v) { run.position /= v.parameter; }, ratio,
+        words);
+    list.add(
+        "ratio-logical-both", Stage::Pixel,
+        [](Run &run, const Variant &v) {
+            run.position /= v.parameter;
+            run.flipHeight /= v.parameter;
+        },
+        ratio, words);
+    list.add(
+        "ratio-device-in-logical", Stage::Pixel,
+        [](Run &run, const Variant &v) { scaleViewport(run, 1.0 / v.parameter); }, ratio, words);
+    // A ratio that is applied twice gives the same.
+    list.add(
+        "ratio-device-in-logical", Stage::Pixel,
+        [](Run &run, const Variant &v) {
+            scaleViewport(run, 1.0 / v.parameter);
+            run.flipHeight /= v.parameter;
+        },
+        ratio, words + ", flipped in logical pixels");
+}
+
+/// A place in the pixel other than the one clicked, device pixels to the right and up.
+template <int RightHalves, int UpHalves>
+void shift(Run &run, const Variant &)
+{
+    run.position += glm::dvec2(0.5 * RightHalves, -0.5 * UpHalves);
+}
+
+/// The lower left or upper left corner of the pixel that the position lies in, wherever in it.
+template <int Down>
+void toCorner(Run &run, const Variant &)
+{
+    run.position = glm::floor(run.position) + glm::dvec2(0.0, Down);
+}
+
+} // namespace
+
+void addPixelMistakes(VariantList &list, const Given &given)
+{
+    std::vector<double> ratios(kUsualRatios.begin(), kUsualRatios.end());
+    const double own = given.surface.devicePixelRatio;
+    if (own != 1.0) {
+        std::erase(ratios, own);
+        ratios.insert(ratios.begin(), own);
+    }
+    for (const double ratio : ratios)
+        addRatio(list, ratio);
+
+    list.add("viewport-origin-ignored", Stage::Pixel,
+             [](Run &run, const Variant &) { run.viewport.x = run.viewport.y = 0.0; });
+    if (given.viewport.x != 0.0 && given.viewport.y != 0.0) {
+        list.add(
+            "viewport-origin-ignored", Stage::Pixel, [](Run &run, const Variant &) { run.viewport.y = 0.0; }, 0.0,
+            "its y only");
+        list.add(
+            "viewport-origin-ignored", Stage::Pixel, [](Run &run, const Variant &) { run.viewport.x = 0.0; }, 0.0,
+            "its x only");
+    }
+    list.add("flipped-with-viewport-height", Stage::Pixel,
+             [](Run &run, const Variant &) { run.flipHeight = run.viewport.height; });
+    list.add("viewport-is-window", Stage::Pixel, [](Run &run, const Variant &) {
+        run.viewport = {0.0, 0.0, double(run.given.surface.widthPixels), double(run.given.surface.heightPixels)};
+    });
+    list.add("viewport-y-from-top", Stage::Pixel, [](Run &run, const Variant &) {
+        run.viewport.y = run.given.surface.heightPixels - run.viewport.y - run.viewport.height;
+    });
+    list.add("y-not-flipped", Stage::Pixel, [](Run &run, const Variant &) { run.isFlipped = false; });
+    list.add(
+        "y-not-flipped", Stage::Window,
+        [](Run &run, const Variant &) { run.window.y = 2.0 * run.viewport.y + run.viewport.height - run.window.y; },
+        0.0, "about the middle of the viewport");
+
+    list.add("pixel-corner", Stage::Pixel, shift<-1, -1>, 0.0, "lower left corner");
+    list.add("pixel-corner", Stage::Pixel, shift<-1, 1>, 0.0, "upper left corner");
+    list.add("pixel-corner", Stage::Pixel, shift<-1, 0>, 0.0, "x only");
+    list.add("pixel-corner", Stage::Pixel, shift<0, -1>, 0.0, "y only, lower edge");
+    list.add("pixel-corner", Stage::Pixel, shift<0, 1>, 0.0, "y only, upper edge");
+    list.add("pixel-corner", Stage::Pixel, toCorner<1>, 0.0, "lower left corner of the whole pixel");
+    list.add("pixel-corner", Stage::Pixel, toCorner<0>, 0.0, "upper left corner of the whole pixel");
+    list.add("row-above", Stage::Pixel, shift<0, 2>);
+    list.add("row-below", Stage::Pixel, shift<0, -2>);
+    list.add("xy-swapped", Stage::Window, [](Run &run, const Variant &) { run.window = {run.window.y, run.window.x}; });
+    list.add(
+        "xy-swapped", Stage::Pixel,
+        [](Run &run, const Variant &) {
+            run.position = {run.position.y, run.position.x};
+        },
+        0.0, "before the flip");
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/doctor/mistakes.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::doctor {
+
+/// Collects the ways to make mistakes, each under the mistake that it is one of.
+class VariantList {
+public:
+    using Apply = void (*)(Run &, const Variant &);
+
+    /// @param words  which way, where there are several
+    void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, std::string words = {});
+    /// One of a model's matrix.
+    void add(std::string_view id, Apply apply, const PlacedModel &model);
+
+    /// By their mistakes, those of one in the order in which they were added.
+    std::vector<Variant> sorted() &&;
+
+private:
+    std::vector<Variant> m_variants;
+};
+
+// Each family's, as they can be made on what was given.
+void addPixelMistakes(VariantList &list, const Given &given);
+void addDepthMistakes(VariantList &list, const Given &given);
+void addLensMistakes(VariantList &list, const Given &given);
+void addMatrixMistakes(VariantList &list);
+void addPointMistakes(VariantList &list, std::span<const PlacedModel> models);
+
+} // namespace unprojector::doctor
