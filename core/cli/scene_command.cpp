@@ -4,6 +4,8 @@
 #include "core/cli/size_text.h"
 #include "core/files/path_text.h"
 #include "core/matrices/matrix_findings.h"
+#include "core/matrices/matrix_format.h"
+#include "core/matrices/taken_apart.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
@@ -150,10 +152,15 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
         if (pasted.view && pasted.modelView)
             taker.say(PastedPart::ModelView, "left out, since the view is there");
     } else {
-        scene.view = glm::dmat4(1.0);
         isReversed = taker.lookAt(lens, PastedPart::Product, MatrixRole::Product);
-        taker.say(PastedPart::Product, "lens and eye are not apart in it: only the inverted matrix will answer, the "
-                                       "formulas need projection and view");
+        const auto apart = takenApart(clipFromEye);
+        scene.view = apart ? apart->eyeFromWorld : glm::dmat4(1.0);
+        clipFromEye = apart ? apart->clipFromEye : clipFromEye;
+        taker.say(PastedPart::Product,
+                  apart ? "taken apart into projection and view, which make it again up to "
+                              + numberText(apart->off, Digits::Double, 1) + " of its largest entry"
+                        : "lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
+                          "projection and view");
     }
     if (pasted.model)
         taker.say(PastedPart::Model, "left out: world coordinates have no need of it");

@@ -3,6 +3,7 @@
 #include "core/geometry/condition_number.h"
 #include "core/geometry/view_matrix.h"
 #include "core/matrices/matrix_format.h"
+#include "core/matrices/taken_apart.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -200,37 +201,6 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
     return found;
 }
 
-/// The projection of a product: its rows are x's, y's and w's, made of the axes; the depth's is made of w's alone.
-struct TakenApart {
-    dmat4 clipFromEye{0.0};
-    double w = 1.0; ///< what the product was divided by: 1 but for scaled views
-    bool isMirrored = false;
-};
-
-std::optional<TakenApart> takenApart(const dmat4 &product)
-{
-    const double w = glm::length(dvec3(row(product, 3)));
-    if (!(w > kZero * largestEntry(product)))
-        return std::nullopt;
-    const dmat4 m = product / w;
-    const dvec3 x(row(m, 0)), y(row(m, 1)), z(row(m, 2)), forward(row(m, 3));
-    const double zScale = glm::dot(z, forward), xOffset = glm::dot(x, forward), yOffset = glm::dot(y, forward);
-    const dvec3 upward = y - yOffset * forward, side = x - xOffset * forward;
-    const double xScale = glm::length(side), yScale = glm::length(upward);
-    const bool isPinhole = glm::length(z - zScale * forward) <= kZero * std::max(glm::length(z), kZero)
-                           && std::abs(glm::dot(side, upward)) <= 1e-4 * xScale * yScale && xScale * yScale > 0.0;
-    if (!isPinhole)
-        return std::nullopt;
-    TakenApart result;
-    result.w = w;
-    result.clipFromEye[0][0] = xScale;
-    result.clipFromEye[1][1] = yScale;
-    result.clipFromEye[2] = dvec4(-xOffset, -yOffset, -zScale, -1.0);
-    result.clipFromEye[3][2] = m[3][2] - zScale * m[3][3];
-    result.isMirrored = glm::dot(glm::cross(side, upward), forward) > 0.0;
-    return result;
-}
-
 std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<NdcDepth> &depth)
 {
     // A view that looks at the world's origin makes of a product's inverse and transpose almost such products; but for w.
@@ -254,8 +224,6 @@ std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<N
         return found;
     if (const auto r = projectionIn(apart->clipFromEye, depth))
         lookAtProjection(apart->clipFromEye, *r, depth, found);
-    if (apart->isMirrored)
-        found.push_back({MatrixFault::YDown, MatrixRepair::TurnY});
     return found;
 }
 

@@ -24,6 +24,7 @@ private slots:
     void fileAndWindow();
     void whatIsToBeSeenOfAMatrixIsSaid_data();
     void whatIsToBeSeenOfAMatrixIsSaid();
+    void aProductAloneUnprojects_data();
     void aProductAloneUnprojects();
     void optionsTakeMatricesOtherwise_data();
     void optionsTakeMatricesOtherwise();
@@ -158,17 +159,36 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid()
     QVERIFY(!run.output.isEmpty());
 }
 
+void TestSceneCommand::aProductAloneUnprojects_data()
+{
+    QTest::addColumn<QByteArray>("product");
+    QTest::addColumn<QByteArray>("said");
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<QList<double>>("expected");
+    // kProjection times kModelview, and glOrtho(-1,1,-1,1,1,3) times kModelview.
+    const QByteArray perspective = "1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5", box = "1 0 0 0  0 1 0 0  0 0 -1 0  0 0 3 1";
+    const QByteArray apart = "stdin: product: taken apart into projection and view, which make it again up to 0 of its "
+                             "largest entry\n";
+    const QByteArray whole =
+        "stdin: product: lens and eye cannot be taken apart: only the inverted matrix will answer, "
+        "the formulas need projection and view\n";
+    QTest::newRow("perspective, matrix") << perspective << apart << "matrix" << QList<double>{3, -3, 2};
+    QTest::newRow("perspective, formula") << perspective << apart << "formula" << QList<double>{3, -3, 2};
+    QTest::newRow("box, matrix") << box << whole << "matrix" << QList<double>{1, -1, 2};
+}
+
 void TestSceneCommand::aProductAloneUnprojects()
 {
-    // kProjection times kModelview.
-    const Run scene = runCommand({"scene", "--from-matrices", "-"},
-                                 "MVP 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5  viewport " + kViewport);
-    QVERIFY2(scene.errors.startsWith("stdin: product: lens and eye are not apart in it"), scene.errors.constData());
+    QFETCH(QByteArray, product);
+    QFETCH(QByteArray, said);
+    QFETCH(QString, method);
+    QFETCH(QList<double>, expected);
+    const Run scene = runCommand({"scene", "--from-matrices", "-"}, "MVP " + product + " viewport " + kViewport);
+    QCOMPARE(scene.errors, said);
     QCOMPARE(scene.exitCode, 0);
-    const Run points = runCommand({"points", "--method", "matrix", m_folder.write("product.json", scene.output)},
+    const Run points = runCommand({"points", "--method", method, m_folder.write("product.json", scene.output)},
                                   "px,py,depth\n400,300,1\n");
     const QList<QByteArray> cells = points.lines().at(1).split(',');
-    const QList<double> expected{3, -3, 2};
     for (int k = 0; k < 3; ++k)
         QVERIFY2(std::abs(cells[3 + k].toDouble() - expected[k]) <= 1e-13, points.output.constData());
 }

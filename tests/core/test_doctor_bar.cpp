@@ -46,7 +46,7 @@ void TestDoctorBar::singleMistakesAreNamed()
 {
     Random random(12);
     Tally tally;
-    addSingles(tally, random, 6);
+    addSingles(tally, random, 4);
     QVERIFY2(tally.all.first >= 0.97 * tally.all.asked, missedIn(tally));
     QVERIFY2(tally.all.firstThree >= 0.995 * tally.all.asked, missedIn(tally));
     for (const auto &[id, count] : tally.ofId)
@@ -57,20 +57,20 @@ void TestDoctorBar::pairsAreAmongTheFirstThree()
 {
     Random random(13);
     Tally tally;
-    addPairs(tally, random, 2);
+    addPairs(tally, random, 1);
     QVERIFY2(tally.all.firstThree >= 0.9 * tally.all.asked, missedIn(tally));
 }
 
 void TestDoctorBar::rightPointsAreCalledRight()
 {
     Random random(14);
-    QCOMPARE(rightsMissed(random, 20), 0);
+    QCOMPARE(rightsMissed(random, 10), 0);
 }
 
 void TestDoctorBar::randomPointsAreNotExplained()
 {
     Random random(15);
-    QCOMPARE(garbageExplained(random, 20), 0);
+    QCOMPARE(garbageExplained(random, 10), 0);
 }
 
 QTEST_GUILESS_MAIN(TestDoctorBar)

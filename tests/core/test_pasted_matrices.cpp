@@ -2,6 +2,7 @@
 
 #include "core/matrices/matrix_findings.h"
 #include "core/matrices/pasted_matrix.h"
+#include "core/matrices/taken_apart.h"
 
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
@@ -97,6 +98,8 @@ private slots:
     void rightMatricesHaveNone_data();
     void rightMatricesHaveNone();
     void repairsGiveTheMatrixBack();
+    void productsAreTakenApart_data();
+    void productsAreTakenApart();
     void everyFindingIsASentence();
 };
 
@@ -346,6 +349,39 @@ void TestPastedMatrices::repairsGiveTheMatrixBack()
     QVERIFY(isClose(once(glm::transpose(v), MatrixRole::View), v));
     QVERIFY(isClose(once(glm::inverse(v), MatrixRole::View), v));
     QVERIFY(isClose(once(scaled, MatrixRole::View), v));
+}
+
+void TestPastedMatrices::productsAreTakenApart_data()
+{
+    QTest::addColumn<glm::dmat4>("projection");
+    QTest::addColumn<glm::dmat4>("view");
+    glm::dmat4 turned = perspective(0.1, 100.0), infinite = turned;
+    for (int c = 0; c < 4; ++c)
+        turned[c][1] = -turned[c][1];
+    infinite[2][2] = -1.0;
+    infinite[3][2] = -0.2;
+    QTest::newRow("gluPerspective") << perspective(0.1, 100.0) << view();
+    QTest::newRow("off-centre") << glm::frustum(-0.1, 0.3, -0.05, 0.1, 0.1, 10.0) << view();
+    QTest::newRow("Vulkan's") << turned << view();
+    QTest::newRow("far at infinity") << infinite << view();
+}
+
+void TestPastedMatrices::productsAreTakenApart()
+{
+    QFETCH(glm::dmat4, projection);
+    QFETCH(glm::dmat4, view);
+    for (const double scale : {1.0, 2.5}) {
+        const auto apart = takenApart(projection * view * scale);
+        QVERIFY(apart);
+        QVERIFY(isClose(apart->clipFromEye, projection));
+        QVERIFY(isClose(apart->eyeFromWorld, view));
+        QVERIFY(apart->off <= 1e-14);
+    }
+    const auto printed = takenApart(inSixDigits(projection * view));
+    QVERIFY(printed);
+    QVERIFY(printed->off > 1e-9 && printed->off <= 1e-4);
+    QVERIFY(!takenApart(glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 50.0) * view));
+    QVERIFY(!takenApart(glm::dmat4(1.0)));
 }
 
 void TestPastedMatrices::everyFindingIsASentence()
