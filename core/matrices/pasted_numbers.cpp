@@ -170,6 +170,24 @@ private:
         return end < m_text.size() && m_text[end] == ':';
     }
 
+    /// Whether a minus that stands alone is a number's sign, and no bullet or dash: passed over it would turn the number round.
+    bool isSignApart(std::size_t at) const
+    {
+        const std::string_view before = m_text.substr(m_lineStart, at - m_lineStart);
+        const std::size_t last = before.find_last_not_of(" \t");
+        return last != before.npos
+               && (isDigit(before[last]) || std::string_view("[({,;.").find(before[last]) != before.npos);
+    }
+
+    PasteError wordError(const std::string &word, std::size_t start) const
+    {
+        PasteError error;
+        error.word = word;
+        error.line = m_line + 1;
+        error.column = start - m_lineStart + 1;
+        return error;
+    }
+
     std::optional<PasteError> readWord()
     {
         const std::size_t start = m_at;
@@ -180,16 +198,14 @@ private:
             m_at += isSign ? kMinusSign.size() : 1;
         }
         const std::optional<double> value = numberOf(word);
+        if (word == "-" && isSignApart(start))
+            return wordError(word, start);
         if (!value) {
             name(word, start);
             return std::nullopt;
         }
         if (!std::isfinite(*value)) {
-            PasteError error;
-            error.word = word;
-            error.line = m_line + 1;
-            error.column = start - m_lineStart + 1;
-            return error;
+            return wordError(word, start);
         }
         if (isKey(m_at) && word.find_first_not_of("0123456789") == word.npos && word.size() <= 2) {
             m_subscripts = {int(*value)};
