@@ -377,6 +377,7 @@ MapStatistics statisticsOf(const PixelMap &map)
         std::nth_element(numbers.begin(), at, numbers.end());
         return static_cast<double>(*at);
     };
+    statistics.percentile1 = rank(0.01);
     statistics.median = rank(0.5);
     statistics.percentile99 = rank(0.99);
     return statistics;

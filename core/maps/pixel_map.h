@@ -81,7 +81,7 @@ Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unproje
 /// What the numbers of a map are like; those that there are.
 struct MapStatistics {
     std::size_t count = 0; ///< pixels with a number; the rest means nothing without any
-    double least = 0.0, median = 0.0, percentile99 = 0.0, greatest = 0.0;
+    double least = 0.0, percentile1 = 0.0, median = 0.0, percentile99 = 0.0, greatest = 0.0;
     double leastAboveZero = 0.0; ///< 0 where all are: where a logarithmic scale begins
 };
 MapStatistics statisticsOf(const PixelMap &map);

@@ -6,6 +6,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/icons.h"
+#include "gui/panels/map_panel.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/panels/viewport_inspector.h"
@@ -14,6 +15,7 @@
 #include "gui/view/lifecycle_log.h"
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/map_overlay.h"
 #include "gui/window/overlay_bars.h"
 #include "gui/window/picture_note.h"
 #include "gui/window/window_questions.h"
@@ -84,6 +86,7 @@ MainWindow::~MainWindow()
     // The undo stack is emptied when it ends; unsaved changes must not be forgotten then.
     m_document->disconnect(this);
     delete m_session;
+    delete m_map; // its colours lie on the view
     // The view tells the log of its end, so it goes while the log is there.
     delete m_view;
 }
@@ -156,6 +159,11 @@ void MainWindow::createView()
     auto *note = new PictureNote(*m_document, m_viewFrame);
     m_center->addWidget(note, 0, 0, Qt::AlignCenter);
     note->raise();
+    m_map = new MapOverlay(*m_document, *m_view);
+    m_center->addWidget(&m_map->panel(), 0, 0, Qt::AlignTop | Qt::AlignRight);
+    m_map->panel().raise();
+    connect(m_map, &MapOverlay::closeRequested, this, [this] { m_mapAction->setChecked(false); });
+    connect(&m_map->panel(), &MapPanel::exportRequested, this, &MainWindow::exportMap);
     for (QWidget *bar :
          {static_cast<QWidget *>(m_recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_loading)})
         bar->raise();
@@ -165,6 +173,7 @@ void MainWindow::createView()
     connect(m_view, &SceneView::pointerLeft, this, [this] {
         m_hover->clear();
         m_inspector->clearPointer();
+        m_map->setPointer(std::nullopt);
     });
     connect(m_view, &SceneView::failed, this, &MainWindow::showFailure);
     // Queued: it may be told while the view is painted.
@@ -256,6 +265,7 @@ void MainWindow::showPreparing(double share)
 void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sample)
 {
     m_inspector->setPointer(position);
+    m_map->setPointer(position);
     const Result<Pick> pick = m_document->unprojected(position, sample);
     if (!pick || (pick->hit() && !pick->point.world[Method::Formula])) {
         m_hover->clear();

@@ -29,6 +29,7 @@ class FormulasWindow;
 class KeySheet;
 class LifecycleLog;
 class LoadingBar;
+class MapOverlay;
 class MessageBar;
 class ObserverInset;
 class ObserverPanel;
@@ -66,6 +67,7 @@ public:
     WorkPlaces &places() { return *m_places; }
     ComparisonPanel &comparison() { return *m_comparison; }
     LifecycleLog &lifecycle() { return *m_lifecycle; }
+    MapOverlay &map() { return *m_map; }
 
     /// Gives the view the whole window, or the panels back.
     void hidePanels(bool isHidden);
@@ -131,6 +133,7 @@ private:
     void showHover(const WidgetPoint &position, const DepthSample &sample);
     void showCamera();
     void showPreparing(double share);
+    void exportMap();
     void showFormulas(const QString &anchor);
     void showKeys();
     void showFirstSteps(bool isShown);
@@ -159,6 +162,7 @@ private:
     RecoveryBar *m_recovery = nullptr;
     MessageBar *m_message = nullptr;
     LoadingBar *m_loading = nullptr;
+    MapOverlay *m_map = nullptr;
     WorkPlaces *m_places = nullptr;
     ComparisonPanel *m_comparison = nullptr;
     ParametersPanel *m_parameters = nullptr;
@@ -172,6 +176,7 @@ private:
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;
     QAction *m_placingAction = nullptr;
+    QAction *m_mapAction = nullptr;
     QLabel *m_hover = nullptr;
     QLabel *m_preparing = nullptr;  ///< how far the models are prepared for rays
     QElapsedTimer m_sincePreparing; ///< invalid while nothing is prepared

@@ -20,6 +20,7 @@
 #include "gui/window/first_steps.h"
 #include "gui/window/formulas_window.h"
 #include "gui/window/key_sheet.h"
+#include "gui/window/map_overlay.h"
 #include "gui/window/place_ids.h"
 #include "gui/window/work_places.h"
 
@@ -29,6 +30,7 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QSettings>
+#include <QStatusBar>
 #include <QToolBar>
 
 namespace unprojector::gui {
@@ -296,6 +298,13 @@ void MainWindow::createViewMenu(QToolBar &bar)
     m_observerAction->setCheckable(true);
     connect(m_observerAction, &QAction::toggled, this, &MainWindow::showObserver);
     onBar(bar, m_observerAction, Drawing::FromOutside);
+    m_mapAction =
+        addAction(menu, tr("&Map of Differences"), Qt::Key_M,
+                  tr("Show over the view, for every pixel, how far the methods differ, how sure a click is, or "
+                     "what another program is off"),
+                  {});
+    m_mapAction->setCheckable(true);
+    connect(m_mapAction, &QAction::toggled, this, [this](bool isOn) { m_map->setShown(isOn); });
     QAction *smooth =
         addAction(menu, tr("&Smooth Edges"), {},
                   tr("Draw the edges of surfaces without steps. The depths that clicks read stay the same"), {});
@@ -338,6 +347,19 @@ void MainWindow::createHelpMenu()
     });
     menu->addSeparator();
     addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
+}
+
+void MainWindow::exportMap()
+{
+    const SaveName named =
+        askSaveName(*this, tr("Export Map"), {tr("Picture with its scale (*.png)"), tr("Float map (*.pfm)")},
+                    pathText(m_session->proposedName().stem()) + QStringLiteral("-map"));
+    if (named.file.empty())
+        return;
+    if (const QString problem = m_map->exportTo(named.file); !problem.isEmpty())
+        showFailure(problem);
+    else
+        statusBar()->showMessage(tr("Map written to %1").arg(pathText(named.file)), kNoticeMilliseconds);
 }
 
 void MainWindow::showFormulas(const QString &anchor)

@@ -1012,6 +1012,21 @@
     </message>
 </context>
 <context>
+    <name>unprojector::gui::ColorScale</name>
+    <message>
+        <source>Scale of the map</source>
+        <translation>映射图的刻度</translation>
+    </message>
+    <message>
+        <source>Logarithmic: from the number that one pixel in a hundred is below, to the greatest. What is smaller, 0 too, has the darkest colour</source>
+        <translation>对数刻度：从百分之一的像素低于的数到最大的数。更小的数，包括 0，用最深的颜色</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>从 %1 到 %2</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ComparisonModel</name>
     <message>
         <source>%1 %2</source>
@@ -2492,6 +2507,319 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>Place points on the surface, name them, move them, measure between them</source>
         <translation>在表面上放置点、命名、移动、测量</translation>
+    </message>
+    <message>
+        <source>&amp;Map of Differences</source>
+        <translation>差异映射图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Show over the view, for every pixel, how far the methods differ, how sure a click is, or what another program is off</source>
+        <translation>在视图上显示每个像素处两种方法相差多少、点击有多确定，或其他程序偏差多少</translation>
+    </message>
+    <message>
+        <source>Export Map</source>
+        <translation>导出映射图</translation>
+    </message>
+    <message>
+        <source>Picture with its scale (*.png)</source>
+        <translation>带刻度的图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Float map (*.pfm)</source>
+        <translation>浮点图 (*.pfm)</translation>
+    </message>
+    <message>
+        <source>Map written to %1</source>
+        <translation>映射图已写入 %1</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::MapOverlay</name>
+    <message>
+        <source>The map comes when the view rests.</source>
+        <translation>视图静止后显示映射图。</translation>
+    </message>
+    <message>
+        <source>Computing the map: %1 %</source>
+        <translation>正在计算映射图：%1 %</translation>
+    </message>
+    <message>
+        <source>There is no such map of this picture: %1</source>
+        <translation>此画面没有这种映射图：%1</translation>
+    </message>
+    <message>
+        <source>There is no memory for a map. Make the window smaller.</source>
+        <translation>内存不足以计算映射图。请缩小窗口。</translation>
+    </message>
+    <message>
+        <source>Computing the map…</source>
+        <translation>正在计算映射图…</translation>
+    </message>
+    <message>
+        <source>There is no memory to prepare the model for rays, and so no map.</source>
+        <translation>内存不足，无法为射线准备模型，因此没有映射图。</translation>
+    </message>
+    <message>
+        <source>The map comes when the model is prepared for rays.</source>
+        <translation>模型为射线准备好后显示映射图。</translation>
+    </message>
+    <message>
+        <source>No pixel has a number.</source>
+        <translation>没有像素有数值。</translation>
+    </message>
+    <message>
+        <source>%1 pixels: median %2, 99 % at most %3, greatest %4</source>
+        <translation>%1 个像素：中位数 %2，99 % 不超过 %3，最大 %4</translation>
+    </message>
+    <message>
+        <source>Points of clouds are left out: maps are of surfaces.</source>
+        <translation>不含点云的点：映射图只针对表面。</translation>
+    </message>
+    <message>
+        <source>no number here</source>
+        <translation>此处无数值</translation>
+    </message>
+    <message>
+        <source>here: %1</source>
+        <translation>此处：%1</translation>
+    </message>
+    <message>
+        <source>There is no map to write.</source>
+        <translation>没有可写出的映射图。</translation>
+    </message>
+    <message>
+        <source>%1: a map is written as .png or .pfm; give the name one of these suffixes.</source>
+        <translation>%1：映射图写为 .png 或 .pfm；请给文件名加上其中一个后缀。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::MapPanel</name>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>映射图显示什么</translation>
+    </message>
+    <message>
+        <source>Whose displacement</source>
+        <translation>谁的偏移</translation>
+    </message>
+    <message>
+        <source>Which program answers, or which mistake is made</source>
+        <translation>由哪个程序给出，或犯了哪个错误</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>World units, or units in the last place of the point&apos;s largest coordinate</source>
+        <translation>世界单位，或点的最大坐标的末位单位</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Colours from dark to light, to be told apart by the colour-blind too</source>
+        <translation>由深到浅的颜色，色盲者也能分辨</translation>
+    </message>
+    <message>
+        <source>The map&apos;s number under the pointer</source>
+        <translation>指针处的数值</translation>
+    </message>
+    <message>
+        <source>The map&apos;s numbers</source>
+        <translation>映射图的数值</translation>
+    </message>
+    <message>
+        <source>Write the map as a picture with its scale (PNG), or as numbers (PFM)</source>
+        <translation>把映射图写成带刻度的图片（PNG）或数值（PFM）</translation>
+    </message>
+    <message>
+        <source>Take the map away</source>
+        <translation>移除映射图</translation>
+    </message>
+    <message>
+        <source>Displacement: %1</source>
+        <translation>偏移：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::MapText</name>
+    <message>
+        <source>y not flipped</source>
+        <translation>y 未翻转</translation>
+    </message>
+    <message>
+        <source>y flipped with the viewport&apos;s height</source>
+        <translation>用视口高度翻转 y</translation>
+    </message>
+    <message>
+        <source>the row of pixels above</source>
+        <translation>上一行像素</translation>
+    </message>
+    <message>
+        <source>the pixel&apos;s corner, no half added</source>
+        <translation>取像素角点，未加半像素</translation>
+    </message>
+    <message>
+        <source>logical pixels taken for device pixels</source>
+        <translation>把逻辑像素当作设备像素</translation>
+    </message>
+    <message>
+        <source>logical pixels, flipped with the logical height</source>
+        <translation>逻辑像素，并用逻辑高度翻转</translation>
+    </message>
+    <message>
+        <source>the viewport&apos;s origin ignored</source>
+        <translation>忽略视口原点</translation>
+    </message>
+    <message>
+        <source>the window taken for the viewport</source>
+        <translation>把窗口当作视口</translation>
+    </message>
+    <message>
+        <source>the depth taken for NDC z</source>
+        <translation>把深度当作 NDC 的 z</translation>
+    </message>
+    <message>
+        <source>a depth from 0 to 1 remapped again</source>
+        <translation>把 0 到 1 的深度再映射一次</translation>
+    </message>
+    <message>
+        <source>the depth reversed</source>
+        <translation>深度反向</translation>
+    </message>
+    <message>
+        <source>degrees taken for radians</source>
+        <translation>把角度当作弧度</translation>
+    </message>
+    <message>
+        <source>the field of view across, not up</source>
+        <translation>视场角取水平而非竖直</translation>
+    </message>
+    <message>
+        <source>the projection transposed</source>
+        <translation>投影矩阵被转置</translation>
+    </message>
+    <message>
+        <source>the view matrix transposed</source>
+        <translation>观察矩阵被转置</translation>
+    </message>
+    <message>
+        <source>both matrices transposed</source>
+        <translation>两个矩阵都被转置</translation>
+    </message>
+    <message>
+        <source>the product transposed</source>
+        <translation>乘积被转置</translation>
+    </message>
+    <message>
+        <source>the inverses in the wrong order</source>
+        <translation>逆矩阵的顺序颠倒</translation>
+    </message>
+    <message>
+        <source>nothing inverted</source>
+        <translation>没有求逆</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s matrix taken for the view</source>
+        <translation>把相机矩阵当作观察矩阵</translation>
+    </message>
+    <message>
+        <source>not divided by w</source>
+        <translation>没有除以 w</translation>
+    </message>
+    <message>
+        <source>the model matrix left in</source>
+        <translation>模型矩阵未去掉</translation>
+    </message>
+    <message>
+        <source>single precision</source>
+        <translation>单精度</translation>
+    </message>
+    <message>
+        <source>Formula − matrix</source>
+        <translation>公式 − 矩阵</translation>
+    </message>
+    <message>
+        <source>Formula − ray on the mesh</source>
+        <translation>公式 − 网格上的射线</translation>
+    </message>
+    <message>
+        <source>Matrix − ray on the mesh</source>
+        <translation>矩阵 − 网格上的射线</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>不确定度</translation>
+    </message>
+    <message>
+        <source>Displacement by…</source>
+        <translation>偏移，来自…</translation>
+    </message>
+    <message>
+        <source>How far the formulas&apos; point is from the inverted matrix&apos;s</source>
+        <translation>公式的点与逆矩阵的点相距多远</translation>
+    </message>
+    <message>
+        <source>How far the formulas&apos; point is from where the pixel&apos;s ray meets the mesh</source>
+        <translation>公式的点与像素射线在网格上的交点相距多远</translation>
+    </message>
+    <message>
+        <source>How far the inverted matrix&apos;s point is from where the pixel&apos;s ray meets the mesh</source>
+        <translation>逆矩阵的点与像素射线在网格上的交点相距多远</translation>
+    </message>
+    <message>
+        <source>How far the surface may be from the point of a click: the length of its ±</source>
+        <translation>表面可能偏离点击所得点多远：其 ± 的长度</translation>
+    </message>
+    <message>
+        <source>How far what another program answers, or a program with a mistake, is from the formulas&apos; point</source>
+        <translation>其他程序或带有某个错误的程序所得的点与公式的点相距多远</translation>
+    </message>
+    <message>
+        <source>world units</source>
+        <translation>世界单位</translation>
+    </message>
+    <message>
+        <source>ulps</source>
+        <translation>ulp</translation>
+    </message>
+    <message>
+        <source>The paper, literally</source>
+        <translation>论文（照字面）</translation>
+    </message>
+    <message>
+        <source>(7) and (8) with whole pixels: the pixel&apos;s upper left corner, half a pixel left and up of its centre</source>
+        <translation>式 (7)、(8) 代入整数像素：取像素左上角，比中心偏左、偏上半个像素</translation>
+    </message>
+    <message>
+        <source>The tutorial&apos;s function flips y with the viewport&apos;s height, unprojects the pixel&apos;s corner, and reads the depth of the row above</source>
+        <translation>教程的函数用视口高度翻转 y，反投影像素的角点，并读取上一行的深度</translation>
+    </message>
+    <message>
+        <source>Height − y without the 1: unprojects the pixel&apos;s upper left corner with the depth of the row above</source>
+        <translation>用 高度 − y 而未减 1：以上一行的深度反投影像素的左上角</translation>
+    </message>
+    <message>
+        <source>Unprojects the pixel&apos;s lower left corner, half a pixel left and down of its centre</source>
+        <translation>反投影像素的左下角，比中心偏左、偏下半个像素</translation>
+    </message>
+    <message>
+        <source>Unprojects the pixel&apos;s upper left corner, half a pixel left and up of its centre</source>
+        <translation>反投影像素的左上角，比中心偏左、偏上半个像素</translation>
+    </message>
+    <message>
+        <source>Divides by the size less one: right in the middle of the viewport, half a pixel off at its edges</source>
+        <translation>除以尺寸减一：视口中央正确，边缘偏差半个像素</translation>
     </message>
 </context>
 <context>

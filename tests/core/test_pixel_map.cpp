@@ -284,6 +284,7 @@ void TestPixelMap::statistics()
     QCOMPARE(statistics.count, std::size_t{100});
     QCOMPARE(statistics.least, 0.0);
     QCOMPARE(statistics.leastAboveZero, 1.0);
+    QCOMPARE(statistics.percentile1, 0.0);
     QCOMPARE(statistics.median, 49.0);
     QCOMPARE(statistics.percentile99, 98.0);
     QCOMPARE(statistics.greatest, 99.0);

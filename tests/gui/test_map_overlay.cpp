@@ -1,0 +1,211 @@
+// The map over the view: what it shows is what the view shows, and it is gone as soon as that is another picture.
+
+#include "gui/document/scene_document.h"
+#include "gui/panels/map_panel.h"
+#include "gui/view/map_colors.h"
+#include "gui/view/scene_view.h"
+#include "gui/window/map_overlay.h"
+#include "tests/gui/window_user.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace guitest;
+
+namespace {
+
+QComboBox *boxOf(MainWindow &window, const QString &accessibleName)
+{
+    for (QComboBox *box : window.map().panel().findChildren<QComboBox *>()) {
+        if (box->accessibleName() == accessibleName)
+            return box;
+    }
+    return nullptr;
+}
+
+/// A pixel that has a number.
+std::optional<DevicePixel> seenPixel(const maps::PixelMap &map)
+{
+    for (int j = map.heightPixels / 2; j < map.heightPixels; ++j) {
+        for (int i = 0; i < map.widthPixels; ++i) {
+            if (!std::isnan(map.at({i, j})))
+                return DevicePixel{i, j};
+        }
+    }
+    return std::nullopt;
+}
+
+double luminance(const QColor &color)
+{
+    return 0.2126 * color.redF() + 0.7152 * color.greenF() + 0.0722 * color.blueF();
+}
+
+} // namespace
+
+class TestMapOverlay : public QObject {
+    Q_OBJECT
+
+private slots:
+    void colorsGoFromDarkToLight();
+    void scales();
+    void itComesAndGoes();
+    void itIsOfThePicture();
+    void theQuestion();
+    void files();
+};
+
+void TestMapOverlay::colorsGoFromDarkToLight()
+{
+    for (const ColorMap map : {ColorMap::Viridis, ColorMap::Cividis}) {
+        for (int k = 0; k < 100; ++k)
+            QVERIFY(luminance(colorAt(map, k / 100.0)) < luminance(colorAt(map, (k + 1) / 100.0)));
+        QVERIFY(luminance(colorAt(map, 0.0)) < 0.2 && luminance(colorAt(map, 1.0)) > 0.75);
+    }
+    // matplotlib's ends and middle of viridis
+    const auto isNear = [](const QColor &a, const QColor &b) {
+        return std::abs(a.red() - b.red()) < 6 && std::abs(a.green() - b.green()) < 6
+               && std::abs(a.blue() - b.blue()) < 6;
+    };
+    QVERIFY(isNear(colorAt(ColorMap::Viridis, 0.0), QColor(68, 1, 84)));
+    QVERIFY(isNear(colorAt(ColorMap::Viridis, 0.5), QColor(33, 145, 140)));
+    QVERIFY(isNear(colorAt(ColorMap::Viridis, 1.0), QColor(253, 231, 37)));
+}
+
+void TestMapOverlay::scales()
+{
+    maps::MapStatistics statistics;
+    statistics.count = 10;
+    QVERIFY(LogScale::of(statistics).low > 0.0); // all of them 0
+    statistics.percentile1 = 0.0;
+    statistics.leastAboveZero = 1e-6;
+    statistics.greatest = 1e-2;
+    const LogScale scale = LogScale::of(statistics);
+    QCOMPARE(scale.low, 1e-6);
+    QCOMPARE(scale.share(0.0), 0.0);
+    QVERIFY(std::abs(scale.share(1e-4) - 0.5) < 1e-12);
+    QCOMPARE(scale.share(1.0), 1.0);
+    QCOMPARE(scale.ticks().size(), std::size_t{5});
+    statistics.leastAboveZero = statistics.greatest = 3.0; // one number everywhere
+    const LogScale one = LogScale::of(statistics);
+    QVERIFY(one.low < 3.0 && one.high > 3.0);
+    QVERIFY(one.ticks().size() >= 2);
+    const QImage image = coloredMap({2, 1, {3.0F, std::nanf("")}}, scale, ColorMap::Viridis);
+    QCOMPARE(image.pixel(0, 0), colorAt(ColorMap::Viridis, 1.0).rgb());
+    QCOMPARE(image.pixelColor(1, 0).alpha(), 0);
+}
+
+void TestMapOverlay::itComesAndGoes()
+{
+    const auto window = windowOfSize({900, 600});
+    QVERIFY(window->map().panel().isHidden()); // off at first
+    QVERIFY(window->map().map() == nullptr);
+    QAction *action = actionOf(*window, "Map of Differences");
+    QCOMPARE(action->shortcut(), QKeySequence(Qt::Key_M));
+    action->trigger();
+    QVERIFY(!window->map().panel().isHidden());
+    QTRY_VERIFY(window->map().map() != nullptr);
+    const Picture before = window->document().geometry();
+    QVERIFY(window->map().map()->picture == before);
+
+    LookAt camera = before.camera();
+    camera.eye += WorldVector(0.5, 0.0, 0.0);
+    window->document().setCamera(camera);
+    QVERIFY(window->map().map() == nullptr); // no stale colours
+    QVERIFY(window->map().image().isNull());
+    QTRY_VERIFY(window->map().map() != nullptr);
+    QVERIFY(window->map().map()->picture == window->document().geometry());
+    QVERIFY(!(window->map().map()->picture == before));
+
+    action->trigger();
+    QVERIFY(window->map().panel().isHidden());
+    QVERIFY(window->map().map() == nullptr);
+    window->document().setCamera(before.camera());
+    QTest::qWait(300); // longer than it takes to come to rest
+    QVERIFY(window->map().map() == nullptr);
+}
+
+void TestMapOverlay::itIsOfThePicture()
+{
+    const auto window = windowOfSize({900, 600});
+    window->map().setShown(true);
+    QTRY_VERIFY(window->map().map() != nullptr);
+    const MadeMap &made = *window->map().map();
+    const Picture &picture = window->document().geometry();
+    QCOMPARE(made.map.widthPixels, picture.surface.widthPixels);
+    QCOMPARE(window->map().image().size(), QSize(picture.surface.widthPixels, picture.surface.heightPixels));
+    const std::optional<DevicePixel> pixel = seenPixel(made.map);
+    QVERIFY(pixel);
+    QCOMPARE(window->map().image().pixelColor(pixel->i, pixel->j).alpha(), 255);
+    // The depth as a buffer of 24 bits has it.
+    const auto hit = window->document().rays()->at(pixelCenter(*pixel)).value();
+    const double depth = DepthFormat().kept(windowFromWorld(picture, hit->world).value().z);
+    const Unprojected click =
+        window->document().unprojector().at(windowFromDevice(picture.surface, pixelCenter(*pixel), depth));
+    QVERIFY(std::abs(double(made.map.at(*pixel)) - length(click.world.difference())) < 1e-14);
+
+    window->map().setPointer(widgetFromDevice(picture.surface, pixelCenter(*pixel)));
+    const auto says = [&window](const QString &start) {
+        for (const QLabel *label : window->map().panel().findChildren<QLabel *>()) {
+            if (label->text().startsWith(start))
+                return true;
+        }
+        return false;
+    };
+    QVERIFY(says("here: "));
+    window->map().setPointer(WidgetPoint(0.5, 0.5));
+    QVERIFY(says("no number here"));
+}
+
+void TestMapOverlay::theQuestion()
+{
+    const auto window = windowOfSize({900, 600});
+    window->map().setShown(true);
+    QComboBox *quantity = boxOf(*window, "What the map shows"), *convention = boxOf(*window, "Whose displacement");
+    QVERIFY(convention->isHidden());
+    quantity->setCurrentIndex(4);
+    QVERIFY(!convention->isHidden());
+    convention->setCurrentIndex(2);
+    boxOf(*window, "Unit")->setCurrentIndex(1);
+    QTRY_VERIFY(window->map().map() != nullptr);
+    const maps::Question &question = window->map().map()->question;
+    QVERIFY(question.quantity == maps::Quantity::Displacement);
+    QVERIFY(question.unit == maps::Unit::Ulps);
+    QVERIFY(std::get<OtherProgram>(question.other) == OtherProgram::MeshLab);
+    QCOMPARE(window->map().panel().title(), QString("Displacement: MeshLab, ulps"));
+    const QImage viridis = window->map().image();
+    boxOf(*window, "Colours")->setCurrentIndex(1);
+    QVERIFY(window->map().image() != viridis);
+}
+
+void TestMapOverlay::files()
+{
+    const auto window = windowOfSize({900, 600});
+    const QTemporaryDir folder;
+    const auto path = [&folder](const char *name) {
+        return std::filesystem::path(folder.filePath(QLatin1String(name)).toStdU16String());
+    };
+    QVERIFY(!window->map().exportTo(path("none.pfm")).isEmpty()); // no map yet
+    window->map().setShown(true);
+    QTRY_VERIFY(window->map().map() != nullptr);
+    QCOMPARE(window->map().exportTo(path("a.PFM")), QString());
+    QCOMPARE(window->map().exportTo(path("a.png")), QString());
+    QFile pfm(folder.filePath("a.PFM"));
+    QVERIFY(pfm.open(QIODevice::ReadOnly));
+    QCOMPARE(pfm.readAll(), QByteArray::fromStdString(maps::pfmText(window->map().map()->map)));
+    const QImage png(folder.filePath("a.png")), shown = window->map().image();
+    QCOMPARE(png.width(), shown.width());
+    QVERIFY(png.height() > shown.height());
+    const std::optional<DevicePixel> pixel = seenPixel(window->map().map()->map);
+    QCOMPARE(png.pixelColor(pixel->i, pixel->j), shown.pixelColor(pixel->i, pixel->j));
+    QVERIFY(window->map().exportTo(path("a.txt")).contains(".png or .pfm"));
+    QVERIFY(window->map().exportTo(path("none/a.pfm")).contains("none"));
+}
+
+QTEST_MAIN(TestMapOverlay)
+#include "test_map_overlay.moc"
