@@ -41,7 +41,7 @@ void intersect(const RTCIntersectFunctionNArguments *arguments)
         return;
     const auto &packets = *static_cast<const TrianglePackets *>(arguments->geometryUserPtr);
     const auto &search = *reinterpret_cast<const Search *>(arguments->context);
-    if (packets.test(arguments->primID, *search.packets))
+    if (packets.take(arguments->primID, *search.packets))
         reinterpret_cast<RTCRayHit *>(arguments->rayhit)->ray.tfar = search.packets->length();
 }
 
@@ -69,7 +69,7 @@ struct Monitor {
 class EmbreeTree : public TriangleTree {
 public:
     // Without its threads bound to processors: where they cannot be, Embree says so on stderr.
-    explicit EmbreeTree(const TrianglePackets &packets) : m_device(rtcNewDevice("set_affinity=0"))
+    explicit EmbreeTree(const TrianglePackets &packets) : m_packets(packets), m_device(rtcNewDevice("set_affinity=0"))
     {
         if (m_device == nullptr)
             return;
@@ -131,9 +131,11 @@ public:
         rtcInitIntersectContext(&search.context);
         rtcIntersect1(m_scene, &search.context, &hit);
 #endif
+        m_packets.finish(packets);
     }
 
 private:
+    const TrianglePackets &m_packets;
     RTCDevice m_device = nullptr;
     RTCScene m_scene = nullptr;
 };

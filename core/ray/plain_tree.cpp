@@ -34,7 +34,8 @@ public:
         };
         m_tree.search(
             entry, [&] { return search.length(); },
-            [&](std::uint32_t packet) { static_cast<void>(m_packets.test(packet, search)); });
+            [&](std::uint32_t packet) { static_cast<void>(m_packets.take(packet, search)); });
+        m_packets.finish(search);
     }
 
 private:

@@ -4,10 +4,29 @@
 
 #include <glm/common.hpp>
 
+#if defined(__x86_64__) || defined(_M_X64)
+#include <xmmintrin.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 
 namespace unprojector::ray {
+namespace {
+
+/// Has memory brought into the cache, where we know how to.
+template <class T>
+void prefetch([[maybe_unused]] const T &value)
+{
+#if defined(__x86_64__) || defined(_M_X64)
+    constexpr std::size_t kCacheLine = 64;
+    const char *bytes = reinterpret_cast<const char *>(&value);
+    for (std::size_t i = 0; i < sizeof(T); i += kCacheLine)
+        _mm_prefetch(bytes + i, _MM_HINT_T0);
+#endif
+}
+
+} // namespace
 
 PacketSearch::PacketSearch(const Model &model, const UnitSpace &space, const UnitRay &unit, NearestTriangle &nearest)
     : m_model(model), m_space(space), m_unit(unit), m_nearest(nearest), m_length(unit.length)
@@ -25,12 +44,11 @@ PacketSearch::PacketSearch(const Model &model, const UnitSpace &space, const Uni
 void PacketSearch::enter(std::uint32_t mesh)
 {
     m_mesh = mesh;
-    const glm::dvec3 from =
-        (m_space.center() - m_model.meshes[mesh].origin) + glm::dvec3(m_unit.from) / m_space.scale();
+    const glm::dvec3 from = (m_space.center() - m_model.meshes[mesh].origin) + glm::dvec3(m_unit.from) * m_space.size();
     const glm::dvec3 size = glm::abs(from);
     m_from = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
     m_margin =
-        static_cast<float>(double(UnitSpace::kMargin) / m_space.scale() + 0x1p-22 * std::max({size.x, size.y, size.z}));
+        static_cast<float>(double(UnitSpace::kMargin) * m_space.size() + 0x1p-22 * std::max({size.x, size.y, size.z}));
 }
 
 TrianglePackets::TrianglePackets(const Model &model, const ElementNumbers &numbers, const UnitSpace &space)
@@ -90,6 +108,23 @@ BoxTree::Box TrianglePackets::boxOf(std::uint32_t packet) const
     }
     const glm::dvec3 &origin = m_model.meshes[meshOf(packet)].origin;
     return {m_space.at(origin, lowest) - UnitSpace::kMargin, m_space.at(origin, highest) + UnitSpace::kMargin};
+}
+
+bool TrianglePackets::take(std::uint32_t packet, PacketSearch &search) const
+{
+    prefetch(m_packets[packet]);
+    const std::uint32_t next = search.m_waiting[0];
+    search.m_waiting = {search.m_waiting[1], packet};
+    return next != PacketSearch::kNone && test(next, search);
+}
+
+void TrianglePackets::finish(PacketSearch &search) const
+{
+    for (std::uint32_t &packet : search.m_waiting) {
+        if (packet != PacketSearch::kNone)
+            test(packet, search);
+        packet = PacketSearch::kNone;
+    }
 }
 
 bool TrianglePackets::test(std::uint32_t packet, PacketSearch &search) const

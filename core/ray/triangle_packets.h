@@ -2,6 +2,7 @@
 
 #include "core/ray/box_tree.h"
 #include "core/ray/element_numbers.h"
+#include "core/ray/large_pages.h"
 #include "core/ray/nearest_triangle.h"
 #include "core/ray/unit_space.h"
 
@@ -23,6 +24,7 @@ public:
 
 private:
     friend class TrianglePackets;
+    static constexpr std::uint32_t kNone = 0xffffffffu;
     void enter(std::uint32_t mesh);
 
     const Model &m_model;
@@ -33,15 +35,16 @@ private:
     std::size_t m_x, m_y, m_z; ///< the ray goes farthest along axis m_z
     float m_shearX, m_shearY;
     std::uint32_t m_mesh = 0;
-    std::array<float, 3> m_from{}; ///< relative to the mesh's origin
-    float m_margin = 0.0f;         ///< what single precision may be off there
+    std::array<float, 3> m_from{};                        ///< relative to the mesh's origin
+    float m_margin = 0.0f;                                ///< what single precision may be off there
+    std::array<std::uint32_t, 2> m_waiting{kNone, kNone}; ///< packets on their way from memory, the earlier first
 };
 
-/// A model's triangles, four neighbours of a mesh together, as the mesh has them: what a tree has for leaves. With all four
+/// A model's triangles, eight neighbours of a mesh together, as the mesh has them: what a tree has for leaves. With all eight
 /// at once it is seen which of them a ray may meet; that is then tested exactly.
 class TrianglePackets {
 public:
-    static constexpr std::size_t kSize = 4;
+    static constexpr std::size_t kSize = 8;
 
     /// @param numbers  of the model's triangles
     TrianglePackets(const Model &model, const ElementNumbers &numbers, const UnitSpace &space);
@@ -49,20 +52,23 @@ public:
     std::uint32_t count() const { return static_cast<std::uint32_t>(m_packets.size()); }
     /// The box of a packet in unit space, widened by its margin.
     BoxTree::Box boxOf(std::uint32_t packet) const;
-    /// Tests those that the ray may meet.
-    /// @return whether one of them is the nearest so far
-    bool test(std::uint32_t packet, PacketSearch &search) const;
+    /// Has a packet tested. It takes as long to come from memory as the tree takes to name the next ones, so it waits for two of them.
+    /// @return whether a triangle of those tested meanwhile is the nearest so far
+    bool take(std::uint32_t packet, PacketSearch &search) const;
+    /// Tests those that wait, when the tree has named all.
+    void finish(PacketSearch &search) const;
 
 private:
-    struct Packet {
+    struct alignas(64) Packet {                                         // whole lines of the cache
         std::array<std::array<std::array<float, kSize>, 3>, 3> corners; ///< by axis, corner, triangle
         std::array<std::uint32_t, kSize> numbers;                       ///< the last one again, where there are fewer
     };
     std::uint32_t meshOf(std::uint32_t packet) const;
+    bool test(std::uint32_t packet, PacketSearch &search) const;
 
     const Model &m_model;
     const UnitSpace &m_space;
-    std::vector<Packet> m_packets;
+    std::vector<Packet, InLargePages<Packet>> m_packets;
     std::vector<std::uint32_t> m_starts; ///< of each mesh, its first packet
 };
 

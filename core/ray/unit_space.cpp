@@ -16,7 +16,8 @@ UnitSpace::UnitSpace(const Box &bounds) : m_center(bounds.lowest / 2.0 + bounds.
 {
     const glm::dvec3 half = bounds.highest / 2.0 - bounds.lowest / 2.0;
     const double size = std::max({half.x, half.y, half.z});
-    m_scale = size > 0.0 ? 1.0 / size : 1.0;
+    m_size = size > 0.0 ? size : 1.0;
+    m_scale = 1.0 / m_size;
 }
 
 std::optional<UnitRay> UnitSpace::inside(const Ray<ObjectSpace> &ray) const

@@ -35,16 +35,18 @@ public:
     {
         return glm::vec3(((origin - m_center) + glm::dvec3(position)) * m_scale);
     }
-    /// From unit space back: object = center + unit / scale.
+    /// From unit space back: object = center + unit * size.
     const glm::dvec3 &center() const { return m_center; }
     double scale() const { return m_scale; }
+    /// Its inverse.
+    double size() const { return m_size; }
 
     /// The part of a ray that lies in the box; nothing where it misses it.
     std::optional<UnitRay> inside(const Ray<ObjectSpace> &ray) const;
 
 private:
     glm::dvec3 m_center;
-    double m_scale;
+    double m_size, m_scale;
 };
 
 } // namespace unprojector::ray
