@@ -534,6 +534,11 @@ void addDoctor(CLI::App &app, Run &run)
                                   "Several wrong points of one program instead: CSV with the columns\n"
                                   "px,py,depth,x,y,z, depth may be empty; - is standard input");
     points->excludes(pixel)->excludes(depth)->excludes(got);
+    command
+        ->add_option("--other-size", options->otherSize,
+                     "A size in device pixels that the program may still go by: the window's before, or that of\n"
+                     "another framebuffer")
+        ->type_name("WxH");
     command->add_flag("--json", options->isJson, "Write one JSON object");
     command->footer(
         "Every mistake that is known, and every pair of them, is made on the click; what comes closest to the point, "

@@ -4,6 +4,7 @@
 #include "core/cli/doctor_texts.h"
 #include "core/cli/opened_scene.h"
 #include "core/cli/scene_input.h"
+#include "core/cli/size_text.h"
 #include "core/cli/wrong_points.h"
 #include "core/ray/scene_rays.h"
 #include "core/text/error_text.h"
@@ -25,7 +26,7 @@ std::optional<Case> withoutMesh(const std::string &file)
     const std::optional<SceneInput> input = sceneInput(file);
     if (!input)
         return std::nullopt;
-    Case result{input->geometry, {}, {}};
+    Case result{input->geometry, {}, {}, {}};
     for (const PlacedObject &object : input->objects)
         result.models.push_back({object.name, object.worldFromObject});
     return result;
@@ -61,7 +62,7 @@ std::optional<Case> withMesh(const std::string &file)
     const std::optional<Picture> picture = opened ? pictureOf(*opened, {}) : std::nullopt;
     if (!picture)
         return std::nullopt;
-    Case result{*picture, {}, {}};
+    Case result{*picture, {}, {}, {}};
     for (const SceneObject &object : opened->objects)
         result.models.push_back({object.name, worldFromObject(object.transform)});
     const Result<Unprojector> unprojector = Unprojector::of(*picture);
@@ -151,9 +152,19 @@ ExitCode runDoctor(const DoctorOptions &options)
     }
     const bool isDepthMissing =
         std::any_of(given.points.begin(), given.points.end(), [](const WrongPoint &p) { return !p.depth; });
-    const std::optional<Case> scene = caseOf(options.scene, isDepthMissing);
+    std::optional<SizeGiven> otherSize;
+    if (!options.otherSize.empty() && !(otherSize = sizeGiven("--other-size", options.otherSize)))
+        return ExitCode::UnusableInput;
+    std::optional<Case> scene = caseOf(options.scene, isDepthMissing);
     if (!scene || !setSpace(given.points, options.gotSpace, *scene))
         return ExitCode::UnusableInput;
+    if (otherSize) {
+        scene->otherSize = Surface{otherSize->width, otherSize->height, 1.0};
+        if (const Check valid = check(*scene->otherSize); !valid) {
+            complain("--other-size " + options.otherSize + ": " + errorText(valid.error()));
+            return ExitCode::UnusableInput;
+        }
+    }
     const Result<Diagnosis> diagnosis = diagnose(*scene, given.points);
     if (!diagnosis) {
         const Error &error = diagnosis.error();

@@ -14,6 +14,7 @@ struct DoctorOptions {
     std::string got;                ///< "X,Y,Z", as the program printed them
     std::string gotSpace = "world"; ///< world, eye, object or object:NAME
     std::string points;             ///< CSV px,py,depth,x,y,z instead of the three; "-" is stdin
+    std::string otherSize;          ///< "WxH"; empty: none
     bool isJson = false;
 };
 

@@ -9,7 +9,8 @@
 namespace unprojector::doctor {
 namespace {
 
-constexpr std::size_t kFewest = 4;
+/// More would count what is far away, where nothing is spread as here.
+constexpr std::size_t kFewest = 4, kMost = 64;
 
 bool isSameMistakes(const Hypothesis &a, const Hypothesis &b)
 {
@@ -39,7 +40,7 @@ double chanceOf(std::span<const Hypothesis> all, const Hypothesis &best, double 
     }
     std::sort(distances.begin(), distances.end());
     double chance = 0.0;
-    for (std::size_t m = kFewest; m <= distances.size(); m *= 2) {
+    for (std::size_t m = kFewest; m <= std::min(kMost, distances.size()); m *= 2) {
         const double share = std::min(1.0, within / distances[m - 1]);
         chance = std::max(chance, double(m) * std::pow(share, agreeing));
     }

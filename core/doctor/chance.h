@@ -9,7 +9,7 @@ namespace unprojector::doctor {
 /// The chance that a point which comes from none of the hypotheses is met by one of them all the same.
 ///
 /// It is counted where the point is, not assumed: with m hypotheses within a distance R of it, evenly spread, one of them
-/// comes as close as t by a chance of m (t / R)^k. Taken is the greatest of these for m = 4, 8, 16, … . k is the number of
+/// comes as close as t by a chance of m (t / R)^k. Taken is the greatest of these for m = 4, 8, … 64. k is the number of
 /// numbers that had to agree: three coordinates; two of a point that has the right depth or whose depth is not known; one of
 /// a point on the right ray, since the answers of all mistakes of the depth lie on it. Several points multiply k.
 ///

@@ -208,6 +208,10 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
 
 Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
 {
+    if (scene.otherSize) {
+        if (const Check valid = check(*scene.otherSize); !valid)
+            return valid.error();
+    }
     const Result<Given> picture = Given::of(scene.picture);
     if (!picture)
         return picture.error();
@@ -221,7 +225,7 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
         sought.push_back(points.back().sought);
         landings.push_back(landingOf(*picture, points.back()));
     }
-    const std::vector<Variant> list = variants(*picture, scene.models);
+    const std::vector<Variant> list = variants(*picture, scene);
     std::vector<Hypothesis> all = hypotheses(*picture, sought, list);
     all.push_back(rightHypothesis(*picture, points));
     const std::vector<Hypothesis> best = ranked(all);

@@ -32,6 +32,8 @@ struct PlacedModel {
 struct Case {
     Picture picture;
     std::vector<PlacedModel> models; ///< those that the mistakes of the model matrix are tried with
+    /// Another size that the program may still go by: the window's before, or that of another framebuffer.
+    std::optional<Surface> otherSize;
     /// The depth of what is seen at a position, in the picture's depth range; nothing on the background. Empty where the
     /// scene has no mesh.
     std::function<std::optional<double>(const DevicePoint &)> depthOnMesh;
@@ -91,7 +93,8 @@ struct Diagnosis {
 };
 
 /// @param points  at least one, of one program
-/// @return the errors of check(picture) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point); SingularMatrix
+/// @return the errors of check(picture), check(otherSize) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point);
+///         SingularMatrix
 Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> points);
 
 /// The ids of all mistakes, by the way of a click.

@@ -2,6 +2,7 @@
 #include "core/geometry/angle.h"
 
 #include <cmath>
+#include <string>
 
 namespace unprojector::doctor {
 namespace {
@@ -39,6 +40,9 @@ void setAspect(Run &run, double aspect)
     run.isLost = run.isLost || aspect == 0.0;
     run.clipFromEye[0][0] = run.clipFromEye[1][1] / aspect;
 }
+
+/// Those that windows and pictures have, and programs start with.
+constexpr Surface kUsualSizes[] = {{4, 3}, {16, 9}, {16, 10}, {3, 2}, {5, 4}, {21, 9}};
 
 void addPerspective(VariantList &list)
 {
@@ -123,7 +127,7 @@ void addBox(VariantList &list)
 
 } // namespace
 
-void addLensMistakes(VariantList &list, const Given &given)
+void addLensMistakes(VariantList &list, const Given &given, const std::optional<Surface> &otherSize)
 {
     if (given.isPerspective)
         addPerspective(list);
@@ -138,6 +142,12 @@ void addLensMistakes(VariantList &list, const Given &given)
     list.add("aspect-of-window", Stage::Lens, [](Run &run, const Variant &) {
         setAspect(run, double(run.given.surface.widthPixels) / run.given.surface.heightPixels);
     });
+    const auto setAspectGiven = [](Run &run, const Variant &v) { setAspect(run, v.parameter / v.second); };
+    for (const Surface &usual : kUsualSizes)
+        list.add("aspect-stale", Stage::Lens, setAspectGiven, usual,
+                 std::to_string(usual.widthPixels) + ':' + std::to_string(usual.heightPixels));
+    if (otherSize)
+        list.add("aspect-stale", Stage::Lens, setAspectGiven, *otherSize, "the size given");
     list.add("aspect-left-out", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, 1.0); });
     list.add("eye-z-positive", Stage::Eye, [](Run &run, const Variant &) { run.eye.z = -run.eye.z; });
     list.add("eye-xy-mirrored", Stage::Eye, [](Run &run, const Variant &) {

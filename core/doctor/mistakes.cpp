@@ -59,6 +59,8 @@ constexpr Mistake kMistakes[] = {
     {"viewport-y-from-top", 1},
     {"row-below", 1},
     {"aspect-of-window", 9},
+    {"aspect-stale", 8},
+    {"viewport-stale", 8},
     {"aspect-left-out", 1},
     {"fov-radians-as-degrees", 9},
     {"frustum-centred", 1},
@@ -84,7 +86,14 @@ void VariantList::add(std::string_view id, Stage stage, Apply apply, double para
     const auto *place = std::find_if(std::begin(kMistakes), std::end(kMistakes),
                                      [&](const Mistake &mistake) { return mistake.id == id; });
     assert(place != std::end(kMistakes));
-    m_variants.push_back({std::size_t(place - kMistakes), stage, apply, parameter, glm::dmat4(1.0), std::move(words)});
+    m_variants.push_back(
+        {std::size_t(place - kMistakes), stage, apply, parameter, 0.0, glm::dmat4(1.0), std::move(words)});
+}
+
+void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, std::string words)
+{
+    add(id, stage, apply, double(size.widthPixels), std::move(words));
+    m_variants.back().second = size.heightPixels;
 }
 
 void VariantList::add(std::string_view id, Apply apply, const PlacedModel &model)
@@ -100,14 +109,14 @@ std::vector<Variant> VariantList::sorted() &&
     return std::move(m_variants);
 }
 
-std::vector<Variant> variants(const Given &given, std::span<const PlacedModel> models)
+std::vector<Variant> variants(const Given &given, const Case &scene)
 {
     VariantList list;
-    addPixelMistakes(list, given);
+    addPixelMistakes(list, given, scene.otherSize);
     addDepthMistakes(list, given);
-    addLensMistakes(list, given);
+    addLensMistakes(list, given, scene.otherSize);
     addMatrixMistakes(list);
-    addPointMistakes(list, models);
+    addPointMistakes(list, scene.models);
     return std::move(list).sorted();
 }
 

@@ -17,6 +17,6 @@ struct Mistake {
 std::span<const Mistake> mistakes();
 
 /// Every way to make each of them on what was given, by mistake.
-std::vector<Variant> variants(const Given &given, std::span<const PlacedModel> models);
+std::vector<Variant> variants(const Given &given, const Case &scene);
 
 } // namespace unprojector::doctor

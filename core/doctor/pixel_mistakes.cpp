@@ -61,7 +61,7 @@ void toCorner(Run &run, const Variant &)
 
 } // namespace
 
-void addPixelMistakes(VariantList &list, const Given &given)
+void addPixelMistakes(VariantList &list, const Given &given, const std::optional<Surface> &otherSize)
 {
     std::vector<double> ratios(kUsualRatios.begin(), kUsualRatios.end());
     const double own = given.surface.devicePixelRatio;
@@ -87,6 +87,24 @@ void addPixelMistakes(VariantList &list, const Given &given)
     list.add("viewport-is-window", Stage::Pixel, [](Run &run, const Variant &) {
         run.viewport = {0.0, 0.0, double(run.given.surface.widthPixels), double(run.given.surface.heightPixels)};
     });
+    if (otherSize) {
+        list.add(
+            "viewport-stale", Stage::Pixel,
+            [](Run &run, const Variant &v) {
+                run.viewport = {0.0, 0.0, v.parameter, v.second};
+                run.flipHeight = v.second;
+            },
+            *otherSize, "with its flip");
+        list.add(
+            "viewport-stale", Stage::Pixel,
+            [](Run &run, const Variant &v) {
+                run.viewport = {0.0, 0.0, v.parameter, v.second};
+            },
+            *otherSize);
+        list.add(
+            "viewport-stale", Stage::Pixel, [](Run &run, const Variant &v) { run.flipHeight = v.second; }, *otherSize,
+            "the flip only");
+    }
     list.add("viewport-y-from-top", Stage::Pixel, [](Run &run, const Variant &) {
         run.viewport.y = run.given.surface.heightPixels - run.viewport.y - run.viewport.height;
     });

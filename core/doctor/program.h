@@ -98,7 +98,7 @@ struct Variant {
     std::size_t mistake = 0; ///< its place in the list of mistakes
     Stage stage = Stage::Pixel;
     void (*apply)(Run &, const Variant &) = nullptr;
-    double parameter = 0.0;
+    double parameter = 0.0, second = 0.0;
     glm::dmat4 matrix{1.0}; ///< of a model
     std::string words;      ///< which way, where a mistake has several
 };

@@ -153,6 +153,24 @@ constexpr CodeChange kAspectLeftOut[] = {
     {"three.js", "camera.aspect = 1;", "camera.aspect = w / h; camera.updateProjectionMatrix();"},
     {"NumPy", "aspect = 1", "aspect = w / h"},
 };
+constexpr CodeChange kAspectStale[] = {
+    {"GLU", "gluPerspective(fovy, 4.0 / 3.0, n, f); // once",
+     "gluPerspective(fovy, double(w) / h, n, f); // whenever the size changes"},
+    {"GLM", "projection = glm::perspective(fovy, 4.0 / 3.0, n, f); // once",
+     "projection = glm::perspective(fovy, double(w) / h, n, f); // whenever the size changes"},
+    {"Qt", "void initializeGL() { projection.perspective(fovy, aspect, n, f); }",
+     "void resizeGL(int w, int h) { projection.setToIdentity(); projection.perspective(fovy, float(w) / h, n, f); }"},
+    {"three.js", "camera.aspect = w / h;", "camera.aspect = w / h; camera.updateProjectionMatrix();"},
+    {"NumPy", "aspect = 4 / 3", "aspect = w / h"},
+};
+constexpr CodeChange kViewportStale[] = {
+    {"GLU", "static GLint viewport[4]; // read once", "glGetIntegerv(GL_VIEWPORT, viewport); // at every click"},
+    {"GLM", "static const glm::dvec4 viewport(0, 0, 640, 480);", "const glm::dvec4 viewport(vx, vy, w, h);"},
+    {"Qt", "const QRect viewport(0, 0, 640, 480);", "const QRect viewport(vx, vy, w, h);"},
+    {"three.js", "const rect = canvas.getBoundingClientRect(); // once",
+     "const rect = canvas.getBoundingClientRect(); // at every click"},
+    {"NumPy", "W, H = 640, 480", "W, H = image.shape[1], image.shape[0]"},
+};
 constexpr CodeChange kFovDegreesAsRadians[] = {
     {"GLM", "glm::perspective(fovyDegrees, aspect, n, f)", "glm::perspective(glm::radians(fovyDegrees), aspect, n, f)"},
     {"three.js", "const t = Math.tan(camera.fov / 2);",
@@ -542,6 +560,9 @@ constexpr Remedy kRemedies[] = {
     {"aspect-inverted", "The aspect is turned round: height by width.", kAspectInverted},
     {"aspect-of-window", "The aspect is the window's, not the viewport's.", kAspectOfWindow},
     {"aspect-left-out", "The aspect is left out, as in a square viewport.", kAspectLeftOut},
+    {"aspect-stale", "The aspect is another one than the viewport's: of the window's size before, or a fixed one.",
+     kAspectStale},
+    {"viewport-stale", "The viewport or the height of the flip is that of another size.", kViewportStale},
     {"fov-degrees-as-radians", "The field of view is in degrees where radians are meant.", kFovDegreesAsRadians},
     {"fov-radians-as-degrees", "The field of view is in radians where degrees are meant.", kFovRadiansAsDegrees},
     {"fov-half", "Half the field of view is taken for the whole.", kFovHalf},

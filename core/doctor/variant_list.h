@@ -2,6 +2,7 @@
 
 #include "core/doctor/mistakes.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ public:
 
     /// @param words  which way, where there are several
     void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, std::string words = {});
+    /// One of another size of the window; its parameters are width and height.
+    void add(std::string_view id, Stage stage, Apply apply, const Surface &size, std::string words = {});
     /// One of a model's matrix.
     void add(std::string_view id, Apply apply, const PlacedModel &model);
 
@@ -27,9 +30,9 @@ private:
 };
 
 // Each family's, as they can be made on what was given.
-void addPixelMistakes(VariantList &list, const Given &given);
+void addPixelMistakes(VariantList &list, const Given &given, const std::optional<Surface> &otherSize);
 void addDepthMistakes(VariantList &list, const Given &given);
-void addLensMistakes(VariantList &list, const Given &given);
+void addLensMistakes(VariantList &list, const Given &given, const std::optional<Surface> &otherSize);
 void addMatrixMistakes(VariantList &list);
 void addPointMistakes(VariantList &list, std::span<const PlacedModel> models);
 

@@ -228,6 +228,7 @@ void TestDoctorCommand::unusable_data()
                                     << QByteArray("object:ball");
     QTest::newRow("points and a pixel") << kClick + QStringList{"--points", "-"} << QByteArray("--points");
     QTest::newRow("no such table") << QStringList{"--points", "nowhere.csv"} << QByteArray("nowhere.csv");
+    QTest::newRow("no size") << kClick + got + QStringList{"--other-size", "640"} << QByteArray("--other-size 640");
     QTest::newRow("no rows") << QStringList{"--points", "-"} << QByteArray("stdin");
 }
 

@@ -2,6 +2,7 @@
 // mistake through the textbook formulas, to four decimals; pairs go through the oracle.
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mistakes.h"
+#include "core/doctor/remedies.h"
 #include "core/geometry/transform.h"
 #include "core/unproject/unprojector.h"
 #include "tests/support/oracle.h"
@@ -102,6 +103,7 @@ private slots:
     void withoutADepthTheRayJudges();
     void theMeshKnowsTheDepth();
     void aRoundedDepthIsAllowedFor();
+    void anotherSizeIsTried();
     void otherSpaces();
     void aMatrixIsAsGoodAsParameters();
     void everyMistakeHasItsIdOnce();
@@ -127,6 +129,7 @@ void TestDoctor::aMistakeIsNamed_data()
     row("viewport's height", "flipped-with-viewport-height", 0.6355, -0.0180, -0.0241);
     row("whole window", "viewport-is-window", 0.4326, 0.5902, -0.1456);
     row("integer aspect", "aspect-integer", 0.3805, 0.75, -0.1783);
+    row("aspect 1.6 of another size", "aspect-stale", 0.5956, 0.75, -0.3074);
     row("degrees as radians", "fov-degrees-as-radians", 0.6255, 0.9781, -0.4165);
     row("half field of view", "fov-half", 0.3119, 0.4080, -0.0004);
     row("eye x and y mirrored", "eye-xy-mirrored", -0.2237, -0.5658, 0.7105);
@@ -346,6 +349,25 @@ void TestDoctor::aRoundedDepthIsAllowedFor()
     QCOMPARE(diagnosed(of, point).candidates.front().id, std::string("y-not-flipped"));
 }
 
+/// The window was 640 x 333 before: its viewport is still used, or its height.
+void TestDoctor::anotherSizeIsTried()
+{
+    Case of = scene();
+    const WindowPoint window = windowFromWorld(of.picture, WorldPoint(kTruth)).value();
+    const double yDown = 700 - window.y;
+    // A viewport (0, 0, 640, 333) spreads NDC otherwise: the same NDC in the right one.
+    const auto inRight = [](double x, double y) { return glm::dvec2(100 + x / 640 * 800, 40 + y / 333 * 600); };
+    const glm::dvec2 withFlip = inRight(window.x, 333 - yDown);
+    const WrongPoint both = pointAt(of, WorldPoint(kTruth), oracleUnder(withFlip.x, withFlip.y, window.z));
+    const WrongPoint flip = pointAt(of, WorldPoint(kTruth), oracleUnder(window.x, 333 - yDown, window.z));
+    QVERIFY(diagnosed(of, both).verdict != "viewport-stale");
+    of.otherSize = Surface{640, 333, 1.0};
+    QCOMPARE(diagnosed(of, both).verdict, std::string("viewport-stale"));
+    QCOMPARE(diagnosed(of, flip).verdict, std::string("viewport-stale"));
+    of.otherSize = Surface{0, 333, 1.0};
+    QCOMPARE(diagnose(of, {&both, 1}).error().code, ErrorCode::EmptyFramebuffer);
+}
+
 void TestDoctor::otherSpaces()
 {
     const Case of = scene();
@@ -379,14 +401,23 @@ void TestDoctor::everyMistakeHasItsIdOnce()
     QVERIFY(ids.size() >= 45);
     std::sort(ids.begin(), ids.end());
     QVERIFY(std::adjacent_find(ids.begin(), ids.end()) == ids.end());
+    for (const std::string &id : ids) {
+        const Remedy &remedy = remedyOf(id);
+        QCOMPARE(std::string(remedy.id), id);
+        QVERIFY2(remedy.sentence.ends_with('.'), id.c_str());
+        QVERIFY2(remedy.code.size() >= 3, id.c_str());
+        for (const CodeChange &change : remedy.code)
+            QVERIFY2(!change.wrong.empty() && !change.right.empty() && change.wrong != change.right, id.c_str());
+    }
     // Each can be made on some picture.
     Case of = scene();
+    of.otherSize = Surface{640, 480, 1.0};
     std::vector<std::size_t> made;
     for (const bool isPerspective : {true, false}) {
         if (!isPerspective)
             of.picture.lens = Projection(Ortho{});
         of.picture.depthRange = {0.1, 0.9};
-        for (const Variant &variant : variants(Given::of(of.picture).value(), of.models))
+        for (const Variant &variant : variants(Given::of(of.picture).value(), of))
             made.push_back(variant.mistake);
     }
     for (std::size_t i = 0; i < mistakes().size(); ++i)
@@ -444,7 +475,7 @@ void TestDoctor::conventionsAnswerTheSame()
         unproject::windowOfClick(of.picture, conventions, WidgetPoint(612.5, 301.5), 0.83).value();
     const WorldPoint expected = prepared.worldAt(unproject::Method::Matrix, window).value();
     double closest = 1e300;
-    for (const Variant &variant : variants(given, of.models)) {
+    for (const Variant &variant : variants(given, of)) {
         if (mistakes()[variant.mistake].id != id.toStdString())
             continue;
         const Variant *const list[] = {&variant};
