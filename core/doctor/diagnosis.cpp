@@ -6,6 +6,7 @@
 #include "core/geometry/finite.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,25 @@ Click clickOf(const Case &scene, const Given &given, const WrongPoint &point, do
     return click;
 }
 
+/// The ends of what is right on a ray whose depth is not known. On the planes themselves lie the points of programs whose depth
+/// was not read; a surface is there by a rare chance only.
+std::vector<Click> betweenPlanes(const Case &scene, const Given &given, const WrongPoint &point)
+{
+    constexpr double kFromPlane = 4.0; // last digits
+    Click first = clickOf(scene, given, point, given.depthRange.atNear);
+    Click last = clickOf(scene, given, point, given.depthRange.atFar);
+    const std::optional<glm::dvec3> a = answer(given, first, {}), b = answer(given, last, {});
+    const double digits = a && b ? glm::length((*b - *a) / point.lastDigit) : 0.0;
+    if (digits > 2.0 * kFromPlane) {
+        const glm::dvec3 step = (*b - *a) * (kFromPlane / digits);
+        if (const auto there = projected(given, first, *a + step))
+            first = clickOf(scene, given, point, there->z);
+        if (const auto there = projected(given, last, *b - step))
+            last = clickOf(scene, given, point, there->z);
+    }
+    return {first, last};
+}
+
 Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point)
 {
     Prepared result;
@@ -98,7 +118,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     result.right = result.sought;
     if (result.sought.isLine) {
         result.right.isLine = false;
-        result.right.clicks = {clickOf(scene, given, point, low), clickOf(scene, given, point, high)};
+        result.right.clicks = betweenPlanes(scene, given, point);
     }
     result.projected = projected(given, result.click, point.got);
     return result;
@@ -188,6 +208,19 @@ bool saysDepth(const Hypothesis &hypothesis, const Given &given, const Prepared 
     return a && b && glm::distance(*a, *b) <= 1e-9 * (1.0 + glm::length(*a));
 }
 
+/// By the ray alone all mistakes of the depth explain a point on it; one that says where on the ray, and is right, goes first.
+void putDepthFirst(std::vector<Hypothesis> &best, const Given &given, std::span<const Prepared> points)
+{
+    const bool isByRay = std::all_of(points.begin(), points.end(), [](const Prepared &p) { return p.sought.isLine; });
+    if (!isByRay || best.front().count != 1)
+        return;
+    const auto found = std::find_if(best.begin(), best.end(), [&](const Hypothesis &hypothesis) {
+        return hypothesis.count == 1 && hypothesis.worst <= kCutOff && saysDepth(hypothesis, given, points.front());
+    });
+    if (found != best.end())
+        std::rotate(best.begin(), found, found + 1);
+}
+
 std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, double chance, const Given &given,
                       std::span<const Prepared> points)
 {
@@ -228,7 +261,8 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
     const std::vector<Variant> list = variants(*picture, scene);
     std::vector<Hypothesis> all = hypotheses(*picture, sought, list);
     all.push_back(rightHypothesis(*picture, points));
-    const std::vector<Hypothesis> best = ranked(all);
+    std::vector<Hypothesis> best = ranked(all);
+    putDepthFirst(best, *picture, points);
 
     Diagnosis diagnosis;
     diagnosis.projected = points.front().projected;
@@ -241,6 +275,9 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
         for (int axis = 0; axis < 3; ++axis)
             diagnosis.digitsGiven += digitsOf(point.sought.got[axis], point.sought.lastDigit[axis]);
     }
+    // Of those that say where on the ray, when the best one does; the others go through every point of it.
+    if (points.front().sought.isLine && best.front().count > 0 && saysDepth(best.front(), *picture, points.front()))
+        std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, *picture, points.front()); });
     diagnosis.chance =
         chanceOf(all, best.front(), best.front().worst <= kRounded ? kRounded : kCutOff, agreeing(points, landings));
     diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *picture, points);

@@ -317,6 +317,9 @@ void TestDoctor::withoutADepthTheRayJudges()
     // Any depth on the ray is right as far as the ray tells.
     QCOMPARE(byRay(kTruth).verdict, std::string("right"));
     QCOMPARE(byRay({0.3839, 0.6920, -0.4937}).verdict, std::string("right"));
+    // But not one on the planes.
+    QCOMPARE(byRay({2.5749, 1.7874, 4.1072}).verdict, std::string("depth-zero"));
+    QCOMPARE(byRay({-39.5132, -19.2566, -84.2777}).verdict, std::string("depth-one"));
     // The eye's side of the near plane is no depth at all.
     const Diagnosis beyond = byRay({3.0882, 2.0441, 5.1852});
     QVERIFY(beyond.verdict != "right");
