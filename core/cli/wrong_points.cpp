@@ -132,11 +132,13 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text)
             exponent.remove_prefix(1);
         int power = 0;
         std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
-        place += power;
+        place += std::clamp(power, -400, 400); // as far as doubles go
     }
     // More digits than a double has say nothing more.
     const double least = std::max(std::abs(number.value), 1.0) * 1e-15;
     number.lastDigit = std::max(std::pow(10.0, place), least);
+    if (!std::isfinite(number.lastDigit))
+        return std::nullopt;
     return number;
 }
 

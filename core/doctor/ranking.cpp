@@ -98,7 +98,8 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
 
 int digitsOf(double coordinate, double lastDigit)
 {
-    const double units = std::round(std::abs(coordinate) / lastDigit);
+    // More than a double holds are none.
+    const double units = std::min(std::round(std::abs(coordinate) / lastDigit), 1e17);
     return units < 1.0 ? 1 : int(std::floor(std::log10(units) + 1e-9)) + 1;
 }
 

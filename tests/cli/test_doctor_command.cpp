@@ -131,6 +131,7 @@ void TestDoctorCommand::digitsAreReadAsWritten()
     QCOMPARE(verdict("0.4972,0.7462,-0.2468"), QString("pixel-corner"));
     QCOMPARE(verdict("5.0e-1,7.5E-1,-2.5e-1"), QString("right"));
     QCOMPARE(verdict("5.010e-1,7.5E-1,-2.5e-1"), QString("unknown"));
+    QCOMPARE(verdict("1e308,-1e308,0e-2000000000"), QString("unknown"));
 }
 
 void TestDoctorCommand::aTableIsOneProgram()
@@ -218,6 +219,8 @@ void TestDoctorCommand::unusable_data()
     QTest::newRow("pixel of one number") << QStringList{"--pixel", "400"} + got << QByteArray("--pixel 400");
     QTest::newRow("pixel of words") << QStringList{"--pixel", "a,b"} + got << QByteArray("--pixel a,b");
     QTest::newRow("infinite point") << kClick + QStringList{"--got", "1,2,inf"} << QByteArray("--got 1,2,inf");
+    QTest::newRow("zero beyond all digits")
+        << kClick + QStringList{"--got", "1,2,0e2000000000"} << QByteArray("--got 1,2,0e2000000000");
     QTest::newRow("two coordinates") << kClick + QStringList{"--got", "1,2"} << QByteArray("--got 1,2");
     QTest::newRow("depth of words") << QStringList{"--pixel", "4,5", "--depth", "far"} + got
                                     << QByteArray("--depth far");
