@@ -58,12 +58,11 @@ OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePix
     return {topLeft, pixel};
 }
 
-std::array<OtherAnswer, kOtherPrograms.size()>
-otherAnswers(const Unprojector &unprojector, const DevicePixel &pixel,
-             const std::function<std::optional<double>(const DevicePixel &)> &depthAt)
+OtherAnswers otherAnswers(const Unprojector &unprojector, const DevicePixel &pixel,
+                          const std::function<std::optional<double>(const DevicePixel &)> &depthAt)
 {
     const Picture &picture = unprojector.picture();
-    std::array<OtherAnswer, kOtherPrograms.size()> answers;
+    OtherAnswers answers;
     for (std::size_t k = 0; k < answers.size(); ++k) {
         OtherAnswer &answer = answers[k];
         answer.program = kOtherPrograms[k];

@@ -41,15 +41,17 @@ OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePix
 struct OtherAnswer {
     OtherProgram program = OtherProgram::Paper;
     OtherClick click;
-    /// Nothing where the depth that it reads is that of the background, of an object that is not there, or undefined.
+    /// Nothing where the depth that it reads is undefined or not known.
     std::optional<WorldPoint> point;
 };
 
+using OtherAnswers = std::array<OtherAnswer, kOtherPrograms.size()>; ///< in the order of kOtherPrograms
+
 /// Every program's answer to a click on a pixel.
-/// @param depthAt  the depth of what is seen at a pixel, in the depth range; nothing on the background and outside the window
+/// @param depthAt  what the depth buffer holds at a pixel, on the background the far plane's; nothing outside the window, and
+///                 where it is not known
 /// Source: the programs' sources as named above; the tutorial's and the paper's text.
-std::array<OtherAnswer, kOtherPrograms.size()>
-otherAnswers(const Unprojector &unprojector, const DevicePixel &pixel,
-             const std::function<std::optional<double>(const DevicePixel &)> &depthAt);
+OtherAnswers otherAnswers(const Unprojector &unprojector, const DevicePixel &pixel,
+                          const std::function<std::optional<double>(const DevicePixel &)> &depthAt);
 
 } // namespace unprojector::unproject

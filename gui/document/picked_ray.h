@@ -2,6 +2,7 @@
 
 #include "core/ray/ray_comparison.h"
 #include "core/ray/scene_rays.h"
+#include "core/unproject/other_programs.h"
 #include "core/unproject/pick.h"
 
 #include <cstddef>
@@ -32,6 +33,9 @@ struct PickedRay {
     std::optional<MetPlace> met;   ///< by the ray itself; nothing: nothing is met
     ray::RayComparison comparison; ///< of what is met, beside the frame
     ray::Snap snap = ray::Snap::Surface;
+    /// What other programs give for the click, of a hit: the clicked pixel's depth as it was read, that of others as rays
+    /// meet them.
+    std::optional<OtherAnswers> others;
     std::optional<MetPlace> taken; ///< what the click takes, in that mode: of a surface the same
 };
 

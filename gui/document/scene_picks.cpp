@@ -11,6 +11,30 @@
 #include <utility>
 
 namespace unprojector::gui {
+namespace {
+
+/// What the depth buffer holds at a pixel as far as the rays tell: on the background what it was cleared to.
+/// @return nothing outside the window, and where a point of a cloud may have been drawn
+std::optional<double> depthSeen(const ray::SceneRays &rays, const DevicePixel &pixel, const DepthFormat &format)
+{
+    const Picture &picture = rays.rays().picture();
+    const bool isInWindow =
+        pixel.i >= 0 && pixel.j >= 0 && pixel.i < picture.surface.widthPixels && pixel.j < picture.surface.heightPixels;
+    if (!isInWindow || rays.hasPoints())
+        return std::nullopt;
+    const auto &[atNear, atFar] = picture.depthRange;
+    const Result<ray::Ray<WorldSpace>> ray = rays.rays().at(pixelCenter(pixel));
+    const std::optional<ray::FirstTriangle> met =
+        ray && rays.rays().isInPicture(pixelCenter(pixel)) ? rays.firstTriangle(*ray) : std::nullopt;
+    if (!met)
+        return atFar;
+    const Result<WindowPoint> window = windowFromWorld(picture, ray->at(met->hit.t));
+    if (!window)
+        return std::nullopt;
+    return std::clamp(format.kept(window->z), std::min(atNear, atFar), std::max(atNear, atFar));
+}
+
+} // namespace
 
 Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const DepthSample &sample) const
 {
@@ -209,6 +233,13 @@ bool SceneDocument::answerRay()
                 m_picked.pick = known;
             if (*taken)
                 ray.taken = metPlace(**taken, objects);
+            const Pick &pick = *m_picked.pick;
+            if (pick.hit()) {
+                ray.others = otherAnswers(*unprojector, pick.devicePixel, [&](const DevicePixel &pixel) {
+                    return pixel == pick.devicePixel ? std::optional(pick.window.z)
+                                                     : depthSeen(rays, pixel, pick.sample.format);
+                });
+            }
         }
     }
     m_picked.rayScene.reset();

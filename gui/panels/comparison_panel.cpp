@@ -6,6 +6,7 @@
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/elided_label.h"
 #include "gui/panels/formula_view.h"
+#include "gui/panels/other_programs_view.h"
 #include "gui/panels/ray_model.h"
 #include "gui/panels/ray_table.h"
 #include "gui/panels/since_click_text.h"
@@ -139,6 +140,8 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
                               tr("By their numbers in the model: triangles and vertices are counted from 0"),
                               longestRayDetailTexts());
 
+    m_others = new OtherProgramsView;
+
     m_formula = new FormulaView;
     m_formula->setAccessibleName(tr("Formula with its numbers"));
     m_formula->setPlaceholderText(tr("The formulas appear here with the numbers of the click."));
@@ -161,6 +164,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     layout->addLayout(tools);
     layout->addWidget(m_certainty);
     layout->addWidget(m_cause);
+    layout->addWidget(m_others);
     layout->addWidget(new QLabel(tr("The formula with its numbers:")));
     layout->addWidget(m_formula, 1);
 
@@ -219,6 +223,10 @@ void ComparisonPanel::showRay()
     m_ray->clear();
     m_ray->setValue({});
     m_rayDetail->clear();
+    const Result<WorldPoint> *formula = pick ? &pick->point.world[Method::Formula] : nullptr;
+    m_others->setAnswers(ray ? ray->others : std::nullopt,
+                         formula && *formula ? std::optional(**formula) : std::nullopt,
+                         pick ? WorldVector(pick->uncertainty.world) : WorldVector());
     if (!ray)
         return;
     switch (ray->state) {
@@ -318,6 +326,7 @@ QString ComparisonPanel::text() const
         text += link->accessibleName() + u'\t' + link->text() + u'\n';
     text += m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n';
     text += m_rayModel->text() + m_ray->text() + u'\n' + m_rayDetail->text() + u'\n';
+    text += m_others->text();
     return text + m_formula->formulas().text() + u'\n';
 }
 

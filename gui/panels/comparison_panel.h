@@ -17,6 +17,7 @@ class ComparisonModel;
 class ComparisonTable;
 class ElidedLabel;
 class FormulaView;
+class OtherProgramsView;
 class RayModel;
 class RayTable;
 class SceneDocument;
@@ -73,6 +74,7 @@ private:
     RayTable *m_rayTable;
     SteadyLabel *m_ray;
     SteadyLabel *m_rayDetail;
+    OtherProgramsView *m_others;
     FormulaView *m_formula;
     QCheckBox *m_showsFloat;
     QPushButton *m_copy;

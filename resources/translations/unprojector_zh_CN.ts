@@ -3533,6 +3533,29 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
+    <name>unprojector::gui::OtherProgramsView</name>
+    <message>
+        <source>What other programs would give</source>
+        <translation>其他程序会给出什么</translation>
+    </message>
+    <message>
+        <source>For the same click: how far their points are from the formula&apos;s, and why</source>
+        <translation>对同一次点击：它们的点与公式的点相距多远，以及原因</translation>
+    </message>
+    <message>
+        <source>A click on a surface has them, as soon as its ray is known.</source>
+        <translation>点击表面后，一旦射线已知即可显示。</translation>
+    </message>
+    <message>
+        <source>no answer: the depth that it reads is not known</source>
+        <translation>无结果：它读取的深度未知</translation>
+    </message>
+    <message>
+        <source>%1 off, at %2</source>
+        <translation>偏差 %1，位于 %2</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ParameterGroup</name>
     <message>
         <source>%1 is empty; type a number.</source>

@@ -85,6 +85,7 @@ private slots:
     void whatAClickTakesIsShown_data();
     void whatAClickTakesIsShown();
     void theAnswerComesByItself();
+    void otherProgramsAnswerTheSameClick();
     void allOfItIsCopied();
     void nothingMoves();
 };
@@ -222,6 +223,40 @@ void TestRayPanel::theAnswerComesByItself()
                             kPatienceMilliseconds));
     QVERIFY2(said(panel, "Ray on mesh").contains("Trust the ray"), qPrintable(said(panel, "Ray on mesh")));
     QVERIFY(std::abs(value(panel, 2, RayModel::Met) - 1.5) < 1e-3);
+}
+
+/// A pixel is 0.02 wide: half of it left and up is 0.0141 off. The cube's upper edge is at row 100, above it is the far plane.
+void TestRayPanel::otherProgramsAnswerTheSameClick()
+{
+    SceneDocument document;
+    openCubes(document);
+    const auto pickOf = [&document](const WidgetPoint &position, const DepthSample &sample) {
+        document.pickAt(position, sample);
+        QTRY_VERIFY_WITH_TIMEOUT(document.pickedRay()->state == PickedRay::State::Answered, kPatienceMilliseconds);
+    };
+    ComparisonPanel panel(document);
+    pickOf({220, 140}, at(1.0, 0));
+    QVERIFY(document.pickedRay()->others);
+    // With a cloud in the scene nobody knows what was drawn beside.
+    QVERIFY(!(*document.pickedRay()->others)[2].point);
+    QVERIFY(document.removeObject(2));
+    pickOf({220, 140}, at(1.0, 0));
+    const WorldPoint formula = *document.pick()->point.world[Method::Formula];
+    for (const OtherAnswer &answer : *document.pickedRay()->others) {
+        QVERIFY(answer.point);
+        if (answer.program != OtherProgram::Vtk)
+            QVERIFY(std::abs(distance(*answer.point, formula) - 0.02 * std::sqrt(0.5)) < 1e-5);
+    }
+    QVERIFY(panel.text().contains("MeshLab\t0.0141"));
+    QVERIFY(said(panel, "What other programs would give").contains("<b>MeshLab</b>: 0.0141 off, at "));
+
+    pickOf({220, 100}, at(1.0, 0));
+    const OtherAnswer &meshLab = (*document.pickedRay()->others)[2];
+    QVERIFY(meshLab.program == OtherProgram::MeshLab);
+    QVERIFY(std::abs(meshLab.point->z - -29.0) < 1e-9); // far is 41 before the eye
+    document.pickAt(WidgetPoint(20, 20), kBackground);
+    QVERIFY(!document.pickedRay()->others);
+    QVERIFY(!panel.text().contains("MeshLab"));
 }
 
 void TestRayPanel::allOfItIsCopied()
