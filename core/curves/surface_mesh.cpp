@@ -2,8 +2,11 @@
 
 #include "core/ray/element_numbers.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 
 namespace unprojector::curves {
@@ -146,7 +149,9 @@ std::uint32_t SurfaceMesh::onlyAcross(std::uint32_t triangle, std::uint32_t a, s
 std::optional<SurfacePlace> placeOf(const Hold &hold, const SurfaceMesh &mesh)
 {
     if (const auto *on = std::get_if<OnTriangle>(&hold)) {
-        if (on->triangle >= mesh.triangleCount())
+        const glm::dvec3 weights = glm::max(on->barycentric, glm::dvec3(0.0));
+        const double sum = weights[0] + weights[1] + weights[2];
+        if (on->triangle >= mesh.triangleCount() || !(sum > 0.0) || !std::isfinite(sum))
             return std::nullopt;
         if (!mesh.isFlat(on->triangle))
             return SurfacePlace{on->triangle, on->barycentric};

@@ -68,7 +68,7 @@ struct SurfacePlace {
 };
 
 /// Where a hold is on a surface.
-/// @return nothing where it is free, or no triangle has it
+/// @return nothing where it is free, no triangle has it, or no corner has a weight, as files may have it
 std::optional<SurfacePlace> placeOf(const Hold &hold, const SurfaceMesh &mesh);
 
 } // namespace unprojector::curves

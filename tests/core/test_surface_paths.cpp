@@ -419,6 +419,12 @@ void TestSurfacePaths::linesSayWhatIsWrong()
     QCOMPARE(errorOf({&a}).first, int(CurveError::Code::TooFew));
     QCOMPARE(errorOf({&a, &free}), std::pair(int(CurveError::Code::NotOnSurface), std::size_t(1)));
     QCOMPARE(errorOf({&a, &a, &missing}), std::pair(int(CurveError::Code::Missing), std::size_t(2)));
+    // As files may have them: no corner has a weight, or weights that are no numbers together.
+    for (const glm::dvec3 &weights : {glm::dvec3(0.0), glm::dvec3(-1.0, 0.0, -0.5), glm::dvec3(1e308)}) {
+        Landmark unheld = a;
+        unheld.hold = OnTriangle{0, weights};
+        QCOMPARE(errorOf({&a, &unheld}), std::pair(int(CurveError::Code::NotOnSurface), std::size_t(1)));
+    }
 }
 
 void TestSurfacePaths::stepsAreEqual()
