@@ -253,6 +253,18 @@ bool saysMore(const Cells &cells, const Header &header, const CsvRow &row)
     return std::any_of(header.others.begin(), header.others.end(), isOther);
 }
 
+/// How many texts of a row had blanks around them: numbers lose nothing by that.
+std::size_t trimmedTexts(const Header &header, const CsvRow &row)
+{
+    constexpr std::array kTexts{Specimen, Name, Object, Note, Mesh, Unit, CurveName};
+    const auto isText = [&](std::size_t place) {
+        const auto known = std::find(header.places.begin(), header.places.end(), place);
+        return known == header.places.end()
+               || std::find(kTexts.begin(), kTexts.end(), Column(known - header.places.begin())) != kTexts.end();
+    };
+    return static_cast<std::size_t>(std::count_if(row.trimmed.begin(), row.trimmed.end(), isText));
+}
+
 } // namespace
 
 ReadLandmarks readCsv(std::string_view text)
@@ -270,6 +282,8 @@ ReadLandmarks readCsv(std::string_view text)
             throw Failure{row.line, "here are " + std::to_string(row.cells.size()) + " cells, and the first line names "
                                         + std::to_string(header.count)
                                         + " columns; put cells that have commas in quotes"};
+        if (const std::size_t count = trimmedTexts(header, row); count > 0)
+            notes.add(LandmarkNote::Kind::BlanksLeftOut, count);
         const Cells cells(header.places, row);
         const auto [place, isNew] = places.try_emplace(std::string(cells[Specimen]), read.sets.size());
         if (isNew) {

@@ -70,6 +70,7 @@ struct LandmarkNote {
         CurvesLeftOut,      ///< count: points of curves that have fewer than two
         CurveCellsLeftOut,  ///< count: rows of semilandmarks that say more than where they are
         MissingHadPosition, ///< count: points that are not placed and have coordinates all the same
+        BlanksLeftOut,      ///< count: names and other texts that have blanks around them and no quotes
         CommentsLeftOut,    ///< count: lines
     };
     Kind kind;

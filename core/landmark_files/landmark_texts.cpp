@@ -90,6 +90,8 @@ std::string noteText(const LandmarkNote &note)
     case Kind::MissingHadPosition:
         return counted(note.count, "point is", "points are")
                + " marked as not placed and had coordinates, which are left out";
+    case Kind::BlanksLeftOut:
+        return "the blanks around " + counted(note.count, "text", "texts") + " are left out; quotes keep them";
     case Kind::CommentsLeftOut: return counted(note.count, "comment is", "comments are") + " left out";
     }
     return {};

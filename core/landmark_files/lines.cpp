@@ -222,18 +222,24 @@ std::string PlainNames::of(const std::string &name, const std::string &instead)
 std::vector<CsvRow> csvRows(std::string_view text, std::size_t firstLine)
 {
     std::vector<CsvRow> rows;
-    CsvRow row{{}, firstLine};
+    CsvRow row{{}, {}, firstLine};
     std::string cell;
     std::size_t line = firstLine, quoteLine = 0;
+    bool beganWithBlank = false;
     enum class State { Start, Plain, Quoted, Closed } state = State::Start;
     const auto endCell = [&] {
-        row.cells.push_back(state == State::Plain ? std::string(trimmed(cell)) : cell);
+        const std::string_view bare = state == State::Plain ? trimmed(cell) : std::string_view(cell);
+        if (state == State::Plain && (beganWithBlank || bare.size() < cell.size()))
+            row.trimmed.push_back(row.cells.size());
+        row.cells.emplace_back(bare);
         cell.clear();
+        beganWithBlank = false;
         state = State::Start;
     };
     const auto endRow = [&] {
         if (state == State::Start && row.cells.empty()) { // a blank line
             cell.clear();
+            beganWithBlank = false;
             return;
         }
         endCell();
@@ -270,6 +276,8 @@ std::vector<CsvRow> csvRows(std::string_view text, std::size_t firstLine)
         } else if (state == State::Plain || !isBlank) {
             cell += c;
             state = State::Plain;
+        } else {
+            beganWithBlank = true;
         }
     }
     if (state == State::Quoted)

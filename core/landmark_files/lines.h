@@ -104,9 +104,11 @@ private:
     std::map<std::string, std::size_t> m_next; ///< number behind a name that was given before
 };
 
-/// A row of a format of comma-separated values: its cells with their quotes taken away, and where it begins.
+/// A row of a format of comma-separated values: its cells with their quotes taken away, those without quotes without blanks
+/// around them, and where it begins.
 struct CsvRow {
     std::vector<std::string> cells;
+    std::vector<std::size_t> trimmed; ///< places of the cells that had blanks around them, rising
     std::size_t line = 0;
 };
 /// The rows of a text as RFC 4180 has it; blank lines are passed over. A quote within a cell that does not begin with one is

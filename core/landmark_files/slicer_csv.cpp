@@ -147,6 +147,10 @@ ReadLandmarks readSlicerCsv(std::string_view text)
                                               "associatedNodeID, with labels that have commas in quotes"
                                             : " is no point; without a line \"# Markups fiducial file version "
                                               "= 5.8\" points are label,x,y,z,sel,vis")};
+        for (const std::size_t place : rows.front().trimmed) {
+            if (hasVersion ? place == Label || place == Description : place == 0)
+                notes.add(LandmarkNote::Kind::BlanksLeftOut);
+        }
         set.landmarks.push_back(hasVersion ? landmarkOf(rows.front(), set.axes, set.landmarks.size(), notes)
                                            : oldLandmarkOf(rows.front()));
     }

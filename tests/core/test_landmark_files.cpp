@@ -134,6 +134,7 @@ private slots:
     void whatAFormatCannotHoldIsRefused();
     void curvesAreWrittenWithThePoints();
     void curvesComeBackFromTheFormatsThatHoldThem();
+    void blanksAroundTextsAreSaid();
     void badCurvesAreRefused_data();
     void badCurvesAreRefused();
     void filesOnDisk();
@@ -448,6 +449,28 @@ void TestLandmarkFiles::curvesComeBackFromTheFormatsThatHoldThem()
     QCOMPARE(back->sets.front().curves.size(), std::size_t(1));
     QVERIFY(back->sets.front().curves[0].semilandmarks == set.curves[0].semilandmarks);
     QVERIFY(back->sets.front().curves[0].points.empty());
+}
+
+void TestLandmarkFiles::blanksAroundTextsAreSaid()
+{
+    const auto notesOf = [](const char *text, Format format) {
+        const auto read = parseLandmarks(text, format, "p");
+        return read ? read->notes : std::vector<LandmarkNote>{{LandmarkNote::Kind::CommentsLeftOut, 99, "not read"}};
+    };
+    using Notes = std::vector<LandmarkNote>;
+    const Notes one{{LandmarkNote::Kind::BlanksLeftOut, 1, {}}}, two{{LandmarkNote::Kind::BlanksLeftOut, 2, {}}};
+    QVERIFY(notesOf("name,x,y,z\n nasion,1,2,3\n", Format::Csv) == one);
+    QVERIFY(notesOf("name,x,y,z,note,sex\nnasion,1,2,3,worn ,\tf\n", Format::Csv) == two);
+    QVERIFY(notesOf("name, x, y, z\nnasion, 1, 2, 3\n", Format::Csv).empty()); // numbers lose nothing
+    QVERIFY(notesOf("name,x,y,z\n \" nasion\" ,1,2,3\n", Format::Csv).empty());
+    const auto quoted = parseLandmarks("name,x,y,z\n\" nasion\",1,2,3\n", Format::Csv, "p");
+    QVERIFY(quoted);
+    QCOMPARE(quoted->sets[0].landmarks[0].name, std::string(" nasion"));
+    QVERIFY(notesOf("# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n"
+                    "0, 1, 2, 3, 0,0,0,1,1,1,0, nasion,here,\n",
+                    Format::SlicerCsv)
+            == one);
+    QCOMPARE(noteText(two[0]), std::string("the blanks around 2 texts are left out; quotes keep them"));
 }
 
 void TestLandmarkFiles::badCurvesAreRefused_data()
