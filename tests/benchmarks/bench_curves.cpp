@@ -1,0 +1,126 @@
+// Curves on a mesh, beside two things in the same run that they are made of: the surface mesh that they go on, built once a model,
+// and the shortest way along its edges by Dijkstra's algorithm in the plainest form, stopped at the other end.
+//   bench_curves [triangles …], 1000000 without any
+
+#include "core/curves/surface_path.h"
+#include "tests/support/cube_sphere.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <queue>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace unprojector;
+using namespace unprojector::curves;
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The length of the shortest way along the edges from a corner to another.
+double alongEdges(const SurfaceMesh &mesh, std::uint32_t from, std::uint32_t to)
+{
+    using Reached = std::pair<double, std::uint32_t>;
+    std::vector<double> least(mesh.cornerCount(), std::numeric_limits<double>::infinity());
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+    least[from] = 0.0;
+    open.emplace(0.0, from);
+    while (!open.empty() && open.top().second != to) {
+        const auto [way, corner] = open.top();
+        open.pop();
+        if (way > least[corner])
+            continue;
+        const auto [begin, end] = mesh.around(corner);
+        for (const std::uint32_t *triangle = begin; triangle != end; ++triangle) {
+            for (const std::uint32_t next : mesh.corners(*triangle)) {
+                const double there = way + glm::distance(mesh.place(corner), mesh.place(next));
+                if (there < least[next]) {
+                    least[next] = there;
+                    open.emplace(there, next);
+                }
+            }
+        }
+    }
+    return least[to];
+}
+
+struct Times {
+    double median = 0.0, worst = 0.0; ///< seconds
+};
+
+Times of(std::vector<double> times)
+{
+    std::sort(times.begin(), times.end());
+    return {times[times.size() / 2], times.back()};
+}
+
+void measure(std::uint32_t triangles)
+{
+    const auto sphere = cubeSphere(static_cast<std::uint32_t>(std::lround(std::sqrt(triangles / 12.0))));
+    std::vector<double> building;
+    std::shared_ptr<const SurfaceMesh> mesh;
+    for (int i = 0; i < 3; ++i) {
+        const Clock::time_point start = Clock::now();
+        mesh = SurfaceMesh::build(*sphere, {});
+        building.push_back(secondsSince(start));
+    }
+    constexpr int kCurves = 25;
+    std::vector<double> geodesics, sections, edges;
+    double longer = 0.0; // the way along the edges, than the geodesic
+    int cut = 0;
+    std::mt19937 random(1);
+    for (int i = 0; i < kCurves; ++i) {
+        const SurfacePlace from{static_cast<std::uint32_t>(random() % mesh->triangleCount()),
+                                glm::dvec3(1.0, 0.0, 0.0)},
+            to{static_cast<std::uint32_t>(random() % mesh->triangleCount()), glm::dvec3(1.0, 0.0, 0.0)};
+        Clock::time_point start = Clock::now();
+        const auto line = geodesic(*mesh, from, to, glm::dmat4(1.0), {});
+        geodesics.push_back(secondsSince(start));
+        start = Clock::now();
+        cut += planeSection(*mesh, from, to, glm::dmat4(1.0), {}) ? 1 : 0;
+        sections.push_back(secondsSince(start));
+        start = Clock::now();
+        const double way = alongEdges(*mesh, mesh->corners(from.triangle)[0], mesh->corners(to.triangle)[0]);
+        edges.push_back(secondsSince(start));
+        if (line && line->length > 0.0)
+            longer = std::max(longer, way / line->length - 1.0);
+    }
+    const double surface = of(building).median;
+    const Times plain = of(edges);
+    std::printf("%u triangles; %d pairs of places, of which %d have a plane section\n", mesh->triangleCount(), kCurves,
+                cut);
+    std::printf("  %-34s %10s %10s %14s %14s\n", "", "median", "worst", "of the surface", "of Dijkstra's");
+    const auto row = [&](const char *name, const Times &times) {
+        std::printf("  %-34s %8.1f ms %8.1f ms %14.3f %14.3f\n", name, 1e3 * times.median, 1e3 * times.worst,
+                    times.median / surface, times.median / plain.median);
+    };
+    row("the surface mesh, once", of(building));
+    row("geodesic", of(geodesics));
+    row("plane section", of(sections));
+    row("along the edges, by Dijkstra", plain);
+    std::printf("  the way along the edges is up to %.1f %% longer than the geodesic\n", 100.0 * longer);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    std::vector<std::uint32_t> sizes;
+    for (int i = 1; i < argc; ++i)
+        sizes.push_back(static_cast<std::uint32_t>(std::strtoul(argv[i], nullptr, 10)));
+    if (sizes.empty())
+        sizes.push_back(1'000'000);
+    for (const std::uint32_t size : sizes)
+        measure(size);
+    return 0;
+}
