@@ -239,7 +239,8 @@ void TestPanelSizes::nothingIsCutAndNothingMoves()
     document.setSurface({842, 723, 1.0});
     openScene(document, 1.0);
     LifecycleLog log;
-    std::unique_ptr<QWidget> panel;
+    QWidget frame;
+    std::unique_ptr<QWidget> panel; // goes before the frame
     if (which == QStringLiteral("comparison"))
         panel = std::make_unique<ComparisonPanel>(document);
     else if (which == QStringLiteral("pipeline"))
@@ -256,7 +257,11 @@ void TestPanelSizes::nothingIsCutAndNothingMoves()
     const int digit = QFontMetrics(font).horizontalAdvance(u'0');
     const int least = panel->minimumSizeHint().expandedTo(panel->minimumSize()).width();
     QVERIFY2(least <= 48 * digit, qPrintable(QStringLiteral("%1 of %2").arg(least).arg(48 * digit)));
+    // In a window, not as one: the window system sizes windows when it gets to it, and once more after that.
+    frame.resize(160 * digit, 2400);
+    panel->setParent(&frame);
     panel->show();
+    frame.show();
     for (const int width : {least, least + 5 * digit, 60 * digit, 90 * digit, 160 * digit}) {
         openScene(document, 1.0);
         document.clearPick();
