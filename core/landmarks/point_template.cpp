@@ -25,6 +25,14 @@ const Landmark *find(std::string_view name, std::span<const Landmark> names)
     return found != names.end() ? &*found : nullptr;
 }
 
+Landmark missingOf(const Landmark &wanted)
+{
+    Landmark missing;
+    missing.name = wanted.name;
+    missing.color = wanted.color;
+    return missing;
+}
+
 } // namespace
 
 std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names)
@@ -37,12 +45,33 @@ std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<co
             --count;
             continue;
         }
-        Landmark missing;
-        missing.name = wanted.name;
-        missing.color = wanted.color;
-        landmarks.push_back(std::move(missing));
+        landmarks.push_back(missingOf(wanted));
     }
     return landmarks;
+}
+
+std::vector<Landmark> inTemplateOrder(std::vector<Landmark> landmarks, std::span<const Landmark> names)
+{
+    std::multimap<std::string, std::size_t> there; // those of one name in their order
+    for (std::size_t i = 0; i < landmarks.size(); ++i)
+        there.emplace(inLowerCase(landmarks[i].name), i);
+    std::vector<Landmark> ordered;
+    std::vector<bool> isTaken(landmarks.size(), false);
+    for (const Landmark &wanted : names) {
+        const auto [found, end] = there.equal_range(inLowerCase(wanted.name));
+        if (found == end) {
+            ordered.push_back(missingOf(wanted));
+            continue;
+        }
+        isTaken[found->second] = true;
+        ordered.push_back(std::move(landmarks[found->second]));
+        there.erase(found);
+    }
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        if (!isTaken[i])
+            ordered.push_back(std::move(landmarks[i]));
+    }
+    return ordered;
 }
 
 std::string_view hintFor(std::string_view name, std::span<const Landmark> names)

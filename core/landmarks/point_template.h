@@ -18,6 +18,10 @@ constexpr const char *kPictureColumn = "picture";
 /// Which are there already is told by their names, in whatever case; of a name that the template has twice, two.
 std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names);
 
+/// The places of a template in its order, each with the landmark of its name where there is one, in whatever case, else missing;
+/// behind them the other landmarks, in theirs. Of landmarks of one name the first comes first; none is changed.
+std::vector<Landmark> inTemplateOrder(std::vector<Landmark> landmarks, std::span<const Landmark> names);
+
 /// What a template says of a landmark of this name, in whatever case: its note. Empty where it has none.
 std::string_view hintFor(std::string_view name, std::span<const Landmark> names);
 

@@ -2,6 +2,11 @@
 
 #include "core/ray/closest_place.h"
 #include "gui/document/document_change.h"
+#include "gui/document/scene_points.h"
+#include "gui/text/number_text.h"
+#include "gui/text/point_text.h"
+
+#include <QCoreApplication>
 
 #include <glm/matrix.hpp>
 
@@ -16,6 +21,10 @@ namespace unprojector::gui {
 namespace {
 
 using landmarks::Landmark;
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::LandmarkObjects)
+};
 
 /// What becomes of the landmarks of an object.
 struct ObjectAfter {
@@ -58,6 +67,44 @@ void move(Landmark &landmark, const ObjectAfter &to)
 }
 
 } // namespace
+
+QString letGo(std::vector<Landmark> &points, const std::vector<SceneObject> &objects)
+{
+    /// Of the object's size: what single precision and rounding leave.
+    constexpr double kSamePlace = 1e-5;
+    std::size_t unknown = 0, elsewhere = 0;
+    QString firstUnknown, firstElsewhere;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        Landmark &point = points[i];
+        const auto object = std::find_if(objects.begin(), objects.end(),
+                                         [&](const SceneObject &each) { return each.name == point.object; });
+        if (!point.world || object == objects.end() || std::holds_alternative<landmarks::Free>(point.hold))
+            continue;
+        const std::optional<WorldPoint> held = worldOf(point.hold, *object);
+        const double off = held ? distance(*held, *point.world) : 0.0;
+        if (held && !(off > kSamePlace * boundsOf(*object).diagonal()))
+            continue;
+        const QString what = Texts::tr("“%1” (%2)").arg(ScenePoints::shownNameOf(points, i), heldByText(point));
+        point.hold = landmarks::Free{};
+        if (!held && unknown++ == 0)
+            firstUnknown = what;
+        if (held && (elsewhere++ == 0 || off > farthest)) {
+            firstElsewhere = what;
+            farthest = off;
+        }
+    }
+    QStringList said;
+    if (unknown > 0)
+        said << Texts::tr("Points held by what their object does not have: %1, as %2.").arg(unknown).arg(firstUnknown);
+    if (elsewhere > 0)
+        said << Texts::tr(
+                    "Points that are elsewhere than what holds them, as if the model had been changed: %1; %2 by %3.")
+                    .arg(QString::number(elsewhere), firstElsewhere, readableText(farthest));
+    if (!said.isEmpty())
+        said << Texts::tr("They are free where they are; B puts selected points onto the surface.");
+    return said.join(u' ');
+}
 
 std::optional<WorldPoint> worldOf(const landmarks::Hold &hold, const SceneObject &object)
 {

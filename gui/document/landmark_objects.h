@@ -3,6 +3,8 @@
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
 
+#include <QString>
+
 #include <memory>
 #include <optional>
 #include <vector>
@@ -26,6 +28,11 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
 /// @return nothing where a coordinate would not be finite, as back from an object that is scaled to nothing
 std::optional<landmarks::LandmarkSet> carried(landmarks::LandmarkSet set, const SceneObject &from,
                                               const SceneObject &to);
+
+/// Lets go of landmarks what their objects do not hold: elements that a model does not have, or that are elsewhere than the
+/// landmark, as of another version of the file. They stay where they are, free.
+/// @return how many, and one of them, in sentences; empty where all are where they are held
+QString letGo(std::vector<landmarks::Landmark> &points, const std::vector<SceneObject> &objects);
 
 /// Where a landmark's hold is in the world.
 /// @return nothing where it is free, and where the object has no such triangle or vertex

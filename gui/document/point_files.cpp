@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace unprojector::gui {
@@ -27,6 +28,22 @@ public:
     ~Waiting() { QGuiApplication::restoreOverrideCursor(); }
     Waiting(const Waiting &) = delete;
     Waiting &operator=(const Waiting &) = delete;
+};
+
+/// How far points were moved, and which one farthest.
+struct Moved {
+    std::size_t count = 0;
+    double most = 0.0, share = 0.0; ///< world units, and of the object's size
+    QString name;
+
+    void add(double distance, double ofSize, const QString &point)
+    {
+        if (count++ > 0 && distance <= most)
+            return;
+        most = distance;
+        share = ofSize;
+        name = point;
+    }
 };
 
 QString patternOf(Format format)
@@ -75,12 +92,36 @@ QStringList replace(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &b
     return notes;
 }
 
+/// Puts points behind those before; one whose name waits for a place there takes that.
+void append(std::vector<landmarks::Landmark> &all, std::vector<landmarks::Landmark> points)
+{
+    const auto before = static_cast<std::ptrdiff_t>(all.size());
+    std::vector<bool> isTaken(all.size(), false);
+    for (landmarks::Landmark &point : points) {
+        const QString name = QString::fromStdString(point.name);
+        const auto waiting = std::find_if(all.begin(), all.begin() + before, [&](const landmarks::Landmark &other) {
+            return other.isMissing() && !isTaken[static_cast<std::size_t>(&other - all.data())] && !name.isEmpty()
+                   && QString::fromStdString(other.name).compare(name, Qt::CaseInsensitive) == 0;
+        });
+        if (waiting == all.begin() + before) {
+            all.push_back(std::move(point));
+            continue;
+        }
+        isTaken[static_cast<std::size_t>(waiting - all.begin())] = true;
+        if (point.note.empty())
+            point.note = waiting->note;
+        if (!point.color)
+            point.color = waiting->color;
+        addKeys(point.extra, waiting->extra);
+        *waiting = std::move(point);
+    }
+}
+
 QStringList append(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &before, const QString &file)
 {
     QStringList notes;
     landmarks::LandmarkSet all = before;
-    all.landmarks.insert(all.landmarks.end(), std::make_move_iterator(set.landmarks.begin()),
-                         std::make_move_iterator(set.landmarks.end()));
+    append(all.landmarks, std::move(set.landmarks));
     all.curves.insert(all.curves.end(), std::make_move_iterator(set.curves.begin()),
                       std::make_move_iterator(set.curves.end()));
     if (!set.unit.empty() && set.unit != before.unit)
@@ -156,16 +197,17 @@ std::vector<ray::TyingTarget> PointFiles::targets() const
 std::optional<QString> PointFiles::tieAll(std::vector<landmarks::Landmark> &points)
 {
     std::vector<Stray> strays;
-    QString farthestName;
-    double farthest = 0.0, farthestShare = 0.0;
-    int tied = 0;
+    Moved onMesh, farOff; // of those near the mesh, and of the strays
+    std::size_t missing = 0, free = 0;
     const Waiting waiting;
     const std::vector<ray::TyingTarget> targets = this->targets();
     for (std::size_t i = 0; i < points.size(); ++i) {
         landmarks::Landmark before = points[i];
         const std::optional<ray::Tied> now = ray::tieToMesh(points[i], targets);
-        if (!now)
+        if (!now) { // beyond all distances, where it has a place
+            ++(points[i].isMissing() ? missing : free);
             continue;
+        }
         const ray::TyingTarget &target = targets[now->target];
         Box bounds;
         for (const SceneObject &object : m_document.objects()) {
@@ -173,39 +215,60 @@ std::optional<QString> PointFiles::tieAll(std::vector<landmarks::Landmark> &poin
                 bounds = boundsOf(object);
         }
         const double share = now->distance / bounds.diagonal();
-        if (share > ray::kFarFromMesh)
+        const bool isStray = share > ray::kFarFromMesh;
+        if (isStray)
             strays.push_back({i, std::move(before)});
-        if (tied++ == 0 || now->distance > farthest) {
-            farthest = now->distance;
-            farthestShare = share;
-            farthestName = ScenePoints::shownNameOf(points, i);
-        }
+        (isStray ? farOff : onMesh).add(now->distance, share, ScenePoints::shownNameOf(points, i));
     }
     if (!strays.empty()) {
         const QString text =
             tr("Points far from every object: %1. “%2” is %3 off, which is %4 % of the object's size. Are they "
                "of another object, or in other axes?")
-                .arg(QString::number(strays.size()), farthestName, readableText(farthest),
-                     readableText(100.0 * farthestShare));
+                .arg(QString::number(strays.size()), farOff.name, readableText(farOff.most),
+                     readableText(100.0 * farOff.share));
         QGuiApplication::setOverrideCursor(Qt::ArrowCursor);
         const auto answer = m_questions ? m_questions->askStray(text) : PointFileQuestions::Stray::LeaveFree;
         QGuiApplication::restoreOverrideCursor();
         if (answer == PointFileQuestions::Stray::Cancel)
             return std::nullopt;
         if (answer == PointFileQuestions::Stray::LeaveFree) {
+            free += strays.size();
             for (Stray &stray : strays) {
                 points[stray.place] = std::move(stray.untied);
                 points[stray.place].hold = landmarks::Free{};
-                --tied;
             }
-            return tr("On the mesh: %1. Free where they are, far from it: %2.").arg(tied).arg(strays.size());
+        } else {
+            onMesh.count += farOff.count;
+            if (farOff.most > onMesh.most)
+                std::tie(onMesh.most, onMesh.share, onMesh.name) = std::tie(farOff.most, farOff.share, farOff.name);
         }
     }
-    if (tied == 0)
-        return QString();
-    return farthest > 0.0
-               ? tr("They were moved onto the mesh by at most %1 (%2).").arg(readableText(farthest), farthestName)
-               : tr("They lie on the mesh.");
+    QStringList said; // the counts add up to all points
+    if (onMesh.count > 0 && onMesh.count < points.size())
+        said << tr("On the mesh: %1.").arg(onMesh.count);
+    constexpr double kRounding = 1e-12;
+    if (onMesh.count > 0)
+        said << (onMesh.share > kRounding ? tr("They were moved onto the mesh by at most %1 (%2).")
+                                                .arg(readableText(onMesh.most), onMesh.name)
+                                          : tr("They lie on the mesh."));
+    if (free > 0 && !targets.empty())
+        said << tr("Free where they are, far from it: %1.").arg(free);
+    if (missing > 0)
+        said << tr("Without a place: %1.").arg(missing);
+    return said.join(u' ');
+}
+
+PointFileQuestions::Join PointFiles::howToJoin(const landmarks::LandmarkSet &coming) const
+{
+    using Join = PointFileQuestions::Join;
+    const std::vector<landmarks::Landmark> &there = m_document.landmarks();
+    const auto waiting = std::count_if(there.begin(), there.end(), [](const auto &point) { return point.isMissing(); });
+    const auto placed = static_cast<std::ptrdiff_t>(there.size()) - waiting;
+    if (placed == 0) // nothing is lost
+        return Join::Replace;
+    return m_questions ? m_questions->askJoin(
+               {static_cast<int>(placed), static_cast<int>(waiting), static_cast<int>(coming.landmarks.size())})
+                       : Join::Replace;
 }
 
 bool PointFiles::importFrom(const std::filesystem::path &file)
@@ -222,10 +285,8 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
         if (changes & (Change::Objects | Change::Landmarks))
             isSameScene = false;
     });
-    const auto there = static_cast<int>(m_document.landmarks().size());
     landmarks::LandmarkSet set = std::move(read.sets.front());
-    const auto join = there == 0 || !m_questions ? PointFileQuestions::Join::Replace
-                                                 : m_questions->askJoin(there, static_cast<int>(set.landmarks.size()));
+    const PointFileQuestions::Join join = howToJoin(set);
     const std::optional<QString> done = join == PointFileQuestions::Join::Cancel ? std::nullopt : tieAll(set.landmarks);
     disconnect(changed);
     if (!done)
@@ -236,6 +297,12 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
         return false;
     }
     const std::size_t count = set.landmarks.size();
+    const std::vector<landmarks::Landmark> &there = m_document.landmarks();
+    if (std::all_of(there.begin(), there.end(), [](const auto &point) { return point.isMissing(); })) {
+        std::vector<landmarks::Landmark> filled = there; // names that wait are there for that
+        append(filled, std::move(set.landmarks));
+        set.landmarks = std::move(filled);
+    }
     QStringList notes;
     if (const QString lost = sentences(name, read.notes); !lost.isEmpty())
         notes << lost;
@@ -257,7 +324,12 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
 
 bool PointFiles::exportTo(const std::filesystem::path &file)
 {
-    landmarks::LandmarkSet set = m_document.curves().withSemilandmarks();
+    std::optional<landmarks::LandmarkSet> known = m_document.curves().withSemilandmarks();
+    if (!known) {
+        emit noticed(tr("%1 was not written.").arg(pathText(file.filename())));
+        return false;
+    }
+    landmarks::LandmarkSet set = *std::move(known);
     const std::optional<Format> format = formatOf(file);
     const auto model = std::find_if(m_document.objects().begin(), m_document.objects().end(),
                                     [](const SceneObject &object) { return !object.file.empty(); });

@@ -22,8 +22,12 @@ public:
     enum class Stray { Tie, LeaveFree, Cancel };
 
     virtual ~PointFileQuestions() = default;
-    /// What becomes of the points that are there.
-    virtual Join askJoin(int there, int coming) = 0;
+    /// How many points are there with a place, how many names wait for one, and how many points the file has.
+    struct Counts {
+        int placed = 0, waiting = 0, coming = 0;
+    };
+    /// What becomes of the points that are there, and of the names that wait.
+    virtual Join askJoin(const Counts &counts) = 0;
     /// What becomes of points that lie far from every object.
     /// @param text  which, and how far
     virtual Stray askStray(const QString &text) = 0;
@@ -46,10 +50,11 @@ public:
     static QString exportFilters();
 
     /// Reads a file and ties its points to the objects that are not hidden, as one undoable step. What else the scene says of its
-    /// points, their unit and the keys of other programs, stays where the file says nothing of it.
+    /// points, their unit and the keys of other programs, stays where the file says nothing of it. Names that wait for a place are
+    /// filled by name where nothing else is there, and where somebody says that the points are to be put behind.
     /// @return whether its points are in the scene
     bool importFrom(const std::filesystem::path &file);
-    /// @return whether it is written
+    /// @return whether it is written; not where somebody gives up waiting for the curves
     bool exportTo(const std::filesystem::path &file);
 
 signals:
@@ -66,6 +71,7 @@ private:
         landmarks::Landmark untied;
     };
     std::vector<ray::TyingTarget> targets() const;
+    PointFileQuestions::Join howToJoin(const landmarks::LandmarkSet &coming) const;
     /// Ties points to the objects, strays as somebody says.
     /// @return what was done, in words; nothing where the import was given up
     std::optional<QString> tieAll(std::vector<landmarks::Landmark> &points);

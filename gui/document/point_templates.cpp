@@ -65,7 +65,7 @@ std::filesystem::path PointTemplates::pictureFor(const QString &name) const
 
 void fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &points, const QString &name)
 {
-    static_cast<void>(document.editLandmarks(landmarks::withTemplate(document.landmarks(), points),
+    static_cast<void>(document.editLandmarks(landmarks::inTemplateOrder(document.landmarks(), points),
                                              {Templates::tr("Template %1").arg(name)}));
     document.points().waitForNext(std::nullopt);
 }

@@ -75,6 +75,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     connect(&m_document, &SceneDocument::opened, this, [this] { m_inView = m_shown = std::nullopt; });
     connect(&m_session, &Session::opened, this, [this] {
         if (m_isOpening) {
+            m_former.reset();
             takeShown();
         } else if (m_current) { // another scene
             m_current = std::nullopt;
@@ -86,6 +87,8 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
         if (!std::exchange(m_isOpening, false))
             return;
         m_current = m_inView;
+        if (m_former && m_wasAsked) // somebody would rather have stayed
+            goBack();
         emit changed();
     });
     connect(&m_session, &Session::failed, this, [this](const QString &reason) {
@@ -95,11 +98,14 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
         m_scans[*m_current].problem = reason;
         emit changed();
     });
-    connect(&m_session, &Session::aboutToSaveOrLeave, this, [this] { keep(); });
+    connect(&m_session, &Session::aboutToSaveOrLeave, this, [this] {
+        m_wasAsked = m_isOpening;
+        keep();
+    });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!(changes & Change::Landmarks) || !m_shown)
             return;
-        takePoints();
+        takePoints(m_document.landmarkSet()); // what follows from them is waited for when they are kept
         emit this->changed();
     });
 }
@@ -148,6 +154,7 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         return false;
     }
     std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
+    Former former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_placing};
     m_folder = folder;
     m_scans = std::move(scans);
     m_current = m_inView = m_shown = std::nullopt;
@@ -166,7 +173,21 @@ bool ScanSeries::open(const std::filesystem::path &folder)
     });
     emit changed();
     show(unfinished == m_scans.end() ? 0 : static_cast<std::size_t>(unfinished - m_scans.begin()));
+    if (m_isOpening)
+        m_former = std::move(former);
     return true;
+}
+
+void ScanSeries::goBack()
+{
+    m_folder = std::move(m_former->folder);
+    m_scans = std::move(m_former->scans);
+    m_names = std::move(m_former->names);
+    m_curves = std::move(m_former->curves);
+    m_current = m_inView = m_former->inView;
+    m_shown = m_former->shown;
+    m_placing = m_former->placing;
+    m_former.reset();
 }
 
 QStringList ScanSeries::pointNames() const
@@ -205,6 +226,8 @@ void ScanSeries::show(std::size_t place)
         std::erase_if(m_curves, [](const landmarks::Curve &curve) { return curve.points.empty(); });
     }
     m_isOpening = true;
+    m_wasAsked = false;
+    m_former.reset();
     m_current = place;
     m_session.openFiles({m_scans[place].file});
     if (m_session.isLoading()) { // what was loaded before it has been given up, and told so
@@ -246,6 +269,7 @@ void ScanSeries::takeShown()
         if (point.world && point.object.empty())
             point.object = inFile.name;
     }
+    const QString loose = letGo(set.landmarks, {inFile});
     m_kept = set;
     scan.points = set;
     if (std::optional<landmarks::LandmarkSet> placed = carried(set, inFile, m_object))
@@ -256,10 +280,12 @@ void ScanSeries::takeShown()
     m_document.markSaved();
     m_shown = m_current;
     m_document.points().waitForNext(std::nullopt);
+    if (!loose.isEmpty())
+        emit warned(QStringLiteral("%1: %2").arg(pathText(landmarksBeside(scan.file, m_placing).filename()), loose));
     emit changed();
 }
 
-bool ScanSeries::takePoints()
+bool ScanSeries::takePoints(landmarks::LandmarkSet set)
 {
     Scan &scan = m_scans[*m_shown];
     for (const SceneObject &object : m_document.objects()) {
@@ -268,7 +294,7 @@ bool ScanSeries::takePoints()
             break;
         }
     }
-    auto points = carried(m_document.curves().withSemilandmarks(), m_object, asInItsFile(scan.file, m_object));
+    auto points = carried(std::move(set), m_object, asInItsFile(scan.file, m_object));
     if (!points)
         return false;
     for (std::size_t i = 0; i < std::min(points->landmarks.size(), m_kept.landmarks.size()); ++i) {
@@ -289,13 +315,41 @@ bool ScanSeries::isScanAlone() const
            && scene.objects.front().transform.empty() && !scene.objects.front().isHidden;
 }
 
+bool ScanSeries::isAsKept() const
+{
+    landmarks::LandmarkSet now = m_scans[*m_shown].points;
+    if (!m_scans[*m_shown].isKept || now.curves.size() != m_kept.curves.size())
+        return false;
+    for (std::size_t i = 0; i < now.curves.size(); ++i) { // they follow from the rest
+        if (m_kept.curves[i].semilandmarks.empty())
+            return false;
+        now.curves[i].semilandmarks = m_kept.curves[i].semilandmarks;
+    }
+    return now == m_kept;
+}
+
 bool ScanSeries::keep()
 {
     emit m_session.typedToCount();
     if (!m_shown)
         return true;
+    if (takePoints(m_document.landmarkSet()) && isAsKept()) {
+        m_scans[*m_shown].points = m_kept;
+        if (isScanAlone())
+            m_document.markSaved();
+        return true;
+    }
+    const std::optional<std::size_t> shown = m_shown;
+    std::optional<landmarks::LandmarkSet> known = m_document.curves().withSemilandmarks();
+    if (m_shown != shown) // another scan came while they were waited for, and before it these were kept
+        return true;
+    if (!known) {
+        emit failed(tr("The points of %1 are not kept yet: somebody gave up waiting for its curves.")
+                        .arg(pathText(m_scans[*m_shown].file.filename())));
+        return false;
+    }
     Scan &scan = m_scans[*m_shown];
-    if (!takePoints()) {
+    if (!takePoints(*std::move(known))) {
         emit failed(
             tr("The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. "
                "Set its glScale back.")

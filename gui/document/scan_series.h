@@ -50,7 +50,8 @@ public:
     /// @param document, session  outlive it
     ScanSeries(SceneDocument &document, Session &session, QObject *parent = nullptr);
 
-    /// Takes a folder's model files as a series, by name, and shows the first that has not all its points.
+    /// Takes a folder's model files as a series, by name, and shows the first that has not all its points. Where somebody would
+    /// rather not leave the scene that is shown for it, the series before stays.
     /// @return false without any model file, after `failed`
     bool open(const std::filesystem::path &folder);
     bool isOpen() const { return !m_scans.empty(); }
@@ -93,7 +94,11 @@ private:
     void takeShown();
     /// The scan that is shown gets the scene's points.
     /// @return false where they have no finite coordinates in its file
-    bool takePoints();
+    bool takePoints(landmarks::LandmarkSet set);
+    /// Whether the points of the scan that is shown are those that were kept. @pre m_shown
+    bool isAsKept() const;
+    /// To the series before, whose scan is still in the view. @pre m_former
+    void goBack();
     /// Whether the scene holds nothing but the scan that is shown, as its file has it, and its points.
     bool isScanAlone() const;
     std::vector<landmarks::LandmarkSet> alignedSets() const;
@@ -101,6 +106,16 @@ private:
     std::string repeatsText(QStringList &problems) const;
     /// What a table lacks.
     QStringList leftOut() const;
+
+    /// What was open before a series whose first scan is being loaded.
+    struct Former {
+        std::filesystem::path folder;
+        std::vector<Scan> scans;
+        std::vector<landmarks::Landmark> names;
+        std::vector<landmarks::Curve> curves;
+        std::optional<std::size_t> inView, shown;
+        int placing = 1;
+    };
 
     SceneDocument &m_document;
     Session &m_session;
@@ -116,6 +131,8 @@ private:
     landmarks::LandmarkSet m_kept;            ///< its points as they were read or last written
     files::FileStamp m_stamp;                 ///< of their file then
     int m_placing = 1;
+    std::optional<Former> m_former;
+    bool m_wasAsked = false; ///< whether the scene before may be left, since the current scan is being loaded
 };
 
 } // namespace unprojector::gui

@@ -3,6 +3,7 @@
 #include "gui/document/scene_document.h"
 
 #include <QCoreApplication>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <atomic>
@@ -137,6 +138,7 @@ SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curve
 struct SceneCurves::Job {
     std::vector<Request> requests;
     std::atomic<bool> isEnded{false};
+    std::atomic<std::size_t> done{0};
     std::vector<Line> lines; ///< written by the thread, read once it is joined
     std::thread thread;
 };
@@ -307,8 +309,10 @@ void SceneCurves::begin()
         line.isComputing = true;
     m_job = job;
     const auto work = [this, job, surfaces = m_surfaces] {
-        for (std::size_t i = 0; i < job->requests.size() && !job->isEnded; ++i)
+        for (std::size_t i = 0; i < job->requests.size() && !job->isEnded; ++i) {
             job->lines[i] = worked(job->requests[i], *surfaces, [&job] { return !job->isEnded; });
+            ++job->done;
+        }
         QMetaObject::invokeMethod(
             this, [this, job] { take(job); }, Qt::QueuedConnection);
     };
@@ -339,18 +343,29 @@ void SceneCurves::take(const std::shared_ptr<Job> &job)
     m_document.tell(Change::Curves);
 }
 
-void SceneCurves::complete()
+SceneCurves::Progress SceneCurves::progress() const
 {
+    return m_job ? Progress{m_job->done, m_job->requests.size()} : Progress{};
+}
+
+bool SceneCurves::complete()
+{
+    if (m_job && m_waiting && !m_isWaiting) { // who asks while somebody waits gets what there is to be had at once
+        const QScopedValueRollback<bool> waiting(m_isWaiting, true);
+        return m_waiting();
+    }
     while (const std::shared_ptr<Job> job = m_job) {
         if (job->thread.joinable())
             job->thread.join();
         take(job);
     }
+    return true;
 }
 
-landmarks::LandmarkSet SceneCurves::withSemilandmarks()
+std::optional<landmarks::LandmarkSet> SceneCurves::withSemilandmarks()
 {
-    complete();
+    if (!complete())
+        return std::nullopt;
     landmarks::LandmarkSet set = m_document.landmarkSet();
     for (std::size_t i = 0; i < set.curves.size(); ++i) {
         Curve &curve = set.curves[i];
@@ -423,15 +438,18 @@ void SceneCurves::setKind(std::size_t curve, landmarks::CurveKind kind)
     edit(std::move(curves), tr("Kind of %1").arg(shownNameOf(all()[curve], curve)));
 }
 
-void SceneCurves::rename(std::size_t curve, const QString &name)
+bool SceneCurves::rename(std::size_t curve, const QString &name)
 {
     std::vector<Curve> curves = all();
     const std::string wanted = name.trimmed().toStdString();
+    if (wanted == curves[curve].name)
+        return true;
     const bool isTaken = std::any_of(curves.begin(), curves.end(), [&](const Curve &c) { return c.name == wanted; });
     if (wanted.empty() || isTaken)
-        return;
+        return false;
     curves[curve].name = wanted;
     edit(std::move(curves), tr("Rename %1").arg(shownNameOf(all()[curve], curve)));
+    return true;
 }
 
 void SceneCurves::remove(std::size_t curve)

@@ -8,8 +8,10 @@
 #include <QString>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace unprojector::gui {
@@ -56,10 +58,20 @@ public:
     /// The geodesic through the points that are selected, in their order in the list; null where fewer than two are.
     const Line *throughSelected() const;
     bool isComputing() const { return m_job != nullptr; }
+    /// How many curves are being worked out, and how many of them are done.
+    struct Progress {
+        std::size_t done = 0, count = 0;
+    };
+    Progress progress() const;
     /// Works all of them out before it returns.
-    void complete();
+    /// @return false where the waiting, see setWaiting, was given up; what is under way goes on
+    bool complete();
+    /// Who shows that curves are waited for, and waits until none is computing, with the events of the program going on.
+    /// @param waiting  returns false where somebody gives up. Empty: the thread that asks is blocked until all are there
+    void setWaiting(std::function<bool()> waiting) { m_waiting = std::move(waiting); }
     /// The points and the curves with their semilandmarks, for a file. Waits for what is not known yet.
-    landmarks::LandmarkSet withSemilandmarks();
+    /// @return nothing where the waiting was given up
+    std::optional<landmarks::LandmarkSet> withSemilandmarks();
 
     /// What is shown in the view of what is measured at the selected points. Not undoable.
     const std::optional<ShownMeasure> &shownMeasure() const { return m_shownMeasure; }
@@ -73,8 +85,8 @@ public:
     /// @param count  from 2 to landmarks::kMostSemilandmarks
     void setCount(std::size_t curve, int count);
     void setKind(std::size_t curve, landmarks::CurveKind kind);
-    /// An empty name, and one that another curve has, change nothing.
-    void rename(std::size_t curve, const QString &name);
+    /// @return false of an empty name, and of one that another curve has: they change nothing
+    bool rename(std::size_t curve, const QString &name);
     void remove(std::size_t curve);
 
     static QString shownNameOf(const landmarks::Curve &curve, std::size_t place);
@@ -104,6 +116,8 @@ private:
     std::unique_ptr<Known> m_selected; ///< of what is selected
     std::shared_ptr<Job> m_job;
     std::optional<ShownMeasure> m_shownMeasure;
+    std::function<bool()> m_waiting;
+    bool m_isWaiting = false;
 };
 
 } // namespace unprojector::gui

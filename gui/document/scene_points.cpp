@@ -240,6 +240,18 @@ Check ScenePoints::move(std::size_t place, const Landmark &to, const QString &me
         {place}, tr("Move %1"), {}, [&](Landmark &point) { takePlace(point, to); }, mergeKey);
 }
 
+Check ScenePoints::moveAll(const std::vector<Move> &moves, const QString &mergeKey)
+{
+    std::vector<std::size_t> places;
+    places.reserve(moves.size());
+    for (const Move &move : moves)
+        places.push_back(move.place);
+    std::size_t next = 0; // they come in this order
+    return edit(
+        places, tr("Move %1"), tr("Move %n points", nullptr, static_cast<int>(places.size())),
+        [&](Landmark &point) { takePlace(point, moves[next++].to); }, mergeKey);
+}
+
 Check ScenePoints::moveTo(std::size_t place, const WorldPoint &to, const QString &mergeKey)
 {
     Q_ASSERT(place < all().size());

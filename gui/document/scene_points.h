@@ -63,6 +63,13 @@ public:
     /// Takes the place of another: where it is and what holds it, its object and how far it can be off.
     /// @param mergeKey  moves with the same key, one right after the other, are one step
     Check move(std::size_t place, const Landmark &to, const QString &mergeKey = {});
+    /// What of one point another one takes, see move.
+    struct Move {
+        std::size_t place = 0;
+        Landmark to;
+    };
+    /// All in one step; none of none.
+    Check moveAll(const std::vector<Move> &moves, const QString &mergeKey = {});
     /// To coordinates, held by nothing, and as exact as they are.
     Check moveTo(std::size_t place, const WorldPoint &to, const QString &mergeKey = {});
     Check rename(std::size_t place, const QString &name);

@@ -163,7 +163,8 @@ private:
     void load(Pending pending);
     void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
     void takeModels(const std::vector<LoadedModel> &models, Pending::For use);
-    void takeScene(Pending pending, const std::vector<LoadedModel> &models);
+    /// @return what of it is not as in its file
+    QString takeScene(Pending pending, const std::vector<LoadedModel> &models);
     /// The scene that was just opened has this file, or none, and this name.
     void setScene(const QString &name, const QString &example = {}, const std::filesystem::path &file = {},
                   SceneFile contents = {}, const std::optional<files::FileStamp> &stamp = {});

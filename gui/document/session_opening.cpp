@@ -5,6 +5,7 @@
 #include "core/scene/bundled_scene.h"
 #include "core/scene/examples.h"
 #include "core/scene_file/scene_error_text.h"
+#include "gui/document/landmark_objects.h"
 #include "gui/document/point_files.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
@@ -165,13 +166,13 @@ void Session::takeLoaded(const std::vector<LoadedModel> &models, const std::vect
     const std::vector<std::filesystem::path> points = std::move(pending.points);
     bool isShown = false;
     const auto shown = connect(this, &Session::opened, this, [&isShown] { isShown = true; });
+    QStringList reasons; // what is not as in a file stays to be read until it is closed, as reasons do
     if (pending.use != Pending::For::SceneFile)
         takeModels(models, pending.use);
     else if (errors.empty())
-        takeScene(std::move(pending), models);
+        reasons << takeScene(std::move(pending), models);
+    reasons.removeAll(QString());
     disconnect(shown);
-    // What is not as in a file stays to be read until it is closed, as reasons do.
-    QStringList reasons;
     for (const ImportError &error : errors)
         reasons << errorText(error);
     for (const LoadedModel &loaded : models) {
@@ -216,7 +217,7 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
         emit noticed(sizes);
 }
 
-void Session::takeScene(Pending pending, const std::vector<LoadedModel> &models)
+QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &models)
 {
     std::map<std::filesystem::path, ModelPointer> read;
     for (const LoadedModel &loaded : models)
@@ -233,7 +234,7 @@ void Session::takeScene(Pending pending, const std::vector<LoadedModel> &models)
         if (found == bundled.end()) {
             emit failed(
                 tr("%1: there is no bundled model \"%2\".").arg(pending.name, QString::fromStdString(object.bundled)));
-            return;
+            return {};
         }
         inOrder.push_back(found->second);
     }
@@ -242,17 +243,21 @@ void Session::takeScene(Pending pending, const std::vector<LoadedModel> &models)
         SceneFileError reason = scene.error();
         reason.file = pending.name.toStdString();
         emit failed(errorText(reason));
-        return;
+        return {};
     }
-    if (const Check shown = m_document.open(std::move(scene).value()); !shown) {
+    Scene opened = std::move(scene).value();
+    const QString loose = letGo(opened.landmarks.landmarks, opened.objects);
+    if (const Check shown = m_document.open(std::move(opened)); !shown) {
         emit failed(tr("%1: %2").arg(pending.name, errorText(shown.error())));
-        return;
+        return {};
     }
+    const QString name = pending.name;
     setScene(pending.name, {}, pending.path, std::move(pending.contents), pending.stamp);
     if (pending.recovered)
         takeRecovered(pending.recovered);
     else
         rememberRecent(pending.path);
+    return loose.isEmpty() ? loose : tr("%1: %2").arg(name, loose);
 }
 
 void Session::setScene(const QString &name, const QString &example, const std::filesystem::path &file,

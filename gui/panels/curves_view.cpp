@@ -6,11 +6,12 @@
 #include "gui/text/error_text.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QShortcut>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QStyledItemDelegate>
 #include <QTimer>
 #include <QToolButton>
@@ -35,20 +36,48 @@ public:
 
     QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {
-        if (index.column() != Name && index.column() != Count)
-            return nullptr;
-        QWidget *editor = QStyledItemDelegate::createEditor(parent, option, index);
-        if (auto *box = qobject_cast<QSpinBox *>(editor))
-            box->setRange(2, landmarks::kMostSemilandmarks);
-        return editor;
+        const bool isTyped = index.column() == Name || index.column() == Count;
+        return isTyped ? QStyledItemDelegate::createEditor(parent, option, index) : nullptr;
+    }
+};
+
+bool isDigit(const QKeyEvent &event)
+{
+    return event.key() >= Qt::Key_0 && event.key() <= Qt::Key_9
+           && (event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier)) == Qt::NoModifier;
+}
+
+/// Digits are the number of semilandmarks of the current row, not keys of the camera.
+class CurveRows : public QTreeWidget {
+public:
+    using QTreeWidget::QTreeWidget;
+
+protected:
+    bool event(QEvent *event) override
+    {
+        if (event->type() == QEvent::ShortcutOverride && currentItem() && isDigit(*static_cast<QKeyEvent *>(event))) {
+            event->accept();
+            return true;
+        }
+        return QTreeWidget::event(event);
+    }
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        if (!currentItem() || !isDigit(*event) || state() == EditingState) {
+            QTreeWidget::keyPressEvent(event);
+            return;
+        }
+        setCurrentItem(currentItem(), Count);
+        editItem(currentItem(), Count);
+        if (auto *editor = viewport()->findChild<QLineEdit *>())
+            editor->setText(event->text());
     }
 };
 
 } // namespace
 
 CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
-    : QWidget(parent), m_document(document), m_rows(new QTreeWidget), m_reason(new QLabel),
-      m_join(new QToolButton(this))
+    : QWidget(parent), m_document(document), m_rows(new CurveRows), m_reason(new QLabel), m_join(new QToolButton(this))
 {
     m_rows->setAccessibleName(tr("Curves"));
     m_rows->setRootIsDecorated(false);
@@ -89,17 +118,12 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     auto *menu = new QMenu(m_join);
     menu->setToolTipsVisible(true);
     const auto add = [&](const QString &text, const QString &tip, CurveKind kind) {
-        menu->addAction(text, this,
-                        [this, kind] {
-                            const QString reason = m_document.curves().join(m_document.points().selection(), kind);
-                            m_reason->setText(tr("No curve: %1.").arg(reason));
-                            m_reason->setVisible(!reason.isEmpty());
-                            setVisible(!reason.isEmpty() || !m_document.curves().all().empty());
-                        })
-            ->setToolTip(tip);
+        menu->addAction(text, this, [this, kind] { join(kind); })->setToolTip(tip);
     };
-    add(tr("On the &Surface"), tr("A geodesic: as a thread pulled tight on the surface"), CurveKind::Geodesic);
-    add(tr("Along a &Plane"),
+    add(tr("On the &Surface") + QStringLiteral("\tJ"), tr("A geodesic: as a thread pulled tight on the surface"),
+        CurveKind::Geodesic);
+    add(tr("Along a &Plane") + QStringLiteral("\t")
+            + QKeySequence(Qt::SHIFT | Qt::Key_J).toString(QKeySequence::NativeText),
         tr("Where the plane through two points and the surface's normals at them cuts the surface"),
         CurveKind::PlaneSection);
     m_join->setMenu(menu);
@@ -122,6 +146,21 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     showRows();
     if (m_document.curves().all().empty())
         hide();
+}
+
+void CurvesView::join(landmarks::CurveKind kind)
+{
+    const QString reason = m_document.curves().join(m_document.points().selection(), kind);
+    say(reason.isEmpty() ? QString() : tr("No curve: %1.").arg(reason));
+    if (reason.isEmpty()) // its number of semilandmarks is what is typed next
+        m_rows->setCurrentItem(m_rows->topLevelItem(m_rows->topLevelItemCount() - 1), Count);
+}
+
+void CurvesView::say(const QString &reason)
+{
+    m_reason->setText(reason);
+    m_reason->setVisible(!reason.isEmpty());
+    setVisible(!reason.isEmpty() || !m_document.curves().all().empty());
 }
 
 void CurvesView::resizeEvent(QResizeEvent *event)
@@ -169,7 +208,7 @@ void CurvesView::showRows()
         if (curve.points.empty())
             item->setText(Count, QString::number(curve.semilandmarks.size()));
         else
-            item->setData(Count, Qt::EditRole, static_cast<int>(curve.count));
+            item->setText(Count, QString::number(curve.count));
         item->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
     }
@@ -200,10 +239,19 @@ void CurvesView::apply(int row, int column, const QVariant &typed)
     SceneCurves &curves = m_document.curves();
     if (row < 0 || place >= curves.all().size())
         return;
-    if (column == Name)
-        curves.rename(place, typed.toString());
-    else if (column == Count && !curves.all()[place].points.empty())
-        curves.setCount(place, typed.toInt());
+    if (column == Name) {
+        if (!curves.rename(place, typed.toString()))
+            say(tr("“%1” is no name for it: it is empty, or another curve's.").arg(typed.toString().trimmed()));
+    } else if (column == Count && !curves.all()[place].points.empty()) {
+        bool isNumber = false;
+        const int count = typed.toString().trimmed().toInt(&isNumber);
+        if (isNumber && count >= 2 && count <= landmarks::kMostSemilandmarks)
+            curves.setCount(place, count);
+        else
+            say(tr("n is “%1”; a curve has 2 to %2 semilandmarks.")
+                    .arg(typed.toString().trimmed())
+                    .arg(landmarks::kMostSemilandmarks));
+    }
     showRows(); // what was refused is as before
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/landmarks/landmark.h"
+
 #include <QWidget>
 
 #include <cstddef>
@@ -23,6 +25,8 @@ public:
 
     /// Joins the points that are selected; to be put where these are listed.
     QToolButton *joinButton() const { return m_join; }
+    /// Joins the points that are selected, or says why not.
+    void join(landmarks::CurveKind kind);
 
 signals:
     /// There is a list now, or none any more.
@@ -34,6 +38,8 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
+    /// @param reason  why something typed or asked for is refused; empty: it is not
+    void say(const QString &reason);
     void showRows();
     void showLengths();
     void apply(int row, int column, const QVariant &typed);

@@ -92,7 +92,7 @@ int PointsModel::columnCount(const QModelIndex &parent) const
 
 QString PointsModel::coordinateText(const Landmark &point, int axis) const
 {
-    return point.world ? pointNotation(point, axis, kCoordinateRoom).text((*point.world)[axis])
+    return point.world ? pointNotation(point, axis, kCoordinateRoom, kMostCoordinateRoom).text((*point.world)[axis])
                        : QString(QChar(0x2013));
 }
 
@@ -102,8 +102,8 @@ QVariant PointsModel::certainLength(const Landmark &point, int axis) const
         return {};
     if (!point.uncertainty)
         return 0; // nobody knows how many are
-    return static_cast<int>(
-        pointNotation(point, axis, kCoordinateRoom).certainLength((*point.world)[axis], (*point.uncertainty)[axis]));
+    return static_cast<int>(pointNotation(point, axis, kCoordinateRoom, kMostCoordinateRoom)
+                                .certainLength((*point.world)[axis], (*point.uncertainty)[axis]));
 }
 
 QVariant PointsModel::text(const QModelIndex &index) const

@@ -25,6 +25,8 @@ public:
     static constexpr int kSortRole = CoordinatesModel::kValueRole;
     /// Characters of a coordinate as a rule, with its sign: "-123.456".
     static constexpr int kCoordinateRoom = 8;
+    /// The most of one that has more certain digits than that.
+    static constexpr int kMostCoordinateRoom = 13;
 
     explicit PointsModel(SceneDocument &document, QObject *parent = nullptr);
 

@@ -54,11 +54,10 @@ PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWi
           document, [this](const QString &name) { return m_templates.hintFor(name); },
           [this](const QString &name) { return m_templates.pictureFor(name); })),
       m_empty(new QLabel), m_reason(new QLabel), m_template(new QToolButton), m_up(new QToolButton),
-      m_down(new QToolButton), m_remove(new QToolButton), m_parts(new QSplitter(Qt::Vertical))
+      m_down(new QToolButton), m_remove(new QToolButton), m_curves(new CurvesView(document)),
+      m_parts(new QSplitter(Qt::Vertical))
 {
-    m_empty->setText(
-        tr("No points yet. Press P, then click where one is to be; or choose a template, and its points are "
-           "placed one after the other."));
+    setPlacing(false);
     m_empty->setWordWrap(true);
     m_reason->setWordWrap(true);
     m_reason->setTextFormat(Qt::PlainText);
@@ -97,8 +96,7 @@ PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWi
     auto *buttons = new QHBoxLayout;
     for (QToolButton *button : {m_template, m_up, m_down, m_remove})
         buttons->addWidget(button);
-    auto *curves = new CurvesView(document);
-    buttons->addWidget(curves->joinButton());
+    buttons->addWidget(m_curves->joinButton());
     buttons->addStretch();
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(m_next);
@@ -111,11 +109,11 @@ PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWi
     listLayout->addLayout(buttons);
     m_parts->setChildrenCollapsible(false);
     m_parts->addWidget(list);
-    m_parts->addWidget(curves);
+    m_parts->addWidget(m_curves);
     m_parts->addWidget(new MeasuresView(document));
     layout->addWidget(m_parts, 1);
     connect(m_parts, &QSplitter::splitterMoved, this, [this] { m_isPartedByUser = true; });
-    connect(curves, &CurvesView::shownOrHidden, this, &PointsPanel::partHeight,
+    connect(m_curves, &CurvesView::shownOrHidden, this, &PointsPanel::partHeight,
             Qt::QueuedConnection); // the splitter takes notice first
     updateButtons();
 }
@@ -136,6 +134,20 @@ QSize PointsPanel::minimumSizeHint() const
 {
     constexpr int kDigits = 24, kLines = 10;
     return {kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing()};
+}
+
+void PointsPanel::setPlacing(bool isPlacing)
+{
+    m_empty->setText(isPlacing
+                         ? tr("No points yet. Click where one is to be; or choose a template, and its points are "
+                              "placed one after the other.")
+                         : tr("No points yet. Press P, then click where one is to be; or choose a template, and its "
+                              "points are placed one after the other."));
+}
+
+void PointsPanel::join(landmarks::CurveKind kind)
+{
+    m_curves->join(kind);
 }
 
 void PointsPanel::applyTyped()

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/landmarks/landmark.h"
+
 #include <QWidget>
 
 #include <filesystem>
@@ -11,6 +13,7 @@ class QToolButton;
 
 namespace unprojector::gui {
 
+class CurvesView;
 class NextPointBar;
 class PointTemplates;
 class PointsModel;
@@ -25,6 +28,12 @@ public:
 
     /// The names of a file are to be placed one after the other; those that are there already stay as they are.
     void takeTemplate(const std::filesystem::path &file);
+
+    /// Whether a click in the view places a point, as a word for those who have none yet.
+    void setPlacing(bool isPlacing);
+
+    /// Leads a curve through the selected points, or says why not.
+    void join(landmarks::CurveKind kind);
 
     /// What is being typed counts, as if Enter were pressed.
     void applyTyped();
@@ -63,6 +72,7 @@ private:
     QToolButton *m_up;
     QToolButton *m_down;
     QToolButton *m_remove;
+    CurvesView *m_curves;
     QSplitter *m_parts;
     bool m_isPartedByUser = false;
 };

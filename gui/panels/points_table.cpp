@@ -61,11 +61,36 @@ PointsTable::PointsTable(SceneDocument &document, PointsModel *model, QWidget *p
             tellSelection();
     });
     connect(m_rows, &QAbstractItemModel::modelReset, this, &PointsTable::showSelection);
+    connect(header(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (!m_isFitting)
+            m_ownWidths.insert(column);
+    });
+    connect(model, &QAbstractItemModel::modelReset, this,
+            [this, model] { widenCoordinates(0, model->rowCount() - 1); });
+    connect(model, &QAbstractItemModel::dataChanged, this,
+            [this](const QModelIndex &from, const QModelIndex &to) { widenCoordinates(from.row(), to.row()); });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & (Change::LandmarkSelection | Change::Landmarks))
             showSelection();
     });
     showSelection();
+}
+
+void PointsTable::widenCoordinates(int first, int last)
+{
+    const QScopedValueRollback<bool> fitting(m_isFitting, true);
+    const QFontMetrics metrics(font());
+    const int margin = metrics.horizontalAdvance(u'0');
+    for (const int column : {PointsModel::X, PointsModel::Y, PointsModel::Z}) {
+        if (m_ownWidths.contains(column))
+            continue;
+        int width = header()->sectionSize(column);
+        for (int row = first; row <= last; ++row)
+            width = std::max(
+                width, metrics.horizontalAdvance(m_rows->sourceModel()->index(row, column).data().toString()) + margin);
+        if (width > header()->sectionSize(column))
+            header()->resizeSection(column, width);
+    }
 }
 
 void PointsTable::useFonts()
@@ -83,6 +108,8 @@ void PointsTable::fitColumns()
             header()->fontMetrics().horizontalAdvance(model()->headerData(column, Qt::Horizontal).toString());
         header()->resizeSection(column, std::max(characters * digit, head) + digit);
     };
+    const QScopedValueRollback<bool> fitting(m_isFitting, true);
+    m_ownWidths.clear();
     // As far as ± without scrolling in a panel of the usual width: with the names' beginnings, which differ.
     fit(PointsModel::Number, 3);
     fit(PointsModel::Name, 12);
@@ -92,6 +119,7 @@ void PointsTable::fitColumns()
     fit(PointsModel::Object, 10);
     fit(PointsModel::HeldBy, 13);
     fit(PointsModel::Note, 16);
+    widenCoordinates(0, m_rows->sourceModel()->rowCount() - 1); // where more digits are certain than that
 }
 
 QSize PointsTable::sizeHint() const

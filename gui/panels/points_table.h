@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QSet>
 #include <QTreeView>
 
 #include <cstddef>
@@ -40,11 +41,15 @@ protected:
 private:
     void useFonts();
     void fitColumns();
+    /// Gives coordinates the room that those of some rows of the model need, but in columns whose width somebody has chosen.
+    void widenCoordinates(int first, int last);
     void showSelection();
     void tellSelection();
 
     SceneDocument &m_document;
     QSortFilterProxyModel *m_rows;
+    QSet<int> m_ownWidths;    ///< columns whose width somebody has chosen
+    bool m_isFitting = false; ///< columns get the width that they need
     bool m_isShowing = false; ///< the document's selection, which it need not be told of
 };
 

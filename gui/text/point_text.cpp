@@ -92,7 +92,7 @@ QString plusMinusText(const landmarks::Landmark &point)
     return off > 0.0 ? boundText(off) : QStringLiteral("0");
 }
 
-Notation pointNotation(const landmarks::Landmark &point, int axis, int characters)
+Notation pointNotation(const landmarks::Landmark &point, int axis, int characters, int most)
 {
     constexpr int kDigits = 15, kBeyondCertain = 2;
     if (!point.world)
@@ -101,6 +101,10 @@ Notation pointNotation(const landmarks::Landmark &point, int axis, int character
     if (point.uncertainty && !notation.isScientific) {
         const int certain = certainPlace((*point.uncertainty)[axis]);
         notation.decimals = std::min(notation.decimals, std::max(0, kBeyondCertain - certain));
+        if ((*point.uncertainty)[axis] > 0.0) {
+            const Notation wide = notationOf(*point.world, (*point.world)[axis], kDigits, most);
+            notation.decimals = std::max(notation.decimals, std::min(wide.decimals, -certain));
+        }
     }
     return notation;
 }

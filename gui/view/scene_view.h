@@ -127,6 +127,8 @@ private:
     std::vector<std::size_t> selectedInView() const;
     bool isPointKey(const QKeyEvent &event) const;
     void pressPointKey(const QKeyEvent &event);
+    /// Moves the selected points that are in sight on the surface. @param way  device pixels
+    void nudge(const QPointF &way);
     void showTip(const QHelpEvent &event);
     /// Shows a place large while points are placed and dragged.
     /// @param at  device pixels; nothing: no more

@@ -310,27 +310,49 @@ void SceneView::pressPointKey(const QKeyEvent &event)
         static_cast<void>(m_document.points().remove(selectedInView()));
         return;
     }
-    const std::size_t place = *m_document.points().current();
-    const QPointF way = *nudgeOf(event);
+    nudge(*nudgeOf(event));
+}
+
+void SceneView::nudge(const QPointF &way)
+{
+    // As exact as the step: who moves by tenths of a pixel means one of them.
+    const double pixels = std::min(1.0, std::abs(way.x()) + std::abs(way.y()));
+    ScenePoints &points = m_document.points();
+    const std::vector<std::size_t> selected = selectedInView();
+    const auto wanted = std::count_if(selected.begin(), selected.end(),
+                                      [&](std::size_t place) { return !points.all()[place].isMissing(); });
+    std::vector<ScenePoints::Move> moves;
+    std::optional<QPointF> left;
+    std::optional<DevicePoint> aim;
     for (const PointMark &mark : marks()) {
-        if (mark.place != place)
+        if (!points.isSelected(mark.place))
             continue;
-        if (mark.isBehind) {
-            QToolTip::showText(mapToGlobal(mark.at).toPoint(),
-                               tr("It is behind what is seen here: turn the view, or go to it (G)."), this);
-            return;
-        }
         DevicePoint to = deviceOf(m_document.geometry().surface, mark.at);
         to.x += way.x();
         to.y += way.y();
-        // As exact as the step: who moves by tenths of a pixel means one of them.
-        const double pixels = std::min(1.0, std::abs(way.x()) + std::abs(way.y()));
-        if (const std::optional<Landmark> there = m_document.points().onSurfaceAt(to, pixels)) {
-            static_cast<void>(m_document.points().move(place, *there, QStringLiteral("nudge %1").arg(place)));
-            aimLoupe(to);
-        }
-        return;
+        const std::optional<Landmark> there = mark.isBehind ? std::nullopt : points.onSurfaceAt(to, pixels);
+        if (mark.isBehind && (!left || mark.isCurrent))
+            left = mark.at;
+        if (!there)
+            continue;
+        moves.push_back({mark.place, *there});
+        if (mark.isCurrent)
+            aim = to;
     }
+    QString key = QStringLiteral("nudge");
+    for (const ScenePoints::Move &move : moves)
+        key += u' ' + QString::number(move.place);
+    static_cast<void>(points.moveAll(moves, key));
+    if (aim)
+        aimLoupe(*aim);
+    const auto unmoved = static_cast<int>(wanted) - static_cast<int>(moves.size());
+    if (wanted == 1 && left)
+        QToolTip::showText(mapToGlobal(*left).toPoint(),
+                           tr("It is behind what is seen here: turn the view, or go to it (G)."), this);
+    else if (wanted > 1 && unmoved > 0)
+        QToolTip::showText(
+            mapToGlobal(left.value_or(QPointF(rect().center()))).toPoint(),
+            tr("Selected points that were not moved, behind what is seen here or beside it: %1.").arg(unmoved), this);
 }
 
 void SceneView::showTip(const QHelpEvent &event)

@@ -3,18 +3,21 @@
 #include "gui/document/point_files.h"
 #include "gui/document/point_templates.h"
 #include "gui/document/scan_series.h"
+#include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/icons.h"
 #include "gui/panels/map_panel.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
+#include "gui/panels/points_panel.h"
 #include "gui/panels/viewport_inspector.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 #include "gui/view/lifecycle_log.h"
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/curve_waiting.h"
 #include "gui/window/map_overlay.h"
 #include "gui/window/overlay_bars.h"
 #include "gui/window/picture_note.h"
@@ -74,6 +77,8 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     });
     connect(m_document, &SceneDocument::pickFailed, this,
             [this](const Error &error) { m_message->showMessage(errorText(error)); });
+    if (options.remembers) // somebody is there to wait
+        m_document->curves().setWaiting([this] { return waitForCurves(*this, *m_document); });
     connectSession();
     restoreLayout();
     showCamera();
@@ -168,6 +173,7 @@ void MainWindow::createView()
          {static_cast<QWidget *>(m_recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_loading)})
         bar->raise();
     connect(m_view, &SceneView::placingChanged, m_placingAction, &QAction::setChecked);
+    connect(m_view, &SceneView::placingChanged, m_pointsPanel, &PointsPanel::setPlacing);
     connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
     connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
     connect(m_view, &SceneView::pointerLeft, this, [this] {

@@ -40,6 +40,7 @@ class RecoveryBar;
 class ScanSeries;
 class SceneDocument;
 class SceneView;
+class PointsPanel;
 class SeriesPanel;
 class ViewportInspector;
 class WindowQuestions;
@@ -167,6 +168,7 @@ private:
     ComparisonPanel *m_comparison = nullptr;
     ParametersPanel *m_parameters = nullptr;
     ViewportInspector *m_inspector = nullptr;
+    PointsPanel *m_pointsPanel = nullptr;
     SeriesPanel *m_seriesPanel = nullptr;
     ExampleNote *m_exampleNote = nullptr;
     FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for

@@ -10,6 +10,7 @@
 #include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/icons.h"
+#include "gui/panels/points_panel.h"
 #include "gui/panels/save_name.h"
 #include "gui/panels/series_panel.h"
 #include "gui/text/error_text.h"
@@ -238,6 +239,18 @@ void MainWindow::createPlacingActions(QMenu &menu, QToolBar &bar)
     addAction(&menu, tr("Put &Back on the Surface"), Qt::Key_B,
               tr("Put the selected points onto the surface, where it is closest to them"),
               [this] { static_cast<void>(putOnSurface(*m_document, m_document->points().selection())); });
+    const auto join = [this](landmarks::CurveKind kind) {
+        return [this, kind] {
+            m_places->show("points"); // where the curve is listed, or why there is none
+            m_pointsPanel->join(kind);
+        };
+    };
+    addAction(&menu, tr("&Join on the Surface"), Qt::Key_J,
+              tr("Lead a curve through the selected points as a thread pulled tight on the surface"),
+              join(landmarks::CurveKind::Geodesic));
+    addAction(&menu, tr("Join Along a P&lane"), Qt::SHIFT | Qt::Key_J,
+              tr("Lead a curve through the selected points where the plane along the surface's normals cuts it"),
+              join(landmarks::CurveKind::PlaneSection));
 }
 
 void MainWindow::createSnapActions(QMenu &menu, QToolBar &bar)

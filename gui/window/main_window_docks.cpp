@@ -83,7 +83,8 @@ void MainWindow::createPanels()
     constexpr auto kLeft = Qt::LeftDockWidgetArea, kRight = Qt::RightDockWidgetArea, kBottom = Qt::BottomDockWidgetArea;
     auto *objects = new ObjectsPanel(*m_document);
     connect(m_session, &Session::typedToCount, objects, &ObjectsPanel::applyTyped);
-    auto *points = new PointsPanel(*m_document, *m_templates);
+    m_pointsPanel = new PointsPanel(*m_document, *m_templates);
+    PointsPanel *points = m_pointsPanel;
     connect(m_session, &Session::typedToCount, points, &PointsPanel::applyTyped);
     connect(points, &PointsPanel::warned, m_session, &Session::warned);
     connect(m_session, &Session::pointFilesOpened, points, [points](const std::vector<std::filesystem::path> &files) {

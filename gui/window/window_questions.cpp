@@ -77,14 +77,18 @@ bool WindowQuestions::askDeleteKept(const QString &name)
            == QMessageBox::Discard;
 }
 
-PointFileQuestions::Join WindowQuestions::askJoin(int there, int coming)
+PointFileQuestions::Join WindowQuestions::askJoin(const Counts &counts)
 {
-    switch (
-        askOwn(m_window, tr("Import Points"),
-               tr("There are %1 points already, and the file has %2. Replace them, or put the new ones behind them?")
-                   .arg(there)
-                   .arg(coming),
-               {tr("&Replace"), tr("&Append")})) {
+    QString text = tr("Points that are placed already: %1. Points in the file: %2. Replace them, or put the new ones "
+                      "behind them?")
+                       .arg(counts.placed)
+                       .arg(counts.coming);
+    if (counts.waiting > 0)
+        text += QStringLiteral("\n\n")
+                + tr("Names of the template that wait for their points: %1. Replace takes them away as well; Append "
+                     "gives those that the file has their places.")
+                      .arg(counts.waiting);
+    switch (askOwn(m_window, tr("Import Points"), text, {tr("&Replace"), tr("&Append")})) {
     case 0: return Join::Replace;
     case 1: return Join::Append;
     default: return Join::Cancel;

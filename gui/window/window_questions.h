@@ -20,7 +20,7 @@ public:
     bool askOverwrite(const std::filesystem::path &file) override;
     bool askOverwriteChanged(const std::filesystem::path &file) override;
     bool askDeleteKept(const QString &name) override;
-    Join askJoin(int there, int coming) override;
+    Join askJoin(const Counts &counts) override;
     Stray askStray(const QString &text) override;
 
 private:

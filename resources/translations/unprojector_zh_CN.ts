@@ -1370,6 +1370,25 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     </message>
 </context>
 <context>
+    <name>unprojector::gui::CurveWaiting</name>
+    <message>
+        <source>Curves are worked out on the surface…</source>
+        <translation>正在曲面上计算曲线……</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Curves are worked out on the surface: %1 of %2</source>
+        <translation>正在曲面上计算曲线：%1 / %2</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::CurvesView</name>
     <message>
         <source>Curves</source>
@@ -1454,6 +1473,14 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>Re&amp;move</source>
         <translation>移除(&amp;M)</translation>
+    </message>
+    <message>
+        <source>“%1” is no name for it: it is empty, or another curve&apos;s.</source>
+        <translation>“%1”不能作为它的名称：名称为空，或已是另一条曲线的名称。</translation>
+    </message>
+    <message>
+        <source>n is “%1”; a curve has 2 to %2 semilandmarks.</source>
+        <translation>n 为“%1”；一条曲线有 2 到 %2 个半标志点。</translation>
     </message>
 </context>
 <context>
@@ -1867,6 +1894,25 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>remove the selected points</source>
         <translation>移除选中的点</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LandmarkObjects</name>
+    <message>
+        <source>“%1” (%2)</source>
+        <translation>“%1”（%2）</translation>
+    </message>
+    <message>
+        <source>Points held by what their object does not have: %1, as %2.</source>
+        <translation>由其对象所没有的元素固定的点：%1 个，如 %2。</translation>
+    </message>
+    <message>
+        <source>Points that are elsewhere than what holds them, as if the model had been changed: %1; %2 by %3.</source>
+        <translation>不在固定它们的元素处的点，似乎模型已被改动：%1 个；%2 相差 %3。</translation>
+    </message>
+    <message>
+        <source>They are free where they are; B puts selected points onto the surface.</source>
+        <translation>它们留在原处，不再固定；按 B 把选中的点放到曲面上。</translation>
     </message>
 </context>
 <context>
@@ -2507,6 +2553,22 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>Place points on the surface, name them, move them, measure between them</source>
         <translation>在表面上放置点、命名、移动、测量</translation>
+    </message>
+    <message>
+        <source>&amp;Join on the Surface</source>
+        <translation>沿曲面连接(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Lead a curve through the selected points as a thread pulled tight on the surface</source>
+        <translation>像在曲面上拉紧的线那样，引一条曲线通过选中的点</translation>
+    </message>
+    <message>
+        <source>Join Along a P&amp;lane</source>
+        <translation>沿平面连接(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Lead a curve through the selected points where the plane along the surface&apos;s normals cuts it</source>
+        <translation>在沿曲面法线的平面与曲面相交处，引一条曲线通过选中的点</translation>
     </message>
     <message>
         <source>&amp;Map of Differences</source>
@@ -3896,10 +3958,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>远离所有物体的点：%1 个。“%2”相距 %3，为物体大小的 %4 %。它们是另一个物体的，还是坐标轴不同？</translation>
     </message>
     <message>
-        <source>On the mesh: %1. Free where they are, far from it: %2.</source>
-        <translation>在网格上：%1 个。远离网格、自由留在原处：%2 个。</translation>
-    </message>
-    <message>
         <source>They were moved onto the mesh by at most %1 (%2).</source>
         <translation>它们已移到网格上，最多移动 %1（%2）。</translation>
     </message>
@@ -3946,6 +4004,22 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>There is no object that they lie on: open their scan together with them.</source>
         <translation>没有它们所在的对象：请把它们的扫描与它们一起打开。</translation>
+    </message>
+    <message>
+        <source>On the mesh: %1.</source>
+        <translation>在网格上：%1 个。</translation>
+    </message>
+    <message>
+        <source>Free where they are, far from it: %1.</source>
+        <translation>远离网格，留在原处不固定：%1 个。</translation>
+    </message>
+    <message>
+        <source>Without a place: %1.</source>
+        <translation>没有位置：%1 个。</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 未写入。</translation>
     </message>
 </context>
 <context>
@@ -4394,6 +4468,10 @@ of a point that needs no division</source>
         <source>Take away the names that are not placed: points are placed freely</source>
         <translation>去掉尚未放置的名称：自由放置各点</translation>
     </message>
+    <message>
+        <source>No points yet. Click where one is to be; or choose a template, and its points are placed one after the other.</source>
+        <translation>还没有点。在要放点的地方单击；或选择一个模板，依次放置其中的点。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PointsTable</name>
@@ -4719,6 +4797,10 @@ of a point that needs no division</source>
         <source>Scans written to %1: %2. Not in it, without a point: %3.</source>
         <translation>已写入 %1 的扫描：%2。没有点而未写入的：%3。</translation>
     </message>
+    <message>
+        <source>The points of %1 are not kept yet: somebody gave up waiting for its curves.</source>
+        <translation>%1 的点尚未保存：等待其曲线时被取消。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SceneCurves</name>
@@ -4936,6 +5018,12 @@ of a point that needs no division</source>
             <numerusform>将 %n 个点放到表面上</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Move %n points</source>
+        <translation>
+            <numerusform>移动 %n 个点</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SceneView</name>
@@ -5026,6 +5114,10 @@ of a point that needs no division</source>
     <message>
         <source>It is behind what is seen here: turn the view, or go to it (G).</source>
         <translation>它在此处所见之物的后面：请转动视图，或转到该点（G）。</translation>
+    </message>
+    <message>
+        <source>Selected points that were not moved, behind what is seen here or beside it: %1.</source>
+        <translation>选中而未移动的点（在此处所见之后或之外）：%1 个。</translation>
     </message>
 </context>
 <context>
@@ -5594,10 +5686,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>导入点</translation>
     </message>
     <message>
-        <source>There are %1 points already, and the file has %2. Replace them, or put the new ones behind them?</source>
-        <translation>已有 %1 个点，文件中有 %2 个。替换它们，还是把新的放在后面？</translation>
-    </message>
-    <message>
         <source>&amp;Replace</source>
         <translation>替换(&amp;R)</translation>
     </message>
@@ -5616,6 +5704,14 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>Save what was made of %1 as a scene? Models stay as they are.</source>
         <translation>将对 %1 所做的内容另存为场景吗？模型文件保持不变。</translation>
+    </message>
+    <message>
+        <source>Points that are placed already: %1. Points in the file: %2. Replace them, or put the new ones behind them?</source>
+        <translation>已放置的点：%1 个。文件中的点：%2 个。替换它们，还是把新的点放在它们后面？</translation>
+    </message>
+    <message>
+        <source>Names of the template that wait for their points: %1. Replace takes them away as well; Append gives those that the file has their places.</source>
+        <translation>模板中等待放置的名称：%1 个。“替换”也会去掉它们；“追加”会让文件中有的点占据它们的位置。</translation>
     </message>
 </context>
 </TS>

@@ -58,6 +58,8 @@ class TestLandmarkSets : public QObject {
 private slots:
     void aTemplateAddsWhatIsLacking_data();
     void aTemplateAddsWhatIsLacking();
+    void landmarksFillTheirPlacesOfATemplate_data();
+    void landmarksFillTheirPlacesOfATemplate();
     void hintsGoByName();
     void picturesGoByName();
     void repeatsOfThreePlacings();
@@ -99,6 +101,44 @@ void TestLandmarkSets::aTemplateAddsWhatIsLacking()
         QCOMPARE(filled[i].isMissing(), i >= landmarks.size());
         QCOMPARE(filled[i].note, std::string()); // the template's words are not the scan's
     }
+}
+
+void TestLandmarkSets::landmarksFillTheirPlacesOfATemplate_data()
+{
+    QTest::addColumn<QStringList>("there");
+    QTest::addColumn<QStringList>("wanted");
+    QTest::addColumn<QStringList>("all");
+    using L = QStringList;
+    QTest::newRow("nothing there") << L{} << L{"a", "b"} << L{"-a", "-b"};
+    QTest::newRow("the others behind") << L{"x", "b"} << L{"a", "b", "c"} << L{"-a", "b", "-c", "x"};
+    QTest::newRow("in the template's order") << L{"b", "a"} << L{"a", "b"} << L{"a", "b"};
+    QTest::newRow("in another case") << L{"Nasion"} << L{"tip", "nasion"} << L{"-tip", "Nasion"};
+    QTest::newRow("a name twice") << L{"a", "x", "a"} << L{"a"} << L{"a", "x", "a"};
+    QTest::newRow("twice in the template") << L{"x", "a"} << L{"a", "a"} << L{"a", "-a", "x"};
+}
+
+void TestLandmarkSets::landmarksFillTheirPlacesOfATemplate()
+{
+    QFETCH(QStringList, there);
+    QFETCH(QStringList, wanted);
+    QFETCH(QStringList, all);
+    std::vector<Landmark> landmarks, names;
+    for (const QString &name : there)
+        landmarks.push_back(named(qPrintable(name), glm::dvec3(double(landmarks.size()))));
+    for (const QString &name : wanted)
+        names.push_back(named(qPrintable(name), glm::dvec3(2.0), "where"));
+    QStringList filled;
+    double lastOfName = -1.0;
+    for (const Landmark &landmark : inTemplateOrder(landmarks, names)) {
+        filled << (landmark.isMissing() ? u'-' + QString::fromStdString(landmark.name)
+                                        : QString::fromStdString(landmark.name));
+        QCOMPARE(landmark.note, std::string());
+        if (landmark.world && landmark.name == "a") {
+            QVERIFY(landmark.world->x > lastOfName); // of one name the first comes first
+            lastOfName = landmark.world->x;
+        }
+    }
+    QCOMPARE(filled, all);
 }
 
 void TestLandmarkSets::hintsGoByName()

@@ -11,6 +11,9 @@
 #include "gui_scene.h"
 #include "window_user.h"
 
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -88,6 +91,7 @@ private slots:
     void curvesSayWhyTheyDoNotGo();
     void joiningIsRefusedInWords();
     void largeModelsAreWorkedOutAside();
+    void whoWaitsForCurvesMayGiveUp();
     void filesHaveTheSemilandmarks();
     void theListEditsCurves();
     void theLengthAlongTheSurfaceIsAMeasure();
@@ -106,7 +110,7 @@ void TestCurves::pointsAreJoinedAsOneStep()
     document->curves().setCount(0, 5);
     document->curves().setCount(0, 7); // one after the other is one step
     QCOMPARE(document->undoStack().undoText(), "Semilandmarks of Curve 1");
-    const std::vector<WorldPoint> seven = document->curves().withSemilandmarks().curves[0].semilandmarks;
+    const std::vector<WorldPoint> seven = document->curves().withSemilandmarks()->curves[0].semilandmarks;
     QCOMPARE(seven.size(), std::size_t(7));
     QVERIFY(distance(seven[0], WorldPoint(kTop)) < 1e-6 && distance(seven[6], WorldPoint(kFront)) < 1e-6);
     document->undoStack().undo();
@@ -209,6 +213,39 @@ void TestCurves::largeModelsAreWorkedOutAside()
     QVERIFY(document.points().move(1, heldAt(ball, {0, 0, 1}, "b"))); // and it may end while it works
 }
 
+void TestCurves::whoWaitsForCurvesMayGiveUp()
+{
+    SceneDocument document;
+    document.setSurface({800, 600, 1.0});
+    SceneObject ball;
+    ball.name = "ball";
+    auto model = std::make_shared<Model>();
+    model->meshes.push_back(sphereMesh(1.0, 5));
+    model->bounds = boundsOf(model->meshes);
+    ball.model = model;
+    document.setObjects({ball});
+    QVERIFY(document.editLandmarks({heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {0, 1, 0}, "b")}, {"put"}));
+    QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
+    int asked = 0;
+    document.curves().setWaiting([&] {
+        ++asked;
+        const SceneCurves::Progress progress = document.curves().progress();
+        return progress.count != 1 || progress.done > 1; // given up
+    });
+    const QTemporaryDir folder;
+    const QString name = folder.filePath("p.csv");
+    PointFiles files(document, nullptr);
+    QVERIFY(!files.exportTo(name.toStdU16String()));
+    QCOMPARE(asked, 1);
+    QVERIFY(!QFile::exists(name));     // not without them in silence
+    document.curves().setWaiting([&] { // who asks meanwhile blocks: there is no second question
+        return document.curves().complete();
+    });
+    QVERIFY(files.exportTo(name.toStdU16String()));
+    QVERIFY(QFile::exists(name));
+    QVERIFY(!document.curves().isComputing());
+}
+
 void TestCurves::filesHaveTheSemilandmarks()
 {
     const auto document = cubeDocument();
@@ -237,7 +274,7 @@ void TestCurves::filesHaveTheSemilandmarks()
     QVERIFY(files.importFrom(fileOf("p.tps")));
     QCOMPARE(document->curves().all().size(), std::size_t(1));
     QCOMPARE(document->curves().line(0).line->path.size(), std::size_t(6));
-    QCOMPARE(document->curves().withSemilandmarks().curves[0].semilandmarks.size(), std::size_t(6));
+    QCOMPARE(document->curves().withSemilandmarks()->curves[0].semilandmarks.size(), std::size_t(6));
 }
 
 void TestCurves::theListEditsCurves()
@@ -254,8 +291,36 @@ void TestCurves::theListEditsCurves()
     QCOMPARE(rows->topLevelItem(0)->text(0), "Curve 1");
     QCOMPARE(rows->topLevelItem(0)->text(1), "top – front");
     QVERIFY2(rows->topLevelItem(0)->text(4).startsWith("1.25"), qPrintable(rows->topLevelItem(0)->text(4)));
-    rows->topLevelItem(0)->setData(3, Qt::EditRole, 25);
+    // A digit at its row is its number, whatever column is the current one.
+    view.show();
+    rows->setFocus();
+    rows->setCurrentItem(rows->topLevelItem(0), 1);
+    QKeyEvent asked(QEvent::ShortcutOverride, Qt::Key_2, Qt::NoModifier, "2");
+    asked.ignore();
+    QCoreApplication::sendEvent(rows, &asked);
+    QVERIFY(asked.isAccepted()); // not a key of the camera
+    const auto type = [rows](const QString &digits) {
+        QTest::keyClicks(rows, digits.left(1));
+        auto *editor = rows->viewport()->findChild<QLineEdit *>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, digits.mid(1));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(!rows->viewport()->findChild<QLineEdit *>());
+    };
+    type("25");
     QTRY_COMPARE(document->curves().all()[0].count, 25u);
+    const auto *reason = view.findChild<QLabel *>();
+    for (const char *refused : {"5000", "1"}) { // not capped in silence
+        type(refused);
+        QTRY_VERIFY(reason->isVisible());
+        QVERIFY2(reason->text().contains(QStringLiteral("“%1”").arg(refused)) && reason->text().contains("2 to 1000"),
+                 qPrintable(reason->text()));
+        QCOMPARE(document->curves().all()[0].count, 25u);
+        QCOMPARE(rows->topLevelItem(0)->text(3), "25");
+    }
+    type("1000");
+    QTRY_COMPARE(document->curves().all()[0].count, 1000u);
+    QVERIFY(!reason->isVisible());
     rows->topLevelItem(0)->setText(0, "ridge");
     QTRY_COMPARE(document->curves().all()[0].name, "ridge");
     QVERIFY(document->points().setMissing({1}));

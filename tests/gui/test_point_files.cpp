@@ -31,15 +31,16 @@ struct FixedAnswers : SessionQuestions, PointFileQuestions {
     SaveAnswer askSave(const QString &, bool) override
     {
         ++saveQuestions;
-        return SaveAnswer::Discard;
+        return save;
     }
     std::filesystem::path askFileName(const std::filesystem::path &) override { return {}; }
     bool askOverwrite(const std::filesystem::path &) override { return true; }
     bool askOverwriteChanged(const std::filesystem::path &) override { return true; }
     bool askDeleteKept(const QString &) override { return true; }
-    Join askJoin(int, int) override
+    Join askJoin(const Counts &counts) override
     {
         ++joinQuestions;
+        asked = counts;
         if (meanwhile)
             meanwhile();
         return join;
@@ -50,10 +51,12 @@ struct FixedAnswers : SessionQuestions, PointFileQuestions {
         return stray;
     }
 
+    SaveAnswer save = SaveAnswer::Discard;
     Join join = Join::Replace;
     PointFileQuestions::Stray stray = PointFileQuestions::Stray::Tie;
     int saveQuestions = 0, joinQuestions = 0;
     std::function<void()> meanwhile; ///< happens while somebody is asked
+    Counts asked;
     QString strayText;
 };
 
@@ -77,6 +80,13 @@ private slots:
     void straysAreAskedAbout();
     void thoseThatAreThere_data();
     void thoseThatAreThere();
+    void namesThatWaitAreFilled();
+    void countsAddUp_data();
+    void countsAddUp();
+    void whatDoesNotHoldIsLetGo_data();
+    void whatDoesNotHoldIsLetGo();
+    void whatIsKeptWithAScanIsLetGoToo();
+    void aSeriesThatIsNotWantedLeavesTheOneBefore();
     void whatCannotBeReadSaysWhy_data();
     void whatCannotBeReadSaysWhy();
     void exportedAndReadBack_data();
@@ -138,7 +148,7 @@ private:
     std::unique_ptr<Session> m_session;
     std::unique_ptr<PointFiles> m_files;
     std::unique_ptr<ScanSeries> m_series;
-    QStringList m_failures, m_warnings;
+    QStringList m_failures, m_warnings, m_notices;
 };
 
 void TestPointFiles::init()
@@ -148,6 +158,7 @@ void TestPointFiles::init()
     m_session.reset();
     m_failures.clear();
     m_warnings.clear();
+    m_notices.clear();
     m_folder = std::make_unique<QTemporaryDir>();
     m_answers = std::make_unique<FixedAnswers>();
     m_document = std::make_unique<SceneDocument>();
@@ -164,6 +175,8 @@ void TestPointFiles::init()
     connect(m_session.get(), &Session::failed, this, note(m_failures));
     connect(m_files.get(), &PointFiles::warned, this, note(m_warnings));
     connect(m_series.get(), &ScanSeries::warned, this, note(m_warnings));
+    connect(m_session.get(), &Session::warned, this, note(m_warnings));
+    connect(m_files.get(), &PointFiles::noticed, this, note(m_notices));
     connect(m_session.get(), &Session::pointFilesOpened, this,
             [this](const std::vector<std::filesystem::path> &opened) {
                 for (const std::filesystem::path &one : opened)
@@ -297,6 +310,147 @@ void TestPointFiles::thoseThatAreThere()
     m_files->importFrom(file(QStringLiteral("p.csv")));
     QCOMPARE(m_answers->joinQuestions, 1);
     QCOMPARE(static_cast<int>(points().size()), count);
+}
+
+void TestPointFiles::namesThatWaitAreFilled()
+{
+    open({QStringLiteral("square.obj")});
+    const auto named = [](const char *name) {
+        Landmark point;
+        point.name = name;
+        return point;
+    };
+    fillFromTemplate(*m_document, {named("a"), named("b"), named("c")}, QStringLiteral("three"));
+    write(QStringLiteral("p.csv"), "name,x,y,z\nB,1,2,0\nother,2,2,0\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    QCOMPARE(m_answers->joinQuestions, 0); // nothing that was placed is at stake
+    QCOMPARE(points().size(), std::size_t(4));
+    QVERIFY(points()[0].isMissing() && points()[2].isMissing());
+    QCOMPARE(points()[1].name, std::string("B"));
+    QCOMPARE(points()[3].name, std::string("other"));
+    // Now two are placed and two names wait.
+    m_answers->join = PointFileQuestions::Join::Append;
+    write(QStringLiteral("p.csv"), "name,x,y,z\nc,3,3,0\nb,4,4,0\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    QCOMPARE(m_answers->asked.placed, 2);
+    QCOMPARE(m_answers->asked.waiting, 2);
+    QCOMPARE(m_answers->asked.coming, 2);
+    QCOMPARE(points().size(), std::size_t(5));
+    QCOMPARE(points()[2].world->x, 3.0);
+    QCOMPARE(points()[1].world->x, 1.0); // placed, it is not gone over
+    QCOMPARE(points()[4].name, std::string("b"));
+}
+
+void TestPointFiles::countsAddUp_data()
+{
+    QTest::addColumn<QByteArray>("rows");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("all on the mesh") << QByteArray("a,1,2,0\nb,2,2,0\n") << "2. They lie on the mesh.";
+    QTest::newRow("one beyond all distances")
+        << QByteArray("a,1,2,0\nb,1e308,2,0\n")
+        << "2. On the mesh: 1. They lie on the mesh. Free where they are, far from it: 1.";
+    QTest::newRow("one of each") << QByteArray("a,1,2,0\nb,1e308,2,0\nc,,,\nd,3,3,5\n")
+                                 << "4. On the mesh: 1. They lie on the mesh. Free where they are, far from it: 2. "
+                                    "Without a place: 1.";
+    QTest::newRow("none on the mesh") << QByteArray("d,3,3,5\n") << "1. Free where they are, far from it: 1.";
+}
+
+void TestPointFiles::countsAddUp()
+{
+    QFETCH(QByteArray, rows);
+    QFETCH(QString, said);
+    m_answers->stray = PointFileQuestions::Stray::LeaveFree;
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.csv"), "name,x,y,z\n" + rows);
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    QCOMPARE(m_notices, QStringList(QStringLiteral("Points read from p.csv: ") + said));
+}
+
+void TestPointFiles::whatDoesNotHoldIsLetGo_data()
+{
+    QTest::addColumn<QByteArray>("held");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("a triangle") << QByteArray(R"({"triangle": 1, "barycentric": [0.5, 0.25, 0.25]})") << "";
+    QTest::newRow("no such triangle") << QByteArray(R"({"triangle": 2, "barycentric": [0.5, 0.25, 0.25]})")
+                                      << "held by what their object does not have: 1, as “a” (triangle 2)";
+    QTest::newRow("no such vertex") << QByteArray(R"({"vertex": 4})") << "does not have: 1, as “a” (vertex 4)";
+    QTest::newRow("no such edge") << QByteArray(R"({"edge": [0, 9], "share": 0.5})") << "“a” (edge 0–9)";
+    QTest::newRow("another mesh's") << QByteArray(R"({"triangle": 0, "barycentric": [0.5, 0.25, 0.25]})")
+                                    << "elsewhere than what holds them";
+}
+
+void TestPointFiles::whatDoesNotHoldIsLetGo()
+{
+    QFETCH(QByteArray, held);
+    QFETCH(QString, said);
+    // The second triangle is (0, 0), (10, 10), (0, 10).
+    write(QStringLiteral("scene.json"),
+          R"({"unprojector": 1, "window": {"width": 800, "height": 600, "devicePixelRatio": 1},
+              "projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -0.75, "top": 0.75, "near": 1, "far": 100},
+              "view": {"eye": [5, 5, 30], "center": [5, 5, 0], "up": [0, 1, 0]},
+              "objects": [{"name": "square", "file": "square.obj"}],
+              "landmarks": {"points": [{"name": "a", "position": [2.5, 5, 0], "object": "square", "held": )"
+              + held + "}]}}");
+    open({QStringLiteral("scene.json")});
+    QVERIFY2(m_failures.isEmpty(), qPrintable(m_failures.join(u'\n')));
+    QCOMPARE(points().size(), std::size_t(1));
+    QVERIFY(*points()[0].world == WorldPoint(2.5, 5.0, 0.0));
+    QCOMPARE(std::holds_alternative<landmarks::Free>(points()[0].hold), !said.isEmpty());
+    QCOMPARE(m_warnings.size(), said.isEmpty() ? 0 : 1);
+    if (said.isEmpty())
+        return;
+    QVERIFY2(m_warnings[0].contains(said) && m_warnings[0].startsWith(QStringLiteral("scene.json: ")),
+             qPrintable(m_warnings[0]));
+}
+
+void TestPointFiles::whatIsKeptWithAScanIsLetGoToo()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z,object,face,u,v,w\na,1,2,0,square.obj,7,1,0,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(points().size(), std::size_t(1));
+    QVERIFY(std::holds_alternative<landmarks::Free>(points()[0].hold));
+    QCOMPARE(m_warnings.size(), 1);
+    QVERIFY2(m_warnings[0].contains(QStringLiteral("“a” (triangle 7)")), qPrintable(m_warnings[0]));
+}
+
+void TestPointFiles::aSeriesThatIsNotWantedLeavesTheOneBefore()
+{
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("others")));
+    for (const char *name : {"others/b.obj", "others/c.obj"})
+        write(QLatin1String(name), kSquare);
+    open({QStringLiteral("square.obj")});
+    placeAll(1.0);
+    Landmark placed;
+    placed.world = WorldPoint(1.0, 1.0, 0.0);
+    QVERIFY(m_document->points().place(placed));
+    m_answers->save = SessionQuestions::SaveAnswer::Cancel;
+    QVERIFY(m_series->open(file(QStringLiteral("others"))));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_answers->saveQuestions, 1);
+    QVERIFY(!m_series->isOpen()); // as if it had never been asked for
+    QVERIFY(!m_series->current());
+    QCOMPARE(points().size(), std::size_t(1));
+
+    m_answers->save = SessionQuestions::SaveAnswer::Discard;
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->folder(), file(QString()));
+    QVERIFY(m_document->points().place(placed));
+    QVERIFY(
+        m_document->editTransform(0, {Translate{{1.0, 0.0, 0.0}}}, {QStringLiteral("Move")})); // this is asked about
+    m_answers->save = SessionQuestions::SaveAnswer::Cancel;
+    QVERIFY(m_series->open(file(QStringLiteral("others"))));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->folder(), file(QString()));
+    QCOMPARE(m_series->scans().size(), std::size_t(1));
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
+    QCOMPARE(m_series->scans()[0].placedCount(), points().size());
+    // And its points are kept as before.
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(4.0, 3.0, 0.0)));
+    QVERIFY(m_series->keep());
+    QVERIFY2(read(QStringLiteral("square.obj.points.csv")).contains(",3,3,0"),
+             read(QStringLiteral("square.obj.points.csv")).constData());
 }
 
 void TestPointFiles::whatCannotBeReadSaysWhy_data()
@@ -679,6 +833,7 @@ void TestPointFiles::unitsAndKeysAreNotLost()
     set.mesh = "skull.ply";
     set.extra["scanner"] = "old";
     set.landmarks.resize(1);
+    set.landmarks[0].world = WorldPoint(4.0, 4.0, 0.0);
     QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
     m_answers->join = static_cast<PointFileQuestions::Join>(answer);
     write(QStringLiteral("p.csv"), text);

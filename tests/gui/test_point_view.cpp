@@ -82,6 +82,7 @@ private slots:
     void escapeEndsADragAndThenPlacing();
     void arrowKeysMoveByPixels_data();
     void arrowKeysMoveByPixels();
+    void arrowKeysMoveAllThatIsSelected();
     void deleteRemovesWhatIsSelected();
     void marksSayWhatIsBehind();
     void aMarkBehindTakesNoClick();
@@ -229,6 +230,36 @@ void TestPointView::arrowKeysMoveByPixels()
     window->view().setPlacing(false);
     QTest::keyClick(&window->view(), Qt::Key_Right);
     QVERIFY(window->document().scene().camera != camera);
+}
+
+void TestPointView::arrowKeysMoveAllThatIsSelected()
+{
+    const auto window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    Landmark missing = pointAt(kFront, "missing");
+    missing.world.reset();
+    QVERIFY(document.editLandmarks({pointAt(kFront, "a"), pointAt(kFront + glm::dvec3(0.4, 0.3, 0.0), "b"),
+                                    pointAt(kFront - glm::dvec3(0.4, 0.3, 0.0), "not selected"),
+                                    pointAt(kCubeCenter, "behind"), missing},
+                                   {QStringLiteral("put")}));
+    document.rayCasters().complete(document.objects());
+    document.points().select({0, 1, 3, 4}, 1);
+    window->view().setPlacing(true);
+    const std::vector<Landmark> before = document.landmarks();
+    const int steps = document.undoStack().count();
+    QTest::keyClick(&window->view(), Qt::Key_Right);
+    QTest::keyClick(&window->view(), Qt::Key_Right);
+    const std::vector<Landmark> &after = document.landmarks();
+    for (const std::size_t place : {0u, 1u}) {
+        const glm::dvec2 from = placeOf(*window, before[place].world->coordinates()),
+                         to = placeOf(*window, after[place].world->coordinates());
+        QVERIFY(glm::length(to - from - glm::dvec2(2.0, 0.0)) < 1e-6);
+    }
+    QVERIFY(after[2] == before[2] && after[3] == before[3] && after[4] == before[4]);
+    QCOMPARE(document.undoStack().count(), steps + 1);
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Move 2 points"));
+    document.undoStack().undo();
+    QVERIFY(document.landmarks() == before);
 }
 
 void TestPointView::deleteRemovesWhatIsSelected()

@@ -5,6 +5,8 @@
 #include "gui/document/landmark_objects.h"
 #include "gui/document/point_files.h"
 #include "gui/document/scan_series.h"
+#include "gui/document/scene_curves.h"
+#include "gui/panels/curves_view.h"
 #include "gui/panels/points_model.h"
 #include "gui/panels/points_table.h"
 #include "gui/view/point_marks.h"
@@ -15,6 +17,7 @@
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QTreeWidget>
 #include <QUrl>
 
 #include <cmath>
@@ -231,11 +234,38 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         actionOf(*window, QStringLiteral("Redo Move top"))->trigger();
         QVERIFY(document.landmarkSet() == dragged);
 
+        // A curve by its key, given a number of semilandmarks by typing it, and exported; then all three a pixel to the right.
+        document.points().select({0, 1});
+        QCOMPARE(actionOf(*window, QStringLiteral("Join on the Surface"))->shortcut(), QKeySequence(Qt::Key_J));
+        actionOf(*window, QStringLiteral("Join on the Surface"))->trigger();
+        QCOMPARE(document.curves().all().size(), std::size_t(1));
+        auto *curves = window->findChild<CurvesView *>()->findChild<QTreeWidget *>();
+        QVERIFY(curves->isVisible());
+        const glm::dvec3 eye = document.scene().camera.eye.coordinates();
+        QTest::keyClicks(curves, QStringLiteral("1"));
+        auto *number = curves->viewport()->findChild<QLineEdit *>();
+        QVERIFY(number);
+        QTest::keyClicks(number, QStringLiteral("5"));
+        QTest::keyClick(number, Qt::Key_Return);
+        QTRY_COMPARE(document.curves().all()[0].count, 15u);
+        QVERIFY(document.scene().camera.eye.coordinates() == eye); // no key of the camera
+        for (const char *name : {"hill.csv", "hill.pp", "hill.mrk.json", "hill.fcsv", "hill.pts", "hill.tps"}) {
+            answer(path(QLatin1String(name)));
+            actionOf(*window, QStringLiteral("Export Points…"))->trigger();
+            QVERIFY2(QFile::exists(path(QLatin1String(name))), name);
+        }
+        document.points().select({0, 1, 2});
+        view.setFocus();
+        QTest::keyClick(&view, Qt::Key_Right);
+        QVERIFY(document.landmarks()[0] != dragged.landmarks[0] && document.landmarks()[2] != dragged.landmarks[2]);
+        document.undoStack().undo();
+        QVERIFY(document.landmarks() == dragged.landmarks);
+
         answer(path(QStringLiteral("hill.json")));
         actionOf(*window, QStringLiteral("Save Scene"))->trigger();
         QVERIFY(!document.isModified());
         QVERIFY(QFile::exists(path(QStringLiteral("hill.json"))));
-        saved = dragged;
+        saved = document.landmarkSet();
         QVERIFY(window->close());
     }
     const std::unique_ptr<MainWindow> window = windowOfSize({1280, 900});
