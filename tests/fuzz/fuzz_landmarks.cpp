@@ -1,6 +1,7 @@
 // Files of landmarks: read, written, read again, in the format whose suffix the build names.
 
 #include "core/landmark_files/landmark_file.h"
+#include "tests/fuzz/curves_on_mesh.h"
 #include "tests/fuzz/fuzzing.h"
 
 #include <cmath>
@@ -22,6 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             for (int i = 0; landmark.world && i < 3; ++i)
                 fuzz::require(std::isfinite((*landmark.world)[i]), "numbers are finite");
         }
+        fuzz::leadCurves(set);
     }
     const auto written = landmarksText(read->sets, format);
     if (!written)
@@ -34,6 +36,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         fuzz::require(before.size() == after.size(), "no landmark is lost");
         for (std::size_t k = 0; k < before.size(); ++k)
             fuzz::require(before[k].world == after[k].world, "coordinates keep their digits");
+        const auto &curves = read->sets[i].curves, &curvesAfter = again->sets[i].curves;
+        fuzz::require(format != Format::Csv || curves.size() == curvesAfter.size(), "no curve is lost");
+        for (std::size_t k = 0; format == Format::Csv && k < curves.size(); ++k)
+            fuzz::require(curves[k].points == curvesAfter[k].points && curves[k].kind == curvesAfter[k].kind
+                              && curves[k].count == curvesAfter[k].count
+                              && curves[k].semilandmarks == curvesAfter[k].semilandmarks,
+                          "curves stay what they are");
     }
     const auto writtenAgain = landmarksText(again->sets, format);
     fuzz::require(writtenAgain.hasValue() && writtenAgain->text == written->text,

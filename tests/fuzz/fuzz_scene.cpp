@@ -1,6 +1,7 @@
-// A scene file: read, written, read again.
+// A scene file: read, its curves led over a mesh, written, read again.
 
 #include "core/scene_file/scene_file.h"
+#include "tests/fuzz/curves_on_mesh.h"
 #include "tests/fuzz/fuzzing.h"
 
 using namespace unprojector::scene_file;
@@ -10,6 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const auto scene = parseScene(fuzz::text(data, size), "scene.json");
     if (!scene)
         return 0;
+    fuzz::leadCurves(scene->landmarks);
     const auto written = sceneText(*scene);
     fuzz::require(written.hasValue(), "what was read can be written");
     const auto again = parseScene(*written, "scene.json");
