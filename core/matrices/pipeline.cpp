@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <variant>
 
 namespace unprojector::matrices {
 using namespace geometry;
@@ -39,26 +41,142 @@ Result<Point<Target>> affine(const glm::dmat4 &targetFromSource, const Result<Po
     });
 }
 
-PipelinePoints forwardOf(const Pipeline &pipeline, const Result<ObjectPoint> &object, const Result<WorldPoint> &world)
+/// From the window on.
+PipelinePoints withWidget(const Pipeline &pipeline, PipelinePoints points)
+{
+    const Surface &surface = pipeline.geometry.surface;
+    points.device =
+        next<DeviceSpace>(points.window, [&](const WindowPoint &p) { return finite(deviceFromWindow(surface, p)); });
+    points.widget =
+        next<WidgetSpace>(points.device, [&](const DevicePoint &p) { return finite(widgetFromDevice(surface, p)); });
+    return points;
+}
+
+/// From NDC on.
+PipelinePoints withWindow(const Pipeline &pipeline, PipelinePoints points)
 {
     const Picture &geometry = pipeline.geometry;
-    const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Forward); };
-    const Result<EyePoint> eye = affine<EyeSpace>(matrix(PipelineStage::ViewMatrix), world);
-    const Result<ClipPoint> clip = next<ClipSpace>(eye, [&](const EyePoint &p) {
-        return finite(ClipPoint(matrix(PipelineStage::ProjectionMatrix) * glm::dvec4(p.coordinates(), 1.0)));
+    points.window = next<WindowSpace>(points.ndc, [&](const NdcPoint &p) {
+        return finite(windowFromNdc(geometry.viewport, geometry.depthRange, p));
     });
-    const Result<NdcPoint> ndc = next<NdcSpace>(clip, [](const ClipPoint &p) -> Result<NdcPoint> {
+    return withWidget(pipeline, std::move(points));
+}
+
+/// From the clip point on.
+PipelinePoints withNdc(const Pipeline &pipeline, PipelinePoints points)
+{
+    points.ndc = next<NdcSpace>(points.clip, [](const ClipPoint &p) -> Result<NdcPoint> {
         if (p.w == 0.0)
             return Error{ErrorCode::PointAtInfinity};
         return finite(NdcPoint(glm::dvec3(p.coordinates()) / p.w));
     });
-    const Result<WindowPoint> window = next<WindowSpace>(
-        ndc, [&](const NdcPoint &p) { return finite(windowFromNdc(geometry.viewport, geometry.depthRange, p)); });
-    const Result<DevicePoint> device =
-        next<DeviceSpace>(window, [&](const WindowPoint &p) { return finite(deviceFromWindow(geometry.surface, p)); });
-    const Result<WidgetPoint> widget =
-        next<WidgetSpace>(device, [&](const DevicePoint &p) { return finite(widgetFromDevice(geometry.surface, p)); });
-    return {object, world, eye, clip, ndc, window, device, widget};
+    return withWindow(pipeline, std::move(points));
+}
+
+/// From the eye on.
+PipelinePoints withClip(const Pipeline &pipeline, PipelinePoints points)
+{
+    const glm::dmat4 &projection = pipeline.matrix(PipelineStage::ProjectionMatrix, PipelineDirection::Forward);
+    points.clip = next<ClipSpace>(points.eye, [&](const EyePoint &p) {
+        return finite(ClipPoint(projection * glm::dvec4(p.coordinates(), 1.0)));
+    });
+    return withNdc(pipeline, std::move(points));
+}
+
+/// From the world on.
+PipelinePoints withEye(const Pipeline &pipeline, PipelinePoints points)
+{
+    points.eye = affine<EyeSpace>(pipeline.matrix(PipelineStage::ViewMatrix, PipelineDirection::Forward), points.world);
+    return withClip(pipeline, std::move(points));
+}
+
+/// Back from the eye.
+PipelinePoints withObject(const Pipeline &pipeline, PipelinePoints points)
+{
+    const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Backward); };
+    points.world = affine<WorldSpace>(matrix(PipelineStage::ViewMatrix), points.eye);
+    points.object = affine<ObjectSpace>(matrix(PipelineStage::ModelMatrix), points.world);
+    return points;
+}
+
+/// What a homogeneous point of clip space was before the projection, divided by its own w'.
+Result<EyePoint> divided(const glm::dvec4 &eye)
+{
+    if (eye.w == 0.0)
+        return Error{ErrorCode::PointAtInfinity};
+    return finite(EyePoint(glm::dvec3(eye) / eye.w));
+}
+
+std::optional<glm::dvec4> undivided(const Pipeline &pipeline, const Result<NdcPoint> &ndc)
+{
+    if (!ndc)
+        return std::nullopt;
+    return pipeline.matrix(PipelineStage::ProjectionMatrix, PipelineDirection::Backward)
+           * glm::dvec4(ndc->coordinates(), 1.0);
+}
+
+/// Back from NDC.
+PipelinePoints withUndivided(const Pipeline &pipeline, PipelinePoints points)
+{
+    points.undividedEye = undivided(pipeline, points.ndc);
+    points.eye = next<EyeSpace>(points.ndc, [&](const NdcPoint &) { return divided(*points.undividedEye); });
+    points.clip = next<ClipSpace>(points.eye, [&](const EyePoint &) {
+        return finite(ClipPoint(glm::dvec4(points.ndc->coordinates(), 1.0) / points.undividedEye->w));
+    });
+    return withObject(pipeline, std::move(points));
+}
+
+// Each of these begins a chain with the point that is given; what is not known yet is made by the steps above.
+
+PipelinePoints from(const Pipeline &pipeline, const ObjectPoint &point)
+{
+    PipelinePoints points;
+    points.object = finite(point);
+    points.world =
+        affine<WorldSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Forward), points.object);
+    return withEye(pipeline, std::move(points));
+}
+
+PipelinePoints from(const Pipeline &pipeline, const WorldPoint &point)
+{
+    PipelinePoints points;
+    points.world = finite(point);
+    points.object =
+        affine<ObjectSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Backward), points.world);
+    return withEye(pipeline, std::move(points));
+}
+
+PipelinePoints from(const Pipeline &pipeline, const EyePoint &point)
+{
+    PipelinePoints points;
+    points.eye = finite(point);
+    return withClip(pipeline, withObject(pipeline, std::move(points)));
+}
+
+PipelinePoints from(const Pipeline &pipeline, const ClipPoint &point)
+{
+    PipelinePoints points;
+    points.clip = finite(point);
+    points.eye = next<EyeSpace>(points.clip, [&](const ClipPoint &p) {
+        return divided(pipeline.matrix(PipelineStage::ProjectionMatrix, PipelineDirection::Backward) * p.coordinates());
+    });
+    return withNdc(pipeline, withObject(pipeline, std::move(points)));
+}
+
+PipelinePoints from(const Pipeline &pipeline, const NdcPoint &point)
+{
+    PipelinePoints points;
+    points.ndc = finite(point);
+    return withWindow(pipeline, withUndivided(pipeline, std::move(points)));
+}
+
+PipelinePoints from(const Pipeline &pipeline, const WindowPoint &point)
+{
+    PipelinePoints points;
+    points.window = finite(point);
+    points.ndc =
+        affine<NdcSpace>(pipeline.matrix(PipelineStage::ViewportMatrix, PipelineDirection::Backward), points.window);
+    return withWidget(pipeline, withUndivided(pipeline, std::move(points)));
 }
 
 } // namespace
@@ -113,44 +231,25 @@ Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromOb
 
 PipelinePoints pointsForward(const Pipeline &pipeline, const ObjectPoint &point)
 {
-    const Result<ObjectPoint> object = finite(point);
-    return forwardOf(
-        pipeline, object,
-        affine<WorldSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Forward), object));
+    return from(pipeline, point);
 }
 
 PipelinePoints pointsForward(const Pipeline &pipeline, const WorldPoint &point)
 {
-    const Result<WorldPoint> world = finite(point);
-    return forwardOf(
-        pipeline, affine<ObjectSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Backward), world),
-        world);
+    return from(pipeline, point);
 }
 
 PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &point)
 {
-    const Surface &surface = pipeline.geometry.surface;
-    const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Backward); };
-    const Result<WindowPoint> window = finite(point);
-    const Result<NdcPoint> ndc = affine<NdcSpace>(matrix(PipelineStage::ViewportMatrix), window);
-    std::optional<glm::dvec4> undivided;
-    if (ndc)
-        undivided = matrix(PipelineStage::ProjectionMatrix) * glm::dvec4(ndc->coordinates(), 1.0);
-    const auto divided = [&](const NdcPoint &) -> Result<EyePoint> {
-        if (undivided->w == 0.0)
-            return Error{ErrorCode::PointAtInfinity};
-        return finite(EyePoint(glm::dvec3(*undivided) / undivided->w));
-    };
-    const Result<EyePoint> eye = next<EyeSpace>(ndc, divided);
-    const Result<ClipPoint> clip = next<ClipSpace>(
-        eye, [&](const EyePoint &) { return finite(ClipPoint(glm::dvec4(ndc->coordinates(), 1.0) / undivided->w)); });
-    const Result<WorldPoint> world = affine<WorldSpace>(matrix(PipelineStage::ViewMatrix), eye);
-    const Result<ObjectPoint> object = affine<ObjectSpace>(matrix(PipelineStage::ModelMatrix), world);
-    const Result<DevicePoint> device =
-        next<DeviceSpace>(window, [&](const WindowPoint &p) { return finite(deviceFromWindow(surface, p)); });
-    const Result<WidgetPoint> widget =
-        next<WidgetSpace>(device, [&](const DevicePoint &p) { return finite(widgetFromDevice(surface, p)); });
-    return {object, world, eye, clip, ndc, window, device, widget, undivided};
+    return from(pipeline, point);
+}
+
+PipelinePoints pointsFrom(const Pipeline &pipeline, const GivenPoint &given)
+{
+    PipelinePoints points = std::visit([&](const auto &point) { return from(pipeline, point); }, given.point);
+    if (!points.undividedEye)
+        points.undividedEye = undivided(pipeline, points.ndc);
+    return points;
 }
 
 std::vector<Outside> clipTest(const ClipPoint &p)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/given_point.h"
 #include "core/geometry/picture.h"
 
 #include <array>
@@ -45,14 +46,14 @@ Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromOb
 
 /// One point in every space. Each stage says for itself why it has no answer; the stages after it have the same reason.
 struct PipelinePoints {
-    Result<ObjectPoint> object;
-    Result<WorldPoint> world;
-    Result<EyePoint> eye;
-    Result<ClipPoint> clip;
-    Result<NdcPoint> ndc;
-    Result<WindowPoint> window;
-    Result<DevicePoint> device;
-    Result<WidgetPoint> widget;
+    Result<ObjectPoint> object = ObjectPoint();
+    Result<WorldPoint> world = WorldPoint();
+    Result<EyePoint> eye = EyePoint();
+    Result<ClipPoint> clip = ClipPoint();
+    Result<NdcPoint> ndc = NdcPoint();
+    Result<WindowPoint> window = WindowPoint();
+    Result<DevicePoint> device = DevicePoint();
+    Result<WidgetPoint> widget = WidgetPoint();
     /// On the way back: (x', y', z', w') = eyeFromClip (x_n, y_n, z_n, 1), before it is divided by its own w'.
     std::optional<glm::dvec4> undividedEye = std::nullopt;
 };
@@ -73,6 +74,15 @@ PipelinePoints pointsForward(const Pipeline &pipeline, const WorldPoint &point);
 /// @param window  device pixels, origin bottom-left; depth in the depth range (not required to be inside it)
 /// @return PointAtInfinity from clip on where w' = 0; NotFinite as above
 PipelinePoints pointsBackward(const Pipeline &pipeline, const WindowPoint &window);
+
+/// Both ways from the space that the point is given in: towards the widget as forward, towards the object as backward. The
+/// given coordinates themselves stay as they are. What a clip point comes from is found by
+///
+///   (x', y', z', w') = eyeFromClip (x, y, z, w),  eye = (x', y', z') / w'
+///
+/// so that a clip point and its multiples have one eye point; `undividedEye` is that of its NDC, as on the way back.
+/// @return as pointsForward and pointsBackward, stage by stage
+PipelinePoints pointsFrom(const Pipeline &pipeline, const GivenPoint &given);
 
 /// Where a point lies that is not in the view volume, each with the inequality that says so.
 enum class Outside {

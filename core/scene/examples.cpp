@@ -223,6 +223,12 @@ LookAt fromOrigin()
     return {WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
 }
 
+Scene following(GivenPoint point, Scene scene)
+{
+    scene.givenPoint = std::move(point);
+    return scene;
+}
+
 Ortho zhangciOrtho()
 {
     return {-10, 10, -10, 10, -10, 10};
@@ -241,20 +247,23 @@ Scene twoDimensional()
         return joined(axes(kLength, kWidth), label(name, {left, low}, {right * kLetter, up * kLetter}));
     };
     const LookAt camera{WorldPoint(5, 2, 0), WorldPoint(5, 2, 1), {0, -1, 0}};
-    return scene(
-        camera, Ortho{-7, 7, -7, 7, -10, 10}, keepingAspect(1.0),
-        {object("MC, with the point (1, 1)", joined(named("MC", 1.4f, 2.0f, -1.0f, -1.0f), mark({1.0f, 1.0f}, 0.25f)),
-                {movedBy(4, 3, 0), Scale{glm::dvec3(-1, 1, 1)}}),
-         object("WC", named("WC", 0.3f, 2.0f, 1.0f, -1.0f)),
-         object("VC", named("VC", 0.3f, 1.45f, 1.0f, 1.0f), {movedBy(5, 2, 0), Scale{glm::dvec3(1, -1, 1)}})});
+    constexpr auto kOwn = "MC, with the point (1, 1)";
+    return following(
+        {ObjectPoint(1, 1, 0), kOwn},
+        scene(camera, Ortho{-7, 7, -7, 7, -10, 10}, keepingAspect(1.0),
+              {object(kOwn, joined(named("MC", 1.4f, 2.0f, -1.0f, -1.0f), mark({1.0f, 1.0f}, 0.25f)),
+                      {movedBy(4, 3, 0), Scale{glm::dvec3(-1, 1, 1)}}),
+               object("WC", named("WC", 0.3f, 2.0f, 1.0f, -1.0f)),
+               object("VC", named("VC", 0.3f, 1.45f, 1.0f, 1.0f), {movedBy(5, 2, 0), Scale{glm::dvec3(1, -1, 1)}})}));
 }
 
 /// Figures 2.6 and 2.7; the program draws the one point (1, 1, 0).
 Scene modelView()
 {
-    return scene(fromFive(), zhangciOrtho(), keepingAspect(1.0),
-                 {object("MC, with the point (1, 1, 0)", joined(axes(5.0f, 0.3f), mark({1.0f, 1.0f}, 0.5f)),
-                         {movedBy(0, 0, -3)})});
+    constexpr auto kOwn = "MC, with the point (1, 1, 0)";
+    return following({ObjectPoint(1, 1, 0), kOwn},
+                     scene(fromFive(), zhangciOrtho(), keepingAspect(1.0),
+                           {object(kOwn, joined(axes(5.0f, 0.3f), mark({1.0f, 1.0f}, 0.5f)), {movedBy(0, 0, -3)})}));
 }
 
 /// Figure 2.10, with a cube of the side that the tutorial gives the volume by mistake.
@@ -278,8 +287,9 @@ Scene perspective()
 /// Section 2.3: the middle of the plate has the NDC (0, 0, 0.5).
 Scene viewportTransform(const ViewportRule &viewport)
 {
-    return scene(fromFive(), zhangciOrtho(), viewport,
-                 {object("Plate and outline", joined(squareOutline(8.0f, 0.6f), mark({0.0f, 0.0f}, 2.0f)))});
+    return following({NdcPoint(0.0, 0.0, 0.5)},
+                     scene(fromFive(), zhangciOrtho(), viewport,
+                           {object("Plate and outline", joined(squareOutline(8.0f, 0.6f), mark({0.0f, 0.0f}, 2.0f)))}));
 }
 
 // ---- projection-derivation ---------------------------------------------------------------------------------------
@@ -319,8 +329,9 @@ Scene roundTrip()
     const glm::vec2 across = glm::normalize(glm::vec2(-end.y, end.x)) * 1.5f;
     const Mesh line = flatMesh({{-across, 0.0f}, {end - across, 0.0f}, {end + across, 0.0f}, {across, 0.0f}}, {},
                                {{0, 1, 2}, {0, 2, 3}});
-    return scene(camera, Ortho{-150, 150, -150, 150, 1, 200}, {ViewportRule::Kind::Fixed, {0, 0, 300, 300}},
-                 {object("Line", {mark({0.0f, 0.0f}, 5.0f), colored(line, kGrey)})});
+    return following({WorldPoint(0, 0, 0)},
+                     scene(camera, Ortho{-150, 150, -150, 150, 1, 200}, {ViewportRule::Kind::Fixed, {0, 0, 300, 300}},
+                           {object("Line", {mark({0.0f, 0.0f}, 5.0f), colored(line, kGrey)})}));
 }
 
 // ---- parallel-projection -----------------------------------------------------------------------------------------

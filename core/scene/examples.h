@@ -10,7 +10,8 @@
 
 namespace unprojector::scene {
 
-/// A worked example of one of the tutorials, with its literal parameters, as a scene to click in.
+/// A worked example of one of the tutorials, with its literal parameters, as a scene to click in. Where the tutorial follows
+/// a point of its own, that is the scene's given point.
 struct Example {
     std::string id;       ///< "zhangci-ortho"; what it is called and what to look at is the window's wording
     std::string tutorial; ///< "zhangci", "projection-derivation", "opencascade" or "parallel-projection"

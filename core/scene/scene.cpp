@@ -97,6 +97,11 @@ Check check(const Scene &scene)
         if (plane.x == 0.0 && plane.y == 0.0 && plane.z == 0.0)
             return Error{ErrorCode::ClipPlaneHasNoNormal};
     }
+    if (scene.givenPoint) {
+        const auto value = std::visit([](const auto &point) { return firstNotFinite(point); }, scene.givenPoint->point);
+        if (value)
+            return Error{ErrorCode::NotFinite, *value};
+    }
     return std::monostate{};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/framing.h"
+#include "core/geometry/given_point.h"
 #include "core/geometry/picture.h"
 #include "core/geometry/transform.h"
 #include "core/landmarks/landmark.h"
@@ -78,6 +79,8 @@ struct SceneSettings {
     /// What `projection` was read from; it is the file's as long as `projection` is still what that was converted to.
     std::optional<GivenProjection> given;
     landmarks::LandmarkSet landmarks; ///< world space
+    /// A point that the user follows through the pipeline besides what is clicked.
+    std::optional<GivenPoint> givenPoint;
 };
 
 /// What is shown and how: everything but the window's size.
@@ -94,7 +97,7 @@ Box boundsOf(const Scene &scene);
 void add(Framing &framing, const SceneObject &object);
 
 /// @return the first error of the camera, projection, viewport rule, depth range, transforms (reachable too); NotFinite and
-///         ClipPlaneHasNoNormal (A = B = C = 0) for clip planes
+///         ClipPlaneHasNoNormal (A = B = C = 0) for clip planes; NotFinite for the given point
 Check check(const Scene &scene);
 
 /// The picture of a scene in a window of this size: the viewport by its rule, the projection with the viewport's aspect

@@ -97,7 +97,9 @@ SceneFile sceneOf(const Pick &pick, const Scene &scene)
     file.depthRange = pick.geometry.depthRange; // in single precision, as OpenGL had it
     file.aspectFromViewport = false;
     file.ui = {};
-    file.landmarks = {}; // they are no part of what a click is computed from
+    // They are no part of what a click is computed from.
+    file.landmarks = {};
+    file.point.reset();
     return file;
 }
 

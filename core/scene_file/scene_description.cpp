@@ -230,6 +230,7 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     }
     scene.clipPlanes = file.clipPlanes;
     scene.landmarks = file.landmarks;
+    scene.givenPoint = file.point;
     for (const SceneFilePlaneOff &off : file.ui.clipPlanesOff)
         scene.clipPlanesOff.push_back({off.place, off.plane});
     return scene;
@@ -251,6 +252,7 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
     file.view = geometry.camera();
     file.clipPlanes = scene.clipPlanes;
     file.landmarks = scene.landmarks;
+    file.point = scene.givenPoint;
     file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home, {}};
     file.extra = before.extra;
     keepMatrices(file, before);

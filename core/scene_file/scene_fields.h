@@ -174,6 +174,26 @@ void describe(Fields &json, T &rule)
     json.optional("fixed", rule.fixed);
 }
 
+template <class Fields, Is<GivenPoint> T>
+void describe(Fields &json, T &given)
+{
+    enum class Space { Object, World, Eye, Clip, Ndc, Window };
+    static constexpr std::array kSpaces{"object", "world", "eye", "clip", "ndc", "window"};
+    auto space = static_cast<Space>(given.point.index());
+    json.required("space", space, Words{kSpaces});
+    if (json.failed())
+        return;
+    switch (space) {
+    case Space::Object: json.required("coordinates", as<ObjectPoint>(given.point)); break;
+    case Space::World: json.required("coordinates", as<WorldPoint>(given.point)); break;
+    case Space::Eye: json.required("coordinates", as<EyePoint>(given.point)); break;
+    case Space::Clip: json.required("coordinates", as<ClipPoint>(given.point)); break;
+    case Space::Ndc: json.required("coordinates", as<NdcPoint>(given.point)); break;
+    case Space::Window: json.required("coordinates", as<WindowPoint>(given.point)); break;
+    }
+    describeText(json, "object", given.object);
+}
+
 template <class Fields, Is<SceneFile> T>
 void describeUi(Fields &json, T &scene)
 {
@@ -220,6 +240,7 @@ void describe(Fields &json, T &scene)
     json.list("clipPlanes", scene.clipPlanes, kMostClipPlanes, ClipPlaneNumbers{});
     if (json.has("landmarks", !(scene.landmarks == landmarks::LandmarkSet())))
         json.required("landmarks", scene.landmarks);
+    json.optional("point", scene.point);
     json.optionalObject("ui", [&](auto &ui) { describeUi(ui, scene); });
 }
 

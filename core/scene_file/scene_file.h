@@ -50,7 +50,7 @@ struct SceneFileUi {
 /// What a scene file says, independent of any loaded model: the picture's numbers and where its objects are.
 ///
 /// JSON; angles in degrees as in gluPerspective and glRotate, `window` in logical pixels, `viewport` in device pixels
-/// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "landmarks", "ui", the window's
+/// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "landmarks", "point", "ui", the window's
 /// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
 /// written again after those it knows, numbers with all the digits that they have in the file.
 /// "landmarks" are {"points": [{"name", "position": [x, y, z] or null where it is missing, "object", "held", …}], …}, in world
@@ -72,6 +72,7 @@ struct SceneFile {
     std::vector<SceneFileObject> objects;
     std::vector<glm::dvec4> clipPlanes;
     landmarks::LandmarkSet landmarks; ///< written where there is anything in it
+    std::optional<GivenPoint> point;  ///< "point": {"space": "eye", "coordinates": [x, y, z]}
     SceneFileUi ui;
 
     /// Unknown keys, each where it stood: {"author": "A", "window": {"title": "T"}}; null or an object. Objects and planes

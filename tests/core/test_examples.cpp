@@ -53,6 +53,16 @@ Pipeline pipelineOf(const char *id, const Surface &surface = {800, 600, 1.0})
     return *made;
 }
 
+/// The example's own point in every space.
+PipelinePoints given(const char *id, const Surface &surface = {800, 600, 1.0})
+{
+    const Scene &scene = example(id).scene;
+    if (!scene.givenPoint
+        || (!scene.givenPoint->object.empty() && scene.givenPoint->object != scene.objects.at(0).name))
+        qFatal("The example %s follows no point of its first object.", id);
+    return pointsFrom(pipelineOf(id, surface), *scene.givenPoint);
+}
+
 /// m[index] as glGetFloatv counts.
 double entry(const Pipeline &pipeline, PipelineStage stage, int index)
 {
@@ -210,9 +220,10 @@ void TestExamples::theMatricesAreTheTutorials()
 void TestExamples::inTwoDimensionsThePointIsFollowed()
 {
     const Pipeline pipeline = pipelineOf("zhangci-2d");
-    const PipelinePoints points = pointsForward(pipeline, ObjectPoint(1, 1, 0));
-    QVERIFY(isAt(points.world->coordinates(), {3, 4, 0}));
-    QVERIFY(isAt(points.eye->coordinates(), {-2, -2, 0}));
+    const PipelinePoints points = given("zhangci-2d");
+    QVERIFY(points.object.value() == ObjectPoint(1, 1, 0));
+    QVERIFY(points.world.value() == WorldPoint(3, 4, 0));
+    QVERIFY(points.eye.value() == EyePoint(-2, -2, 0));
     // MC, VC^-1 and their product, without the row and column of z.
     struct Row {
         PipelineStage stage;
@@ -284,9 +295,11 @@ void TestExamples::farCubesAreSmaller()
 void TestExamples::theMiddleOfTheVolumeOf50PixelsHasDepth075()
 {
     for (const Surface &surface : kSurfaces) {
-        const PipelinePoints points = pointsForward(pipelineOf("zhangci-viewport-50", surface), ObjectPoint(0, 0, 0));
-        QVERIFY(isAt(points.ndc->coordinates(), {0, 0, 0.5}));
-        QVERIFY(isAt(points.window->coordinates(), {25, 25, 0.75}));
+        const PipelinePoints middle = pointsForward(pipelineOf("zhangci-viewport-50", surface), ObjectPoint(0, 0, 0));
+        QVERIFY(isAt(middle.ndc->coordinates(), {0, 0, 0.5}));
+        const PipelinePoints points = given("zhangci-viewport-50", surface);
+        QVERIFY(points.ndc.value() == NdcPoint(0, 0, 0.5));
+        QVERIFY(points.window.value() == WindowPoint(25, 25, 0.75));
     }
 }
 
@@ -339,8 +352,9 @@ void TestExamples::aCircleIsDrawnWiderByTwoOfThem()
 void TestExamples::theOriginGoesToPixel150AndBack()
 {
     const Pipeline pipeline = pipelineOf("opencascade-round-trip", {300, 300, 1.0});
-    const PipelinePoints points = pointsForward(pipeline, WorldPoint(0, 0, 0));
-    QVERIFY(isAt(points.widget->coordinates(), {150, 150}));
+    const PipelinePoints points = given("opencascade-round-trip", {300, 300, 1.0});
+    QVERIFY(points.world.value() == WorldPoint(0, 0, 0));
+    QVERIFY(points.widget.value() == WidgetPoint(150, 150));
     for (const double depth : {0.0, points.window->z, 1.0}) {
         const PipelinePoints back = pointsBackward(pipeline, WindowPoint(150, 150, depth));
         QVERIFY(std::abs(back.world->x) <= kRounding && std::abs(back.world->y) <= kRounding);

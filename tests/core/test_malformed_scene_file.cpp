@@ -83,6 +83,10 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
         ": window.devicePixelRatio: 0 must be greater than 0");
     row("pixel ratio huge", changed("600}", "600, \"devicePixelRatio\": 1e9}"),
         ": window.devicePixelRatio: 1000000000 must lie between 0.0008333333333333334 and 81.92");
+    row("point in no space", withMember(R"("point": {"space": "screen", "coordinates": [1, 2, 3]})"),
+        ": point.space: \"screen\" must be object, world, eye, clip, ndc or window");
+    row("clip point of three", withMember(R"("point": {"space": "clip", "coordinates": [1, 2, 3]})"),
+        ": point.coordinates: has 3 elements; it must have 4");
     row("viewport a list", withMember("\"viewport\": [0, 0, 8, 6]"),
         ": viewport: expected an object in { }, found a list in [ ]");
     row("viewport empty", withMember(R"("viewport": {"x": 0, "y": 0, "width": 8, "height": 0})"),

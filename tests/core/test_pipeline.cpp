@@ -83,6 +83,10 @@ private slots:
     void entryNamesMeanTheirNumbers_data();
     void entryNamesMeanTheirNumbers();
     void entriesNamedAsConstantsAreConstant();
+    void aPointGivenInAnySpaceIsTheSamePoint_data();
+    void aPointGivenInAnySpaceIsTheSamePoint();
+    void multiplesOfAClipPointAreOnePoint();
+    void aGivenPointMayHaveNoWay();
 };
 
 void TestPipeline::theOriginalsMatricesAppearInMemoryOrder()
@@ -403,6 +407,78 @@ void TestPipeline::entriesNamedAsConstantsAreConstant()
             }
         }
     }
+}
+
+void TestPipeline::aPointGivenInAnySpaceIsTheSamePoint_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::addColumn<double>("zEye");
+    QTest::newRow("off centre") << kOffCentre << -5.0;
+    QTest::newRow("perspective") << kPerspective << -20.0;
+    QTest::newRow("behind the eye") << kPerspective << 3.0;
+    QTest::newRow("beyond far") << kPerspective << -400.0;
+    QTest::newRow("ortho") << kOrtho << -4.0;
+    QTest::newRow("oblique") << kOblique << -7.0;
+}
+
+void TestPipeline::aPointGivenInAnySpaceIsTheSamePoint()
+{
+    QFETCH(Projection, projection);
+    QFETCH(double, zEye);
+    Picture geometry = geometryOf(projection, aside(), 640, 480, 2.0);
+    geometry.viewport = {13, 7, 400, 300};
+    geometry.depthRange = {0.25, 0.75};
+    const Pipeline p = pipeline(geometry, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
+    const PipelinePoints truth = pointsFrom(p, {EyePoint(0.7, -0.4, zEye)});
+    const std::vector<GivenPoint> ways{{*truth.object}, {*truth.world}, {*truth.eye},
+                                       {*truth.clip},   {*truth.ndc},   {*truth.window}};
+    for (const GivenPoint &given : ways) {
+        const PipelinePoints points = pointsFrom(p, given);
+        // Near : far = 1 : 100, and a point at four times far, cost digits of the way back from NDC.
+        constexpr double kWay = 1e-8;
+        QVERIFY(isNear(points.object->coordinates(), truth.object->coordinates(), kWay));
+        QVERIFY(isNear(points.world->coordinates(), truth.world->coordinates(), kWay));
+        QVERIFY(isNear(points.eye->coordinates(), truth.eye->coordinates(), kWay));
+        QVERIFY(isNear(glm::dvec3(points.clip->coordinates()), glm::dvec3(truth.clip->coordinates()), kWay));
+        QVERIFY(std::abs(points.clip->w - truth.clip->w) <= kWay);
+        QVERIFY(isNear(points.ndc->coordinates(), truth.ndc->coordinates(), kWay));
+        QVERIFY(isNear(points.window->coordinates(), truth.window->coordinates(), kWay));
+        QVERIFY(
+            isNear(glm::dvec3(points.widget->coordinates(), 0.0), glm::dvec3(truth.widget->coordinates(), 0.0), kWay));
+        const glm::dvec4 &undivided = points.undividedEye.value();
+        QVERIFY(isNear(glm::dvec3(undivided) / undivided.w, truth.eye->coordinates(), kWay));
+    }
+    // What was given is not rounded.
+    QVERIFY(pointsFrom(p, ways[0]).object.value() == *truth.object);
+    QVERIFY(pointsFrom(p, ways[3]).clip.value().coordinates() == truth.clip->coordinates());
+    QVERIFY(pointsFrom(p, ways[5]).window.value() == *truth.window);
+}
+
+void TestPipeline::multiplesOfAClipPointAreOnePoint()
+{
+    const Pipeline p = pipeline(geometryOf(kPerspective, aside(), 640, 480), glm::dmat4(1.0)).value();
+    const PipelinePoints one = pointsFrom(p, {ClipPoint(1, 2, 3, 4)}),
+                         half = pointsFrom(p, {ClipPoint(0.5, 1, 1.5, 2)});
+    QVERIFY(isNear(one.world->coordinates(), half.world->coordinates(), 1e-12));
+    QVERIFY(isNear(one.ndc->coordinates(), {0.25, 0.5, 0.75}, 1e-15));
+    QVERIFY(half.ndc.value() == *one.ndc);
+    QVERIFY(half.clip->w == 2.0);
+}
+
+void TestPipeline::aGivenPointMayHaveNoWay()
+{
+    const Pipeline p = pipeline(geometryOf(kPerspective, aside(), 640, 480), glm::dmat4(1.0)).value();
+    // In the plane of the eye: no NDC, but everything before it.
+    const PipelinePoints level = pointsFrom(p, {EyePoint(1, 1, 0)});
+    QCOMPARE(level.ndc.error().code, ErrorCode::PointAtInfinity);
+    QCOMPARE(level.widget.error().code, ErrorCode::PointAtInfinity);
+    QVERIFY(level.object.hasValue() && level.clip.hasValue() && !level.undividedEye);
+    // A direction in clip space: no eye point, but the clip point as it was given.
+    const PipelinePoints direction = pointsFrom(p, {ClipPoint(0, 0, 0, 0)});
+    QVERIFY(direction.clip.hasValue());
+    QCOMPARE(direction.world.error().code, ErrorCode::PointAtInfinity);
+    QCOMPARE(direction.window.error().code, ErrorCode::PointAtInfinity);
+    QCOMPARE(pointsFrom(p, {WindowPoint(kNaN, 0, 0)}).object.error().code, ErrorCode::NotFinite);
 }
 
 QTEST_GUILESS_MAIN(TestPipeline)

@@ -156,6 +156,12 @@ void TestSceneFile::whatIsReadIsWrittenAndReadAgain_data()
         << QByteArray(withProjection(kMatrix)).replace("\"matrix\", ", "\"matrix\", \"ndcDepth\": [0, 1], ");
     QTest::newRow("view matrix") << withView("{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5.1,1]}");
     QTest::newRow("unknown keys") << withMember(R"("by": {"a": [1, {"b": null}]}, "ui": {"theme": "dark"})");
+    QTest::newRow("object point") << withMember(
+        R"("point": {"space": "object", "coordinates": [0.1, -0.0, 5e-324], "object": "a face", "by": 1})");
+    QTest::newRow("clip point") << withMember(R"("point": {"space": "clip", "coordinates": [1, 2, 3, -4.1]})");
+    for (const char *space : {"world", "eye", "ndc", "window"})
+        QTest::newRow(space) << withMember(
+            QByteArray(R"("point": {"space": "SPACE", "coordinates": [1, 2, 0.3]})").replace("SPACE", space));
 }
 
 void TestSceneFile::whatIsReadIsWrittenAndReadAgain()
@@ -189,6 +195,8 @@ void TestSceneFile::whatIsReadIsWrittenAndReadAgain()
         QVERIFY(second.objects[i].transform == first.objects[i].transform);
     }
     QVERIFY(second.clipPlanes == first.clipPlanes);
+    QCOMPARE(second.point.has_value(), text.contains("coordinates"));
+    QVERIFY(second.point == first.point);
 }
 
 void TestSceneFile::unknownKeysAreKeptEverywhere_data()
