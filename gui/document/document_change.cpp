@@ -79,6 +79,8 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
         || a.clipDistancesFitObjects != b.clipDistancesFitObjects || a.viewport != b.viewport
         || a.depthRange != b.depthRange)
         changes |= Change::Picture;
+    if (a.givenPoint != b.givenPoint)
+        changes |= Change::GivenPoint;
     return changes;
 }
 

@@ -1,5 +1,6 @@
 #include "gui/document/scene_document.h"
 
+#include "gui/document/given_points.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/scene_curves.h"
 
@@ -140,7 +141,7 @@ Check SceneDocument::open(Scene scene)
     clearPick();
     m_points.forget();
     emit opened();
-    tell(kSeen | Change::Pick | Change::Landmarks | Change::LandmarkSelection | Change::History);
+    tell(kSeen | Change::Pick | Change::GivenPoint | Change::Landmarks | Change::LandmarkSelection | Change::History);
     return std::monostate{};
 }
 
@@ -162,8 +163,11 @@ void SceneDocument::setObjects(std::vector<SceneObject> objects)
 
 Check SceneDocument::record(SceneState state, const Deed &deed)
 {
-    if (state.objects != m_state.objects)
+    if (state.objects != m_state.objects) {
         state.landmarks = withObjects(state.landmarks, *m_state.objects, *state.objects);
+        if (state.settings.givenPoint)
+            state.settings.givenPoint = withObjects(*state.settings.givenPoint, *m_state.objects, *state.objects);
+    }
     const Telling telling(*this);
     const SceneState before = m_state;
     const Result<Changes> taken = take(state);
@@ -258,6 +262,13 @@ Check SceneDocument::editClipPlanes(std::vector<glm::dvec4> planes, std::vector<
     SceneSettings settings = m_state.settings;
     settings.clipPlanes = std::move(planes);
     settings.clipPlanesOff = std::move(off);
+    return edit(std::move(settings), deed);
+}
+
+Check SceneDocument::editGivenPoint(std::optional<GivenPoint> point, const Deed &deed)
+{
+    SceneSettings settings = m_state.settings;
+    settings.givenPoint = std::move(point);
     return edit(std::move(settings), deed);
 }
 

@@ -89,6 +89,9 @@ public:
     /// What prepares the models for rays.
     RayCasters &rayCasters() { return m_casters; }
     SinceClick sinceClick() const;
+    const std::optional<GivenPoint> &givenPoint() const { return m_scene.givenPoint; }
+    /// Where the given point lies in the picture as it is now; nothing where there is none, or no world point of it.
+    std::optional<WorldPoint> givenWorld() const;
     QUndoStack &undoStack() { return m_undoStack; }
 
     /// Whether anything, the camera included, is other than when the scene was opened or marked as saved. What was undone
@@ -141,6 +144,8 @@ public:
     Check editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed);
     /// @param off  planes that are kept but do not cut; with the others no more than kMostClipPlanes
     Check editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed);
+    /// The point that is followed through the pipeline besides the clicks, or none.
+    Check editGivenPoint(std::optional<GivenPoint> point, const Deed &deed);
     /// All placed points, for those that are there. What is done to single ones: points().
     Check editLandmarks(std::vector<landmarks::Landmark> landmarks, const Deed &deed);
     Check editLandmarkSet(landmarks::LandmarkSet set, const Deed &deed);

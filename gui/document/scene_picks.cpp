@@ -2,7 +2,9 @@
 
 #include "gui/document/scene_document.h"
 
+#include "core/matrices/pipeline.h"
 #include "core/ray/drawn_surface.h"
+#include "gui/document/given_points.h"
 
 #include <glm/geometric.hpp>
 
@@ -166,6 +168,19 @@ std::optional<WorldPoint> SceneDocument::pickedPoint() const
         return m_picked.ray.taken->hit.world;
     const Result<WorldPoint> &formula = pick->point.world[Method::Formula];
     return formula ? std::optional(*formula) : std::nullopt;
+}
+
+std::optional<WorldPoint> SceneDocument::givenWorld() const
+{
+    if (!m_scene.givenPoint)
+        return std::nullopt;
+    const std::optional<std::size_t> object = placeOf(*m_scene.givenPoint, objects());
+    const Result<matrices::Pipeline> pipeline =
+        matrices::pipeline(geometry(), object ? worldFromObject(objects()[*object].transform) : glm::dmat4(1.0));
+    if (!pipeline)
+        return std::nullopt;
+    const Result<WorldPoint> world = pointsFrom(*pipeline, *m_scene.givenPoint).world;
+    return world ? std::optional(*world) : std::nullopt;
 }
 
 const ray::SceneRays *SceneDocument::rays() const

@@ -18,7 +18,7 @@ void PickPainter::release()
 }
 
 void PickPainter::draw(const WorldPoint &point, const glm::dmat4 &clipFromWorld, const glm::vec2 &viewportPixels,
-                       float pixelRatio)
+                       float pixelRatio, Mark mark)
 {
     const glm::dvec4 clip = clipFromWorld * glm::dvec4(point.coordinates(), 1.0);
     if (!(clip.w > 0.0))
@@ -29,6 +29,7 @@ void PickPainter::draw(const WorldPoint &point, const glm::dmat4 &clipFromWorld,
     m_program->setUniformValue("center", float(clip.x / clip.w), float(clip.y / clip.w));
     m_program->setUniformValue("viewportPixels", viewportPixels.x, viewportPixels.y);
     m_program->setUniformValue("pixelRatio", pixelRatio);
+    m_program->setUniformValue("isGiven", mark == Mark::Given);
     m_vertexArray.bind();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     m_vertexArray.release();

@@ -14,14 +14,17 @@
 namespace unprojector::gui {
 using namespace geometry;
 
-/// The mark of the picked point: a ring of constant size with a dot at the point itself.
+/// The mark of the picked point, a ring of constant size with a dot at the point itself; and that of the given one, a square
+/// on its corner.
 class PickPainter : protected QOpenGLExtraFunctions {
 public:
+    enum class Mark { Picked, Given };
+
     void initialize();
     void release();
     /// @param pixelRatio  device pixels per logical pixel: the ring keeps its logical size
     void draw(const WorldPoint &point, const glm::dmat4 &clipFromWorld, const glm::vec2 &viewportPixels,
-              float pixelRatio);
+              float pixelRatio, Mark mark = Mark::Picked);
 
 private:
     std::unique_ptr<QOpenGLShaderProgram> m_program;

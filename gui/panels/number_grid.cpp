@@ -6,9 +6,11 @@
 #include "gui/panels/number_grid_model.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QPainter>
 #include <QWheelEvent>
 
@@ -36,7 +38,7 @@ NumberGrid::NumberGrid(NumberGridModel *model, QWidget *parent) : QTableView(par
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setTabKeyNavigation(false);
-    setEditTriggers(NoEditTriggers);
+    setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed); // of what the model lets be edited
     horizontalHeader()->hide();
     verticalHeader()->hide();
     horizontalHeader()->setMinimumSectionSize(1);
@@ -165,11 +167,40 @@ void NumberGrid::changeEvent(QEvent *event)
     }
 }
 
+bool NumberGrid::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride && m_model->isTypable()) {
+        // A digit begins a number here, and turns no camera.
+        const auto &key = *static_cast<QKeyEvent *>(event);
+        static const QString kBeginnings = QStringLiteral("0123456789.,+-(");
+        const bool isPlain = !(key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+        if (isPlain && !key.text().isEmpty() && kBeginnings.contains(key.text())) {
+            event->accept();
+            return true;
+        }
+    }
+    return QTableView::event(event);
+}
+
+void NumberGrid::paste()
+{
+    m_model->typeAll(QGuiApplication::clipboard()->text());
+}
+
 void NumberGrid::keyPressEvent(QKeyEvent *event)
 {
     if (event->matches(QKeySequence::Copy)) {
         if (const QString text = selectedText(); !text.isEmpty())
             copyToClipboard(text);
+        return;
+    }
+    if (event->matches(QKeySequence::Paste) && m_model->isTypable()) {
+        paste();
+        return;
+    }
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter && state() != EditingState && currentIndex().flags() & Qt::ItemIsEditable) {
+        edit(currentIndex());
         return;
     }
     QTableView::keyPressEvent(event);
@@ -183,7 +214,21 @@ Copyable NumberGrid::numberAt(const QPoint &globalPosition) const
 
 void NumberGrid::contextMenuEvent(QContextMenuEvent *event)
 {
-    showCopyMenu(*this, event->globalPos(), numberAt(event->globalPos()), m_model->copyable());
+    const Copyable number = numberAt(event->globalPos()), whole = m_model->copyable();
+    if (!m_model->isTypable()) {
+        showCopyMenu(*this, event->globalPos(), number, whole);
+        return;
+    }
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const QModelIndex index = indexAt(viewport()->mapFromGlobal(event->globalPos()));
+    if (index.flags() & Qt::ItemIsEditable)
+        menu->addAction(tr("&Type a number…"), this, [this, index] { edit(index); });
+    menu->addAction(tr("&Paste all coordinates"), this, &NumberGrid::paste)
+        ->setEnabled(!QGuiApplication::clipboard()->text().isEmpty());
+    menu->addSeparator();
+    addCopyActions(*menu, number, whole);
+    menu->popup(event->globalPos());
 }
 
 void NumberGrid::focusOutEvent(QFocusEvent *event)

@@ -9,7 +9,9 @@ namespace unprojector::gui {
 class NumberGridModel;
 
 /// Numbers under each other in columns of equal width, as a matrix is printed, in brackets. It is as high as its rows; one
-/// column is no wider than its numbers. Where whole numbers need more room than there is, it scrolls sideways. Arrow keys walk through the numbers, Copy takes the selected ones with all their digits.
+/// column is no wider than its numbers. Where whole numbers need more room than there is, it scrolls sideways. Arrow keys walk
+/// through the numbers, Copy takes the selected ones with all their digits. Where the model can be typed into, a double-click,
+/// F2, Enter or the number itself does, and Paste takes all numbers at once.
 class NumberGrid : public QTableView {
     Q_OBJECT
 public:
@@ -24,6 +26,7 @@ public:
     QSize minimumSizeHint() const override;
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
@@ -33,6 +36,7 @@ protected:
     void focusOutEvent(QFocusEvent *event) override;
 
 private:
+    void paste();
     void useFont();
     void fit();
     int labelLength() const;

@@ -122,6 +122,10 @@ QVariant NumberGridModel::data(const QModelIndex &index, int role) const
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole: return toolTip(row, column);
     case kLabelRole: return label(row, column);
+    case Qt::EditRole: {
+        const std::optional<double> &value = number(row, column);
+        return value ? QString::fromStdString(numberText(*value, m_digits)) : QString();
+    }
     case kValueRole: {
         const std::optional<double> &value = number(row, column);
         return value ? QVariant(*value) : QVariant();

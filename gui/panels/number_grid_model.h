@@ -35,6 +35,10 @@ public:
     /// What a menu copies besides a number: the point, or nothing.
     virtual Copyable copyable() const { return {}; }
 
+    /// Whether a user can type other numbers, or paste them all at once.
+    virtual bool isTypable() const { return false; }
+    virtual void typeAll([[maybe_unused]] const QString &text) {}
+
     /// A number with all its digits, "–" where there is none.
     QString fullText(int row, int column) const;
 

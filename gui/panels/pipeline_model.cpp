@@ -1,9 +1,15 @@
 #include "gui/panels/pipeline_model.h"
 
 #include "core/geometry/matrix_projection.h"
+#include "core/text/expression.h"
+#include "gui/document/given_points.h"
+#include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/since_click_text.h"
 #include "gui/text/error_text.h"
+#include "gui/text/typed_numbers.h"
+
+#include <utility>
 
 namespace unprojector::gui {
 namespace {
@@ -28,7 +34,7 @@ QStringList PipelineModel::longestStatusTexts()
     return longestSinceClickTexts() << movedForwardText() << movedBackText();
 }
 
-PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent)
+PipelineModel::PipelineModel(SceneDocument &document, QObject *parent)
     : QObject(parent), m_document(document), m_chosen(new FollowedObject(document, this)),
       m_given(new MatrixModel(PipelineStage::WholeMatrix, this))
 {
@@ -37,8 +43,95 @@ PipelineModel::PipelineModel(const SceneDocument &document, QObject *parent)
         m_matrices[static_cast<std::size_t>(stage)] = new MatrixModel(stage, this);
     for (int space = 0; space < PointModel::kSpaces; ++space)
         m_points[static_cast<std::size_t>(space)] = new PointModel(static_cast<Space>(space), this);
+    for (PointModel *point : m_points)
+        connect(point, &PointModel::typed, this,
+                [this, point](int coordinate, const QString &text) { take(point->space(), coordinate, text); });
     connect(&document, &SceneDocument::opened, this, [this] { m_isIdentity = false; });
+    // Also of what changes while nobody looks: the last of the two that came is the one to follow.
+    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::GivenPoint)
+            m_followsGiven = m_document.givenPoint().has_value();
+        else if (changes & Change::Pick && m_document.pick())
+            m_followsGiven = false;
+        else
+            return;
+        emit followedChanged();
+    });
+    m_followsGiven = document.givenPoint().has_value();
     update();
+}
+
+bool PipelineModel::followsGiven() const
+{
+    return m_followsGiven && m_document.givenPoint();
+}
+
+void PipelineModel::followGiven(bool follows)
+{
+    if (std::exchange(m_followsGiven, follows) == follows)
+        return;
+    update();
+    emit followedChanged();
+}
+
+void PipelineModel::removeGiven()
+{
+    static_cast<void>(m_document.editGivenPoint(std::nullopt, {tr("Remove Your Point")}));
+}
+
+void PipelineModel::take(Space space, int coordinate, const QString &typed)
+{
+    const std::size_t count = point(space)->ownCount();
+    std::vector<double> values = point(space)->coordinates();
+    if (values.empty()) { // a clip point's w is 1 until it is typed
+        values.assign(count, 0.0);
+        if (space == Space::Clip)
+            values.back() = 1.0;
+    }
+    const std::optional<std::vector<double>> all = count < 3 ? std::nullopt : typedNumbers(typed, count);
+    if (all) {
+        values = *all;
+    } else {
+        const Result<double, text::ExpressionError> value = text::evaluate(typed.toStdString());
+        if (!value) {
+            emit refused(errorText(value.error(), typed));
+            return;
+        }
+        values[static_cast<std::size_t>(coordinate)] = *value;
+    }
+    GivenPoint given;
+    switch (space) {
+    case Space::Object: {
+        given.point = ObjectPoint(values[0], values[1], values[2]);
+        if (const std::optional<std::size_t> object = shownObject())
+            given.object = m_document.objects()[*object].name;
+        break;
+    }
+    case Space::World: given.point = WorldPoint(values[0], values[1], values[2]); break;
+    case Space::Eye: given.point = EyePoint(values[0], values[1], values[2]); break;
+    case Space::Clip: given.point = ClipPoint(values[0], values[1], values[2], values[3]); break;
+    case Space::Ndc: given.point = NdcPoint(values[0], values[1], values[2]); break;
+    case Space::Window: given.point = WindowPoint(values[0], values[1], values[2]); break;
+    case Space::Widget: {
+        const std::vector<double> window = point(Space::Window)->coordinates();
+        if (window.empty()) {
+            emit refused(
+                tr("A widget position says nothing of the depth. Give the window point, whose third number it is."));
+            return;
+        }
+        const Surface &surface = m_document.geometry().surface;
+        given.point =
+            windowFromDevice(surface, deviceFromWidget(surface, WidgetPoint(values[0], values[1])), window[2]);
+        break;
+    }
+    }
+    const Check taken =
+        m_document.editGivenPoint(given, {tr("Give a Point in %1 Coordinates").arg(point(space)->name())});
+    if (!taken) {
+        emit refused(errorText(taken.error()));
+        return;
+    }
+    followGiven(true); // also where the same numbers were given again
 }
 
 std::optional<std::size_t> PipelineModel::shownObject() const
@@ -48,6 +141,8 @@ std::optional<std::size_t> PipelineModel::shownObject() const
         return std::nullopt;
     if (const std::optional<std::size_t> chosen = m_chosen->place())
         return chosen;
+    if (followsGiven() && std::holds_alternative<ObjectPoint>(m_document.givenPoint()->point))
+        return placeOf(*m_document.givenPoint(), m_document.objects());
     const std::size_t picked = m_document.pick() ? m_document.pick()->object.value_or(0) : 0;
     return picked < count ? std::optional(picked) : std::nullopt;
 }
@@ -101,9 +196,12 @@ void PipelineModel::update()
     const ProjectionKind kind = kindOf(m_document.geometry().projection());
     for (const PipelineStage stage : kPipelineStages)
         matrix(stage)->setMatrix(pipeline->matrix(stage, m_direction), m_direction, kind);
-    if (!pick) {
+    if (followsGiven()) {
+        showGivenPoint(*pipeline);
+    } else if (!pick) {
         clearPoints();
-        m_status = tr("Press the left button on the model: its point appears at every stage.");
+        m_status =
+            tr("Press the left button on the model: its point appears at every stage. Or type one into any row.");
     } else if (!pick->hit()) {
         clearPoints();
         m_status = tr("Background: no surface here, so there is no point to follow.");
@@ -160,6 +258,27 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
         m_status = sinceClickText(m_document);
     else if (since.isOtherPicture && m_direction == PipelineDirection::Forward)
         m_status = movedForwardText();
+    showAll(points);
+}
+
+void PipelineModel::showGivenPoint(const Pipeline &pipeline)
+{
+    const GivenPoint &given = *m_document.givenPoint();
+    const PipelinePoints points = pointsFrom(pipeline, given);
+    const QString space = point(static_cast<Space>(given.point.index()))->name();
+    const bool isObject = std::holds_alternative<ObjectPoint>(given.point);
+    if (isObject && !given.object.empty() && !placeOf(given, m_document.objects()))
+        m_status = tr("Your point was given in the space of “%1”, which is not here: taken as a world point.")
+                       .arg(shownName(given.object));
+    else if (const QString outside = points.clip ? clipTestText(*points.clip) : QString(); !outside.isEmpty())
+        m_status = tr("Your point, given in %1 coordinates, is outside the view volume: %2.").arg(space, outside);
+    else
+        m_status = tr("Your point, given in %1 coordinates, and both ways from there.").arg(space);
+    showAll(points);
+}
+
+void PipelineModel::showAll(const PipelinePoints &points)
+{
     point(Space::Object)->setPoint(points.object);
     point(Space::World)->setPoint(points.world);
     point(Space::Eye)->setPoint(points.eye);
@@ -178,6 +297,8 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
 
 bool PipelineModel::isDepthRead() const
 {
+    if (followsGiven())
+        return false;
     const std::optional<Pick> &pick = m_document.pick();
     return pick && pick->hit() && pick->geometry == m_document.geometry();
 }

@@ -16,8 +16,8 @@ using namespace matrices;
 
 class SceneDocument;
 
-/// What the pipeline panel shows of a document: the picked point in every space, the matrices between them, and a
-/// sentence. It looks at the document when told to, so that a hidden panel costs nothing.
+/// What the pipeline panel shows of a document: a point in every space, the picked one or one that the user gives in numbers;
+/// the matrices between them, and a sentence. It looks at the document when told to, so that a hidden panel costs nothing.
 class PipelineModel : public QObject {
     Q_OBJECT
 public:
@@ -25,7 +25,7 @@ public:
     static constexpr int kAutomaticObject = -1; ///< the one that was drawn at the picked pixel
     static constexpr int kNoObject = -2;        ///< the identity: object coordinates are world coordinates
 
-    explicit PipelineModel(const SceneDocument &document, QObject *parent = nullptr);
+    explicit PipelineModel(SceneDocument &document, QObject *parent = nullptr);
 
     /// Takes over the document as it is now.
     void update();
@@ -45,6 +45,12 @@ public:
     const QString &givenNote() const { return m_givenNote; }
     PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
 
+    /// Whether the given point is shown and not the picked one: since it was given, until the next click.
+    bool followsGiven() const;
+    /// Shows the one or the other. The given point stays the document's.
+    void followGiven(bool follows);
+    void removeGiven();
+
     /// The object whose space is shown; nothing for the identity.
     std::optional<std::size_t> shownObject() const;
     /// Whether the window point's depth on the way back is the one that was read at the click; else it is computed.
@@ -56,12 +62,23 @@ public:
     /// Points and matrices with all digits.
     QString text() const;
 
+signals:
+    /// Which point is shown, or whether there is a given one.
+    void followedChanged();
+    /// What was typed is no point, with the reason.
+    void refused(const QString &reason);
+
 private:
     void showGiven();
+    /// Makes what was typed for a coordinate of a space, or for all of them, the given point.
+    void take(PointModel::Space space, int coordinate, const QString &typed);
+    void showGivenPoint(const Pipeline &pipeline);
+    void showAll(const PipelinePoints &points);
     void showPoints(const Pipeline &pipeline);
     void clearPoints();
 
-    const SceneDocument &m_document;
+    SceneDocument &m_document;
+    bool m_followsGiven = false;
     PipelineDirection m_direction = PipelineDirection::Forward;
     FollowedObject *m_chosen;
     bool m_isIdentity = false;

@@ -15,6 +15,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -78,16 +79,57 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
 
     m_status = new SteadyLabel(PipelineModel::longestStatusTexts());
     m_status->setAccessibleName(tr("What the points are"));
-    layout->addWidget(m_status);
+    layout->addLayout(createFollowed());
 
     createStages();
     layout->addWidget(m_scrollArea, 1);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (kSeen | Change::Names | Change::Pick))
+        if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint))
             refresh();
     });
+    connect(m_model, &PipelineModel::followedChanged, this, &PipelinePanel::refresh);
+    connect(m_model, &PipelineModel::refused, this, [this](const QString &reason) {
+        m_status->setText(reason);
+        m_status->setToolTip(reason);
+    });
     arrange();
+}
+
+PipelinePanel::~PipelinePanel()
+{
+    // A number that is being typed counts when its row goes, and there is no panel any more to show it.
+    m_document.disconnect(this);
+    m_model->disconnect(this);
+}
+
+QLayout *PipelinePanel::createFollowed()
+{
+    m_follow = new QToolButton;
+    m_follow->setAutoRaise(true);
+    m_remove = new QToolButton;
+    m_remove->setAutoRaise(true);
+    m_remove->setText(QStringLiteral("✕"));
+    m_remove->setToolTip(tr("Remove your point"));
+    m_remove->setAccessibleName(m_remove->toolTip());
+    connect(m_follow, &QToolButton::clicked, this, [this] { m_model->followGiven(!m_model->followsGiven()); });
+    connect(m_remove, &QToolButton::clicked, m_model, &PipelineModel::removeGiven);
+    auto *line = new QHBoxLayout;
+    line->setSpacing(2);
+    line->addWidget(m_status, 1);
+    line->addWidget(m_follow, 0, Qt::AlignTop);
+    line->addWidget(m_remove, 0, Qt::AlignTop);
+    return line;
+}
+
+void PipelinePanel::showFollowed()
+{
+    const bool isGiven = m_model->followsGiven();
+    m_follow->setText(isGiven ? tr("The click") : tr("Your point"));
+    m_follow->setToolTip(isGiven ? tr("Follow the clicked point again; yours stays")
+                                 : tr("Follow the point that you have given in numbers"));
+    m_follow->setVisible(m_document.givenPoint() && (!isGiven || m_document.pick()));
+    m_remove->setVisible(m_document.givenPoint().has_value());
 }
 
 QWidget *PipelinePanel::createSwitches()
@@ -283,6 +325,7 @@ void PipelinePanel::refresh()
 void PipelinePanel::showStatus()
 {
     showGiven();
+    showFollowed();
     if (m_status->text() != m_model->status()) {
         m_status->setText(m_model->status());
         m_status->setToolTip(m_model->status());

@@ -6,7 +6,9 @@
 
 class QComboBox;
 class QLabel;
+class QLayout;
 class QScrollArea;
+class QToolButton;
 class QVBoxLayout;
 
 namespace unprojector::gui {
@@ -16,11 +18,12 @@ class SceneDocument;
 class SegmentedSwitch;
 
 /// The picked point in object, world, eye, clip, NDC and window coordinates and as widget position, with the matrix
-/// between two of them; forward or backward. Hidden, it does nothing; shown again, it catches up.
+/// between two of them; forward or backward. In each of these spaces a point can be typed or pasted instead. Hidden, it does nothing; shown again, it catches up.
 class PipelinePanel : public QWidget {
     Q_OBJECT
 public:
     explicit PipelinePanel(SceneDocument &document, QWidget *parent = nullptr);
+    ~PipelinePanel() override;
 
     const PipelineModel &model() const { return *m_model; }
 
@@ -37,12 +40,15 @@ protected:
 
 private:
     QWidget *createSwitches();
+    /// What the points are, and which of the two to follow.
+    QLayout *createFollowed();
     void createStages();
     /// The rows in the order of the direction, and their headings.
     void arrange();
     void showTitles();
     void refresh();
     void showStatus();
+    void showFollowed();
     void showFlip();
     void showGiven();
     void showObjects();
@@ -55,6 +61,8 @@ private:
     SegmentedSwitch *m_digitsSwitch;
     QComboBox *m_object;
     QLabel *m_status;
+    QToolButton *m_follow; ///< the other one of click and given point
+    QToolButton *m_remove; ///< the given point
     QScrollArea *m_scrollArea;
     QVBoxLayout *m_rows;
     std::array<QWidget *, PointModel::kSpaces> m_pointRows{};

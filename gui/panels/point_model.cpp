@@ -107,6 +107,24 @@ std::vector<double> PointModel::coordinates() const
     return values;
 }
 
+Qt::ItemFlags PointModel::flags(const QModelIndex &index) const
+{
+    const bool isOwn = std::max(index.row(), index.column()) < m_own;
+    const Qt::ItemFlags flags = NumberGridModel::flags(index);
+    return isOwn && isTypable() ? flags | Qt::ItemIsEditable : flags;
+}
+
+bool PointModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable))
+        return false;
+    const QString text = value.toString().trimmed();
+    if (text == data(index, Qt::EditRole).toString()) // nothing was typed
+        return false;
+    emit typed(std::max(index.row(), index.column()), text);
+    return true;
+}
+
 Copyable PointModel::copyable() const
 {
     const auto name = [this] {

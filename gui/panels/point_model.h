@@ -46,6 +46,8 @@ public:
     void setDirection(PipelineDirection direction);
 
     Space space() const { return m_space; }
+    /// How many coordinates a point of the space has.
+    std::size_t ownCount() const { return static_cast<std::size_t>(m_own); }
     /// "world"
     QString name() const;
     /// Where a coordinate stands: 0 for x, 3 for w.
@@ -55,6 +57,16 @@ public:
     /// "(1, 2.5, 3)" with all digits; "–" without a point.
     QString fullText() const;
     Copyable copyable() const override;
+
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    /// What a user types for a coordinate, or for all of the space's at once: emits `typed`, and leaves the point as it is.
+    bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
+    bool isTypable() const override { return !isUndivided(); }
+    void typeAll(const QString &text) override { emit typed(0, text); }
+
+signals:
+    /// @param coordinate  0 for x, 3 for w
+    void typed(int coordinate, const QString &text);
 
 protected:
     QString label(int row, int column) const override;

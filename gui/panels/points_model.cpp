@@ -5,13 +5,13 @@
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 #include "gui/text/point_text.h"
+#include "gui/text/typed_numbers.h"
 
 #include <QFont>
 #include <QGuiApplication>
 #include <QIODevice>
 #include <QMimeData>
 #include <QPalette>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <limits>
@@ -27,24 +27,6 @@ const QString kRowType = QStringLiteral("application/x-unprojector-point-row");
 int axisOf(int column)
 {
     return column - PointsModel::X;
-}
-
-/// All three at once, as they are copied from elsewhere: "1.5 2 -3", "1.5, 2, -3"; nothing of "1 / 3".
-std::optional<WorldPoint> threeCoordinates(const QString &typed)
-{
-    static const QRegularExpression separators(QStringLiteral("[\\s;]+|,\\s+"));
-    const QStringList parts = typed.split(separators, Qt::SkipEmptyParts);
-    if (parts.size() != 3)
-        return std::nullopt;
-    WorldPoint point;
-    for (int i = 0; i < 3; ++i) {
-        const Result<double, text::ExpressionError> value =
-            text::evaluate(QString(parts[i]).remove(QRegularExpression(QStringLiteral(",$"))).toStdString());
-        if (!value)
-            return std::nullopt;
-        point[i] = *value;
-    }
-    return point;
 }
 
 bool isCoordinate(int column)
@@ -230,8 +212,8 @@ bool PointsModel::setCoordinate(std::size_t place, int axis, const QString &type
 {
     const Landmark &point = m_points[place];
     WorldPoint to = point.world.value_or(WorldPoint());
-    if (const std::optional<WorldPoint> all = threeCoordinates(typed)) {
-        to = *all;
+    if (const std::optional<std::vector<double>> all = typedNumbers(typed, 3)) {
+        to = WorldPoint(all->at(0), all->at(1), all->at(2));
     } else {
         const Result<double, text::ExpressionError> value = text::evaluate(typed.toStdString());
         if (!value) {

@@ -21,8 +21,8 @@ constexpr std::array kEntries{
               "Examples",
               "<p>Three pairs of axes, x red and y green: <b>MC</b> carries the yellow point, <b>WC</b> is the world, "
               "<b>VC</b> the camera, in the middle of the picture.</p>"
-              "<p><b>Click the yellow point</b> and follow it in the Pipeline panel: about (1, 1) in MC, (3, 4) in "
-              "the world, (−2, −2) for the camera.</p>"
+              "<p>The Pipeline panel follows the tutorial’s point: (1, 1) in MC, (3, 4) in the world, (−2, −2) for the "
+              "camera. <b>Type another one</b> into any row, or click the yellow point.</p>"
               "<p>MC is a mirror and a step: glTranslate(4, 3, 0), glScale(−1, 1, 1). VC has its y axis downwards, "
               "so the world hangs upside down. In the plane that is a mirror, in space a half turn: the camera "
               "looks along +z, and z changes its sign. See the <a href='formulas:view'>view matrix</a>.</p>"),
@@ -33,7 +33,8 @@ constexpr std::array kEntries{
               "<p>The camera stands at (0, 0, 5), the object was moved by glTranslate(0, 0, −3).</p>"
               "<p><b>Open the Pipeline panel</b>, choose m[0..15], and open Modelview: "
               "m[14] = −8, which is −5 of the view and −3 of the model.</p>"
-              "<p>Click the yellow point (1, 1, 0): its world z is −3, its eye z −8.</p>"
+              "<p>The point (1, 1, 0) stands there already: its world z is −3, its eye z −8. A click on the yellow "
+              "plate is followed instead.</p>"
               "<p><b>Correction:</b> the text of the figure prints M = VC⁻¹. The −8 is that of M = VC⁻¹ · MC.</p>"),
           QT_TRANSLATE_NOOP("Examples", "Zhang Ci, section 2.1, figures 2.6 and 2.7")},
     Entry{
@@ -61,18 +62,18 @@ constexpr std::array kEntries{
               "<p>Press 5 to switch to glOrtho: what lies at the picked distance keeps its size, the others no longer "
               "shrink.</p>"),
           QT_TRANSLATE_NOOP("Examples", "Zhang Ci, section 2.2.2, figures 2.11 and 2.12")},
-    Entry{"zhangci-viewport-50", QT_TRANSLATE_NOOP("Examples", "Viewport of 50 × 50 Pixels"),
-          QT_TRANSLATE_NOOP(
-              "Examples",
-              "<p>glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is "
-              "outside the viewport.</p>"
-              "<p><b>Click the middle of the yellow plate.</b> The NDC (0, 0, 0.5) come to the window point (25, 25, "
-              "0.75). "
-              "The Pipeline panel follows the centre of the clicked pixel, half a pixel beside it: (25.5, 25.5), for "
-              "example.</p>"
-              "<p><b>Correction:</b> the tutorial says that the depth 0.5 does not change. Its own "
-              "<a href='formulas:viewport'>viewport matrix</a> makes it (0.5 + 1) / 2 = 0.75.</p>"),
-          QT_TRANSLATE_NOOP("Examples", "Zhang Ci, section 2.3")},
+    Entry{
+        "zhangci-viewport-50", QT_TRANSLATE_NOOP("Examples", "Viewport of 50 × 50 Pixels"),
+        QT_TRANSLATE_NOOP(
+            "Examples",
+            "<p>glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is "
+            "outside the viewport.</p>"
+            "<p>In the Pipeline panel the NDC (0, 0, 0.5) come to the window point (25, 25, 0.75). <b>Click the middle "
+            "of the yellow plate</b>, and the panel follows the centre of that pixel, half a pixel beside it: "
+            "(25.5, 25.5), for example.</p>"
+            "<p><b>Correction:</b> the tutorial says that the depth 0.5 does not change. Its own "
+            "<a href='formulas:viewport'>viewport matrix</a> makes it (0.5 + 1) / 2 = 0.75.</p>"),
+        QT_TRANSLATE_NOOP("Examples", "Zhang Ci, section 2.3")},
     Entry{"zhangci-viewport-quarter", QT_TRANSLATE_NOOP("Examples", "Viewport in the Lower Right Quarter"),
           QT_TRANSLATE_NOOP(
               "Examples",
@@ -115,20 +116,21 @@ constexpr std::array kEntries{
             "<p>Left and right take the angle called V, bottom and top the one called H: the wrong way round. Exchange "
             "them in Parameters, Projection (left −5, right 5, bottom −3.75, top 3.75) and the circle is round.</p>"),
         QT_TRANSLATE_NOOP("Examples", "projection-derivation, third program")},
-    Entry{
-        "opencascade-round-trip", QT_TRANSLATE_NOOP("Examples", "Round Trip of Pixel (150, 150)"),
-        QT_TRANSLATE_NOOP(
-            "Examples",
-            "<p>The start of the line is the world’s origin. In a view of 300 × 300 it is the window point (150, 150), "
-            "and (150, 150) in the widget. In a larger view the picture stays in the lower left corner, and only "
-            "the widget’s y is another.</p>"
-            "<p><b>Click the middle of the yellow plate.</b> One unit is one pixel here, so that half a pixel shows: "
-            "the pixel below and to the right of the origin has its centre at (0.5, −0.5).</p>"
-            "<p>The article’s way back gives the origin with another depth z. Here the depth is read from the "
-            "picture, and z comes out as well.</p>"
-            "<p>In the Pipeline panel choose Rows to see the matrices as the article writes them, "
-            "<a href='formulas:rows'>v · M</a>.</p>"),
-        QT_TRANSLATE_NOOP("Examples", "opencascade-transforms, section 4, figure 4.1 (its camera is not printed)")},
+    Entry{"opencascade-round-trip", QT_TRANSLATE_NOOP("Examples", "Round Trip of Pixel (150, 150)"),
+          QT_TRANSLATE_NOOP(
+              "Examples",
+              "<p>The start of the line is the world’s origin. In a view of <a href='view:300x300'>300 × 300</a> it is "
+              "the "
+              "window point (150, 150), and (150, 150) in the widget, as the Pipeline panel shows. In a larger view "
+              "the picture stays in the lower left corner, and only "
+              "the widget’s y is another.</p>"
+              "<p><b>Click the middle of the yellow plate.</b> One unit is one pixel here, so that half a pixel shows: "
+              "the pixel below and to the right of the origin has its centre at (0.5, −0.5).</p>"
+              "<p>The article’s way back gives the origin with another depth z. Here the depth is read from the "
+              "picture, and z comes out as well.</p>"
+              "<p>In the Pipeline panel choose Rows to see the matrices as the article writes them, "
+              "<a href='formulas:rows'>v · M</a>.</p>"),
+          QT_TRANSLATE_NOOP("Examples", "opencascade-transforms, section 4, figure 4.1 (its camera is not printed)")},
     Entry{"parallel-orthographic", QT_TRANSLATE_NOOP("Examples", "Parallel Projection 1: Orthographic"),
           QT_TRANSLATE_NOOP(
               "Examples",

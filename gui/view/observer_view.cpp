@@ -48,7 +48,7 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : FrameView
             setHotPlane(std::nullopt);
         }
         m_isStale |= bool(changes & kSeen);
-        if (changes & (kSeen | Change::Pick))
+        if (changes & (kSeen | Change::Pick | Change::GivenPoint))
             update();
     });
 }
@@ -339,22 +339,29 @@ void ObserverView::drawCamera(const ObserverPicture &p)
 
 void ObserverView::drawPick(const ObserverPicture &p)
 {
+    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
+    const auto drawMark = [&](const WorldPoint &point, PickPainter::Mark mark) {
+        const Surface &surface = p.observer.surface;
+        m_pickPainter.draw(point, clipFromWorld, glm::vec2(surface.widthPixels, surface.heightPixels),
+                           static_cast<float>(surface.devicePixelRatio), mark);
+    };
+    // Also where it is not in the view volume: that is to be seen here.
+    if (const std::optional<WorldPoint> given = m_document.givenWorld(); given && p.holds(*given)) {
+        glDisable(GL_DEPTH_TEST);
+        drawMark(*given, PickPainter::Mark::Given);
+    }
     const std::optional<Pick> &pick = m_document.pick();
     if (!pick)
         return;
-    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
+    glEnable(GL_DEPTH_TEST);
     if (const std::optional<Segment> ray = rayThrough(*pick, p)) {
         glDepthMask(GL_FALSE);
         drawLines(clippedLines({{ray->from, ray->to, observer_color::kRay}}, p.planes, 1.0f), clipFromWorld, 2.2);
         glDepthMask(GL_TRUE);
     }
     glDisable(GL_DEPTH_TEST);
-    if (pick->hit() && pick->point.world[Method::Formula] && p.holds(*pick->point.world[Method::Formula])) {
-        const Surface &surface = p.observer.surface;
-        m_pickPainter.draw(*pick->point.world[Method::Formula], clipFromWorld,
-                           glm::vec2(surface.widthPixels, surface.heightPixels),
-                           static_cast<float>(surface.devicePixelRatio));
-    }
+    if (pick->hit() && pick->point.world[Method::Formula] && p.holds(*pick->point.world[Method::Formula]))
+        drawMark(*pick->point.world[Method::Formula], PickPainter::Mark::Picked);
 }
 
 } // namespace unprojector::gui

@@ -98,10 +98,15 @@ void SceneOverlay::drawCurves(const SceneDocument &document, const glm::dmat4 &c
 
 void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
+    const Picture &g = document.geometry();
+    if (const std::optional<WorldPoint> given = document.givenWorld()) {
+        glDisable(GL_DEPTH_TEST);
+        m_pick.draw(*given, clipFromWorld, viewportPixels(g), pixelRatio(g), PickPainter::Mark::Given);
+        glEnable(GL_DEPTH_TEST);
+    }
     const std::optional<WorldPoint> point = document.pickedPoint();
     if (!point)
         return;
-    const Picture &g = document.geometry();
     const std::vector<LineSegment> drops = dropLines(*point, document.ground());
     m_lines.draw(drops, clipFromWorld, viewportPixels(g), 2.0f * pixelRatio(g));
     glDisable(GL_DEPTH_TEST);

@@ -49,6 +49,9 @@ ExampleNote::ExampleNote(QWidget *parent)
     connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl &url) {
         if (url.scheme() == QLatin1String("formulas"))
             emit formulasRequested(url.path());
+        const QStringList sides = url.path().split(u'x');
+        if (url.scheme() == QLatin1String("view") && sides.size() == 2)
+            emit viewSizeRequested({sides[0].toInt(), sides[1].toInt()});
     });
 
     m_source->setWordWrap(true);

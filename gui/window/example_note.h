@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QSize>
 #include <QWidget>
 
 #include <string>
@@ -35,6 +36,9 @@ signals:
     /// A link to the formulas was followed.
     /// @param anchor  a name in formulas.html
     void formulasRequested(const QString &anchor);
+    /// A link to the size of the tutorial's window was followed.
+    /// @param size  of the view, logical pixels
+    void viewSizeRequested(const QSize &size);
 
 private:
     QLabel *m_title;

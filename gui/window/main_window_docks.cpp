@@ -126,6 +126,7 @@ void MainWindow::createPanels()
                         [](const WorkPlaces::Place &place, const char *id) { return qstrcmp(place.id, id) == 0; }));
     m_places = new WorkPlaces(*this, std::move(panels), std::move(places));
     connect(m_exampleNote, &ExampleNote::closeRequested, m_places->dock(kExample), &QWidget::close);
+    connect(m_exampleNote, &ExampleNote::viewSizeRequested, this, &MainWindow::setViewSize);
     connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
     connect(m_places, &WorkPlaces::titled, this, [this](const char *panel, bool hasTitleBar) {
         if (qstrcmp(panel, kExample) == 0)

@@ -369,20 +369,12 @@
         <translation>二维：三个坐标系</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Three pairs of axes, x red and y green: &lt;b&gt;MC&lt;/b&gt; carries the yellow point, &lt;b&gt;WC&lt;/b&gt; is the world, &lt;b&gt;VC&lt;/b&gt; the camera, in the middle of the picture.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the yellow point&lt;/b&gt; and follow it in the Pipeline panel: about (1, 1) in MC, (3, 4) in the world, (−2, −2) for the camera.&lt;/p&gt;&lt;p&gt;MC is a mirror and a step: glTranslate(4, 3, 0), glScale(−1, 1, 1). VC has its y axis downwards, so the world hangs upside down. In the plane that is a mirror, in space a half turn: the camera looks along +z, and z changes its sign. See the &lt;a href=&apos;formulas:view&apos;&gt;view matrix&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;三对坐标轴，x 为红色，y 为绿色：&lt;b&gt;MC&lt;/b&gt; 带着黄点，&lt;b&gt;WC&lt;/b&gt; 是世界，&lt;b&gt;VC&lt;/b&gt; 是相机，在画面中央。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄点&lt;/b&gt;，并在“流水线”面板中跟踪它：在 MC 中约为 (1, 1)，在世界坐标中为 (3, 4)，相对相机为 (−2, −2)。&lt;/p&gt;&lt;p&gt;MC 是一次镜像加一次平移：glTranslate(4, 3, 0)、glScale(−1, 1, 1)。VC 的 y 轴向下，所以世界是倒过来的。在平面中这是镜像，在空间中则是转半圈：相机沿 +z 方向看，z 变号。参见&lt;a href=&apos;formulas:view&apos;&gt;视图矩阵&lt;/a&gt;。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Zhang Ci, section 2.1, figures 2.3 to 2.5</source>
         <translation>张赐，2.1 节，图 2.3 至图 2.5</translation>
     </message>
     <message>
         <source>Modelview: m[14] = −8</source>
         <translation>模型视图矩阵：m[14] = −8</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;The camera stands at (0, 0, 5), the object was moved by glTranslate(0, 0, −3).&lt;/p&gt;&lt;p&gt;&lt;b&gt;Open the Pipeline panel&lt;/b&gt;, choose m[0..15], and open Modelview: m[14] = −8, which is −5 of the view and −3 of the model.&lt;/p&gt;&lt;p&gt;Click the yellow point (1, 1, 0): its world z is −3, its eye z −8.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the text of the figure prints M = VC⁻¹. The −8 is that of M = VC⁻¹ · MC.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;相机位于 (0, 0, 5)，物体由 glTranslate(0, 0, −3) 移动。&lt;/p&gt;&lt;p&gt;&lt;b&gt;打开“流水线”面板&lt;/b&gt;，选择 m[0..15]，展开“模型视图”：m[14] = −8，其中 −5 来自视图，−3 来自模型。&lt;/p&gt;&lt;p&gt;点击黄点 (1, 1, 0)：它的世界坐标 z 为 −3，视点坐标 z 为 −8。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;该图的说明文字印的是 M = VC⁻¹。−8 是 M = VC⁻¹ · MC 的元素。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Zhang Ci, section 2.1, figures 2.6 and 2.7</source>
@@ -415,10 +407,6 @@
     <message>
         <source>Viewport of 50 × 50 Pixels</source>
         <translation>50 × 50 像素的视口</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is outside the viewport.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; The NDC (0, 0, 0.5) come to the window point (25, 25, 0.75). The Pipeline panel follows the centre of the clicked pixel, half a pixel beside it: (25.5, 25.5), for example.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial says that the depth 0.5 does not change. Its own &lt;a href=&apos;formulas:viewport&apos;&gt;viewport matrix&lt;/a&gt; makes it (0.5 + 1) / 2 = 0.75.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glViewport(0, 0, 50, 50)：左下角的小画面。窗口的其余部分在视口之外。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;NDC (0, 0, 0.5) 变为窗口点 (25, 25, 0.75)。“流水线”面板跟踪的是所点击像素的中心，偏开半个像素：例如 (25.5, 25.5)。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说深度 0.5 不变。但按教程自己的&lt;a href=&apos;formulas:viewport&apos;&gt;视口矩阵&lt;/a&gt;，它是 (0.5 + 1) / 2 = 0.75。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Zhang Ci, section 2.3</source>
@@ -477,10 +465,6 @@
         <translation>像素 (150, 150) 的往返</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The start of the line is the world’s origin. In a view of 300 × 300 it is the window point (150, 150), and (150, 150) in the widget. In a larger view the picture stays in the lower left corner, and only the widget’s y is another.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; One unit is one pixel here, so that half a pixel shows: the pixel below and to the right of the origin has its centre at (0.5, −0.5).&lt;/p&gt;&lt;p&gt;The article’s way back gives the origin with another depth z. Here the depth is read from the picture, and z comes out as well.&lt;/p&gt;&lt;p&gt;In the Pipeline panel choose Rows to see the matrices as the article writes them, &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;线段的起点是世界原点。在 300 × 300 的视图中，它是窗口点 (150, 150)，在控件中也是 (150, 150)。在更大的视图中，画面仍在左下角，只有控件坐标的 y 不同。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;这里一个单位就是一个像素，所以半个像素也看得出来：原点右下方的那个像素，中心在 (0.5, −0.5)。&lt;/p&gt;&lt;p&gt;文章的逆过程得到的是深度 z 不同的原点。这里的深度从画面读出，z 也能求得。&lt;/p&gt;&lt;p&gt;在“流水线”面板中选择“行向量”，可以按文章的写法 &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt; 查看各矩阵。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>opencascade-transforms, section 4, figure 4.1 (its camera is not printed)</source>
         <translation>eryar，第 4 节，图 4.1（原文未给出其相机）</translation>
     </message>
@@ -523,6 +507,22 @@
     <message>
         <source>&lt;p&gt;A box from z = −3 to −4.5, sheared by θ = φ = 0.78 radians (44.69°) and then projected by glOrtho(−10, 10, −10, 10, 2, 9). Parallel edges stay parallel, and two sides can be seen beside the front.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the front and a side.&lt;/b&gt; The formula first finds the point of the sheared box by (11) and (12), then takes the &lt;a href=&apos;formulas:oblique-back&apos;&gt;shear&lt;/a&gt; off: x += cot θ · z.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the program means π/4, whose cotangent is 1. cot 0.78 is 1.01086.&lt;/p&gt;</source>
         <translation>&lt;p&gt;从 z = −3 到 −4.5 的长方体，以 θ = φ = 0.78 弧度（44.69°）错切，再由 glOrtho(−10, 10, −10, 10, 2, 9) 投影。平行的棱仍然平行，除正面外还能看到两个侧面。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击正面和一个侧面。&lt;/b&gt;公式先由 (11) 和 (12) 求出错切后长方体上的点，再去掉&lt;a href=&apos;formulas:oblique-back&apos;&gt;错切&lt;/a&gt;：x += cot θ · z。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;程序的本意是 π/4，其余切为 1。cot 0.78 为 1.01086。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Three pairs of axes, x red and y green: &lt;b&gt;MC&lt;/b&gt; carries the yellow point, &lt;b&gt;WC&lt;/b&gt; is the world, &lt;b&gt;VC&lt;/b&gt; the camera, in the middle of the picture.&lt;/p&gt;&lt;p&gt;The Pipeline panel follows the tutorial’s point: (1, 1) in MC, (3, 4) in the world, (−2, −2) for the camera. &lt;b&gt;Type another one&lt;/b&gt; into any row, or click the yellow point.&lt;/p&gt;&lt;p&gt;MC is a mirror and a step: glTranslate(4, 3, 0), glScale(−1, 1, 1). VC has its y axis downwards, so the world hangs upside down. In the plane that is a mirror, in space a half turn: the camera looks along +z, and z changes its sign. See the &lt;a href=&apos;formulas:view&apos;&gt;view matrix&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;三对坐标轴，x 为红色，y 为绿色：&lt;b&gt;MC&lt;/b&gt; 带着黄点，&lt;b&gt;WC&lt;/b&gt; 是世界，&lt;b&gt;VC&lt;/b&gt; 是相机，在画面中央。&lt;/p&gt;&lt;p&gt;“流水线”面板跟踪的是教程自己的点：在 MC 中为 (1, 1)，在世界坐标中为 (3, 4)，相对相机为 (−2, −2)。&lt;b&gt;在任意一行键入别的点&lt;/b&gt;，或点击黄点。&lt;/p&gt;&lt;p&gt;MC 是一次镜像加一次平移：glTranslate(4, 3, 0)、glScale(−1, 1, 1)。VC 的 y 轴向下，所以世界是倒过来的。在平面中这是镜像，在空间中则是转半圈：相机沿 +z 方向看，z 变号。参见&lt;a href=&apos;formulas:view&apos;&gt;视图矩阵&lt;/a&gt;。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The camera stands at (0, 0, 5), the object was moved by glTranslate(0, 0, −3).&lt;/p&gt;&lt;p&gt;&lt;b&gt;Open the Pipeline panel&lt;/b&gt;, choose m[0..15], and open Modelview: m[14] = −8, which is −5 of the view and −3 of the model.&lt;/p&gt;&lt;p&gt;The point (1, 1, 0) stands there already: its world z is −3, its eye z −8. A click on the yellow plate is followed instead.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the text of the figure prints M = VC⁻¹. The −8 is that of M = VC⁻¹ · MC.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;相机位于 (0, 0, 5)，物体由 glTranslate(0, 0, −3) 移动。&lt;/p&gt;&lt;p&gt;&lt;b&gt;打开“流水线”面板&lt;/b&gt;，选择 m[0..15]，展开“模型视图”：m[14] = −8，其中 −5 来自视图，−3 来自模型。&lt;/p&gt;&lt;p&gt;点 (1, 1, 0) 已在那里：它的世界坐标 z 为 −3，视点坐标 z 为 −8。点击黄色板后，改为跟踪所点击的点。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;该图的说明文字印的是 M = VC⁻¹。−8 是 M = VC⁻¹ · MC 的元素。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is outside the viewport.&lt;/p&gt;&lt;p&gt;In the Pipeline panel the NDC (0, 0, 0.5) come to the window point (25, 25, 0.75). &lt;b&gt;Click the middle of the yellow plate&lt;/b&gt;, and the panel follows the centre of that pixel, half a pixel beside it: (25.5, 25.5), for example.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial says that the depth 0.5 does not change. Its own &lt;a href=&apos;formulas:viewport&apos;&gt;viewport matrix&lt;/a&gt; makes it (0.5 + 1) / 2 = 0.75.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glViewport(0, 0, 50, 50)：左下角的小画面。窗口的其余部分在视口之外。&lt;/p&gt;&lt;p&gt;在“流水线”面板中，NDC (0, 0, 0.5) 变为窗口点 (25, 25, 0.75)。&lt;b&gt;点击黄色板的中央&lt;/b&gt;，面板便改为跟踪该像素的中心，偏开半个像素：例如 (25.5, 25.5)。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说深度 0.5 不变。但按教程自己的&lt;a href=&apos;formulas:viewport&apos;&gt;视口矩阵&lt;/a&gt;，它是 (0.5 + 1) / 2 = 0.75。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The start of the line is the world’s origin. In a view of &lt;a href=&apos;view:300x300&apos;&gt;300 × 300&lt;/a&gt; it is the window point (150, 150), and (150, 150) in the widget, as the Pipeline panel shows. In a larger view the picture stays in the lower left corner, and only the widget’s y is another.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; One unit is one pixel here, so that half a pixel shows: the pixel below and to the right of the origin has its centre at (0.5, −0.5).&lt;/p&gt;&lt;p&gt;The article’s way back gives the origin with another depth z. Here the depth is read from the picture, and z comes out as well.&lt;/p&gt;&lt;p&gt;In the Pipeline panel choose Rows to see the matrices as the article writes them, &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;线段的起点是世界原点。在 &lt;a href=&apos;view:300x300&apos;&gt;300 × 300&lt;/a&gt; 的视图中，它是窗口点 (150, 150)，在控件中也是 (150, 150)，如“流水线”面板所示。在更大的视图中，画面仍在左下角，只有控件坐标的 y 不同。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;这里一个单位就是一个像素，所以半个像素也看得出来：原点右下方的那个像素，中心在 (0.5, −0.5)。&lt;/p&gt;&lt;p&gt;文章的逆过程得到的是深度 z 不同的原点。这里的深度从画面读出，z 也能求得。&lt;/p&gt;&lt;p&gt;在“流水线”面板中选择“行向量”，可以按文章的写法 &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt; 查看各矩阵。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3399,6 +3399,17 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     </message>
 </context>
 <context>
+    <name>unprojector::gui::NumberGrid</name>
+    <message>
+        <source>&amp;Type a number…</source>
+        <translation>键入数值(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Paste all coordinates</source>
+        <translation>粘贴全部坐标(&amp;P)</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ObjectsModel</name>
     <message>
         <source>comes with the program</source>
@@ -3704,10 +3715,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
 <context>
     <name>unprojector::gui::PipelineModel</name>
     <message>
-        <source>Press the left button on the model: its point appears at every stage.</source>
-        <translation>请在模型上按下左键：该点将显示在各个阶段。</translation>
-    </message>
-    <message>
         <source>Background: no surface here, so there is no point to follow.</source>
         <translation>背景：此处没有表面，没有可跟踪的点。</translation>
     </message>
@@ -3746,6 +3753,34 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>The view has changed since this click: back from where the point is now.</source>
         <translation>视图在这次点击之后已改变：从该点现在的位置返回。</translation>
+    </message>
+    <message>
+        <source>Remove Your Point</source>
+        <translation>移除您的点</translation>
+    </message>
+    <message>
+        <source>A widget position says nothing of the depth. Give the window point, whose third number it is.</source>
+        <translation>控件坐标不含深度。请给出窗口点，其第三个数就是深度。</translation>
+    </message>
+    <message>
+        <source>Give a Point in %1 Coordinates</source>
+        <translation>给出%1坐标中的点</translation>
+    </message>
+    <message>
+        <source>Press the left button on the model: its point appears at every stage. Or type one into any row.</source>
+        <translation>请在模型上按下左键：该点将显示在各个阶段。也可在任意一行键入一个点。</translation>
+    </message>
+    <message>
+        <source>Your point was given in the space of “%1”, which is not here: taken as a world point.</source>
+        <translation>您的点是在“%1”的空间中给出的，而该物体不在此处：按世界坐标处理。</translation>
+    </message>
+    <message>
+        <source>Your point, given in %1 coordinates, is outside the view volume: %2.</source>
+        <translation>您在%1坐标中给出的点位于视景体之外：%2。</translation>
+    </message>
+    <message>
+        <source>Your point, given in %1 coordinates, and both ways from there.</source>
+        <translation>您在%1坐标中给出的点，由此向两个方向推算。</translation>
     </message>
 </context>
 <context>
@@ -3917,6 +3952,26 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Whose object space: by itself that of the object that was drawn at the picked pixel</source>
         <translation>属于哪个物体的物体坐标：自动时为所选像素上绘制的那个物体</translation>
+    </message>
+    <message>
+        <source>Remove your point</source>
+        <translation>移除您的点</translation>
+    </message>
+    <message>
+        <source>The click</source>
+        <translation>点击的点</translation>
+    </message>
+    <message>
+        <source>Your point</source>
+        <translation>您的点</translation>
+    </message>
+    <message>
+        <source>Follow the clicked point again; yours stays</source>
+        <translation>重新跟踪点击的点；您的点仍保留</translation>
+    </message>
+    <message>
+        <source>Follow the point that you have given in numbers</source>
+        <translation>跟踪您用数值给出的点</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,31 @@
+#include "gui/document/given_points.h"
+
+#include "gui/document/document_change.h"
+
+#include <algorithm>
+
+namespace unprojector::gui {
+
+std::optional<std::size_t> placeOf(const GivenPoint &given, const std::vector<SceneObject> &objects)
+{
+    if (!std::holds_alternative<ObjectPoint>(given.point) || given.object.empty())
+        return std::nullopt;
+    const auto found = std::find_if(objects.begin(), objects.end(),
+                                    [&](const SceneObject &object) { return object.name == given.object; });
+    return found == objects.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - objects.begin()));
+}
+
+GivenPoint withObjects(const GivenPoint &given, const std::vector<SceneObject> &before,
+                       const std::vector<SceneObject> &after)
+{
+    const std::optional<std::size_t> place = placeOf(given, before);
+    if (!place)
+        return given;
+    const bool isOtherList = changesBetween(before, after).testFlag(Change::Objects);
+    if (const std::optional<std::size_t> now = isOtherList ? placeAfter(before, *place, after) : place)
+        return {given.point, after[*now].name};
+    const glm::dvec4 object(std::get<ObjectPoint>(given.point).coordinates(), 1.0);
+    return {WorldPoint(glm::dvec3(worldFromObject(before[*place].transform) * object)), {}};
+}
+
+} // namespace unprojector::gui

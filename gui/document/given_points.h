@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/geometry/given_point.h"
+#include "core/scene/scene.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
+/// The object in whose space a point is given; nothing where it is in no object's.
+std::optional<std::size_t> placeOf(const GivenPoint &given, const std::vector<SceneObject> &objects);
+
+/// A given point after the objects have changed: it names its object by its new name; where that was removed, it stays where
+/// it is in the world.
+/// @param before, after  the lists of objects
+GivenPoint withObjects(const GivenPoint &given, const std::vector<SceneObject> &before,
+                       const std::vector<SceneObject> &after);
+
+} // namespace unprojector::gui
