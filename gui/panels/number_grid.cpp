@@ -10,6 +10,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
 #include <QWheelEvent>
@@ -182,6 +183,16 @@ bool NumberGrid::event(QEvent *event)
     return QTableView::event(event);
 }
 
+void NumberGrid::applyTyped()
+{
+    for (QLineEdit *editor : viewport()->findChildren<QLineEdit *>()) {
+        if (editor->isHidden()) // closed, it awaits its end
+            continue;
+        commitData(editor);
+        closeEditor(editor, QAbstractItemDelegate::NoHint);
+    }
+}
+
 void NumberGrid::paste()
 {
     m_model->typeAll(QGuiApplication::clipboard()->text());
@@ -221,13 +232,13 @@ void NumberGrid::contextMenuEvent(QContextMenuEvent *event)
     }
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    addCopyActions(*menu, number, whole);
+    menu->addSeparator();
     const QModelIndex index = indexAt(viewport()->mapFromGlobal(event->globalPos()));
     if (index.flags() & Qt::ItemIsEditable)
-        menu->addAction(tr("&Type a number…"), this, [this, index] { edit(index); });
+        menu->addAction(tr("T&ype a number…"), this, [this, index] { edit(index); });
     menu->addAction(tr("&Paste all coordinates"), this, &NumberGrid::paste)
         ->setEnabled(!QGuiApplication::clipboard()->text().isEmpty());
-    menu->addSeparator();
-    addCopyActions(*menu, number, whole);
     menu->popup(event->globalPos());
 }
 

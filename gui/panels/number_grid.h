@@ -23,6 +23,9 @@ public:
     /// The selected numbers with all digits, a row a line, tab-separated.
     QString selectedText() const;
 
+    /// What is being typed counts now.
+    void applyTyped();
+
     QSize minimumSizeHint() const override;
 
 protected:

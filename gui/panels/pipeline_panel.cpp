@@ -88,6 +88,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
         if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint))
             refresh();
     });
+    showFollowed();
     connect(m_model, &PipelineModel::followedChanged, this, &PipelinePanel::refresh);
     connect(m_model, &PipelineModel::refused, this, [this](const QString &reason) {
         m_status->setText(reason);
@@ -98,9 +99,15 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
 
 PipelinePanel::~PipelinePanel()
 {
-    // A number that is being typed counts when its row goes, and there is no panel any more to show it.
-    m_document.disconnect(this);
-    m_model->disconnect(this);
+    // A row that goes while somebody types into it would commit that.
+    for (int i = 0; i < PointModel::kSpaces; ++i)
+        m_model->point(static_cast<Space>(i))->disconnect(m_model);
+}
+
+void PipelinePanel::applyTyped()
+{
+    for (NumberGrid *grid : m_pointGrids)
+        grid->applyTyped();
 }
 
 QLayout *PipelinePanel::createFollowed()
@@ -112,6 +119,7 @@ QLayout *PipelinePanel::createFollowed()
     m_remove->setText(QStringLiteral("✕"));
     m_remove->setToolTip(tr("Remove your point"));
     m_remove->setAccessibleName(m_remove->toolTip());
+    m_follow->setAccessibleName(tr("Which point to follow"));
     connect(m_follow, &QToolButton::clicked, this, [this] { m_model->followGiven(!m_model->followsGiven()); });
     connect(m_remove, &QToolButton::clicked, m_model, &PipelineModel::removeGiven);
     auto *line = new QHBoxLayout;
@@ -236,6 +244,7 @@ void PipelinePanel::createStages()
         line->addWidget(name);
         line->addWidget(grid, 1);
         line->addStretch();
+        m_pointGrids[static_cast<std::size_t>(i)] = grid;
         m_pointNames[static_cast<std::size_t>(i)] = name;
         m_pointRows[static_cast<std::size_t>(i)] = row;
     }

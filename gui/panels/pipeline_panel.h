@@ -14,6 +14,7 @@ class QVBoxLayout;
 namespace unprojector::gui {
 
 class MatrixSection;
+class NumberGrid;
 class SceneDocument;
 class SegmentedSwitch;
 
@@ -23,6 +24,7 @@ class PipelinePanel : public QWidget {
     Q_OBJECT
 public:
     explicit PipelinePanel(SceneDocument &document, QWidget *parent = nullptr);
+    /// What is being typed then counts no more: the document may be gone already.
     ~PipelinePanel() override;
 
     const PipelineModel &model() const { return *m_model; }
@@ -32,6 +34,9 @@ public:
     void setDirection(PipelineDirection direction);
     const MatrixView &matrixView() const { return m_model->view(); }
     void setMatrixView(const MatrixView &view);
+
+    /// What is being typed counts now.
+    void applyTyped();
 
     QSize sizeHint() const override;
 
@@ -66,6 +71,7 @@ private:
     QScrollArea *m_scrollArea;
     QVBoxLayout *m_rows;
     std::array<QWidget *, PointModel::kSpaces> m_pointRows{};
+    std::array<NumberGrid *, PointModel::kSpaces> m_pointGrids{};
     std::array<QLabel *, PointModel::kSpaces> m_pointNames{};
     std::array<MatrixSection *, kPipelineStages.size()> m_sections{};
     MatrixSection *m_given = nullptr; ///< before the projection, while that is a file's

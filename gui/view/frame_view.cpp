@@ -16,9 +16,6 @@ namespace {
 /// A frame that has not been drawn anew for so long is at rest.
 constexpr int kRestMilliseconds = 120;
 
-/// Of a large model so much is drawn at once: the window stays awake in between.
-constexpr int kSliceMilliseconds = 30;
-
 /// Behind the objects, at the bottom and at the top: light or dark as the window is.
 std::array<QColor, 2> backgroundOf(const QPalette &palette)
 {
@@ -257,7 +254,7 @@ void FrameView::takeRest()
     if (!m_isCreated || !m_isCoarse)
         return;
     makeCurrent();
-    refine(Deadline(kSliceMilliseconds));
+    refine(Deadline(m_slice));
     doneCurrent();
     if (m_isCoarse) {
         m_refineTimer.start(0);

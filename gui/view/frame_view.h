@@ -38,6 +38,9 @@ public:
     /// has; with 0, large models always have their stand-ins.
     void setMotionBudget(double milliseconds) { m_motionBudget = milliseconds; }
 
+    /// Of a large model so much is drawn at once, in milliseconds: the window stays awake in between. With 0, a piece.
+    void setSlice(int milliseconds) { m_slice = milliseconds; }
+
     /// A matter of looks alone: the depths that are read are the same.
     void setSmoothEdges(bool smooth);
     bool smoothEdges() const { return m_smoothEdges; }
@@ -117,6 +120,7 @@ private:
     bool m_isRefining = false;    ///< drawing into it has begun
     bool m_isTelling = false;     ///< by `drawingProgressed`
     double m_motionBudget = 30.0; ///< in milliseconds
+    int m_slice = 30;             ///< in milliseconds
     bool m_isFast = false;        ///< these objects can be drawn while the view moves, however many they are
     double m_refineMilliseconds = 0.0;
     QTimer m_refineTimer;

@@ -95,6 +95,7 @@ void MainWindow::createPanels()
     });
     m_seriesPanel = new SeriesPanel(*m_series);
     auto *pipeline = new PipelinePanel(*m_document);
+    connect(m_session, &Session::typedToCount, pipeline, &PipelinePanel::applyTyped);
     pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself
     const auto scrolled = [](QWidget *panel) { return new PanelScroll(panel); };
     std::vector<WorkPlaces::Panel> panels = {

@@ -3401,8 +3401,8 @@ Grey digits are below the last certain place, where the depth buffer and the dra
 <context>
     <name>unprojector::gui::NumberGrid</name>
     <message>
-        <source>&amp;Type a number…</source>
-        <translation>键入数值(&amp;T)…</translation>
+        <source>T&amp;ype a number…</source>
+        <translation>键入数值(&amp;Y)…</translation>
     </message>
     <message>
         <source>&amp;Paste all coordinates</source>
