@@ -194,6 +194,7 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["wrong"] = landingName(diagnosis.landing);
     json["depth"] = depthName(diagnosis.depthKnown);
     json["tried"] = diagnosis.tried;
+    json["singlePrecision"] = diagnosis.isSinglePrecision;
     json["chance"] = jsonNumber(diagnosis.chance);
     json["sentence"] = sentenceOf(diagnosis.verdict);
     json["code"] = Json::array();
@@ -209,6 +210,8 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
 {
     const Candidate &best = diagnosis.candidates.front();
     std::string text = verdictText(diagnosis);
+    if (diagnosis.isSinglePrecision)
+        text += "  More digits were given than single precision holds; this is to the digits that it leaves.\n";
     text += (best.explains ? "  explains     " : "  closest      ") + candidateText(best, diagnosis, first);
     if (diagnosis.candidates.size() > 1)
         text += "  next best    " + candidateText(diagnosis.candidates[1], diagnosis, first);

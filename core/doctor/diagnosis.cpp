@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace unprojector::doctor {
 namespace {
@@ -84,7 +86,35 @@ std::vector<Click> betweenPlanes(const Case &scene, const Given &given, const Wr
     return {first, last};
 }
 
-Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point)
+/// What numbers of so many digits leave open of an answer: some roundings of the numbers that meet in it, and of the depth,
+/// which moves it along the ray.
+/// @param epsilon  from 1 to the next number
+glm::dvec3 roundingOf(const Given &given, const Click &click, double epsilon)
+{
+    constexpr double kRoundings = 32.0, kStep = 1e-6;
+    const std::optional<glm::dvec3> right = answer(given, click, {});
+    if (!right)
+        return glm::dvec3(0.0);
+    const auto [low, high] = std::minmax(given.depthRange.atNear, given.depthRange.atFar);
+    Click moved = click;
+    moved.depth += (high - low) * (click.depth > (low + high) / 2.0 ? -kStep : kStep);
+    const std::optional<glm::dvec3> there = answer(given, moved, {});
+    const glm::dvec3 byDepth = there ? glm::abs(*there - *right) / kStep : glm::dvec3(0.0);
+    const double size = glm::length(given.eyePosition) + glm::length(click.eye) + glm::length(*right);
+    // Were more left open, anything would explain the point.
+    const double most = 1e-4 * glm::length(click.eye);
+    return glm::min(kRoundings * epsilon * (byDepth + size), glm::dvec3(most));
+}
+
+/// The units of the last digits that count.
+glm::dvec3 countedDigit(const Given &given, const Click &click, const glm::dvec3 &lastDigit, double epsilon)
+{
+    const glm::dvec3 counted = glm::max(lastDigit, roundingOf(given, click, epsilon));
+    const double distance = glm::length(click.eye);
+    return distance > 0.0 ? glm::min(counted, glm::dvec3(distance)) : counted;
+}
+
+Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point, double epsilon)
 {
     Prepared result;
     const auto [low, high] = std::minmax(given.depthRange.atNear, given.depthRange.atFar);
@@ -115,6 +145,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     for (const double each : depths)
         result.sought.clicks.push_back(clickOf(scene, given, point, each));
     result.click = clickOf(scene, given, point, *depth);
+    result.sought.lastDigit = countedDigit(given, result.click, point.lastDigit, epsilon);
     result.right = result.sought;
     if (result.sought.isLine) {
         result.right.isLine = false;
@@ -237,9 +268,7 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
     return idOf(best);
 }
 
-} // namespace
-
-Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
+Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given, double epsilon)
 {
     if (scene.otherSize) {
         if (const Check valid = check(*scene.otherSize); !valid)
@@ -254,7 +283,7 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
     for (const WrongPoint &point : given) {
         if (const Check valid = checkPoint(scene, point); !valid)
             return valid.error();
-        points.push_back(prepared(scene, *picture, point));
+        points.push_back(prepared(scene, *picture, point, epsilon));
         sought.push_back(points.back().sought);
         landings.push_back(landingOf(*picture, points.back()));
     }
@@ -302,6 +331,21 @@ Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
         diagnosis.nextApart = next->apart;
     }
     return diagnosis;
+}
+
+} // namespace
+
+Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> points)
+{
+    const Result<Diagnosis> exact = diagnosed(scene, points, std::numeric_limits<double>::epsilon());
+    if (!exact || exact->verdict != "unknown")
+        return exact;
+    Result<Diagnosis> single = diagnosed(scene, points, double(std::numeric_limits<float>::epsilon()));
+    if (!single || single->verdict == "unknown" || single->digitsGiven == exact->digitsGiven)
+        return exact;
+    Diagnosis found = std::move(single).value();
+    found.isSinglePrecision = true;
+    return found;
 }
 
 std::vector<std::string> mistakeIds()

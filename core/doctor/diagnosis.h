@@ -89,9 +89,13 @@ struct Diagnosis {
     std::optional<DevicePoint> next; ///< the pixel whose answers tell the first candidates apart best
     double nextApart = 0.0;          ///< how far apart those of the first two are there, units of the space
     std::size_t tried = 0;           ///< mistakes and pairs, with all their variants
+    /// More digits were given than single precision holds, and only within what that leaves open is the verdict found.
+    bool isSinglePrecision = false;
     double chance = 0.0; ///< that a point without any such reason is explained as well as the first candidate does
 };
 
+/// Digits beyond what double precision leaves of a click's answer count for nothing; where no verdict is found, those beyond single
+/// precision do neither. No digit counts for more than the distance from the eye, as the 1 of 1e9 would.
 /// @param points  at least one, of one program
 /// @return the errors of check(picture), check(otherSize) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point);
 ///         SingularMatrix

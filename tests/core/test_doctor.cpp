@@ -106,6 +106,9 @@ private slots:
     void anotherSizeIsTried();
     void otherSpaces();
     void aMatrixIsAsGoodAsParameters();
+    void roundingIsNoMistake();
+    void singlePrecisionIsNoMistake();
+    void aPowerOfTenGivesNoDigits();
     void everyMistakeHasItsIdOnce();
     void conventionsAnswerTheSame_data();
     void conventionsAnswerTheSame();
@@ -395,6 +398,62 @@ void TestDoctor::aMatrixIsAsGoodAsParameters()
         const WrongPoint point = pointAt(byParameters, WorldPoint(kTruth), got);
         QCOMPARE(diagnosed(of, point).verdict, diagnosed(byParameters, point).verdict);
         QVERIFY(diagnosed(of, point).verdict != "unknown");
+    }
+}
+
+void TestDoctor::roundingIsNoMistake()
+{
+    const Case of = scene();
+    const auto unprojector = unproject::Unprojector::of(of.picture).value();
+    for (int i = 0; i < 40; ++i) {
+        WrongPoint point;
+        point.pixel = DevicePoint(120.5 + 19.0 * i, 650.5 - 14.0 * i);
+        point.depth = 0.3 + 0.0173 * i;
+        const WindowPoint window = windowFromDevice(of.picture.surface, point.pixel, *point.depth);
+        for (const unproject::Method method : unproject::kMethods) {
+            point.got = unprojector.at(window).world[method].value().coordinates();
+            point.lastDigit = glm::dvec3(1e-17); // all that is printed of a double
+            QCOMPARE(QString::fromStdString(diagnosed(of, point).verdict), QStringLiteral("right"));
+            QCOMPARE(diagnosed(of, point).isSinglePrecision, method == unproject::Method::MatrixInFloat);
+        }
+    }
+}
+
+void TestDoctor::singlePrecisionIsNoMistake()
+{
+    const Case of = scene();
+    for (int i = 0; i < 40; ++i) {
+        const double x = 120.5 + 19.0 * i, y = 650.5 - 14.0 * i, depth = 0.6 + 0.008 * i;
+        WrongPoint point;
+        point.pixel = DevicePoint(x, y);
+        point.depth = depth;
+        point.lastDigit = glm::dvec3(1e-9);
+        const auto ask = [&](const glm::dvec3 &answered) {
+            point.got = glm::dvec3(glm::vec3(answered));
+            return diagnosed(of, point);
+        };
+        const Diagnosis right = ask(oracleUnder(x, 700.0 - y, depth)), flipped = ask(oracleUnder(x, y, depth));
+        QCOMPARE(QString::fromStdString(right.verdict), QStringLiteral("right"));
+        QVERIFY(right.isSinglePrecision);
+        if (std::abs(y - 350.0) > 5.0)
+            QCOMPARE(QString::fromStdString(flipped.verdict), QStringLiteral("y-not-flipped"));
+    }
+    // It helps nobody to explain what is no answer at all.
+    WrongPoint point = pointAt(of, WorldPoint(kTruth), {1.23456789, -2.3456789, 0.123456789}, 9);
+    QCOMPARE(QString::fromStdString(diagnosed(of, point).verdict), QStringLiteral("unknown"));
+}
+
+void TestDoctor::aPowerOfTenGivesNoDigits()
+{
+    const Case of = scene();
+    for (const glm::dvec3 &got : {glm::dvec3(0.5, 0.75, 1e9), glm::dvec3(1e300, 0.75, -0.25), glm::dvec3(1e3)}) {
+        WrongPoint point = pointAt(of, WorldPoint(kTruth), kTruth);
+        point.got = got;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (got[axis] >= 1e3)
+                point.lastDigit[axis] = got[axis]; // "1e9" has one digit
+        }
+        QCOMPARE(QString::fromStdString(diagnosed(of, point).verdict), QStringLiteral("unknown"));
     }
 }
 
