@@ -358,7 +358,9 @@ void addMap(CLI::App &app, Run &run)
     std::map<std::string, maps::Quantity> quantities;
     for (const maps::Quantity quantity : maps::kQuantities)
         quantities.emplace(maps::keyOf(quantity), quantity);
-    addChoice<maps::Quantity>(*command, "--what", options->quantity, quantities, "What the numbers are")->required();
+    addChoice<maps::Quantity>(*command, "--what", options->quantity, quantities, "What the numbers are")
+        ->default_str("")
+        ->required();
     command
         ->add_option("--convention", options->convention,
                      "Of a displacement, which program answers, or which mistake is made:\n" + conventionNames())

@@ -69,6 +69,9 @@ bool setWindow(const SceneOptions &options, const Viewport &viewport, SceneFile 
         }
         scene.windowWidth = static_cast<int>(width);
         scene.windowHeight = static_cast<int>(height);
+        if (viewport.x > 0.0 || viewport.y > 0.0)
+            complain("the window is taken to end where the viewport does, at " + std::to_string(scene.windowWidth) + "x"
+                     + std::to_string(scene.windowHeight) + "; py counts from its top: --window says its size");
         return true;
     }
     const std::optional<SizeGiven> size = sizeGiven("--window", options.window);

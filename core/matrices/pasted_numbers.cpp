@@ -20,7 +20,8 @@ bool isDigit(char c)
 
 bool isWordCharacter(char c)
 {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' || c == '-';
+    // With # as in 1.#QNAN, which is no 1.
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' || c == '-' || c == '#';
 }
 
 std::string inSmallLetters(std::string_view text)
@@ -43,6 +44,19 @@ std::optional<double> numberOf(std::string_view word)
     if (error != std::errc{} || end != word.data() + word.size())
         return std::nullopt;
     return value;
+}
+
+/// What other languages and broken programs print for numbers, and what is too large for one: 1.#QNAN, 0x10, 1d0, 1e400. Left
+/// out, it would leave another number in its place.
+bool isMeantAsNumber(std::string_view word)
+{
+    if (!word.empty() && (word.front() == '-' || word.front() == '+'))
+        word.remove_prefix(1);
+    if (word.empty() || !(isDigit(word.front()) || word.front() == '.')
+        || word.find_first_of("0123456789") == word.npos)
+        return false;
+    return word.find('#') != word.npos || word.substr(0, 2) == "0x" || word.substr(0, 2) == "0X"
+           || word.find_first_not_of("0123456789.eEdD+-") == word.npos;
 }
 
 /// The part that words say: "gl_ModelViewMatrix", "model view", "P*V", "mvp".
@@ -199,6 +213,8 @@ private:
         }
         const std::optional<double> value = numberOf(word);
         if (word == "-" && isSignApart(start))
+            return wordError(word, start);
+        if (!value && isMeantAsNumber(word))
             return wordError(word, start);
         if (!value) {
             name(word, start);

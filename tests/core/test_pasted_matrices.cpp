@@ -192,6 +192,8 @@ void TestPastedMatrices::whatIsNoMatrixIsRefused_data()
     QTest::newRow("decimal commas") << "1,5 2,5 3,5 4,5 5,5 6,5 7,5 8,5 9,5 0,5 1,5 2,5 3,5 4,5 5,5 6,5" << 32 << "";
     QTest::newRow("a sign apart") << "1 2\n 3 - 5 6" << 0 << "-";
     QTest::newRow("infinity") << "1 2\n 3 -inf 5" << 0 << "-inf";
+    for (const char *word : {"1.#QNAN0", "-1.#IND", "0x10", "1e400", "-1.0d0", "1.2.3"})
+        QTest::newRow(word) << QStringLiteral("1 2\n 3 %1 5").arg(QLatin1String(word)) << 0 << word;
 }
 
 void TestPastedMatrices::whatIsNoMatrixIsRefused()
