@@ -170,8 +170,8 @@ void NumberGrid::changeEvent(QEvent *event)
 
 bool NumberGrid::event(QEvent *event)
 {
-    if (event->type() == QEvent::ShortcutOverride && m_model->isTypable()) {
-        // A digit begins a number here, and turns no camera.
+    if (event->type() == QEvent::ShortcutOverride) {
+        // A digit begins a number here, or would where it could be typed: it turns no camera.
         const auto &key = *static_cast<QKeyEvent *>(event);
         static const QString kBeginnings = QStringLiteral("0123456789.,+-(");
         const bool isPlain = !(key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));

@@ -122,6 +122,12 @@ QLayout *PipelinePanel::createFollowed()
     m_follow->setAccessibleName(tr("Which point to follow"));
     connect(m_follow, &QToolButton::clicked, this, [this] { m_model->followGiven(!m_model->followsGiven()); });
     connect(m_remove, &QToolButton::clicked, m_model, &PipelineModel::removeGiven);
+    // The rows below stay where they are when these come.
+    for (QToolButton *button : {m_follow, m_remove}) {
+        QSizePolicy policy = button->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        button->setSizePolicy(policy);
+    }
     auto *line = new QHBoxLayout;
     line->setSpacing(2);
     line->addWidget(m_status, 1);
