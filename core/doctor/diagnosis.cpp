@@ -337,7 +337,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
 
 Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> points)
 {
-    const Result<Diagnosis> exact = diagnosed(scene, points, std::numeric_limits<double>::epsilon());
+    Result<Diagnosis> exact = diagnosed(scene, points, std::numeric_limits<double>::epsilon());
     if (!exact || exact->verdict != "unknown")
         return exact;
     Result<Diagnosis> single = diagnosed(scene, points, double(std::numeric_limits<float>::epsilon()));

@@ -405,10 +405,10 @@ void TestDoctor::roundingIsNoMistake()
 {
     const Case of = scene();
     const auto unprojector = unproject::Unprojector::of(of.picture).value();
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 10; ++i) {
         WrongPoint point;
-        point.pixel = DevicePoint(120.5 + 19.0 * i, 650.5 - 14.0 * i);
-        point.depth = 0.3 + 0.0173 * i;
+        point.pixel = DevicePoint(120.5 + 76.0 * i, 650.5 - 56.0 * i);
+        point.depth = 0.3 + 0.0692 * i;
         const WindowPoint window = windowFromDevice(of.picture.surface, point.pixel, *point.depth);
         for (const unproject::Method method : unproject::kMethods) {
             point.got = unprojector.at(window).world[method].value().coordinates();
@@ -422,8 +422,8 @@ void TestDoctor::roundingIsNoMistake()
 void TestDoctor::singlePrecisionIsNoMistake()
 {
     const Case of = scene();
-    for (int i = 0; i < 40; ++i) {
-        const double x = 120.5 + 19.0 * i, y = 650.5 - 14.0 * i, depth = 0.6 + 0.008 * i;
+    for (int i = 0; i < 10; ++i) {
+        const double x = 120.5 + 76.0 * i, y = 650.5 - 56.0 * i, depth = 0.6 + 0.032 * i;
         WrongPoint point;
         point.pixel = DevicePoint(x, y);
         point.depth = depth;
