@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <optional>
-#include <utility>
 #include <variant>
 
 namespace unprojector::matrices {
@@ -59,7 +58,7 @@ PipelinePoints withWindow(const Pipeline &pipeline, PipelinePoints points)
     points.window = next<WindowSpace>(points.ndc, [&](const NdcPoint &p) {
         return finite(windowFromNdc(geometry.viewport, geometry.depthRange, p));
     });
-    return withWidget(pipeline, std::move(points));
+    return withWidget(pipeline, points);
 }
 
 /// From the clip point on.
@@ -70,7 +69,7 @@ PipelinePoints withNdc(const Pipeline &pipeline, PipelinePoints points)
             return Error{ErrorCode::PointAtInfinity};
         return finite(NdcPoint(glm::dvec3(p.coordinates()) / p.w));
     });
-    return withWindow(pipeline, std::move(points));
+    return withWindow(pipeline, points);
 }
 
 /// From the eye on.
@@ -80,14 +79,14 @@ PipelinePoints withClip(const Pipeline &pipeline, PipelinePoints points)
     points.clip = next<ClipSpace>(points.eye, [&](const EyePoint &p) {
         return finite(ClipPoint(projection * glm::dvec4(p.coordinates(), 1.0)));
     });
-    return withNdc(pipeline, std::move(points));
+    return withNdc(pipeline, points);
 }
 
 /// From the world on.
 PipelinePoints withEye(const Pipeline &pipeline, PipelinePoints points)
 {
     points.eye = affine<EyeSpace>(pipeline.matrix(PipelineStage::ViewMatrix, PipelineDirection::Forward), points.world);
-    return withClip(pipeline, std::move(points));
+    return withClip(pipeline, points);
 }
 
 /// Back from the eye.
@@ -123,7 +122,7 @@ PipelinePoints withUndivided(const Pipeline &pipeline, PipelinePoints points)
     points.clip = next<ClipSpace>(points.eye, [&](const EyePoint &) {
         return finite(ClipPoint(glm::dvec4(points.ndc->coordinates(), 1.0) / points.undividedEye->w));
     });
-    return withObject(pipeline, std::move(points));
+    return withObject(pipeline, points);
 }
 
 // Each of these begins a chain with the point that is given; what is not known yet is made by the steps above.
@@ -134,7 +133,7 @@ PipelinePoints from(const Pipeline &pipeline, const ObjectPoint &point)
     points.object = finite(point);
     points.world =
         affine<WorldSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Forward), points.object);
-    return withEye(pipeline, std::move(points));
+    return withEye(pipeline, points);
 }
 
 PipelinePoints from(const Pipeline &pipeline, const WorldPoint &point)
@@ -143,14 +142,14 @@ PipelinePoints from(const Pipeline &pipeline, const WorldPoint &point)
     points.world = finite(point);
     points.object =
         affine<ObjectSpace>(pipeline.matrix(PipelineStage::ModelMatrix, PipelineDirection::Backward), points.world);
-    return withEye(pipeline, std::move(points));
+    return withEye(pipeline, points);
 }
 
 PipelinePoints from(const Pipeline &pipeline, const EyePoint &point)
 {
     PipelinePoints points;
     points.eye = finite(point);
-    return withClip(pipeline, withObject(pipeline, std::move(points)));
+    return withClip(pipeline, withObject(pipeline, points));
 }
 
 PipelinePoints from(const Pipeline &pipeline, const ClipPoint &point)
@@ -160,14 +159,14 @@ PipelinePoints from(const Pipeline &pipeline, const ClipPoint &point)
     points.eye = next<EyeSpace>(points.clip, [&](const ClipPoint &p) {
         return divided(pipeline.matrix(PipelineStage::ProjectionMatrix, PipelineDirection::Backward) * p.coordinates());
     });
-    return withNdc(pipeline, withObject(pipeline, std::move(points)));
+    return withNdc(pipeline, withObject(pipeline, points));
 }
 
 PipelinePoints from(const Pipeline &pipeline, const NdcPoint &point)
 {
     PipelinePoints points;
     points.ndc = finite(point);
-    return withWindow(pipeline, withUndivided(pipeline, std::move(points)));
+    return withWindow(pipeline, withUndivided(pipeline, points));
 }
 
 PipelinePoints from(const Pipeline &pipeline, const WindowPoint &point)
@@ -176,7 +175,7 @@ PipelinePoints from(const Pipeline &pipeline, const WindowPoint &point)
     points.window = finite(point);
     points.ndc =
         affine<NdcSpace>(pipeline.matrix(PipelineStage::ViewportMatrix, PipelineDirection::Backward), points.window);
-    return withWidget(pipeline, withUndivided(pipeline, std::move(points)));
+    return withWidget(pipeline, withUndivided(pipeline, points));
 }
 
 } // namespace

@@ -246,7 +246,7 @@ void TestExamples::theNamesOfTheAxesCanBeRead()
     const Scene scene = example("zhangci-2d").scene;
     const Result<Picture> picture = pictureOf(scene, {800, 600, 1.0}, {});
     QVERIFY(picture);
-    constexpr std::size_t kCornersOfC = 7 * 6, kCornersOfStroke = 6;
+    constexpr std::size_t kCornersOfC = std::size_t{7} * 6, kCornersOfStroke = 6;
     for (const SceneObject &object : scene.objects) {
         const Mesh &name = object.model->meshes.at(2); // behind the two axes
         const glm::dmat4 placement = worldFromObject(object.transform);

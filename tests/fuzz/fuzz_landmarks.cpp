@@ -8,6 +8,7 @@
 
 using namespace unprojector::landmark_files;
 
+// The name is that which libFuzzer calls. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     const Format format = formatOfSuffix(UNPROJECTOR_FUZZ_SUFFIX).value();

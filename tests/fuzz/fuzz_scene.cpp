@@ -6,6 +6,7 @@
 
 using namespace unprojector::scene_file;
 
+// The name is that which libFuzzer calls. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     const auto scene = parseScene(fuzz::text(data, size), "scene.json");
