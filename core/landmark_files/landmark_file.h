@@ -135,6 +135,11 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<co
 /// of two that share one the second is "NAME (2)". Semilandmarks are further points, "CURVE:01".
 WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens);
 
+/// Takes the last points out that are named as the semilandmarks of curves are where a format knows no curves, "NAME:01",
+/// "NAME:02" and so on without a gap, and makes them curves of which only the semilandmarks are known. Points there must be besides.
+/// @return how many curves were put behind those of the set
+std::size_t takeSemilandmarks(LandmarkSet &set);
+
 /// Reads a file by its suffix.
 /// @return UnknownFormat, NotFound, IsDirectory, NotReadable, and the errors of parseLandmarks
 geometry::Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem::path &file);

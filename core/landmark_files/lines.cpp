@@ -202,6 +202,45 @@ std::vector<LandmarkSet> withCurvesAsPoints(std::span<const LandmarkSet> sets, N
     return plain;
 }
 
+std::size_t takeSemilandmarks(LandmarkSet &set)
+{
+    std::vector<Curve> taken;
+    std::vector<Landmark> points = set.landmarks;
+    while (!points.empty()) {
+        const std::string &last = points.back().name;
+        const std::size_t colon = last.rfind(':');
+        if (colon == last.npos || colon == 0)
+            break;
+        const std::string name = last.substr(0, colon);
+        // The last one's number is how many there are.
+        std::size_t count = 0;
+        for (const char c : std::string_view(last).substr(colon + 1))
+            count = c >= '0' && c <= '9' && count <= kMostSemilandmarks ? 10 * count + std::size_t(c - '0')
+                                                                        : kMostSemilandmarks + std::size_t{1};
+        if (count < 2 || count > kMostSemilandmarks || count >= points.size())
+            break;
+        Curve curve;
+        curve.name = name;
+        curve.count = static_cast<std::uint32_t>(count);
+        const std::size_t first = points.size() - count;
+        for (std::size_t k = 0; k < count; ++k) {
+            const Landmark &point = points[first + k];
+            if (point.world && point.name == semilandmarkName(name, k, count))
+                curve.semilandmarks.push_back(*point.world);
+        }
+        if (curve.semilandmarks.size() < count)
+            break;
+        points.resize(first);
+        taken.insert(taken.begin(), std::move(curve));
+    }
+    if (taken.empty())
+        return 0;
+    set.landmarks = std::move(points);
+    const std::size_t count = taken.size();
+    set.curves.insert(set.curves.end(), std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
+    return count;
+}
+
 std::string PlainNames::of(const std::string &name, const std::string &instead)
 {
     std::string plain = name.empty() ? instead : name;

@@ -19,9 +19,11 @@ std::string inLowerCase(std::string_view name)
 
 const Landmark *find(std::string_view name, std::span<const Landmark> names)
 {
-    const std::string wanted = inLowerCase(name);
-    const auto found = std::find_if(names.begin(), names.end(),
-                                    [&wanted](const Landmark &point) { return inLowerCase(point.name) == wanted; });
+    const std::string wanted = nameKey(name);
+    auto found = std::find_if(names.begin(), names.end(), [&](const Landmark &point) { return point.name == name; });
+    if (found == names.end() && !wanted.empty())
+        found = std::find_if(names.begin(), names.end(),
+                             [&](const Landmark &point) { return nameKey(point.name) == wanted; });
     return found != names.end() ? &*found : nullptr;
 }
 
@@ -34,6 +36,23 @@ Landmark missingOf(const Landmark &wanted)
 }
 
 } // namespace
+
+std::string nameKey(std::string_view name)
+{
+    constexpr std::string_view kWrittenOtherwise = " _#\"'\\\x7f";
+    std::string key;
+    bool isApart = false;
+    for (const char c : inLowerCase(name)) {
+        if (static_cast<unsigned char>(c) < ' ' || kWrittenOtherwise.find(c) != kWrittenOtherwise.npos) {
+            isApart = !key.empty();
+            continue;
+        }
+        if (std::exchange(isApart, false))
+            key += '_';
+        key += c;
+    }
+    return key;
+}
 
 std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names)
 {
@@ -54,15 +73,20 @@ std::vector<Landmark> inTemplateOrder(std::vector<Landmark> landmarks, std::span
 {
     std::multimap<std::string, std::size_t> there; // those of one name in their order
     for (std::size_t i = 0; i < landmarks.size(); ++i)
-        there.emplace(inLowerCase(landmarks[i].name), i);
+        there.emplace(nameKey(landmarks[i].name), i);
     std::vector<Landmark> ordered;
     std::vector<bool> isTaken(landmarks.size(), false);
     for (const Landmark &wanted : names) {
-        const auto [found, end] = there.equal_range(inLowerCase(wanted.name));
-        if (found == end) {
+        const auto range = there.equal_range(nameKey(wanted.name));
+        if (range.first == range.second) {
             ordered.push_back(missingOf(wanted));
             continue;
         }
+        auto found = std::find_if(range.first, range.second, [&](const std::pair<const std::string, std::size_t> &one) {
+            return landmarks[one.second].name == wanted.name;
+        });
+        if (found == range.second)
+            found = range.first;
         isTaken[found->second] = true;
         ordered.push_back(std::move(landmarks[found->second]));
         there.erase(found);

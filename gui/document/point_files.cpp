@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "gui/document/object_names.h"
+#include "gui/document/point_joining.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
@@ -59,82 +60,55 @@ QString sentences(const QString &file, const std::vector<LandmarkNote> &notes)
     return lines.join(u'\n');
 }
 
-/// The keys of other programs that only one of both has come to it; which of the others are left out.
-QStringList addKeys(nlohmann::ordered_json &to, const nlohmann::ordered_json &from)
+/// "“a”, “b”, “c” and 4 more"
+QString namesText(const QStringList &names)
 {
-    QStringList leftOut;
-    for (auto it = from.begin(); from.is_object() && it != from.end(); ++it) {
-        if (!to.is_object() || !to.contains(it.key()))
-            to[it.key()] = *it;
-        else if (to[it.key()] != *it)
-            leftOut << QString::fromStdString(it.key());
+    constexpr qsizetype kMost = 5;
+    QStringList quoted;
+    for (const QString &name : names.mid(0, kMost))
+        quoted << PointFiles::tr("“%1”").arg(name);
+    const QString shown = quoted.join(PointFiles::tr(", ", "between names"));
+    return names.size() > kMost ? PointFiles::tr("%1 and %2 more").arg(shown).arg(names.size() - kMost) : shown;
+}
+
+/// @param taken  how many of the last curves were points of the file
+QString semilandmarksText(const landmarks::LandmarkSet &set, std::size_t taken)
+{
+    QStringList names;
+    std::size_t count = 0;
+    for (auto curve = set.curves.end() - static_cast<std::ptrdiff_t>(taken); curve != set.curves.end(); ++curve) {
+        names << QString::fromStdString(curve->name).simplified();
+        count += curve->semilandmarks.size();
     }
-    return leftOut;
+    return PointFiles::tr("Besides, its semilandmarks: %1, of %2; they are no points to place.")
+        .arg(QString::number(count), namesText(names));
 }
 
-/// What the scene has besides points stays where the file says nothing of it, and units are never changed in silence.
-/// @return what is to be said of that
-QStringList replace(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &before, const QString &file)
+/// What of a file none of the names that waited has, and what still waits.
+void tellUnmatched(const JoinedPoints &joined, const landmarks::LandmarkSet &after, const QString &file,
+                   QStringList &notes, QStringList &said)
 {
-    QStringList notes;
-    if (set.unit.empty())
-        set.unit = before.unit;
-    else if (!before.unit.empty() && set.unit != before.unit)
-        notes << PointFiles::tr("%1 is in %2: that is the scene's unit now, instead of %3. Nothing is converted.")
-                     .arg(file, QString::fromStdString(set.unit), QString::fromStdString(before.unit));
-    if (set.name.empty())
-        set.name = before.name;
-    if (set.mesh.empty())
-        set.mesh = before.mesh;
-    if (set.curves.empty())
-        set.curves = before.curves;   // through points by their names
-    addKeys(set.extra, before.extra); // of one key the file's is the newer
-    return notes;
-}
-
-/// Puts points behind those before; one whose name waits for a place there takes that.
-void append(std::vector<landmarks::Landmark> &all, std::vector<landmarks::Landmark> points)
-{
-    const auto before = static_cast<std::ptrdiff_t>(all.size());
-    std::vector<bool> isTaken(all.size(), false);
-    for (landmarks::Landmark &point : points) {
-        const QString name = QString::fromStdString(point.name);
-        const auto waiting = std::find_if(all.begin(), all.begin() + before, [&](const landmarks::Landmark &other) {
-            return other.isMissing() && !isTaken[static_cast<std::size_t>(&other - all.data())] && !name.isEmpty()
-                   && QString::fromStdString(other.name).compare(name, Qt::CaseInsensitive) == 0;
-        });
-        if (waiting == all.begin() + before) {
-            all.push_back(std::move(point));
-            continue;
-        }
-        isTaken[static_cast<std::size_t>(waiting - all.begin())] = true;
-        if (point.note.empty())
-            point.note = waiting->note;
-        if (!point.color)
-            point.color = waiting->color;
-        addKeys(point.extra, waiting->extra);
-        *waiting = std::move(point);
+    if (joined.filled > 0)
+        said << PointFiles::tr("Names that have their point now: %1.").arg(joined.filled);
+    if (joined.unmatched.empty())
+        return;
+    QStringList unmatched, waiting, sentences;
+    for (const std::string &name : joined.unmatched) {
+        if (!name.empty())
+            unmatched << QString::fromStdString(name).simplified();
     }
-}
-
-QStringList append(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &before, const QString &file)
-{
-    QStringList notes;
-    landmarks::LandmarkSet all = before;
-    append(all.landmarks, std::move(set.landmarks));
-    all.curves.insert(all.curves.end(), std::make_move_iterator(set.curves.begin()),
-                      std::make_move_iterator(set.curves.end()));
-    if (!set.unit.empty() && set.unit != before.unit)
-        notes << (before.unit.empty()
-                      ? PointFiles::tr("%1 is in %2, and what the scene is in is not known. Nothing is converted.")
-                            .arg(file, QString::fromStdString(set.unit))
-                      : PointFiles::tr("%1 is in %2, and the scene in %3. Nothing is converted.")
-                            .arg(file, QString::fromStdString(set.unit), QString::fromStdString(before.unit)));
-    if (const QStringList leftOut = addKeys(all.extra, set.extra); !leftOut.isEmpty())
-        notes << PointFiles::tr("%1: the scene has other values of these already, which stay: %2.")
-                     .arg(file, leftOut.join(QStringLiteral(", ")));
-    set = std::move(all);
-    return notes;
+    for (const landmarks::Landmark &point : after.landmarks) {
+        if (point.isMissing())
+            waiting << QString::fromStdString(point.name).simplified();
+    }
+    if (!unmatched.isEmpty())
+        sentences << PointFiles::tr("%1: names that nothing waits for, put behind the others: %2.")
+                         .arg(file, namesText(unmatched));
+    if (const qsizetype nameless = static_cast<qsizetype>(joined.unmatched.size()) - unmatched.size(); nameless > 0)
+        sentences << PointFiles::tr("%1: points without a name, put behind the others: %2.").arg(file).arg(nameless);
+    if (!waiting.isEmpty())
+        sentences << PointFiles::tr("Still without a place: %1.").arg(namesText(waiting));
+    notes << sentences.join(u' ');
 }
 
 } // namespace
@@ -271,6 +245,35 @@ PointFileQuestions::Join PointFiles::howToJoin(const landmarks::LandmarkSet &com
                        : Join::Replace;
 }
 
+bool PointFiles::nameAll(std::vector<landmarks::Landmark> &points, PointFileQuestions::Join join, const QString &file,
+                         QStringList &notes)
+{
+    const std::vector<landmarks::Landmark> &there = m_document.landmarks();
+    const auto waiting = static_cast<std::size_t>(std::count_if(
+        there.begin(), there.end(), [](const auto &point) { return point.isMissing() && !point.name.empty(); }));
+    const bool isReplacing = join == PointFileQuestions::Join::Replace
+                             && std::any_of(there.begin(), there.end(), [](const auto &p) { return !p.isMissing(); });
+    if (!areNameless(points) || waiting == 0 || isReplacing)
+        return true;
+    if (points.size() != waiting) {
+        const QString text =
+            tr("%1 has no names, only an order: %2 points. Names that wait for a place: %3. Shall the points take "
+               "these names in their order, as far as both go, or be put behind them without a name?")
+                .arg(file)
+                .arg(points.size())
+                .arg(waiting);
+        const auto answer = m_questions ? m_questions->askOrder(text) : PointFileQuestions::Order::Behind;
+        if (answer == PointFileQuestions::Order::Cancel)
+            return false;
+        if (answer == PointFileQuestions::Order::Behind)
+            return true;
+    }
+    nameByOrder(points, there);
+    notes << tr("%1 has no names: its points took those that waited, by their order. See that the order is the same.")
+                 .arg(file);
+    return true;
+}
+
 bool PointFiles::importFrom(const std::filesystem::path &file)
 {
     auto result = readLandmarkFile(file);
@@ -286,39 +289,49 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
             isSameScene = false;
     });
     landmarks::LandmarkSet set = std::move(read.sets.front());
+    const QString name = pathText(file.filename());
+    const std::size_t taken = set.curves.empty() ? takeSemilandmarks(set) : 0;
     const PointFileQuestions::Join join = howToJoin(set);
-    const std::optional<QString> done = join == PointFileQuestions::Join::Cancel ? std::nullopt : tieAll(set.landmarks);
+    QStringList notes;
+    const bool isGoing = join != PointFileQuestions::Join::Cancel && nameAll(set.landmarks, join, name, notes);
+    const std::optional<QString> done = isGoing ? tieAll(set.landmarks) : std::nullopt;
     disconnect(changed);
     if (!done)
         return false;
-    const QString name = pathText(file.filename());
     if (!isSameScene) {
         emit failed(tr("%1: the scene has changed meanwhile. Import the points again.").arg(name));
         return false;
     }
     const std::size_t count = set.landmarks.size();
-    const std::vector<landmarks::Landmark> &there = m_document.landmarks();
-    if (std::all_of(there.begin(), there.end(), [](const auto &point) { return point.isMissing(); })) {
-        std::vector<landmarks::Landmark> filled = there; // names that wait are there for that
-        append(filled, std::move(set.landmarks));
-        set.landmarks = std::move(filled);
-    }
-    QStringList notes;
+    QStringList said{tr("Points read from %1: %2.").arg(name).arg(count), *done};
+    if (taken > 0)
+        said << semilandmarksText(set, taken);
+    const landmarks::LandmarkSet &before = m_document.landmarkSet();
     if (const QString lost = sentences(name, read.notes); !lost.isEmpty())
         notes << lost;
     if (read.sets.size() > 1)
         notes << tr("%1 has %2 specimens; the points of the first are shown.").arg(name).arg(read.sets.size());
-    notes << (join == PointFileQuestions::Join::Append ? append(set, m_document.landmarkSet(), name)
-                                                       : replace(set, m_document.landmarkSet(), name));
+    JoinedPoints joined;
+    if (join == PointFileQuestions::Join::Append) {
+        joined = appendPoints(set, before, taken, name);
+    } else {
+        const bool areAllWaiting = std::all_of(before.landmarks.begin(), before.landmarks.end(),
+                                               [](const auto &point) { return point.isMissing(); });
+        if (areAllWaiting) // names that wait are there for that
+            joined = fillPoints(set, before.landmarks);
+        joined.notes << replacePoints(set, before, taken, name).notes;
+    }
+    notes << joined.notes;
+    tellUnmatched(joined, set, name, notes, said);
     static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Import points")}));
     if (!notes.isEmpty())
         emit warned(notes.join(u'\n'));
-    QString said = tr("Points read from %1: %2.").arg(name).arg(count) + u' ' + *done;
     if (m_document.objects().empty()) {
         m_document.fit();
-        said += tr("There is no object that they lie on: open their scan together with them.");
+        said << tr("There is no object that they lie on: open their scan together with them.");
     }
-    emit noticed(said.trimmed());
+    said.removeAll(QString());
+    emit noticed(said.join(u' '));
     return true;
 }
 

@@ -20,6 +20,7 @@ class PointFileQuestions {
 public:
     enum class Join { Replace, Append, Cancel };
     enum class Stray { Tie, LeaveFree, Cancel };
+    enum class Order { Fill, Behind, Cancel };
 
     virtual ~PointFileQuestions() = default;
     /// How many points are there with a place, how many names wait for one, and how many points the file has.
@@ -31,6 +32,9 @@ public:
     /// What becomes of points that lie far from every object.
     /// @param text  which, and how far
     virtual Stray askStray(const QString &text) = 0;
+    /// Whether points without names take the names that wait, of which there are more or fewer, by their order.
+    /// @param text  how many
+    virtual Order askOrder(const QString &text) = 0;
 };
 
 /// Points of a document from files and into files, in the formats of core/landmark_files. A file's coordinates are the world's.
@@ -51,7 +55,8 @@ public:
 
     /// Reads a file and ties its points to the objects that are not hidden, as one undoable step. What else the scene says of its
     /// points, their unit and the keys of other programs, stays where the file says nothing of it. Names that wait for a place are
-    /// filled by name where nothing else is there, and where somebody says that the points are to be put behind.
+    /// filled by name where nothing else is there, and where somebody says that the points are to be put behind; by a file without
+    /// names, in their order. Points named as semilandmarks are written where a format has no curves, are curves again.
     /// @return whether its points are in the scene
     bool importFrom(const std::filesystem::path &file);
     /// @return whether it is written; not where somebody gives up waiting for the curves
@@ -72,6 +77,11 @@ private:
     };
     std::vector<ray::TyingTarget> targets() const;
     PointFileQuestions::Join howToJoin(const landmarks::LandmarkSet &coming) const;
+    /// Points without names take those that wait, by their order.
+    /// @param notes  gets what was done
+    /// @return false where the import was given up
+    bool nameAll(std::vector<landmarks::Landmark> &points, PointFileQuestions::Join join, const QString &file,
+                 QStringList &notes);
     /// Ties points to the objects, strays as somebody says.
     /// @return what was done, in words; nothing where the import was given up
     std::optional<QString> tieAll(std::vector<landmarks::Landmark> &points);

@@ -105,4 +105,13 @@ PointFileQuestions::Stray WindowQuestions::askStray(const QString &text)
     }
 }
 
+PointFileQuestions::Order WindowQuestions::askOrder(const QString &text)
+{
+    switch (askOwn(m_window, tr("Import Points"), text, {tr("&Take the Names in Order"), tr("&Put Them Behind")})) {
+    case 0: return Order::Fill;
+    case 1: return Order::Behind;
+    default: return Order::Cancel;
+    }
+}
+
 } // namespace unprojector::gui

@@ -22,6 +22,7 @@ public:
     bool askDeleteKept(const QString &name) override;
     Join askJoin(const Counts &counts) override;
     Stray askStray(const QString &text) override;
+    Order askOrder(const QString &text) override;
 
 private:
     QWidget &m_window;

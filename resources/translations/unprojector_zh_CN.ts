@@ -3973,6 +3973,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <source>Follow the point that you have given in numbers</source>
         <translation>跟踪您用数值给出的点</translation>
     </message>
+    <message>
+        <source>Which point to follow</source>
+        <translation>跟随哪个点</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PointFiles</name>
@@ -4075,6 +4079,55 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>%1 was not written.</source>
         <translation>%1 未写入。</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 及另外 %2 个</translation>
+    </message>
+    <message>
+        <source>Besides, its semilandmarks: %1, of %2; they are no points to place.</source>
+        <translation>另有半标志点 %1 个，属于 %2；它们不算放置的点。</translation>
+    </message>
+    <message>
+        <source>Names that have their point now: %1.</source>
+        <translation>已得到点的名称：%1 个。</translation>
+    </message>
+    <message>
+        <source>%1: names that nothing waits for, put behind the others: %2.</source>
+        <translation>%1：没有等待放置的名称与之对应、排在其他点之后的：%2。</translation>
+    </message>
+    <message>
+        <source>Still without a place: %1.</source>
+        <translation>仍未放置：%1。</translation>
+    </message>
+    <message>
+        <source>%1 has no names, only an order: %2 points. Names that wait for a place: %3. Shall the points take these names in their order, as far as both go, or be put behind them without a name?</source>
+        <translation>%1 没有名称，只有顺序：%2 个点。等待放置的名称：%3 个。让这些点按顺序取用这些名称（到其中一方用完为止），还是不带名称排在其后？</translation>
+    </message>
+    <message>
+        <source>%1 has no names: its points took those that waited, by their order. See that the order is the same.</source>
+        <translation>%1 没有名称：其中的点已按顺序取用等待放置的名称。请确认顺序一致。</translation>
+    </message>
+    <message>
+        <source>%1: the scene has these curves itself, and its own stay: %2.</source>
+        <translation>%1：场景中已有这些曲线，保留场景自己的：%2。</translation>
+    </message>
+    <message>
+        <source>%1 has no names: its points have those of the points before, by their order.</source>
+        <translation>%1 没有名称：其中的点已按顺序取用原有各点的名称。</translation>
+    </message>
+    <message>
+        <source>%1: points without a name, put behind the others: %2.</source>
+        <translation>%1：没有名称、排在其他点之后的点：%2 个。</translation>
     </message>
 </context>
 <context>
@@ -5767,6 +5820,14 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>Names of the template that wait for their points: %1. Replace takes them away as well; Append gives those that the file has their places.</source>
         <translation>模板中等待放置的名称：%1 个。“替换”也会去掉它们；“追加”会让文件中有的点占据它们的位置。</translation>
+    </message>
+    <message>
+        <source>&amp;Take the Names in Order</source>
+        <translation>按顺序取用名称(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Put Them Behind</source>
+        <translation>排在其后(&amp;P)</translation>
     </message>
 </context>
 </TS>

@@ -124,6 +124,8 @@ class TestLandmarkFiles : public QObject {
     Q_OBJECT
 
 private slots:
+    void semilandmarksAreTakenForCurves_data();
+    void semilandmarksAreTakenForCurves();
     void whatIsWrittenReadsBackTheSame_data();
     void whatIsWrittenReadsBackTheSame();
     void whatHasNoPlaceIsSaid_data();
@@ -520,6 +522,47 @@ void TestLandmarkFiles::filesOnDisk()
     QVERIFY(QDir(folder.path()).mkdir("d.csv"));
     QCOMPARE(said(readLandmarkFile(path("d.csv"))), QString("this is a folder, not a file of landmarks"));
     QVERIFY(!writeLandmarkFile(path("d.csv"), {&set, 1}));
+}
+
+void TestLandmarkFiles::semilandmarksAreTakenForCurves_data()
+{
+    QTest::addColumn<QStringList>("names");
+    QTest::addColumn<int>("points");
+    QTest::addColumn<QStringList>("curves");
+    using L = QStringList;
+    QTest::newRow("two curves") << L{"a", "x:01", "x:02", "y z:01", "y z:02", "y z:03"} << 1 << L{"x", "y z"};
+    QTest::newRow("no point besides") << L{"x:01", "x:02"} << 2 << L{};
+    QTest::newRow("one that lacks the first") << L{"a", "x:02", "x:03"} << 3 << L{};
+    QTest::newRow("a gap") << L{"a", "x:01", "x:03"} << 3 << L{};
+    QTest::newRow("other digits") << L{"a", "x:1", "x:2"} << 3 << L{};
+    QTest::newRow("no name") << L{"a", ":01", ":02"} << 3 << L{};
+    QTest::newRow("not behind the others") << L{"a", "x:01", "x:02", "b"} << 4 << L{};
+    QTest::newRow("a large number") << L{"a", "x:99999999999999999999"} << 2 << L{};
+    QTest::newRow("no number") << L{"a", "x:", "x:a"} << 3 << L{};
+}
+
+void TestLandmarkFiles::semilandmarksAreTakenForCurves()
+{
+    QFETCH(QStringList, names);
+    QFETCH(int, points);
+    QFETCH(QStringList, curves);
+    LandmarkSet set;
+    for (const QString &name : names) {
+        Landmark &landmark = set.landmarks.emplace_back();
+        landmark.name = name.toStdString();
+        landmark.world = WorldPoint(double(set.landmarks.size()), 0.0, 0.0);
+    }
+    QCOMPARE(takeSemilandmarks(set), std::size_t(curves.size()));
+    QCOMPARE(int(set.landmarks.size()), points);
+    QStringList taken;
+    double x = points;
+    for (const Curve &curve : set.curves) {
+        taken << QString::fromStdString(curve.name);
+        QCOMPARE(std::size_t(curve.count), curve.semilandmarks.size());
+        for (const auto &place : curve.semilandmarks)
+            QCOMPARE(place.x, ++x);
+    }
+    QCOMPARE(taken, curves);
 }
 
 QTEST_GUILESS_MAIN(TestLandmarkFiles)

@@ -113,6 +113,8 @@ void TestLandmarkSets::landmarksFillTheirPlacesOfATemplate_data()
     QTest::newRow("the others behind") << L{"x", "b"} << L{"a", "b", "c"} << L{"-a", "b", "-c", "x"};
     QTest::newRow("in the template's order") << L{"b", "a"} << L{"a", "b"} << L{"a", "b"};
     QTest::newRow("in another case") << L{"Nasion"} << L{"tip", "nasion"} << L{"-tip", "Nasion"};
+    QTest::newRow("with underscores") << L{"x", "Eye_left"} << L{"eye left"} << L{"Eye_left", "x"};
+    QTest::newRow("both ways of writing") << L{"a_b", "a b"} << L{"a b", "a_b"} << L{"a b", "a_b"};
     QTest::newRow("a name twice") << L{"a", "x", "a"} << L{"a"} << L{"a", "x", "a"};
     QTest::newRow("twice in the template") << L{"x", "a"} << L{"a", "a"} << L{"a", "-a", "x"};
 }
@@ -147,6 +149,9 @@ void TestLandmarkSets::hintsGoByName()
     QCOMPARE(hintFor("Nasion", names), std::string_view("between the eyes"));
     QCOMPARE(hintFor("tip", names), std::string_view());
     QCOMPARE(hintFor("chin", names), std::string_view());
+    QCOMPARE(hintFor("_nasion ", names), std::string_view("between the eyes"));
+    QCOMPARE(nameKey(" Broca's  point_"), std::string("broca_s_point"));
+    QVERIFY(nameKey("_ ").empty());
 }
 
 void TestLandmarkSets::picturesGoByName()

@@ -51,13 +51,20 @@ struct FixedAnswers : SessionQuestions, PointFileQuestions {
         return stray;
     }
 
+    Order askOrder(const QString &text) override
+    {
+        orderText = text;
+        return order;
+    }
+
     SaveAnswer save = SaveAnswer::Discard;
     Join join = Join::Replace;
     PointFileQuestions::Stray stray = PointFileQuestions::Stray::Tie;
     int saveQuestions = 0, joinQuestions = 0;
     std::function<void()> meanwhile; ///< happens while somebody is asked
     Counts asked;
-    QString strayText;
+    QString strayText, orderText;
+    Order order = Order::Fill;
 };
 
 /// A square of two triangles from (0, 0, 0) to (10, 10, 0).
@@ -81,6 +88,11 @@ private slots:
     void thoseThatAreThere_data();
     void thoseThatAreThere();
     void namesThatWaitAreFilled();
+    void namesThatAFileWritesOtherwiseAreFilled();
+    void replacedPointsKeepTheScenesNames();
+    void pointsWithoutNamesFillByOrder_data();
+    void pointsWithoutNamesFillByOrder();
+    void semilandmarksAreNoPoints();
     void countsAddUp_data();
     void countsAddUp();
     void whatDoesNotHoldIsLetGo_data();
@@ -326,8 +338,11 @@ void TestPointFiles::namesThatWaitAreFilled()
     QCOMPARE(m_answers->joinQuestions, 0); // nothing that was placed is at stake
     QCOMPARE(points().size(), std::size_t(4));
     QVERIFY(points()[0].isMissing() && points()[2].isMissing());
-    QCOMPARE(points()[1].name, std::string("B"));
+    QCOMPARE(points()[1].name, std::string("b")); // as the template has it
     QCOMPARE(points()[3].name, std::string("other"));
+    QCOMPARE(m_warnings.size(), 1);
+    QVERIFY2(m_warnings[0].contains(QStringLiteral("behind the others: “other”. Still without a place: “a”, “c”.")),
+             qPrintable(m_warnings[0]));
     // Now two are placed and two names wait.
     m_answers->join = PointFileQuestions::Join::Append;
     write(QStringLiteral("p.csv"), "name,x,y,z\nc,3,3,0\nb,4,4,0\n");
@@ -339,6 +354,120 @@ void TestPointFiles::namesThatWaitAreFilled()
     QCOMPARE(points()[2].world->x, 3.0);
     QCOMPARE(points()[1].world->x, 1.0); // placed, it is not gone over
     QCOMPARE(points()[4].name, std::string("b"));
+}
+
+namespace {
+
+std::vector<Landmark> namedPoints(const QStringList &names)
+{
+    std::vector<Landmark> points;
+    for (const QString &name : names)
+        points.emplace_back().name = name.toStdString();
+    return points;
+}
+
+} // namespace
+
+void TestPointFiles::namesThatAFileWritesOtherwiseAreFilled()
+{
+    open({QStringLiteral("square.obj")});
+    fillFromTemplate(*m_document, namedPoints({"eye left", "eye_left", "Broca's point", "tip"}),
+                     QStringLiteral("four"));
+    write(QStringLiteral("p.pts"), "Version 1.0\n4\nEYE_LEFT 1 1 0\neye_left 2 2 0\nBroca_s_point 3 3 0\nchin 4 4 0\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
+    QCOMPARE(points().size(), std::size_t(5));
+    QCOMPARE(points()[0].name, std::string("eye left"));
+    QCOMPARE(points()[0].world->x, 1.0);
+    QCOMPARE(points()[1].world->x, 2.0); // its very name
+    QCOMPARE(points()[2].name, std::string("Broca's point"));
+    QCOMPARE(points()[2].world->x, 3.0);
+    QVERIFY(points()[3].isMissing());
+    QVERIFY2(m_notices[0].contains(QStringLiteral("Names that have their point now: 3.")), qPrintable(m_notices[0]));
+    QVERIFY2(m_warnings.size() == 1 && m_warnings[0].contains(QStringLiteral("“chin”. Still without a place: “tip”.")),
+             qPrintable(m_warnings.join(u'\n')));
+}
+
+void TestPointFiles::replacedPointsKeepTheScenesNames()
+{
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.csv"), "name,x,y,z\neye left,1,1,0\neye right,2,1,0\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    write(QStringLiteral("p.pts"), "Version 1.0\n2\neye_left 3 1 0\neye_right 4 1 0\n");
+    m_answers->join = PointFileQuestions::Join::Replace;
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
+    QCOMPARE(points()[0].name, std::string("eye left")); // curves know it by that
+    QCOMPARE(points()[0].world->x, 3.0);
+    write(QStringLiteral("p.tps"), "LM3=2\n5 1 0\n6 1 0\n\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.tps"))));
+    QCOMPARE(points()[1].name, std::string("eye right"));
+    QVERIFY2(m_warnings.join(u'\n').contains(QStringLiteral("by their order")), qPrintable(m_warnings.join(u'\n')));
+}
+
+void TestPointFiles::pointsWithoutNamesFillByOrder_data()
+{
+    QTest::addColumn<QByteArray>("rows");
+    QTest::addColumn<int>("answer");
+    QTest::addColumn<QString>("names"); ///< of those with a place
+    QTest::addColumn<QString>("said");
+    using Order = PointFileQuestions::Order;
+    QTest::newRow("as many") << QByteArray("1 1 0\n2 2 0\n3 3 0\n") << -1 << "a b c"
+                             << "took those that waited, by their order";
+    QTest::newRow("one missing") << QByteArray("1 1 0\nNA NA NA\n3 3 0\n") << -1 << "a c"
+                                 << "by their order";
+    QTest::newRow("fewer") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Fill) << "a b"
+                           << "by their order";
+    QTest::newRow("more") << QByteArray("1 1 0\n2 2 0\n3 3 0\n4 4 0\n") << int(Order::Fill) << "a b c "
+                          << "by their order";
+    QTest::newRow("put behind") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Behind) << " "
+                                << "put behind the others: 2. Still";
+    QTest::newRow("given up") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Cancel) << QString() << QString();
+}
+
+void TestPointFiles::pointsWithoutNamesFillByOrder()
+{
+    QFETCH(QByteArray, rows);
+    QFETCH(int, answer);
+    QFETCH(QString, names);
+    QFETCH(QString, said);
+    open({QStringLiteral("square.obj")});
+    fillFromTemplate(*m_document, namedPoints({"a", "b", "c"}), QStringLiteral("three"));
+    write(QStringLiteral("p.tps"), "LM3=" + QByteArray::number(rows.count('\n')) + '\n' + rows + '\n');
+    if (answer >= 0)
+        m_answers->order = static_cast<PointFileQuestions::Order>(answer);
+    QCOMPARE(m_files->importFrom(file(QStringLiteral("p.tps"))), !said.isEmpty());
+    QCOMPARE(m_answers->orderText.isEmpty(), answer < 0);
+    QStringList placed;
+    for (const Landmark &point : points()) {
+        if (!point.isMissing())
+            placed << QString::fromStdString(point.name);
+    }
+    QCOMPARE(placed.join(u' '), names);
+    QVERIFY2(m_warnings.join(u'\n').contains(said), qPrintable(m_warnings.join(u'\n')));
+}
+
+void TestPointFiles::semilandmarksAreNoPoints()
+{
+    open({QStringLiteral("square.obj")});
+    write(QStringLiteral("p.pts"), "Version 1.0\n5\na 1 1 0\nb 3 3 0\nbrow:01 1 1 0\nbrow:02 2 2 0\nbrow:03 3 3 0\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
+    QCOMPARE(points().size(), std::size_t(2));
+    QCOMPARE(m_document->landmarkSet().curves.size(), std::size_t(1));
+    QCOMPARE(m_document->landmarkSet().curves[0].name, std::string("brow"));
+    QCOMPARE(m_document->landmarkSet().curves[0].semilandmarks.size(), std::size_t(3));
+    QVERIFY2(m_notices[0].contains(QStringLiteral("p.pts: 2."))
+                 && m_notices[0].contains(QStringLiteral("3, of “brow”")),
+             qPrintable(m_notices[0]));
+    // A curve that the scene has itself goes through its points.
+    landmarks::LandmarkSet set = m_document->landmarkSet();
+    set.curves[0].points = {"a", "b"};
+    QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
+    for (const auto join : {PointFileQuestions::Join::Replace, PointFileQuestions::Join::Append}) {
+        m_answers->join = join;
+        QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
+        QCOMPARE(m_document->landmarkSet().curves.size(), std::size_t(1));
+        QCOMPARE(m_document->landmarkSet().curves[0].points.size(), std::size_t(2));
+        QVERIFY2(m_warnings.back().contains(QStringLiteral("its own stay: brow")), qPrintable(m_warnings.back()));
+    }
 }
 
 void TestPointFiles::countsAddUp_data()

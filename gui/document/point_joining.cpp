@@ -1,0 +1,254 @@
+#include "gui/document/point_joining.h"
+
+#include "core/landmarks/point_template.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Curve;
+using landmarks::Landmark;
+using landmarks::LandmarkSet;
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::PointFiles)
+};
+
+/// As nameKey, but of all letters.
+QString keyOf(const std::string &name)
+{
+    return QString::fromStdString(landmarks::nameKey(name)).toCaseFolded();
+}
+
+/// The keys of other programs that only one of both has come to it; which of the others are left out.
+QStringList addKeys(nlohmann::ordered_json &to, const nlohmann::ordered_json &from)
+{
+    QStringList leftOut;
+    for (auto it = from.begin(); from.is_object() && it != from.end(); ++it) {
+        if (!to.is_object() || !to.contains(it.key()))
+            to[it.key()] = *it;
+        else if (to[it.key()] != *it)
+            leftOut << QString::fromStdString(it.key());
+    }
+    return leftOut;
+}
+
+/// Curves know their points by name.
+void rename(std::vector<Curve> &curves, const std::map<std::string, std::string> &names)
+{
+    for (Curve &curve : curves) {
+        for (std::string &point : curve.points) {
+            if (const auto now = names.find(point); now != names.end())
+                point = now->second;
+        }
+    }
+}
+
+/// Of curves that were read as points, those that the scene has itself are left out: it knows their way.
+/// @return their names
+QStringList leaveKnownOut(std::vector<Curve> &curves, std::size_t taken, const std::vector<Curve> &there)
+{
+    QStringList known;
+    const auto first = curves.end() - static_cast<std::ptrdiff_t>(taken);
+    curves.erase(std::remove_if(first, curves.end(),
+                                [&](const Curve &curve) {
+                                    const bool isThere =
+                                        std::any_of(there.begin(), there.end(), [&](const Curve &other) {
+                                            return keyOf(other.name) == keyOf(curve.name);
+                                        });
+                                    if (isThere)
+                                        known << QString::fromStdString(curve.name).simplified();
+                                    return isThere;
+                                }),
+                 curves.end());
+    return known;
+}
+
+void tellKnown(QStringList &notes, const QStringList &known, const QString &file)
+{
+    if (!known.isEmpty())
+        notes << Texts::tr("%1: the scene has these curves itself, and its own stay: %2.")
+                     .arg(file, known.join(QStringLiteral(", ")));
+}
+
+/// Gives points the places of names that wait.
+class Filling {
+public:
+    Filling(std::vector<Landmark> &all, std::vector<Landmark> &points) : m_all(all), m_points(points)
+    {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].isMissing() && !all[i].name.empty())
+                m_waiting.push_back(i);
+        }
+    }
+
+    bool isWaitedFor() const { return !m_waiting.empty(); }
+
+    /// First those of the very name: of "a b" and "a_b" each is itself.
+    void fill()
+    {
+        m_isTaken.assign(m_points.size(), false);
+        pass([](const std::string &name) { return QString::fromStdString(name); });
+        pass(keyOf);
+        for (std::size_t i = 0; i < m_points.size(); ++i) {
+            if (m_isTaken[i])
+                continue;
+            joined.unmatched.push_back(m_points[i].name);
+            m_all.push_back(std::move(m_points[i]));
+        }
+    }
+
+    JoinedPoints joined;
+    std::map<std::string, std::string> renamed; ///< from the file's name
+
+private:
+    template <class Key>
+    void pass(const Key &keyOfName)
+    {
+        std::multimap<QString, std::size_t> waiting; // those of one key in their order
+        for (const std::size_t place : m_waiting) {
+            if (const QString key = keyOfName(m_all[place].name); !key.isEmpty())
+                waiting.emplace(key, place);
+        }
+        std::vector<std::size_t> filled;
+        for (std::size_t i = 0; i < m_points.size(); ++i) {
+            const auto found = m_isTaken[i] ? waiting.end() : waiting.find(keyOfName(m_points[i].name));
+            if (found == waiting.end())
+                continue;
+            take(i, found->second);
+            filled.push_back(found->second);
+            waiting.erase(found);
+        }
+        std::erase_if(m_waiting, [&](std::size_t place) {
+            return std::find(filled.begin(), filled.end(), place) != filled.end();
+        });
+    }
+
+    void take(std::size_t point, std::size_t place)
+    {
+        Landmark &from = m_points[point], &to = m_all[place];
+        m_isTaken[point] = true;
+        if (from.name != to.name)
+            renamed[from.name] = to.name;
+        from.name = to.name;
+        if (from.note.empty())
+            from.note = to.note;
+        if (!from.color)
+            from.color = to.color;
+        addKeys(from.extra, to.extra);
+        if (!from.isMissing())
+            ++joined.filled;
+        to = std::move(from);
+    }
+
+    std::vector<Landmark> &m_all, &m_points;
+    std::vector<std::size_t> m_waiting;
+    std::vector<bool> m_isTaken;
+};
+
+} // namespace
+
+bool areNameless(const std::vector<Landmark> &points)
+{
+    return !points.empty()
+           && std::all_of(points.begin(), points.end(), [](const Landmark &point) { return point.name.empty(); });
+}
+
+void nameByOrder(std::vector<Landmark> &points, const std::vector<Landmark> &there)
+{
+    auto point = points.begin();
+    for (const Landmark &other : there) {
+        if (point == points.end())
+            return;
+        if (other.isMissing() && !other.name.empty())
+            (point++)->name = other.name;
+    }
+}
+
+JoinedPoints fillPoints(LandmarkSet &set, const std::vector<Landmark> &there)
+{
+    std::vector<Landmark> all = there;
+    Filling filling(all, set.landmarks);
+    const bool isWaitedFor = filling.isWaitedFor();
+    filling.fill();
+    set.landmarks = std::move(all);
+    rename(set.curves, filling.renamed);
+    if (!isWaitedFor)
+        filling.joined.unmatched.clear();
+    return std::move(filling.joined);
+}
+
+JoinedPoints replacePoints(LandmarkSet &set, const LandmarkSet &before, std::size_t taken, const QString &file)
+{
+    JoinedPoints joined;
+    if (areNameless(set.landmarks) && set.landmarks.size() == before.landmarks.size()
+        && !areNameless(before.landmarks)) {
+        for (std::size_t i = 0; i < set.landmarks.size(); ++i)
+            set.landmarks[i].name = before.landmarks[i].name;
+        joined.notes
+            << Texts::tr("%1 has no names: its points have those of the points before, by their order.").arg(file);
+    }
+    std::map<QString, std::string> names; // of the scene
+    for (const Landmark &point : before.landmarks) {
+        if (const QString key = keyOf(point.name); !key.isEmpty() && !names.emplace(key, point.name).second)
+            names[key].clear(); // it could be either
+    }
+    for (const Landmark &point : set.landmarks) { // what is written the same already is no other's
+        if (const auto known = names.find(keyOf(point.name)); known != names.end() && known->second == point.name)
+            known->second.clear();
+    }
+    std::map<std::string, std::string> renamed;
+    for (Landmark &point : set.landmarks) {
+        const auto known = names.find(keyOf(point.name));
+        if (known == names.end() || known->second.empty())
+            continue;
+        renamed[point.name] = known->second;
+        point.name = std::exchange(known->second, std::string()); // once
+    }
+    rename(set.curves, renamed);
+    if (set.unit.empty())
+        set.unit = before.unit;
+    else if (!before.unit.empty() && set.unit != before.unit)
+        joined.notes << Texts::tr("%1 is in %2: that is the scene's unit now, instead of %3. Nothing is converted.")
+                            .arg(file, QString::fromStdString(set.unit), QString::fromStdString(before.unit));
+    if (set.name.empty())
+        set.name = before.name;
+    if (set.mesh.empty())
+        set.mesh = before.mesh;
+    if (set.curves.size() == taken) { // it says nothing of curves as such
+        tellKnown(joined.notes, leaveKnownOut(set.curves, taken, before.curves), file);
+        set.curves.insert(set.curves.begin(), before.curves.begin(),
+                          before.curves.end()); // through points by their names
+    }
+    addKeys(set.extra, before.extra); // of one key the file's is the newer
+    return joined;
+}
+
+JoinedPoints appendPoints(LandmarkSet &set, const LandmarkSet &before, std::size_t taken, const QString &file)
+{
+    LandmarkSet all = before;
+    JoinedPoints joined = fillPoints(set, before.landmarks);
+    all.landmarks = std::move(set.landmarks);
+    tellKnown(joined.notes, leaveKnownOut(set.curves, taken, before.curves), file);
+    all.curves.insert(all.curves.end(), std::make_move_iterator(set.curves.begin()),
+                      std::make_move_iterator(set.curves.end()));
+    if (!set.unit.empty() && set.unit != before.unit)
+        joined.notes << (before.unit.empty()
+                             ? Texts::tr("%1 is in %2, and what the scene is in is not known. Nothing is converted.")
+                                   .arg(file, QString::fromStdString(set.unit))
+                             : Texts::tr("%1 is in %2, and the scene in %3. Nothing is converted.")
+                                   .arg(file, QString::fromStdString(set.unit), QString::fromStdString(before.unit)));
+    if (const QStringList leftOut = addKeys(all.extra, set.extra); !leftOut.isEmpty())
+        joined.notes << Texts::tr("%1: the scene has other values of these already, which stay: %2.")
+                            .arg(file, leftOut.join(QStringLiteral(", ")));
+    set = std::move(all);
+    return joined;
+}
+
+} // namespace unprojector::gui
