@@ -9,6 +9,8 @@ packages=(
     qt6-base-dev libqt6opengl6-dev libgl-dev libopengl-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
     # Vectors and matrices, rays on meshes, JSON of scenes and glTF, the command's options, extended precision
     libglm-dev libembree-dev nlohmann-json3-dev libcli11-dev libboost-dev
+    # For the tests: the code that is written for GLU is compiled and run
+    libglu1-mesa-dev
     # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none; the
     # texts of Qt's own buttons and dialogs, without which a Chinese window asks its questions with an English Save
     libgl1-mesa-dri fonts-dejavu-core xvfb xauth qt6-translations-l10n

@@ -2,6 +2,7 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/cli/cloud_command.h"
+#include "core/cli/code_command.h"
 #include "core/cli/compare_command.h"
 #include "core/cli/doctor_command.h"
 #include "core/cli/info_command.h"
@@ -165,6 +166,31 @@ void addMatrices(CLI::App &app, Run &run)
                     "  unproject matrices scene.json\n"
                     "  unproject matrices --format numpy --layout row scene.json > matrices.py");
     command->callback([options, &run] { run = [options] { return runMatrices(*options); }; });
+}
+
+void addCode(CLI::App &app, Run &run)
+{
+    using scene_code::CodeDialect;
+    CLI::App *command = app.add_subcommand("code", "A scene as source code: its calls, and the way back from a pixel");
+    auto options = std::make_shared<CodeOptions>();
+    addSceneFile(*command, options->scene);
+    addChoice<CodeDialect>(*command, "--for", options->dialect,
+                           {{"glu", CodeDialect::Glu},
+                            {"glm", CodeDialect::Glm},
+                            {"qt", CodeDialect::Qt},
+                            {"three", CodeDialect::ThreeJs}},
+                           "What it is written for");
+    addFile(*command, "-o,--output", options->output, "C++, or JavaScript for three; - is standard output")
+        ->default_str("-");
+    command->footer(
+        "Its screen2world(i, j, depth) unprojects the centre of a pixel, counted from the top left corner in\n"
+        "device pixels. For glu, handlers for a view of MFC stand at the end. Models are only named; what the\n"
+        "library has no word for is said in comments.\n"
+        "\n"
+        "Examples:\n"
+        "  unproject code scene.json --for glm\n"
+        "  unproject code scene.json --for three -o scene.js");
+    command->callback([options, &run] { run = [options] { return runCode(*options); }; });
 }
 
 void addCompare(CLI::App &app, Run &run)
@@ -599,6 +625,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
     addCompare(app, run);
     addMap(app, run);
     addMatrices(app, run);
+    addCode(app, run);
     addLandmarks(app, run);
     addDoctor(app, run);
     // The library would only say that a command is missing.

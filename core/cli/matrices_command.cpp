@@ -3,8 +3,8 @@
 #include "core/cli/byte_stream.h"
 #include "core/cli/scene_input.h"
 #include "core/text/error_text.h"
+#include "core/text/identifier.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -17,28 +17,6 @@ struct NamedMatrix {
     std::string what;
     glm::dmat4 matrix;
 };
-
-/// The letters, digits and underscores of a name; others become underscores.
-std::string identifier(const std::string &name)
-{
-    std::string result;
-    for (const char c : name) {
-        const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        if (isPlain)
-            result += c;
-        else if (result.empty() || result.back() != '_')
-            result += '_';
-    }
-    return result;
-}
-
-/// A name as a comment can hold it.
-std::string onOneLine(std::string name)
-{
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\\'; }, '_');
-    return name;
-}
 
 glm::dmat4 windowMatrix(const Picture &g)
 {
@@ -62,10 +40,7 @@ std::vector<NamedMatrix> matricesOf(const SceneInput &scene, const glm::dmat4 &v
     };
     std::vector<std::string> taken;
     for (const PlacedObject &object : scene.objects) {
-        std::string name = identifier(object.name);
-        for (int n = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++n)
-            name = identifier(object.name) + '_' + std::to_string(n);
-        taken.push_back(name);
+        const std::string name = newIdentifier(object.name, taken);
         const glm::dmat4 modelview = view * object.worldFromObject;
         const std::string of = " of \"" + onOneLine(object.name) + '"';
         matrices.push_back({"model_" + name, "world from object" + of, object.worldFromObject});

@@ -34,17 +34,6 @@ ModelPointer readModel(const std::filesystem::path &file, const std::string &ask
     return nullptr;
 }
 
-/// The scene of a file, or the one that its clicks show.
-std::optional<SceneFile> readScene(const std::string &file)
-{
-    const std::optional<SceneOrClicks> given = sceneOrClicks(file);
-    if (!given || !sceneInput(*given, file)) // which says what is wrong with clicks
-        return std::nullopt;
-    if (const auto *scene = std::get_if<SceneFile>(&*given))
-        return *scene;
-    return std::get<std::vector<Click>>(*given).front().scene;
-}
-
 std::optional<OpenedScene> openModel(const std::string &file)
 {
     const std::filesystem::path path = pathFromUtf8(file);
@@ -76,7 +65,7 @@ std::optional<OpenedScene> openScene(const std::string &file)
 {
     if (!isMeantAsScene(file))
         return openModel(file);
-    std::optional<SceneFile> scene = readScene(file);
+    std::optional<SceneFile> scene = sceneFile(file);
     if (!scene)
         return std::nullopt;
     OpenedScene opened{{}, std::move(scene), file == "-" ? "stdin" : file};

@@ -99,6 +99,16 @@ std::optional<SceneInput> sceneInput(const std::string &file)
     return given ? sceneInput(*given, file) : std::nullopt;
 }
 
+std::optional<SceneFile> sceneFile(const std::string &file)
+{
+    const std::optional<SceneOrClicks> given = sceneOrClicks(file);
+    if (!given || !sceneInput(*given, file)) // which says what is wrong with clicks
+        return std::nullopt;
+    if (const auto *scene = std::get_if<SceneFile>(&*given))
+        return *scene;
+    return std::get<std::vector<Click>>(*given).front().scene;
+}
+
 const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name)
 {
     std::vector<std::size_t> places;

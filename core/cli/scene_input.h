@@ -34,6 +34,9 @@ SceneInput sceneInput(const SceneFile &scene);
 std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file);
 std::optional<SceneInput> sceneInput(const std::string &file);
 
+/// The same as the scene file that it is.
+std::optional<SceneFile> sceneFile(const std::string &file);
+
 /// The object of a name; where there is none, stderr says which there are, and where there are several, which those are.
 const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name);
 

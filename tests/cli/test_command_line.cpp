@@ -23,7 +23,8 @@ private:
 void TestCommandLine::helpHasExamplesThatWork_data()
 {
     QTest::addColumn<QString>("command");
-    for (const char *command : {"points", "project", "cloud", "compare", "matrices", "scene", "landmarks", "doctor"})
+    for (const char *command :
+         {"points", "project", "cloud", "code", "compare", "matrices", "scene", "landmarks", "doctor"})
         QTest::newRow(command) << command;
 }
 
@@ -81,8 +82,8 @@ void TestCommandLine::helpNamesAllCommandsAndExitCodes()
 {
     const Run run = runCommand({"--help"});
     QCOMPARE(run.exitCode, 0);
-    for (const char *word : {"points", "project", "cloud", "compare", "matrices", "scene", "landmarks", "doctor",
-                             "0 done", "1 some rows bad", "2 unusable input"})
+    for (const char *word : {"points", "project", "cloud", "code", "compare", "matrices", "scene", "landmarks",
+                             "doctor", "0 done", "1 some rows bad", "2 unusable input"})
         QVERIFY2(run.output.contains(word), word);
     QVERIFY(runCommand({"--version"}).output.startsWith("unproject "));
 }
@@ -97,7 +98,7 @@ void TestCommandLine::wordsAreChecked_data()
     row("no command", {}, "A subcommand is required");
     row("no such command", {"pionts", "scene.json"},
         "\"pionts\" is no command; give one of points, pick, project, info, scene, cloud, compare, map, matrices, "
-        "landmarks, doctor\n");
+        "code, landmarks, doctor\n");
     row("an empty word", {""}, "\"\" is no command");
     row("no scene", {"points"}, "SCENE is required");
     row("an empty name", {"points", ""}, "SCENE: give the name of a file");

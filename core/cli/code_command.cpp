@@ -1,0 +1,22 @@
+#include "core/cli/code_command.h"
+
+#include "core/cli/byte_stream.h"
+#include "core/cli/scene_input.h"
+
+#include <optional>
+
+namespace unprojector::cli {
+
+ExitCode runCode(const CodeOptions &options)
+{
+    const std::optional<SceneFile> scene = sceneFile(options.scene);
+    if (!scene || isOverInput(options.output, {options.scene}))
+        return ExitCode::UnusableInput;
+    ByteSink sink(options.output);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    sink.write(scene_code::sceneCode(*scene, options.dialect));
+    return sink.finish();
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,66 @@
+#include "core/scene_code/code_text.h"
+
+#include "core/text/number_text.h"
+
+namespace unprojector::scene_code {
+using namespace text;
+
+std::string literal(double value, NumberStyle style)
+{
+    std::string digits = shortestText(value);
+    if (style == NumberStyle::JavaScript)
+        return digits;
+    if (digits.find_first_of(".e") == std::string::npos)
+        digits += ".0";
+    return style == NumberStyle::Float ? digits + 'f' : digits;
+}
+
+std::string list(std::initializer_list<double> values, NumberStyle style)
+{
+    std::string text;
+    for (const double value : values)
+        text += (text.empty() ? "" : ", ") + literal(value, style);
+    return text;
+}
+
+std::string list(const glm::dvec3 &v, NumberStyle style)
+{
+    return list({v.x, v.y, v.z}, style);
+}
+
+std::string list(const ProjectionWindow &w, NumberStyle style)
+{
+    return list({w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance}, style);
+}
+
+std::string list(const glm::dmat4 &matrix, MatrixOrder order, NumberStyle style, const std::string &indent)
+{
+    const glm::dmat4 lines = order == MatrixOrder::ByColumns ? matrix : glm::transpose(matrix);
+    std::string text;
+    for (int line = 0; line < 4; ++line)
+        text += (line == 0 ? "" : ",\n" + indent)
+                + list({lines[line].x, lines[line].y, lines[line].z, lines[line].w}, style);
+    return text;
+}
+
+std::string windowText(const Surface &surface)
+{
+    return std::to_string(surface.widthPixels) + " x " + std::to_string(surface.heightPixels) + " device pixels";
+}
+
+std::string headerComment(const CodeScene &scene, const std::string &what)
+{
+    const Surface &surface = scene.picture.surface;
+    std::string text = "// " + what + ". Written by Unprojector.\n//\n";
+    text += "// Its window has " + windowText(surface);
+    if (surface.devicePixelRatio != 1.0)
+        text += ", " + shortestText(surface.devicePixelRatio) + " to a logical one: positions of the mouse times that";
+    text += ".\n";
+    if (scene.isWholeWindow && !scene.hasViewportsAspect)
+        text += "// In a window of another shape, the projection's width has to follow, or circles become ellipses.\n";
+    if (!scene.objects.empty())
+        text += "// Models are not in it, only their files' names.\n";
+    return text;
+}
+
+} // namespace unprojector::scene_code

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/scene_code/code_scene.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <initializer_list>
+#include <span>
+#include <string>
+
+namespace unprojector::scene_code {
+
+/// How a language writes its numbers.
+enum class NumberStyle {
+    Double,    ///< C++: 1.0
+    Float,     ///< C++: 1.0f
+    JavaScript ///< 1
+};
+
+/// The fewest digits that read back to the same double.
+std::string literal(double value, NumberStyle style);
+/// "1.0, 2.0, 3.0"
+std::string list(std::initializer_list<double> values, NumberStyle style);
+std::string list(const glm::dvec3 &v, NumberStyle style);
+/// left, right, bottom, top, near, far, as glFrustum and glOrtho take them
+std::string list(const ProjectionWindow &window, NumberStyle style);
+/// Sixteen numbers in four lines: columns as OpenGL stores them, or rows as they are read.
+enum class MatrixOrder { ByColumns, ByRows };
+std::string list(const glm::dmat4 &matrix, MatrixOrder order, NumberStyle style, const std::string &indent);
+
+/// "800 x 600 device pixels"
+std::string windowText(const Surface &surface);
+
+/// The comments that every dialect has on top: the window, what is not in the code.
+std::string headerComment(const CodeScene &scene, const std::string &what);
+
+} // namespace unprojector::scene_code

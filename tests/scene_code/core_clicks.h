@@ -1,0 +1,95 @@
+#pragma once
+
+#include "core/scene_file/scene_file.h"
+
+#include <QString>
+#include <QTest>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+/// What core makes of the scenes whose code is compiled.
+namespace core_clicks {
+using namespace unprojector;
+
+inline scene_file::SceneFile sceneNamed(const char *name)
+{
+    const std::string file = std::string(UNPROJECTOR_SCENES "/") + name + ".json";
+    auto scene = scene_file::readSceneFile(std::filesystem::path(file));
+    if (!scene)
+        qFatal("%s cannot be read", file.c_str());
+    return std::move(scene).value();
+}
+
+struct Click {
+    int i, j;
+    double depth;
+    glm::dvec3 world;
+};
+
+/// A hundred pixels of the viewport with any depths of the depth range, by the formulas; the same in every run.
+inline std::vector<Click> hundredClicks(const scene_file::SceneFile &scene)
+{
+    const geometry::Picture picture = pictureOf(scene);
+    const auto unprojector = unproject::Unprojector::of(picture);
+    if (!unprojector)
+        qFatal("no picture");
+    std::mt19937 engine(7);
+    const auto share = [&engine] { return double(engine()) / 4294967296.0; };
+    std::vector<Click> clicks;
+    while (clicks.size() < 100) {
+        const geometry::Viewport &v = picture.viewport;
+        const geometry::DevicePoint at = deviceFromWindow(
+            picture.surface, geometry::WindowPoint(v.x + share() * v.width, v.y + share() * v.height, 0.0));
+        const geometry::DevicePixel pixel{int(std::floor(at.x)), int(std::floor(at.y))};
+        const double depth =
+            picture.depthRange.atNear + share() * (picture.depthRange.atFar - picture.depthRange.atNear);
+        const auto world = unprojector->worldAt(unproject::Method::Formula,
+                                                windowFromDevice(picture.surface, geometry::pixelCenter(pixel), depth));
+        if (!world)
+            qFatal("no point");
+        clicks.push_back({pixel.i, pixel.j, depth, glm::dvec3(world->x, world->y, world->z)});
+    }
+    return clicks;
+}
+
+/// That every number of a matrix is off by no more than this share of its largest.
+inline void compareMatrices(const glm::dmat4 &found, const glm::dmat4 &expected, double share)
+{
+    double largest = 0.0, off = 0.0;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            largest = std::max(largest, std::abs(expected[column][row]));
+            off = std::max(off, std::abs(found[column][row] - expected[column][row]));
+        }
+    }
+    QVERIFY2(off <= share * largest, qPrintable(QStringLiteral("off by %1 of %2").arg(off).arg(largest)));
+}
+
+using Screen2World = std::function<glm::dvec3(int, int, double)>;
+
+/// That a hundred clicks are as core has them. Every mistake moves points by half a pixel or more: the tolerance must be far less.
+/// @param share  of a point's size and its distance
+inline void compareClicks(const scene_file::SceneFile &scene, const Screen2World &screen2world, double share)
+{
+    for (const Click &click : hundredClicks(scene)) {
+        const glm::dvec3 found = screen2world(click.i, click.j, click.depth);
+        const double tolerance = share * (10.0 + glm::length(click.world));
+        const double pixel = glm::distance(screen2world(click.i + 1, click.j, click.depth), found);
+        QVERIFY2(tolerance < 0.25 * pixel,
+                 qPrintable(QStringLiteral("%1 is no less than a quarter of the pixel, %2").arg(tolerance).arg(pixel)));
+        QVERIFY2(glm::distance(found, click.world) <= tolerance,
+                 qPrintable(QStringLiteral("pixel %1 %2, depth %3: off by %4")
+                                .arg(click.i)
+                                .arg(click.j)
+                                .arg(click.depth)
+                                .arg(glm::distance(found, click.world))));
+    }
+}
+
+} // namespace core_clicks

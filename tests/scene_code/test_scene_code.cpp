@@ -1,0 +1,248 @@
+// The code that is written for a scene, compiled: its matrices and its way back from a pixel are core's.
+
+#include "core/scene_code/scene_code.h"
+#include "tests/scene_code/core_clicks.h"
+
+#include <QMatrix4x4>
+#include <QRegularExpression>
+#include <QSet>
+#include <QVector3D>
+#include <QVector4D>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace frustum_glm {
+#include "frustum_glm.h"
+}
+namespace matrices_glm {
+#include "matrices_glm.h"
+}
+namespace oblique_glm {
+#include "oblique_glm.h"
+}
+namespace off_centre_glm {
+#include "off_centre_glm.h"
+}
+namespace ortho_glm {
+#include "ortho_glm.h"
+}
+namespace perspective_glm {
+#include "perspective_glm.h"
+}
+namespace frustum_qt {
+#include "frustum_qt.h"
+}
+namespace matrices_qt {
+#include "matrices_qt.h"
+}
+namespace oblique_qt {
+#include "oblique_qt.h"
+}
+namespace off_centre_qt {
+#include "off_centre_qt.h"
+}
+namespace ortho_qt {
+#include "ortho_qt.h"
+}
+namespace perspective_qt {
+#include "perspective_qt.h"
+}
+
+using namespace unprojector::scene_code;
+
+namespace {
+
+glm::dmat4 numbers(const glm::dmat4 &m)
+{
+    return m;
+}
+
+glm::dmat4 numbers(const QMatrix4x4 &m)
+{
+    glm::dmat4 result;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            result[column][row] = double(m(row, column));
+    return result;
+}
+
+glm::dvec3 numbers(const glm::dvec3 &v)
+{
+    return v;
+}
+
+glm::dvec3 numbers(const QVector3D &v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+/// A scene's code, compiled.
+struct Compiled {
+    std::string scene;
+    glm::dmat4 clipFromEye, eyeFromWorld;
+    std::vector<glm::dmat4> models;
+    core_clicks::Screen2World screen2world;
+    double share; ///< of a matrix' largest number that rounding may leave
+};
+
+#define COMPILED(scene, dialect, models, share)                                                                        \
+    Compiled                                                                                                           \
+    {                                                                                                                  \
+#scene, numbers(scene##_##dialect::clipFromEye()), numbers(scene##_##dialect::eyeFromWorld()), models,         \
+            [](int i, int j, double depth) { return numbers(scene##_##dialect::screen2world(i, j, depth)); }, share    \
+    }
+
+constexpr double kInDouble = 1e-14, kInFloat = 1e-6;
+
+std::vector<glm::dmat4> modelsInGlm()
+{
+    return {frustum_glm::worldFrom_face(), frustum_glm::worldFrom_2()};
+}
+
+std::vector<glm::dmat4> modelsInQt()
+{
+    return {numbers(frustum_qt::worldFrom_face()), numbers(frustum_qt::worldFrom_2())};
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Compiled)
+
+class TestSceneCode : public QObject {
+    Q_OBJECT
+
+private slots:
+    void matricesAreCores_data() { compiledRows(); }
+    void matricesAreCores();
+    void aHundredPointsAreCores_data() { compiledRows(); }
+    void aHundredPointsAreCores();
+    void numbersKeepAllTheirDigits_data();
+    void numbersKeepAllTheirDigits();
+    void namesStayInTheirComments();
+    void whatADialectCannotSayIsSaid();
+
+private:
+    static void compiledRows();
+};
+
+void TestSceneCode::compiledRows()
+{
+    QTest::addColumn<Compiled>("code");
+    const std::vector<glm::dmat4> none;
+    QTest::newRow("frustum, GLM") << COMPILED(frustum, glm, modelsInGlm(), kInDouble);
+    QTest::newRow("matrices, GLM") << COMPILED(matrices, glm, none, kInDouble);
+    QTest::newRow("oblique, GLM") << COMPILED(oblique, glm, none, kInDouble);
+    QTest::newRow("off-centre, GLM") << COMPILED(off_centre, glm, none, kInDouble);
+    QTest::newRow("ortho, GLM") << COMPILED(ortho, glm, none, kInDouble);
+    QTest::newRow("perspective, GLM") << COMPILED(perspective, glm, none, kInDouble);
+    QTest::newRow("frustum, Qt") << COMPILED(frustum, qt, modelsInQt(), kInFloat);
+    QTest::newRow("matrices, Qt") << COMPILED(matrices, qt, none, kInFloat);
+    QTest::newRow("oblique, Qt") << COMPILED(oblique, qt, none, kInFloat);
+    QTest::newRow("off-centre, Qt") << COMPILED(off_centre, qt, none, kInFloat);
+    QTest::newRow("ortho, Qt") << COMPILED(ortho, qt, none, kInFloat);
+    QTest::newRow("perspective, Qt") << COMPILED(perspective, qt, none, kInFloat);
+}
+
+void TestSceneCode::matricesAreCores()
+{
+    QFETCH(Compiled, code);
+    const SceneFile scene = core_clicks::sceneNamed(code.scene.c_str());
+    const Picture picture = pictureOf(scene);
+    core_clicks::compareMatrices(code.clipFromEye, *clipFromEye(picture), code.share);
+    core_clicks::compareMatrices(code.eyeFromWorld, *eyeFromWorld(picture), code.share);
+    QCOMPARE(code.models.size(), scene.objects.size());
+    for (std::size_t i = 0; i < code.models.size(); ++i)
+        core_clicks::compareMatrices(code.models[i], worldFromObject(scene.objects[i].transform), code.share);
+}
+
+void TestSceneCode::aHundredPointsAreCores()
+{
+    QFETCH(Compiled, code);
+    // The distance of a perspective multiplies what rounding has left in a depth by itself and by 1 / near, up to 20.
+    core_clicks::compareClicks(core_clicks::sceneNamed(code.scene.c_str()), code.screen2world, 20.0 * code.share);
+}
+
+void TestSceneCode::numbersKeepAllTheirDigits_data()
+{
+    QTest::addColumn<CodeDialect>("dialect");
+    QTest::newRow("GLU") << CodeDialect::Glu;
+    QTest::newRow("GLM") << CodeDialect::Glm;
+    QTest::newRow("Qt") << CodeDialect::Qt;
+    QTest::newRow("three.js") << CodeDialect::ThreeJs;
+}
+
+/// The numbers are read out of the text: three.js' is not run.
+void TestSceneCode::numbersKeepAllTheirDigits()
+{
+    QFETCH(CodeDialect, dialect);
+    const double third = 1.0 / 3.0, sum = 0.1 + 0.2;
+    SceneFile scene;
+    scene.projection = Frustum{-sum, 2 * third, -1e-5, 1e-17, 0.7 * third, 4e6 + third};
+    scene.view = LookAt{{4000000.123456789, third, -0.0}, {500000.0, -sum, 1e-7}, {1e-300, 1.0, third}};
+    scene.viewport = Viewport{3.0, 7.0, 640.0, 480.0};
+    scene.depthRange = {third, 2 * third};
+    scene.objects.resize(1);
+    scene.objects[0].transform = {Translate{{1e15, 1e10, 123456.0}}, Rotate{100 * third, {7 * third, 0.0, 1.0}},
+                                  Scale{{-5 * third, 1.0, 2.0}}};
+    scene.clipPlanes = {{8 * third, 1.0, 0.5, -11 * third}};
+    const QString text = QString::fromStdString(sceneCode(scene, dialect));
+
+    QSet<double> found;
+    static const QRegularExpression number(QStringLiteral("-?\\b\\d+(\\.\\d+)?(e[+-]?\\d+)?"));
+    for (auto it = number.globalMatch(text); it.hasNext();)
+        found << it.next().captured(0).toDouble();
+    for (const double value : {-sum,      2 * third,  -1e-5, 1e-17,    0.7 * third, 4e6 + third, 4000000.123456789,
+                               third,     500000.0,   1e-7,  1e-300,   3.0,         7.0,         640.0,
+                               480.0,     1e15,       1e10,  123456.0, 100 * third, 7 * third,   -5 * third,
+                               8 * third, -11 * third})
+        QVERIFY2(found.contains(value), qPrintable(QString::number(value, 'g', 17) + " is not in\n" + text));
+
+    scene.projection = Perspective{radiansFromDegrees(33.3), 1.5, 0.1, 100.0};
+    QVERIFY(sceneCode(scene, dialect).find("33.3") != std::string::npos);
+}
+
+/// Nothing that an object may be called ends the comment that its name stands in, or makes a name of its own invalid.
+void TestSceneCode::namesStayInTheirComments()
+{
+    SceneFile scene;
+    for (const char *name : {"a\nevil1", "a\revil2",
+                             "a\xe2\x80\xa8"
+                             "evil3",
+                             "a\\", "", "_", "a", "A b", "\xe5\xa4\xb4"}) {
+        scene.objects.emplace_back();
+        scene.objects.back().name = name;
+        scene.objects.back().file = "evil.obj";
+    }
+    for (const CodeDialect dialect : {CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt, CodeDialect::ThreeJs}) {
+        QString text = QString::fromStdString(sceneCode(scene, dialect));
+        text.replace(QChar::LineSeparator, QLatin1Char('\n')).replace(QLatin1Char('\r'), QLatin1Char('\n'));
+        for (const QString &line : text.split(QLatin1Char('\n'))) {
+            QVERIFY2(!line.startsWith(QLatin1String("evil")), qPrintable(line));
+            QVERIFY2(!line.endsWith(QLatin1Char('\\')), qPrintable(line));
+        }
+        QVERIFY2(!text.contains(QRegularExpression(QStringLiteral("\\w__\\w*\\("))), qPrintable(text));
+        for (const char *id :
+             {"_a_evil1", "_a_evil2", "_a_evil3", "_a", "_a_2", "_object", "_object_2", "_object_3", "_A_b"})
+            QVERIFY2(text.contains(QRegularExpression(id + QStringLiteral("\\b"))), id);
+    }
+}
+
+void TestSceneCode::whatADialectCannotSayIsSaid()
+{
+    SceneFile scene;
+    scene.viewport = Viewport{0.5, 0.0, 640.0, 480.0};
+    scene.depthRange = {-1.0, 2.0};
+    const std::string glu = sceneCode(scene, CodeDialect::Glu);
+    QVERIFY(glu.find("OpenGL takes whole pixels only") != std::string::npos);
+    QVERIFY(glu.find("OpenGL cuts a depth range") != std::string::npos);
+    scene.view = LookAt{{1e6, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+    QVERIFY(sceneCode(scene, CodeDialect::Qt).find("rounded by up to 0.06") != std::string::npos);
+    scene.projection = MatrixProjection{glm::dmat4(1.0), NdcDepth::ZeroToOne};
+    for (const CodeDialect dialect : {CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt})
+        QVERIFY(sceneCode(scene, dialect).find("glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)") != std::string::npos);
+    QVERIFY(sceneCode(scene, CodeDialect::ThreeJs).find("ZERO_TO_ONE_EXT") != std::string::npos);
+}
+
+QTEST_GUILESS_MAIN(TestSceneCode)
+#include "test_scene_code.moc"
