@@ -99,11 +99,14 @@ std::optional<Axes3> axesOf(glm::dmat3 m)
     return sorted;
 }
 
-std::vector<std::size_t> partnersOf(std::size_t count, std::span<const Pair> pairs)
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+/// Each one's partner, itself in the middle, or kNone: of a sided one that has no partner.
+std::vector<std::size_t> partnersOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
 {
-    std::vector<std::size_t> partners(count);
-    for (std::size_t i = 0; i < count; ++i)
-        partners[i] = i;
+    std::vector<std::size_t> partners(landmarks.size());
+    for (std::size_t i = 0; i < partners.size(); ++i)
+        partners[i] = isSided(landmarks[i].name) ? kNone : i;
     for (const Pair &pair : pairs) {
         partners[pair.left] = pair.right;
         partners[pair.right] = pair.left;
@@ -123,9 +126,9 @@ struct Fit {
 std::optional<Fit> fitOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
 {
     Fit fit;
-    fit.partners = partnersOf(landmarks.size(), pairs);
+    fit.partners = partnersOf(landmarks, pairs);
     const auto counts = [&](std::size_t i) {
-        return !landmarks[i].isMissing() && !landmarks[fit.partners[i]].isMissing();
+        return fit.partners[i] != kNone && !landmarks[i].isMissing() && !landmarks[fit.partners[i]].isMissing();
     };
     const auto place = [&](std::size_t i) { return landmarks[i].world->coordinates(); };
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
@@ -165,6 +168,11 @@ std::optional<Fit> fitOf(std::span<const Landmark> landmarks, std::span<const Pa
 
 } // namespace
 
+bool isSided(const std::string &name)
+{
+    return sidedNameOf(name).side != Side::None;
+}
+
 std::vector<Pair> pairsByName(std::span<const Landmark> landmarks)
 {
     std::map<SidedName, std::vector<std::size_t>> places;
@@ -197,9 +205,11 @@ std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, st
 std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs,
                                                  const MirrorPlane &plane)
 {
-    const std::vector<std::size_t> partners = partnersOf(landmarks.size(), pairs);
+    const std::vector<std::size_t> partners = partnersOf(landmarks, pairs);
     std::vector<std::optional<double>> distances(landmarks.size());
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        if (partners[i] == kNone)
+            continue;
         const Landmark &partner = landmarks[partners[i]];
         if (landmarks[i].world && partner.world)
             distances[i] = distance(plane.mirrored(*landmarks[i].world), *partner.world);
@@ -212,7 +222,7 @@ std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::spa
     const std::optional<Fit> fit = fitOf(landmarks, pairs);
     if (!fit)
         return std::nullopt;
-    Symmetry symmetry{fit->plane, 0.0, {}};
+    Symmetry symmetry{fit->plane, fit->counted, 0.0, {}};
     const std::vector<std::optional<double>> values = asymmetriesOf(landmarks, pairs, fit->plane);
     for (const std::optional<double> &value : values)
         symmetry.asymmetries.push_back(value ? std::optional(Measure{*value, 0.0}) : std::nullopt);

@@ -22,8 +22,11 @@ struct Pair {
 /// beginning or the end, in whatever case ("L_eye", "eye right", "Orbitale-l"). A name that is there twice pairs with none.
 std::vector<Pair> pairsByName(std::span<const Landmark> landmarks);
 
+/// Whether a name is of a left or a right landmark, as pairsByName has it: without a partner it says nothing of the middle.
+bool isSided(const std::string &name);
+
 /// The plane n . p = d that mirrors landmarks best into their partners: least in the sum of the squares of the distances from
-/// each landmark's mirror image to its partner, or to itself where it has none (Mardia, Bookstein, Moreton 2000: object
+/// each landmark's mirror image to its partner, or to itself where it has none and is not sided (Mardia, Bookstein, Moreton 2000: object
 /// symmetry).
 struct MirrorPlane {
     WorldVector normal; ///< length 1, to the right side
@@ -35,7 +38,8 @@ struct MirrorPlane {
 /// @return nothing without a pair of which both are there, or where no plane is better than another
 std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs);
 
-/// How far a landmark's mirror image lies from its partner, or from itself where it has none; nothing where either is missing.
+/// How far a landmark's mirror image lies from its partner, or from itself where it has none; nothing where either is missing, and of
+/// a sided one without a partner.
 /// One a landmark.
 std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs,
                                                  const MirrorPlane &plane);
@@ -46,6 +50,7 @@ std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landm
 ///   dn = sum over the other axes e of e (e . dM n) / (least eigenvalue - that of e)
 struct Symmetry {
     MirrorPlane plane;
+    std::vector<std::size_t> counted;                ///< the landmarks that the plane is made from, rising
     std::optional<double> offsetError;               ///< of the plane's offset
     std::vector<std::optional<Measure>> asymmetries; ///< as asymmetriesOf has them; one a landmark
 };

@@ -72,13 +72,21 @@ QString letGo(std::vector<Landmark> &points, const std::vector<SceneObject> &obj
 {
     /// Of the object's size: what single precision and rounding leave.
     constexpr double kSamePlace = 1e-5;
-    std::size_t unknown = 0, elsewhere = 0;
-    QString firstUnknown, firstElsewhere;
+    std::size_t absent = 0, unknown = 0, elsewhere = 0;
+    QString firstAbsent, firstUnknown, firstElsewhere;
     double farthest = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         Landmark &point = points[i];
         const auto object = std::find_if(objects.begin(), objects.end(),
                                          [&](const SceneObject &each) { return each.name == point.object; });
+        if (!point.object.empty() && object == objects.end()) {
+            if (absent++ == 0)
+                firstAbsent = Texts::tr("“%1” (on “%2”)")
+                                  .arg(ScenePoints::shownNameOf(points, i), QString::fromStdString(point.object));
+            point.object.clear();
+            point.hold = landmarks::Free{};
+            continue;
+        }
         if (!point.world || object == objects.end() || std::holds_alternative<landmarks::Free>(point.hold))
             continue;
         const std::optional<WorldPoint> held = worldOf(point.hold, *object);
@@ -95,6 +103,8 @@ QString letGo(std::vector<Landmark> &points, const std::vector<SceneObject> &obj
         }
     }
     QStringList said;
+    if (absent > 0)
+        said << Texts::tr("Points on an object that is not here: %1, as %2.").arg(absent).arg(firstAbsent);
     if (unknown > 0)
         said << Texts::tr("Points held by what their object does not have: %1, as %2.").arg(unknown).arg(firstUnknown);
     if (elsewhere > 0)

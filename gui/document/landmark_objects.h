@@ -29,7 +29,7 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
 std::optional<landmarks::LandmarkSet> carried(landmarks::LandmarkSet set, const SceneObject &from,
                                               const SceneObject &to);
 
-/// Lets go of landmarks what their objects do not hold: elements that a model does not have, or that are elsewhere than the
+/// Lets go of landmarks what their objects do not hold: objects that are not there, elements that a model does not have, or that are elsewhere than the
 /// landmark, as of another version of the file. They stay where they are, free.
 /// @return how many, and one of them, in sentences; empty where all are where they are held
 QString letGo(std::vector<landmarks::Landmark> &points, const std::vector<SceneObject> &objects);

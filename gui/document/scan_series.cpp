@@ -178,6 +178,22 @@ bool ScanSeries::open(const std::filesystem::path &folder)
     return true;
 }
 
+bool ScanSeries::close()
+{
+    if (!keep())
+        return false;
+    m_folder.clear();
+    m_scans.clear();
+    m_names.clear();
+    m_curves.clear();
+    m_current = m_inView = m_shown = std::nullopt;
+    m_former.reset();
+    m_isOpening = false;
+    m_placing = 1;
+    emit changed();
+    return true;
+}
+
 void ScanSeries::goBack()
 {
     m_folder = std::move(m_former->folder);
@@ -265,11 +281,15 @@ void ScanSeries::takeShown()
             set.curves.push_back(curve);
     }
     const SceneObject inFile = asInItsFile(scan.file, m_object);
-    for (Landmark &point : set.landmarks) { // they are this scan's, and go with it
-        if (point.world && point.object.empty())
-            point.object = inFile.name;
-    }
+    const auto tie = [&] { // they are this scan's, and go with it
+        for (Landmark &point : set.landmarks) {
+            if (point.world && point.object.empty())
+                point.object = inFile.name;
+        }
+    };
+    tie();
     const QString loose = letGo(set.landmarks, {inFile});
+    tie();
     m_kept = set;
     scan.points = set;
     if (std::optional<landmarks::LandmarkSet> placed = carried(set, inFile, m_object))
@@ -454,8 +474,10 @@ std::vector<landmarks::LandmarkSet> ScanSeries::alignedSets() const
     return sets;
 }
 
-std::string ScanSeries::repeatsText(QStringList &problems) const
+std::string ScanSeries::repeatsText(QStringList &problems, QString &said) const
 {
+    std::size_t repeated = 0;
+    int most = 0;
     std::vector<RepeatedSpecimen> specimens;
     for (const Scan &scan : m_scans) {
         RepeatedSpecimen &specimen = specimens.emplace_back();
@@ -464,6 +486,7 @@ std::string ScanSeries::repeatsText(QStringList &problems) const
         for (int placing = 1; placing <= kMostPlacings; ++placing) {
             if (!std::filesystem::exists(landmarksBeside(scan.file, placing), error))
                 continue; // an observer who has not come so far
+            most = std::max(most, placing);
             Scan placed{scan.file, {}, {}};
             readKept(placed, placing);
             if (placed.isDamaged)
@@ -471,7 +494,13 @@ std::string ScanSeries::repeatsText(QStringList &problems) const
             else
                 specimen.placings.push_back(std::move(placed.points));
         }
+        if (specimen.placings.size() > 1)
+            ++repeated;
     }
+    said = repeated > 0
+               ? tr("Scans that were placed more than once: %1; placings up to number %2.").arg(repeated).arg(most)
+               : tr("No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the "
+                    "scans again.");
     return repeatsTable(specimens);
 }
 
@@ -495,13 +524,14 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
         return false;
     }
     QStringList problems = table == Table::Repeats ? QStringList() : leftOut();
+    QString ofRepeats;
     const auto textOf = [&]() -> Result<WrittenLandmarks, LandmarkFileError> {
         switch (table) {
         case Table::Long: return landmarksText(sets, Format::Csv);
         case Table::Wide: return wideTable(sets);
         case Table::Tps: return landmarksText(sets, Format::Tps);
         case Table::Nts: return landmarksText(sets, Format::Nts);
-        case Table::Repeats: return WrittenLandmarks{repeatsText(problems), {}};
+        case Table::Repeats: return WrittenLandmarks{repeatsText(problems, ofRepeats), {}};
         }
         return WrittenLandmarks{};
     };
@@ -523,13 +553,16 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
         problems << lost;
     if (!problems.isEmpty())
         emit warned(problems.join(u'\n'));
+    if (table == Table::Repeats) {
+        emit noticed(tr("Repeats written to %1.").arg(pathText(file.filename())) + u' ' + ofRepeats);
+        return true;
+    }
     const std::size_t without = m_scans.size() - sets.size();
-    emit noticed(without > 0 && table != Table::Repeats
-                     ? tr("Scans written to %1: %2. Not in it, without a point: %3.")
-                           .arg(pathText(file.filename()))
-                           .arg(sets.size())
-                           .arg(without)
-                     : tr("Scans written to %1: %2.").arg(pathText(file.filename())).arg(sets.size()));
+    emit noticed(without > 0 ? tr("Scans written to %1: %2. Not in it, without a point: %3.")
+                                   .arg(pathText(file.filename()))
+                                   .arg(sets.size())
+                                   .arg(without)
+                             : tr("Scans written to %1: %2.").arg(pathText(file.filename())).arg(sets.size()));
     return true;
 }
 

@@ -54,11 +54,16 @@ public:
     /// rather not leave the scene that is shown for it, the series before stays.
     /// @return false without any model file, after `failed`
     bool open(const std::filesystem::path &folder);
+    /// Keeps the points and forgets the series; what is shown stays.
+    /// @return false after `failed`
+    bool close();
     bool isOpen() const { return !m_scans.empty(); }
     const std::filesystem::path &folder() const { return m_folder; }
     const std::vector<Scan> &scans() const { return m_scans; }
     /// The scan that is shown, or that could not be; nothing while another scene is.
     std::optional<std::size_t> current() const { return m_current; }
+    bool hasNext() const { return isOpen() && (!m_current || *m_current + 1 < m_scans.size()); }
+    bool hasPrevious() const { return isOpen() && m_current != std::size_t(0); }
     /// The names of all points of all scans, in the order in which they first appear.
     QStringList pointNames() const;
 
@@ -103,7 +108,8 @@ private:
     bool isScanAlone() const;
     std::vector<landmarks::LandmarkSet> alignedSets() const;
     /// @param problems  what could not be read
-    std::string repeatsText(QStringList &problems) const;
+    /// @param said      of what it is made
+    std::string repeatsText(QStringList &problems, QString &said) const;
     /// What a table lacks.
     QStringList leftOut() const;
 

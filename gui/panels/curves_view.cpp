@@ -52,6 +52,22 @@ class CurveRows : public QTreeWidget {
 public:
     using QTreeWidget::QTreeWidget;
 
+    /// What is being typed; the editor is closed.
+    struct Typed {
+        int row = 0, column = 0;
+        QString text;
+    };
+    std::optional<Typed> takeTyped()
+    {
+        auto *editor = state() == EditingState ? viewport()->findChild<QLineEdit *>() : nullptr;
+        if (!editor)
+            return std::nullopt;
+        const QModelIndex index = indexAt(editor->geometry().center());
+        const Typed typed{index.row(), index.column(), editor->text()};
+        closeEditor(editor, QAbstractItemDelegate::NoHint);
+        return index.isValid() ? std::optional(typed) : std::nullopt;
+    }
+
 protected:
     bool event(QEvent *event) override
     {
@@ -140,6 +156,7 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
         else if (changes & (Change::Objects | Change::Placement | Change::Curves))
             showLengths();
         m_join->setEnabled(m_document.points().selection().size() >= 2);
+        fitHeight();
         setVisible(!m_reason->isHidden() || !m_document.curves().all().empty());
     });
     m_join->setEnabled(false);
@@ -152,14 +169,24 @@ void CurvesView::join(landmarks::CurveKind kind)
 {
     const QString reason = m_document.curves().join(m_document.points().selection(), kind);
     say(reason.isEmpty() ? QString() : tr("No curve: %1.").arg(reason));
-    if (reason.isEmpty()) // its number of semilandmarks is what is typed next
-        m_rows->setCurrentItem(m_rows->topLevelItem(m_rows->topLevelItemCount() - 1), Count);
+    if (!reason.isEmpty())
+        return;
+    // Its number of semilandmarks is what is typed next: elsewhere digits turn the camera.
+    m_rows->setCurrentItem(m_rows->topLevelItem(m_rows->topLevelItemCount() - 1), Count);
+    m_rows->setFocus(Qt::ShortcutFocusReason);
+}
+
+void CurvesView::applyTyped()
+{
+    if (const auto typed = static_cast<CurveRows *>(m_rows)->takeTyped())
+        apply(typed->row, typed->column, typed->text);
 }
 
 void CurvesView::say(const QString &reason)
 {
     m_reason->setText(reason);
     m_reason->setVisible(!reason.isEmpty());
+    fitHeight();
     setVisible(!reason.isEmpty() || !m_document.curves().all().empty());
 }
 
@@ -215,6 +242,19 @@ void CurvesView::showRows()
     if (current >= 0 && current < m_rows->topLevelItemCount())
         m_rows->setCurrentItem(m_rows->topLevelItem(current));
     showLengths();
+    fitHeight();
+}
+
+void CurvesView::fitHeight()
+{
+    const int row = m_rows->sizeHintForRow(0);
+    if (row <= 0)
+        return;
+    const int bar = m_rows->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff ? 0 : m_rows->frameWidth();
+    const int height =
+        m_rows->header()->sizeHint().height() + 2 * m_rows->frameWidth() + bar + m_rows->topLevelItemCount() * row;
+    m_rows->setMaximumHeight(height);
+    setMaximumHeight(m_reason->isHidden() ? height : QWIDGETSIZE_MAX);
 }
 
 void CurvesView::showLengths()

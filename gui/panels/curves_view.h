@@ -25,7 +25,9 @@ public:
 
     /// Joins the points that are selected; to be put where these are listed.
     QToolButton *joinButton() const { return m_join; }
-    /// Joins the points that are selected, or says why not.
+    /// What is being typed counts, as if Enter were pressed.
+    void applyTyped();
+    /// Joins the points that are selected, or says why not. Digits that are typed next are its number of semilandmarks.
     void join(landmarks::CurveKind kind);
 
 signals:
@@ -42,6 +44,8 @@ private:
     void say(const QString &reason);
     void showRows();
     void showLengths();
+    /// The list takes no more room than its rows need.
+    void fitHeight();
     void apply(int row, int column, const QVariant &typed);
     void showMenu(const QPoint &place);
     void removeCurrent();

@@ -119,32 +119,87 @@ MeasureRow surfaceLengthOf(const LandmarkSet &set, const std::vector<std::size_t
     return row;
 }
 
-std::vector<MeasureRow> sidesOf(const LandmarkSet &set)
+namespace {
+
+QString listOf(const LandmarkSet &set, const std::vector<std::size_t> &places)
 {
+    QStringList names;
+    for (const std::size_t place : places)
+        names << nameOf(set, place);
+    return names.join(Measures::tr(", ", "between names"));
+}
+
+/// Which points a mirror plane is made from, and which of them leave its errors open.
+std::vector<MeasureRow> madeFrom(const LandmarkSet &set, const std::vector<landmarks::Pair> &pairs,
+                                 const std::vector<std::size_t> &counted)
+{
+    std::vector<bool> isPaired(set.landmarks.size(), false);
+    for (const landmarks::Pair &pair : pairs)
+        isPaired[pair.left] = isPaired[pair.right] = true;
+    std::vector<std::size_t> middle, open;
+    std::size_t paired = 0;
+    for (const std::size_t place : counted) {
+        if (isPaired[place])
+            ++paired;
+        else
+            middle.push_back(place);
+        if (!set.landmarks[place].uncertainty)
+            open.push_back(place);
+    }
+    const QString from = middle.empty() ? Measures::tr("pairs: %1").arg(paired / 2)
+                                        : Measures::tr("pairs: %1; taken to be in the middle: %2")
+                                              .arg(QString::number(paired / 2), listOf(set, middle));
+    std::vector<MeasureRow> rows{{Measures::tr("Made from"), from, {}}};
+    if (!open.empty())
+        rows.push_back({Measures::tr("Without ±"), listOf(set, open), Measures::tr("leave the errors open")});
+    return rows;
+}
+
+} // namespace
+
+std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
+{
+    LandmarkSet set = whole;
+    for (Landmark &point : set.landmarks) { // what is hidden is not to be measured
+        if (point.isHidden)
+            point.world.reset();
+    }
     const std::vector<landmarks::Pair> pairs = landmarks::pairsByName(set.landmarks);
     if (pairs.empty())
         return {};
+    const auto whyNot = [&](std::size_t place) {
+        return whole.landmarks[place].isMissing() ? Measures::tr("%1 is not placed").arg(nameOf(set, place))
+                                                  : Measures::tr("%1 is hidden").arg(nameOf(set, place));
+    };
     const std::optional<landmarks::Symmetry> symmetry = landmarks::symmetryOf(set.landmarks, pairs);
-    if (!symmetry)
-        return {{Measures::tr("Mirror plane"),
-                 {},
-                 Measures::tr("none is better than another yet; place more left and right points")}};
-    const landmarks::MirrorPlane *plane = &symmetry->plane;
-    constexpr int kDigits = 5;
+    std::vector<MeasureRow> rows;
     const QString unit = QString::fromStdString(set.unit);
-    std::vector<MeasureRow> rows{
-        {Measures::tr("Mirror plane"),
-         Measures::tr("normal (%1, %2, %3)")
-             .arg(writtenText(plane->normal.x, kDigits), writtenText(plane->normal.y, kDigits),
-                  writtenText(plane->normal.z, kDigits)),
-         Measures::tr("offset %1").arg(lengthText({plane->offset, symmetry->offsetError}, unit)), plane->offset,
-         symmetry->offsetError}};
-    const auto add = [&](const QString &kind, const QString &points, std::size_t place) {
-        MeasureRow row{kind, points, Measures::tr("missing")};
-        if (const std::optional<landmarks::Measure> &off = symmetry->asymmetries[place]) {
-            row.number = off->value;
-            row.error = off->error;
-            row.value = lengthText(*off, unit);
+    if (symmetry) {
+        const landmarks::MirrorPlane *plane = &symmetry->plane;
+        constexpr int kDigits = 5;
+        rows.push_back({Measures::tr("Mirror plane"),
+                        Measures::tr("normal (%1, %2, %3)")
+                            .arg(writtenText(plane->normal.x, kDigits), writtenText(plane->normal.y, kDigits),
+                                 writtenText(plane->normal.z, kDigits)),
+                        Measures::tr("offset %1").arg(lengthText({plane->offset, symmetry->offsetError}, unit)),
+                        plane->offset, symmetry->offsetError});
+        for (MeasureRow &row : madeFrom(set, pairs, symmetry->counted))
+            rows.push_back(std::move(row));
+    } else {
+        rows.push_back({Measures::tr("Mirror plane"),
+                        {},
+                        Measures::tr("none is better than another yet; place more left and right points")});
+    }
+    const auto add = [&](const QString &kind, const QString &points, std::size_t place, std::size_t partner) {
+        MeasureRow row{kind, points, {}};
+        if (set.landmarks[place].isMissing() || set.landmarks[partner].isMissing()) {
+            row.value = whyNot(set.landmarks[place].isMissing() ? place : partner);
+        } else if (symmetry && symmetry->asymmetries[place]) {
+            row.number = symmetry->asymmetries[place]->value;
+            row.error = symmetry->asymmetries[place]->error;
+            row.value = lengthText(*symmetry->asymmetries[place], unit);
+        } else {
+            return;
         }
         rows.push_back(std::move(row));
     };
@@ -152,11 +207,15 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &set)
     for (const landmarks::Pair &pair : pairs) {
         isPaired[pair.left] = isPaired[pair.right] = true;
         add(Measures::tr("Asymmetry"), QStringLiteral("%1 ↔ %2").arg(nameOf(set, pair.left), nameOf(set, pair.right)),
-            pair.left);
+            pair.left, pair.right);
     }
     for (std::size_t i = 0; i < isPaired.size(); ++i) {
-        if (!isPaired[i] && set.landmarks[i].world)
-            add(Measures::tr("Off the middle"), nameOf(set, i), i); // of itself and its image
+        if (isPaired[i] || whole.landmarks[i].isMissing()) // names that wait are listed above
+            continue;
+        if (landmarks::isSided(set.landmarks[i].name))
+            rows.push_back({Measures::tr("Left out"), nameOf(set, i), Measures::tr("no partner on the other side")});
+        else
+            add(Measures::tr("Off the middle"), nameOf(set, i), i, i); // of itself and its image
     }
     return rows;
 }

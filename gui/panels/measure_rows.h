@@ -34,8 +34,9 @@ MeasureRow surfaceLengthOf(const landmarks::LandmarkSet &set, const std::vector<
 /// Of a curve, "12.34 ± 0.05 mm", or why there is none.
 QString curveLengthText(const SceneCurves::Line &line, const QString &unit);
 
-/// The plane that mirrors left points best into right ones, and how far each pair, and each point without a partner, is from
-/// its own mirror image. Empty without a pair.
+/// The plane that mirrors left points best into right ones, which points it is made from and which of them have no ±; how far each
+/// pair, and each point of the middle, is from its own mirror image, or why it is left out: hidden ones are, and sided ones without a
+/// partner. Empty without a pair.
 std::vector<MeasureRow> sidesOf(const landmarks::LandmarkSet &set);
 
 /// The rows as a table: kind, points, value and error with all their digits, unit.

@@ -119,6 +119,7 @@ void MeasuresView::showRows()
 {
     const bool isSides = m_what->choice() == OfSides;
     const QSignalBlocker blocker(m_rows);
+    constexpr int kPlaneRows = 2; // the plane, and what it is made from
     m_listed = rows();
     m_rows->clear();
     for (const MeasureRow &row : m_listed) {
@@ -133,6 +134,11 @@ void MeasuresView::showRows()
                     "rounding for these. Which way around a hole or a hill it goes, is that of the shortest of the "
                     "ways over "
                     "places on the edges.");
+        if (isSides && m_rows->topLevelItemCount() <= kPlaneRows)
+            tip += QStringLiteral(". ")
+                   + tr("A point whose name says neither left nor right is taken to be in the middle. One that is "
+                        "hidden is left "
+                        "out.");
         for (int column = 0; column < 3; ++column)
             item->setToolTip(column, plainToolTip(tip));
     }

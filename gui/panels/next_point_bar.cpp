@@ -19,13 +19,14 @@ namespace unprojector::gui {
 
 NextPointBar::NextPointBar(SceneDocument &document, Hint hint, Picture picture, QWidget *parent)
     : QWidget(parent), m_document(document), m_hint(std::move(hint)), m_picture(std::move(picture)), m_name(new QLabel),
-      m_where(new QLabel), m_drawing(new QLabel), m_count(new QLabel), m_skip(new QToolButton)
+      m_how(new QLabel), m_where(new QLabel), m_drawing(new QLabel), m_count(new QLabel), m_skip(new QToolButton)
 {
-    for (QLabel *label : {m_name, m_where, m_drawing, m_count}) {
+    for (QLabel *label : {m_name, m_how, m_where, m_drawing, m_count}) {
         label->setTextFormat(Qt::PlainText); // names come from files
         label->setWordWrap(label != m_count);
     }
     m_name->setAccessibleName(tr("The point that is placed next"));
+    m_how->setAccessibleName(tr("How it is placed"));
     m_where->setAccessibleName(tr("Where that is"));
     m_drawing->setAccessibleName(tr("The template's picture of it"));
     m_drawing->hide();
@@ -48,12 +49,18 @@ NextPointBar::NextPointBar(SceneDocument &document, Hint hint, Picture picture, 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(line);
+    layout->addWidget(m_how);
     auto *place = new QHBoxLayout;
     place->addWidget(m_where, 1, Qt::AlignTop);
     place->addWidget(m_drawing, 0, Qt::AlignTop);
     layout->addLayout(place);
     useFonts();
     refresh();
+}
+
+void NextPointBar::setPlacing(bool isPlacing)
+{
+    m_how->setText(isPlacing ? tr("Click where it is.") : tr("Press P, then click where it is."));
 }
 
 void NextPointBar::useFonts()

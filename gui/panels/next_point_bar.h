@@ -24,6 +24,8 @@ public:
 
     NextPointBar(SceneDocument &document, Hint hint, Picture picture, QWidget *parent = nullptr);
 
+    /// Whether a click in the view places it; else it is said how.
+    void setPlacing(bool isPlacing);
     /// Shows what waits now; to be called where hints have changed.
     void refresh();
 
@@ -39,6 +41,7 @@ private:
     Picture m_picture;
     std::filesystem::path m_shownPicture;
     QLabel *m_name;
+    QLabel *m_how;
     QLabel *m_where;
     QLabel *m_drawing;
     QLabel *m_count;

@@ -138,6 +138,7 @@ QSize PointsPanel::minimumSizeHint() const
 
 void PointsPanel::setPlacing(bool isPlacing)
 {
+    m_next->setPlacing(isPlacing);
     m_empty->setText(isPlacing
                          ? tr("No points yet. Click where one is to be; or choose a template, and its points are "
                               "placed one after the other.")
@@ -153,6 +154,7 @@ void PointsPanel::join(landmarks::CurveKind kind)
 void PointsPanel::applyTyped()
 {
     m_table->applyTyped();
+    m_curves->applyTyped();
 }
 
 void PointsPanel::updateButtons()
@@ -176,6 +178,7 @@ void PointsPanel::fillTemplateMenu()
             m_templates.choose(bundled.points);
             fillFromTemplate(m_document, bundled.points, bundled.name);
             m_next->refresh();
+            beginPlacing();
         });
         action->setToolTip(bundled.source);
     }
@@ -199,6 +202,7 @@ void PointsPanel::fillTemplateMenu()
             all[i] = i;
         static_cast<void>(m_document.points().setMissing(all));
         m_document.points().waitForNext(std::nullopt);
+        beginPlacing();
     });
     again->setToolTip(tr("The names stay, and every point is placed anew"));
     m_template->setMenu(menu);
@@ -225,6 +229,13 @@ void PointsPanel::takeTemplate(const std::filesystem::path &file)
     m_templates.choose(points, file.parent_path());
     fillFromTemplate(m_document, points, pathText(file.stem()));
     m_next->refresh();
+    beginPlacing();
+}
+
+void PointsPanel::beginPlacing()
+{
+    if (m_document.points().waiting())
+        emit placingRequested();
 }
 
 void PointsPanel::saveTemplate()

@@ -41,6 +41,8 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
+    /// There are names to place now: the next click in the view is to place the first.
+    void placingRequested();
     /// What went wrong, or was lost, in words.
     void warned(const QString &text);
 
@@ -51,6 +53,7 @@ private:
     /// Gives the points half of the height, or two thirds of it, as long as the user has not parted it otherwise.
     void partHeight();
     void fillTemplateMenu();
+    void beginPlacing();
     void loadTemplate();
     void saveTemplate();
     void removeSelected();

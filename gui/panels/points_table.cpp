@@ -13,6 +13,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QScopedValueRollback>
+#include <QScrollBar>
 #include <QSortFilterProxyModel>
 
 #include <algorithm>
@@ -110,9 +111,9 @@ void PointsTable::fitColumns()
     };
     const QScopedValueRollback<bool> fitting(m_isFitting, true);
     m_ownWidths.clear();
-    // As far as ± without scrolling in a panel of the usual width: with the names' beginnings, which differ.
+    // As far as ± without scrolling in a panel of the usual width.
     fit(PointsModel::Number, 3);
-    fit(PointsModel::Name, 12);
+    fit(PointsModel::Name, 18);
     for (const int column : {PointsModel::X, PointsModel::Y, PointsModel::Z})
         fit(column, PointsModel::kCoordinateRoom);
     fit(PointsModel::PlusMinus, 8);
@@ -124,7 +125,7 @@ void PointsTable::fitColumns()
 
 QSize PointsTable::sizeHint() const
 {
-    int width = 2 * frameWidth();
+    int width = 2 * frameWidth() + verticalScrollBar()->sizeHint().width(); // which comes with many points
     for (int column = 0; column <= PointsModel::PlusMinus; ++column)
         width += header()->sectionSize(column);
     return {width, QTreeView::sizeHint().height()};

@@ -24,7 +24,7 @@ namespace unprojector::gui {
 SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     : QWidget(parent), m_series(series), m_model(new SeriesModel(series, this)), m_scans(new QTreeView),
       m_folder(new ElidedLabel), m_open(new QToolButton), m_previous(new QToolButton), m_next(new QToolButton),
-      m_export(new QToolButton), m_placing(new QSpinBox)
+      m_export(new QToolButton), m_repeats(new QToolButton), m_placing(new QSpinBox)
 {
     m_scans->setModel(m_model);
     m_scans->setAccessibleName(tr("Scans of the series"));
@@ -45,6 +45,8 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     set(m_previous, tr("Previous"), tr("Keep the points and show the scan before (Ctrl+PgUp)"));
     set(m_next, tr("Next"), tr("Keep the points and show the next scan (Ctrl+PgDown)"));
     set(m_export, tr("Export…"), tr("Write the points of all scans to one table"));
+    set(m_repeats, tr("Repeats…"), tr("Write the mean of each point's placings, and how far they scatter, to a table"));
+    connect(m_repeats, &QToolButton::clicked, this, &SeriesPanel::exportRepeats);
     connect(m_open, &QToolButton::clicked, this, &SeriesPanel::chooseFolder);
     connect(m_previous, &QToolButton::clicked, &m_series, &ScanSeries::previous);
     connect(m_next, &QToolButton::clicked, &m_series, &ScanSeries::next);
@@ -66,7 +68,7 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     first->addWidget(placing);
     first->addWidget(m_placing);
     auto *buttons = new QHBoxLayout;
-    for (QToolButton *button : {m_previous, m_next, m_export})
+    for (QToolButton *button : {m_previous, m_next, m_export, m_repeats})
         buttons->addWidget(button);
     buttons->addStretch();
     auto *layout = new QVBoxLayout(this);
@@ -89,9 +91,10 @@ void SeriesPanel::refresh()
     const bool isOpen = m_series.isOpen();
     m_folder->setFullText(isOpen ? pathText(m_series.folder()) : tr("No series is open"));
     const std::optional<std::size_t> current = m_series.current();
-    m_previous->setEnabled(isOpen && current != std::size_t(0));
-    m_next->setEnabled(isOpen && (!current || *current + 1 < m_series.scans().size()));
+    m_previous->setEnabled(m_series.hasPrevious());
+    m_next->setEnabled(m_series.hasNext());
     m_export->setEnabled(isOpen);
+    m_repeats->setEnabled(isOpen);
     m_placing->setEnabled(isOpen);
     const QSignalBlocker blocker(m_placing);
     m_placing->setValue(m_series.placing());
@@ -99,28 +102,34 @@ void SeriesPanel::refresh()
         m_scans->scrollTo(m_model->index(static_cast<int>(*current), SeriesModel::Scan));
 }
 
-void SeriesPanel::chooseFolder()
+bool SeriesPanel::chooseFolder()
 {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a Series of Scans"));
-    if (!folder.isEmpty())
-        m_series.open(std::filesystem::path(folder.toStdU16String()));
+    return !folder.isEmpty() && m_series.open(std::filesystem::path(folder.toStdU16String()));
 }
 
 void SeriesPanel::exportTable()
 {
     using Table = ScanSeries::Table;
-    const std::array<std::pair<Table, QString>, 5> kinds{
+    const std::array<std::pair<Table, QString>, 4> kinds{
         {{Table::Wide, tr("A row a scan (%1)").arg(QStringLiteral("*.csv"))},
          {Table::Long, tr("A row a point (%1)").arg(QStringLiteral("*.csv"))},
          {Table::Tps, tr("TPS of geomorph and tpsDig (%1)").arg(QStringLiteral("*.tps"))},
-         {Table::Nts, tr("NTSYS (%1)").arg(QStringLiteral("*.nts"))},
-         {Table::Repeats, tr("Repeats: mean and error of all placings (%1)").arg(QStringLiteral("*.csv"))}}};
+         {Table::Nts, tr("NTSYS (%1)").arg(QStringLiteral("*.nts"))}}};
     QStringList filters;
     for (const auto &[table, filter] : kinds)
         filters << filter;
     const SaveName named = askSaveName(*this, tr("Export Points of All Scans"), filters);
     if (!named.file.empty())
         m_series.exportTable(named.file, kinds[static_cast<std::size_t>(named.filter)].first);
+}
+
+void SeriesPanel::exportRepeats()
+{
+    const SaveName named = askSaveName(*this, tr("Repeats: Mean and Error of All Placings"),
+                                       {tr("Table (%1)").arg(QStringLiteral("*.csv"))});
+    if (!named.file.empty())
+        m_series.exportTable(named.file, ScanSeries::Table::Repeats);
 }
 
 } // namespace unprojector::gui

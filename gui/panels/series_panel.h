@@ -20,7 +20,10 @@ public:
     explicit SeriesPanel(ScanSeries &series, QWidget *parent = nullptr);
 
     /// Asks for the folder of a series.
-    void chooseFolder();
+    /// @return whether there is another series now
+    bool chooseFolder();
+    /// Asks for a file for the repeats of all placings.
+    void exportRepeats();
 
     QSize minimumSizeHint() const override;
 
@@ -36,6 +39,7 @@ private:
     QToolButton *m_previous;
     QToolButton *m_next;
     QToolButton *m_export;
+    QToolButton *m_repeats;
     QSpinBox *m_placing;
 };
 

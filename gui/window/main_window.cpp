@@ -174,6 +174,8 @@ void MainWindow::createView()
         bar->raise();
     connect(m_view, &SceneView::placingChanged, m_placingAction, &QAction::setChecked);
     connect(m_view, &SceneView::placingChanged, m_pointsPanel, &PointsPanel::setPlacing);
+    connect(m_pointsPanel, &PointsPanel::placingRequested, m_placingAction,
+            [this] { m_placingAction->setChecked(true); });
     connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
     connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
     connect(m_view, &SceneView::pointerLeft, this, [this] {

@@ -26,6 +26,7 @@
 #include "gui/window/work_places.h"
 
 #include <QActionGroup>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QMenuBar>
@@ -135,13 +136,28 @@ void MainWindow::createPointActions(QMenu &menu)
               [this] { exportPoints(); });
     QMenu *series = menu.addMenu(tr("Series of S&cans"));
     addAction(series, tr("&Open Folder…"), {}, tr("Open a folder of scans, to place the same points on each"), [this] {
-        m_places->show("series");
-        m_seriesPanel->chooseFolder();
+        if (m_seriesPanel->chooseFolder())
+            m_places->show("series");
     });
-    addAction(series, tr("&Next Scan"), Qt::CTRL | Qt::Key_PageDown, tr("Keep the points and show the next scan"),
-              [this] { m_series->next(); });
-    addAction(series, tr("&Previous Scan"), Qt::CTRL | Qt::Key_PageUp, tr("Keep the points and show the scan before"),
-              [this] { m_series->previous(); });
+    QAction *next = addAction(series, tr("&Next Scan"), Qt::CTRL | Qt::Key_PageDown,
+                              tr("Keep the points and show the next scan"), [this] { m_series->next(); });
+    QAction *previous = addAction(series, tr("&Previous Scan"), Qt::CTRL | Qt::Key_PageUp,
+                                  tr("Keep the points and show the scan before"), [this] { m_series->previous(); });
+    QAction *repeats = addAction(series, tr("&Repeats…"), {},
+                                 tr("Write the mean of each point's placings, and how far they scatter, to a table"),
+                                 [this] { m_seriesPanel->exportRepeats(); });
+    QAction *close = addAction(series, tr("&Close Series"), {}, tr("Keep the points and leave the series"), [this] {
+        if (m_series->close())
+            m_places->dock("series")->hide();
+    });
+    const auto enable = [this, next, previous, repeats, close] {
+        next->setEnabled(m_series->hasNext());
+        previous->setEnabled(m_series->hasPrevious());
+        repeats->setEnabled(m_series->isOpen());
+        close->setEnabled(m_series->isOpen());
+    };
+    connect(m_series, &ScanSeries::changed, this, enable);
+    enable();
 }
 
 void MainWindow::importPoints()

@@ -8,11 +8,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStyle>
 #include <QTimer>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -23,9 +25,11 @@ void makeOverlay(QFrame *frame, const char *background, const char *border)
 {
     frame->setObjectName(QStringLiteral("overlay"));
     frame->setAttribute(Qt::WA_StyledBackground);
-    frame->setStyleSheet(QStringLiteral("#overlay { background: %1; border: 1px solid %2; border-radius: 4px; } "
-                                        "#overlay QLabel { color: #2b2b2b; }")
-                             .arg(QLatin1String(background), QLatin1String(border)));
+    frame->setStyleSheet(
+        QStringLiteral("#overlay { background: %1; border: 1px solid %2; border-radius: 4px; } "
+                       "#overlay QLabel, #overlay QPlainTextEdit, #overlay QToolButton { color: #2b2b2b; } "
+                       "#overlay QPlainTextEdit { background: transparent; border: none; }")
+            .arg(QLatin1String(background), QLatin1String(border)));
     frame->hide();
 }
 
@@ -36,7 +40,8 @@ QString dateText(const QDateTime &time)
 
 } // namespace
 
-MessageBar::MessageBar(QWidget *parent) : QFrame(parent), m_text(new QLabel), m_close(new QToolButton)
+MessageBar::MessageBar(QWidget *parent)
+    : QFrame(parent), m_text(new QLabel), m_all(new QPlainTextEdit), m_more(new QToolButton), m_close(new QToolButton)
 {
     makeOverlay(this, "#fdeeda", "#d9a35b");
     m_text->setWordWrap(true);
@@ -49,21 +54,44 @@ MessageBar::MessageBar(QWidget *parent) : QFrame(parent), m_text(new QLabel), m_
     m_close->setAccessibleName(tr("Close this message"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 6, 6, 6);
-    layout->addWidget(m_text, 1);
+    m_all->setReadOnly(true);
+    m_all->setAccessibleName(tr("The whole message"));
+    constexpr int kLines = 10;
+    m_all->setFixedHeight(kLines * fontMetrics().lineSpacing());
+    m_more->setAutoRaise(true);
+    m_more->setCheckable(true);
+    m_more->setFocusPolicy(Qt::StrongFocus);
+    connect(m_more, &QToolButton::toggled, this, &MessageBar::unfold);
+    auto *texts = new QVBoxLayout;
+    texts->addWidget(m_text);
+    texts->addWidget(m_all);
+    texts->addWidget(m_more, 0, Qt::AlignLeft);
+    layout->addLayout(texts, 1);
     layout->addWidget(m_close, 0, Qt::AlignTop);
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
 }
 
 void MessageBar::showMessage(const QString &text)
 {
-    m_text->setText(text);
+    m_full = text;
+    m_all->setPlainText(text);
+    m_more->setChecked(false);
+    unfold(false);
     show();
     raise();
 }
 
-QString MessageBar::text() const
+void MessageBar::unfold(bool isUnfolded)
 {
-    return m_text->text();
+    constexpr qsizetype kFolded = 3;
+    const QStringList lines = m_full.split(u'\n');
+    const bool isLong = lines.size() > kFolded + 1; // one line more takes no more room than the word for it
+    m_text->setText(isLong ? lines.mid(0, kFolded).join(u'\n') : m_full);
+    m_text->setVisible(!isUnfolded);
+    m_all->setVisible(isUnfolded);
+    m_more->setVisible(isLong);
+    m_more->setText(isUnfolded ? tr("Show less") : tr("Show all %1 lines").arg(lines.size()));
+    m_more->setToolTip(m_more->text());
 }
 
 RecoveryBar::RecoveryBar(QWidget *parent) : QFrame(parent), m_text(new QLabel), m_choice(new QComboBox)

@@ -6,6 +6,7 @@
 
 class QComboBox;
 class QLabel;
+class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QTimer;
@@ -15,16 +16,23 @@ namespace unprojector::gui {
 
 struct RecoveryInfo;
 
-/// A message over the top of the view that stays until it is closed: it tells what went wrong and stops nothing.
+/// A message over the top of the view that stays until it is closed: it tells what went wrong and stops nothing. Of many lines it
+/// shows the first, so that the view stays in sight, and the rest when it is asked for.
 class MessageBar : public QFrame {
     Q_OBJECT
 public:
     explicit MessageBar(QWidget *parent = nullptr);
     void showMessage(const QString &text);
-    QString text() const;
+    /// All of it.
+    QString text() const { return m_full; }
 
 private:
+    void unfold(bool isUnfolded);
+
+    QString m_full;
     QLabel *m_text;
+    QPlainTextEdit *m_all; ///< scrolls, once somebody asks for all lines
+    QToolButton *m_more;
     QToolButton *m_close;
 };
 

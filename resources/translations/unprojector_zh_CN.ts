@@ -1914,6 +1914,14 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>They are free where they are; B puts selected points onto the surface.</source>
         <translation>它们留在原处，不再固定；按 B 把选中的点放到曲面上。</translation>
     </message>
+    <message>
+        <source>“%1” (on “%2”)</source>
+        <translation>“%1”（在“%2”上）</translation>
+    </message>
+    <message>
+        <source>Points on an object that is not here: %1, as %2.</source>
+        <translation>所在对象不在此场景中的点：%1 个，如 %2。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::LifecycleLog</name>
@@ -2594,6 +2602,22 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>Map written to %1</source>
         <translation>映射图已写入 %1</translation>
     </message>
+    <message>
+        <source>&amp;Repeats…</source>
+        <translation>重复测量(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Write the mean of each point&apos;s placings, and how far they scatter, to a table</source>
+        <translation>把每个点各次放置的平均值及离散程度写入表格</translation>
+    </message>
+    <message>
+        <source>&amp;Close Series</source>
+        <translation>关闭系列(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Keep the points and leave the series</source>
+        <translation>保存各点并离开此系列</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MapOverlay</name>
@@ -3023,10 +3047,6 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <translation>偏移 %1</translation>
     </message>
     <message>
-        <source>missing</source>
-        <translation>缺失</translation>
-    </message>
-    <message>
         <source>Asymmetry</source>
         <translation>不对称</translation>
     </message>
@@ -3041,6 +3061,47 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>Along the surface</source>
         <translation>沿曲面</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>pairs: %1</source>
+        <translation>成对：%1</translation>
+    </message>
+    <message>
+        <source>pairs: %1; taken to be in the middle: %2</source>
+        <translation>成对：%1；视为位于正中：%2</translation>
+    </message>
+    <message>
+        <source>Made from</source>
+        <translation>由此得出</translation>
+    </message>
+    <message>
+        <source>Without ±</source>
+        <translation>没有 ±</translation>
+    </message>
+    <message>
+        <source>leave the errors open</source>
+        <translation>使误差无法确定</translation>
+    </message>
+    <message>
+        <source>%1 is not placed</source>
+        <translation>%1 尚未放置</translation>
+    </message>
+    <message>
+        <source>%1 is hidden</source>
+        <translation>%1 已隐藏</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>未计入</translation>
+    </message>
+    <message>
+        <source>no partner on the other side</source>
+        <translation>另一侧没有对应点</translation>
     </message>
 </context>
 <context>
@@ -3117,6 +3178,10 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>From point to point a geodesic of the mesh: as a thread pulled tight over its triangles, exact to rounding for these. Which way around a hole or a hill it goes, is that of the shortest of the ways over places on the edges.</source>
         <translation>逐点之间为网格的测地线：如同在三角形上拉紧的线，对这些三角形精确到舍入误差。它从孔洞或隆起的哪一侧绕过，取决于经由边上各位置的路径中最短的一条。</translation>
     </message>
+    <message>
+        <source>A point whose name says neither left nor right is taken to be in the middle. One that is hidden is left out.</source>
+        <translation>名称中没有左右之分的点视为位于正中。隐藏的点不计入。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MessageBar</name>
@@ -3127,6 +3192,18 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>Close this message</source>
         <translation>关闭此消息</translation>
+    </message>
+    <message>
+        <source>The whole message</source>
+        <translation>完整消息</translation>
+    </message>
+    <message>
+        <source>Show less</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Show all %1 lines</source>
+        <translation>显示全部 %1 行</translation>
     </message>
 </context>
 <context>
@@ -3337,6 +3414,18 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>The picture %1 cannot be shown: %2.</source>
         <translation>无法显示图片 %1：%2。</translation>
+    </message>
+    <message>
+        <source>How it is placed</source>
+        <translation>如何放置</translation>
+    </message>
+    <message>
+        <source>Click where it is.</source>
+        <translation>点击它所在之处。</translation>
+    </message>
+    <message>
+        <source>Press P, then click where it is.</source>
+        <translation>按 P，再点击它所在之处。</translation>
     </message>
 </context>
 <context>
@@ -4909,6 +4998,18 @@ of a point that needs no division</source>
         <source>The points of %1 are not kept yet: somebody gave up waiting for its curves.</source>
         <translation>%1 的点尚未保存：等待其曲线时被取消。</translation>
     </message>
+    <message>
+        <source>Scans that were placed more than once: %1; placings up to number %2.</source>
+        <translation>放置不止一次的扫描：%1 个；放置序号最大为 %2。</translation>
+    </message>
+    <message>
+        <source>No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the scans again.</source>
+        <translation>没有放置不止一次的扫描，因此没有离散程度：把“遍次”设为 2，再把各扫描过一遍。</translation>
+    </message>
+    <message>
+        <source>Repeats written to %1.</source>
+        <translation>重复测量已写入 %1。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SceneCurves</name>
@@ -5349,12 +5450,24 @@ of a point that needs no division</source>
         <translation>NTSYS (%1)</translation>
     </message>
     <message>
-        <source>Repeats: mean and error of all placings (%1)</source>
-        <translation>重复：所有遍次的均值与误差 (%1)</translation>
-    </message>
-    <message>
         <source>Export Points of All Scans</source>
         <translation>导出所有扫描的点</translation>
+    </message>
+    <message>
+        <source>Repeats…</source>
+        <translation>重复测量…</translation>
+    </message>
+    <message>
+        <source>Write the mean of each point&apos;s placings, and how far they scatter, to a table</source>
+        <translation>把每个点各次放置的平均值及离散程度写入表格</translation>
+    </message>
+    <message>
+        <source>Repeats: Mean and Error of All Placings</source>
+        <translation>重复测量：各次放置的平均值与误差</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>表格 (%1)</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 #include "window_user.h"
 
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -291,9 +292,23 @@ void TestCurves::theListEditsCurves()
     QCOMPARE(rows->topLevelItem(0)->text(0), "Curve 1");
     QCOMPARE(rows->topLevelItem(0)->text(1), "top – front");
     QVERIFY2(rows->topLevelItem(0)->text(4).startsWith("1.25"), qPrintable(rows->topLevelItem(0)->text(4)));
-    // A digit at its row is its number, whatever column is the current one.
+    // After joining, digits are its number; so they are at its row, whatever column is the current one.
     view.show();
-    rows->setFocus();
+    QVERIFY(!view.focusWidget() || view.focusWidget() == rows);
+    document->undoStack().undo();
+    rows->clearFocus();
+    document->points().select({0, 1});
+    view.join(CurveKind::Geodesic);
+    QCOMPARE(view.focusWidget(), rows);
+    // What is being typed counts where something is written.
+    QTest::keyClicks(rows, "7");
+    view.applyTyped();
+    QCOMPARE(document->curves().all()[0].count, 7u);
+    QTRY_VERIFY(!rows->viewport()->findChild<QLineEdit *>());
+    view.applyTyped();
+    QCOMPARE(document->curves().all()[0].count, 7u);
+    // No room for rows that there are not.
+    QVERIFY(rows->maximumHeight() < rows->header()->height() + 3 * rows->sizeHintForRow(0));
     rows->setCurrentItem(rows->topLevelItem(0), 1);
     QKeyEvent asked(QEvent::ShortcutOverride, Qt::Key_2, Qt::NoModifier, "2");
     asked.ignore();
@@ -312,9 +327,9 @@ void TestCurves::theListEditsCurves()
     const auto *reason = view.findChild<QLabel *>();
     for (const char *refused : {"5000", "1"}) { // not capped in silence
         type(refused);
-        QTRY_VERIFY(reason->isVisible());
-        QVERIFY2(reason->text().contains(QStringLiteral("“%1”").arg(refused)) && reason->text().contains("2 to 1000"),
-                 qPrintable(reason->text()));
+        QTRY_VERIFY2(reason->isVisible() && reason->text().contains(QStringLiteral("“%1”").arg(refused)),
+                     qPrintable(reason->text()));
+        QVERIFY2(reason->text().contains("2 to 1000"), qPrintable(reason->text()));
         QCOMPARE(document->curves().all()[0].count, 25u);
         QCOMPARE(rows->topLevelItem(0)->text(3), "25");
     }

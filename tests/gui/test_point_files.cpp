@@ -97,6 +97,7 @@ private slots:
     void countsAddUp();
     void whatDoesNotHoldIsLetGo_data();
     void whatDoesNotHoldIsLetGo();
+    void aPointOnAnObjectThatIsNotThereIsFree();
     void whatIsKeptWithAScanIsLetGoToo();
     void aSeriesThatIsNotWantedLeavesTheOneBefore();
     void whatCannotBeReadSaysWhy_data();
@@ -532,6 +533,28 @@ void TestPointFiles::whatDoesNotHoldIsLetGo()
              qPrintable(m_warnings[0]));
 }
 
+void TestPointFiles::aPointOnAnObjectThatIsNotThereIsFree()
+{
+    write(QStringLiteral("scene.json"),
+          R"({"unprojector": 1, "window": {"width": 800, "height": 600, "devicePixelRatio": 1},
+              "projection": {"type": "frustum", "left": -1, "right": 1, "bottom": -0.75, "top": 0.75, "near": 1, "far": 100},
+              "view": {"eye": [5, 5, 30], "center": [5, 5, 0], "up": [0, 1, 0]},
+              "objects": [{"name": "square", "file": "square.obj"}],
+              "landmarks": {"points": [{"name": "a", "position": [2.5, 5, 0], "object": "skull", "held": {"vertex": 1}}]}})");
+    open({QStringLiteral("scene.json")});
+    QCOMPARE(points().size(), std::size_t(1));
+    QVERIFY(*points()[0].world == WorldPoint(2.5, 5.0, 0.0));
+    QVERIFY(points()[0].object.empty() && std::holds_alternative<landmarks::Free>(points()[0].hold));
+    QCOMPARE(m_warnings.size(), 1);
+    QVERIFY2(m_warnings[0].contains(QStringLiteral("not here: 1, as “a” (on “skull”)")), qPrintable(m_warnings[0]));
+    // A scan's are the scan's, whatever it was called.
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z,object,face,u,v,w\na,2.5,5,0,old.obj,1,0.5,0.25,0.25\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(points()[0].object, std::string("square.obj"));
+    QVERIFY2(m_warnings.back().contains(QStringLiteral("“old.obj”")), qPrintable(m_warnings.back()));
+}
+
 void TestPointFiles::whatIsKeptWithAScanIsLetGoToo()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z,object,face,u,v,w\na,1,2,0,square.obj,7,1,0,0\n");
@@ -799,12 +822,19 @@ void TestPointFiles::repeatsOfASeries()
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,0,0\n");
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY(!m_session->isLoading());
+    QStringList told;
+    connect(m_series.get(), &ScanSeries::noticed, this, [&told](const QString &text) { told << text; });
+    QVERIFY(m_series->exportTable(file(QStringLiteral("repeats.csv")), ScanSeries::Table::Repeats));
+    QVERIFY2(told.back().contains(QStringLiteral("No scan was placed more than once")), qPrintable(told.back()));
     m_series->setPlacing(2);
     QCOMPARE(points().size(), std::size_t(1));
     QVERIFY(points()[0].isMissing());
     m_document->points().waitForNext(std::nullopt);
     placeAll(3.0);
     QVERIFY(m_series->exportTable(file(QStringLiteral("repeats.csv")), ScanSeries::Table::Repeats));
+    QVERIFY2(told.back().startsWith(QStringLiteral("Repeats written to repeats.csv. Scans that were placed more than "
+                                                   "once: 1;")),
+             qPrintable(told.back()));
     QVERIFY(QFile::exists(path(QStringLiteral("square.obj.points-2.csv"))));
     QCOMPARE(read(QStringLiteral("square.obj.points.csv")), QByteArray("name,x,y,z\na,1,0,0\n"));
     const QByteArray repeats = read(QStringLiteral("repeats.csv"));
@@ -812,6 +842,14 @@ void TestPointFiles::repeatsOfASeries()
              repeats.constData());
     m_series->setPlacing(1);
     QCOMPARE(points()[0].world->x, 1.0);
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(4.0, 4.0, 0.0)));
+    QVERIFY(m_series->close());
+    QVERIFY(!m_series->isOpen() && !m_series->hasNext() && !m_series->hasPrevious());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,4,4,0")); // kept, and still shown
+    QCOMPARE(points()[0].world->x, 4.0);
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 4.0, 0.0)));
+    QVERIFY(m_session->mayLeave());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,4,4,0")); // no scan of a series any more
 }
 
 /// A quarter turn about z takes (x, y) to (-y, x): what is placed in the scene stands in the file by the file's own coordinates.

@@ -256,13 +256,22 @@ void TestPointsPanel::whoPlacesIsNotToldToPressP()
 {
     QVERIFY(m_document->editLandmarks({}, {QStringLiteral("none")}));
     const QList<QLabel *> labels = m_panel->findChildren<QLabel *>();
-    const auto found = std::find_if(labels.begin(), labels.end(),
-                                    [](QLabel *label) { return label->text().contains(QStringLiteral("Press P")); });
+    const auto found = std::find_if(labels.begin(), labels.end(), [](QLabel *label) {
+        return label->text().contains(QStringLiteral("yet. Press P"));
+    });
     QVERIFY(found != labels.end() && (*found)->isVisible());
     m_panel->setPlacing(true);
     QVERIFY((*found)->text().startsWith(QStringLiteral("No points yet. Click where")));
     m_panel->setPlacing(false);
     QVERIFY((*found)->text().contains(QStringLiteral("Press P")));
+    // Nor is it kept from whoever has a name waiting.
+    QVERIFY(m_document->editLandmarks({point("tip", {})}, {QStringLiteral("one")}));
+    m_document->points().waitForNext(std::nullopt);
+    const auto *how = named<QLabel>(QStringLiteral("How it is placed"));
+    QVERIFY(how->isVisible());
+    QCOMPARE(how->text(), QStringLiteral("Press P, then click where it is."));
+    m_panel->setPlacing(true);
+    QCOMPARE(how->text(), QStringLiteral("Click where it is."));
 }
 
 void TestPointsPanel::aDoubleClickOnTheNumberGoesThere()
@@ -587,14 +596,38 @@ void TestPointsPanel::leftAndRight()
     set.landmarks = {point("eye left", glm::dvec3(-2.0, 0.0, 0.0)), point("eye right", glm::dvec3(2.0, 0.0, 0.0)),
                      point("ear left", glm::dvec3(-3.0, 1.0, 1.0)), point("ear right", glm::dvec3(3.0, 1.0, 1.0)),
                      point("nose", glm::dvec3(0.0, 1.0, 5.0))};
+    const auto shown = [](const std::vector<MeasureRow> &rows) {
+        QStringList lines;
+        for (const MeasureRow &row : rows)
+            lines << QStringList{row.kind, row.points, QString(row.value).replace(QChar::Nbsp, u' ')}.join(u'|');
+        return lines;
+    };
     const std::vector<MeasureRow> rows = sidesOf(set);
-    QCOMPARE(rows.size(), std::size_t(4));
+    QCOMPARE(rows.size(), std::size_t(6));
     QCOMPARE(rows[0].points, QStringLiteral("normal (1, 0, 0)"));
-    QCOMPARE(rows[1].points, QStringLiteral("eye left ↔ eye right"));
-    QVERIFY(*rows[1].number < 1e-12);
-    QCOMPARE(rows[3].points, QStringLiteral("nose"));
+    QCOMPARE(rows[1].points, QStringLiteral("pairs: 2; taken to be in the middle: nose"));
+    QCOMPARE(rows[2].kind, QStringLiteral("Without ±"));
+    QCOMPARE(rows[3].points, QStringLiteral("eye left ↔ eye right"));
+    QVERIFY(*rows[3].number < 1e-12);
+    QCOMPARE(rows[5].points, QStringLiteral("nose"));
+    for (Landmark &each : set.landmarks)
+        each.uncertainty = WorldVector(0.1, 0.1, 0.1);
+    set.landmarks[4].uncertainty.reset();
+    QCOMPARE(shown(sidesOf(set))[2], QStringLiteral("Without ±|nose|leave the errors open"));
+    // A sided one without a partner says nothing of the middle, and what is hidden or not placed nothing at all.
+    set.landmarks.push_back(point("jaw left", glm::dvec3(-9.0, -9.0, 2.0), 0.1));
+    set.landmarks.push_back(point("brow left", {}));
+    set.landmarks.push_back(point("brow right", glm::dvec3(1.0, 4.0, 4.0), 0.1));
+    set.landmarks[4].isHidden = true;
+    const QStringList lines = shown(sidesOf(set));
+    QCOMPARE(lines.size(), 7);
+    QVERIFY2(lines[0].startsWith(QStringLiteral("Mirror plane|normal (1, 0, 0)|")), qPrintable(lines[0]));
+    QCOMPARE(lines[1], QStringLiteral("Made from|pairs: 2|"));
+    QCOMPARE(lines[4], QStringLiteral("Asymmetry|brow left ↔ brow right|brow left is not placed"));
+    QCOMPARE(lines[5], QStringLiteral("Off the middle|nose|nose is hidden"));
+    QCOMPARE(lines[6], QStringLiteral("Left out|jaw left|no partner on the other side"));
     set.landmarks[0].world = WorldPoint(-2.5, 0.0, 0.0);
-    QVERIFY(*sidesOf(set)[1].number > 0.1);
+    QVERIFY(*sidesOf(set)[2].number > 0.1);
     QVERIFY(sidesOf({}).empty());
     QCOMPARE(csvOf(sidesOf(set), QStringLiteral("mm")).section(u'\n', 0, 0),
              QStringLiteral("kind,points,value,error,unit"));

@@ -10,13 +10,17 @@
 #include "gui/panels/points_model.h"
 #include "gui/panels/points_table.h"
 #include "gui/view/point_marks.h"
+#include "gui/window/overlay_bars.h"
 
 #include <QApplication>
 #include <QFile>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QUrl>
 
@@ -40,6 +44,7 @@ private slots:
     void droppedPointsComeToTheTable();
     void aDroppedTemplateHasItsNamesPlaced();
     void keysGoThroughASeries();
+    void longMessagesAreFolded();
     void whatIsBeingTypedIsKeptWithItsScan();
     void fromAScanToASavedSceneAndBack();
 
@@ -93,6 +98,9 @@ void TestPointsWindow::aDroppedTemplateHasItsNamesPlaced()
     QVERIFY2(points.size() == 2, qPrintable(window->message()));
     QVERIFY(points[0].name == "tip" && points[0].isMissing() && points[1].name == "chin");
     QCOMPARE(window->document().points().waiting(), std::optional<std::size_t>(0));
+    QVERIFY(window->view().isPlacing()); // nobody chooses one for anything else
+    QVERIFY(!actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
+    QVERIFY(!actionOf(*window, QStringLiteral("Repeats…"))->isEnabled());
     // With a model, to that one.
     emit window->view().filesDropped(
         {QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL"))), QUrl::fromLocalFile(path(QStringLiteral("a.obj")))});
@@ -103,11 +111,34 @@ void TestPointsWindow::aDroppedTemplateHasItsNamesPlaced()
     QVERIFY2(window->message().contains(QStringLiteral("t.PPTPL")), qPrintable(window->message()));
 }
 
+void TestPointsWindow::longMessagesAreFolded()
+{
+    MessageBar bar;
+    QStringList lines;
+    for (int i = 0; i < 40; ++i)
+        lines << QStringLiteral("line %1").arg(i);
+    bar.showMessage(lines.mid(0, 4).join(u'\n'));
+    auto *more = bar.findChild<QToolButton *>();
+    auto *all = bar.findChild<QPlainTextEdit *>();
+    QVERIFY(more->isHidden() && all->isHidden());
+    bar.showMessage(lines.join(u'\n'));
+    QCOMPARE(bar.findChild<QLabel *>()->text().split(u'\n').size(), 3);
+    QCOMPARE(bar.text(), lines.join(u'\n'));
+    QVERIFY(more->isVisible() && more->text().contains(QStringLiteral("40")));
+    more->click();
+    QVERIFY(all->isVisible() && all->toPlainText() == bar.text());
+    QVERIFY(bar.sizeHint().height() < 20 * bar.fontMetrics().lineSpacing()); // the view stays in sight
+    bar.showMessage(QStringLiteral("another"));
+    QVERIFY(all->isHidden() && more->isHidden());
+}
+
 void TestPointsWindow::keysGoThroughASeries()
 {
     std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
     QVERIFY(window->series().open(m_folder->path().toStdU16String()));
     QTRY_COMPARE(window->document().objects().size(), std::size_t(1));
+    QVERIFY(actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
+    QVERIFY(!actionOf(*window, QStringLiteral("Previous Scan"))->isEnabled());
     landmarks::Landmark point;
     point.name = "first";
     point.world = WorldPoint(1.0, 2.0, 0.0);
@@ -203,7 +234,7 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         QCOMPARE(document.landmarks().size(), std::size_t(3));
         QCOMPARE(document.points().waiting(), std::optional<std::size_t>(0));
 
-        actionOf(*window, QStringLiteral("Place Points"))->trigger();
+        QVERIFY(view.isPlacing());
         document.fit();
         document.rayCasters().complete(document.objects());
         for (const glm::dvec3 &place :
