@@ -190,10 +190,14 @@ void Session::followChanges()
     emit changed();
 }
 
+SceneFile Session::contents() const
+{
+    return sceneFileFrom(m_document.scene(), m_document.geometry(), m_file, m_contents);
+}
+
 Result<Autosave::Content, QString> Session::unsavedContent() const
 {
-    Result<std::string, SceneFileError> text =
-        sceneText(sceneFileFrom(m_document.scene(), m_document.geometry(), m_file, m_contents));
+    Result<std::string, SceneFileError> text = sceneText(contents());
     if (!text) {
         SceneFileError error = text.error();
         error.file = m_name.toStdString();

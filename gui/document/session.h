@@ -62,6 +62,8 @@ public:
     const QString &name() const { return m_name; }
     /// Absolute: where the scene was opened from or saved to; empty: nowhere.
     const std::filesystem::path &file() const { return m_file; }
+    /// What its file would hold if it were saved there now.
+    SceneFile contents() const;
     /// Whether leaving the scene would lose work: any change of a scene that has a file, and more than a look around in one
     /// that has none.
     bool hasUnsavedChanges() const;

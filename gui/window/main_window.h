@@ -38,6 +38,7 @@ class PointFiles;
 class PointTemplates;
 class RecoveryBar;
 class ScanSeries;
+class SceneCodeWindow;
 class SceneDocument;
 class SceneView;
 class PointsPanel;
@@ -136,6 +137,7 @@ private:
     void showPreparing(double share);
     void exportMap();
     void showFormulas(const QString &anchor);
+    void showCode();
     void showKeys();
     void showFirstSteps(bool isShown);
     /// They tell of the place Click, and are seen there.
@@ -173,7 +175,8 @@ private:
     ExampleNote *m_exampleNote = nullptr;
     FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
     KeySheet *m_keys = nullptr;           ///< so is this
-    FirstSteps *m_firstSteps = nullptr;   ///< and this
+    SceneCodeWindow *m_code = nullptr;    ///< and this
+    FirstSteps *m_firstSteps = nullptr;   ///< and this, too
     bool m_areFirstStepsShown = false;    ///< where they are seen
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;

@@ -23,6 +23,7 @@
 #include "gui/window/key_sheet.h"
 #include "gui/window/map_overlay.h"
 #include "gui/window/place_ids.h"
+#include "gui/window/scene_code_window.h"
 #include "gui/window/work_places.h"
 
 #include <QActionGroup>
@@ -117,6 +118,10 @@ void MainWindow::createFileMenu(QToolBar &bar)
     bar.addSeparator();
     addAction(menu, tr("Save Scene &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Write the scene to another file"),
               [this] { m_session->saveAs(); });
+    addAction(
+        menu, tr("Sce&ne as Code…"), {},
+        tr("The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel"),
+        [this] { showCode(); });
     menu->addSeparator();
     createPointActions(*menu);
     menu->addSeparator();
@@ -400,6 +405,16 @@ void MainWindow::showFormulas(const QString &anchor)
     m_formulas->activateWindow();
     if (!anchor.isEmpty())
         m_formulas->showFormula(anchor);
+}
+
+void MainWindow::showCode()
+{
+    emit m_session->typedToCount();
+    if (!m_code)
+        m_code = new SceneCodeWindow(*m_document, *m_session, this);
+    m_code->show();
+    m_code->raise();
+    m_code->activateWindow();
 }
 
 void MainWindow::showKeys()

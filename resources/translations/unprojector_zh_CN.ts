@@ -2618,6 +2618,14 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>Keep the points and leave the series</source>
         <translation>保存各点并离开此系列</translation>
     </message>
+    <message>
+        <source>Sce&amp;ne as Code…</source>
+        <translation>场景代码(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel</source>
+        <translation>生成这幅画面的调用（GLU 与 MFC、GLM、Qt 或 three.js），以及从像素反算回去的函数</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MapOverlay</name>
@@ -5009,6 +5017,69 @@ of a point that needs no division</source>
     <message>
         <source>Repeats written to %1.</source>
         <translation>重复测量已写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SceneCodeWindow</name>
+    <message>
+        <source>Scene as Code</source>
+        <translation>场景代码</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>库</translation>
+    </message>
+    <message>
+        <source>GLU and MFC</source>
+        <translation>GLU 和 MFC</translation>
+    </message>
+    <message>
+        <source>OpenGL&apos;s own calls and GLU&apos;s, with the paper&apos;s handlers for a view of MFC</source>
+        <translation>OpenGL 与 GLU 的调用，附论文中 MFC 视图类的各个处理函数</translation>
+    </message>
+    <message>
+        <source>C++ with GLM, in double precision</source>
+        <translation>C++ 与 GLM，双精度</translation>
+    </message>
+    <message>
+        <source>C++ with QMatrix4x4, in single precision</source>
+        <translation>C++ 与 QMatrix4x4，单精度</translation>
+    </message>
+    <message>
+        <source>JavaScript with three.js</source>
+        <translation>JavaScript 与 three.js</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s code</source>
+        <translation>场景的代码</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Put all of the code on the clipboard</source>
+        <translation>把全部代码放到剪贴板</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Write the code to a file</source>
+        <translation>把代码写入文件</translation>
+    </message>
+    <message>
+        <source>JavaScript (*.js)</source>
+        <translation>JavaScript (*.js)</translation>
+    </message>
+    <message>
+        <source>C++ (*.cpp)</source>
+        <translation>C++ (*.cpp)</translation>
+    </message>
+    <message>
+        <source>Save Code</source>
+        <translation>保存代码</translation>
     </message>
 </context>
 <context>
