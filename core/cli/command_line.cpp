@@ -145,14 +145,25 @@ void addProject(CLI::App &app, Run &run)
     command->callback([options, &run] { run = [options] { return runProject(*options); }; });
 }
 
+CLI::Option *addConventions(CLI::App &command, std::optional<Api> &target, const std::string &description)
+{
+    std::map<std::string, std::optional<Api>> choices;
+    for (const Api api : kApis)
+        choices.emplace(conventionsOf(api).key, api);
+    return addChoice<std::optional<Api>>(command, "--conventions", target, choices, description);
+}
+
 void addMatrices(CLI::App &app, Run &run)
 {
     CLI::App *command = app.add_subcommand("matrices", "All matrices of a scene");
     auto options = std::make_shared<MatricesOptions>();
     addSceneFile(*command, options->scene);
-    addChoice<MatrixLayout>(*command, "--layout", options->layout,
-                            {{"column", MatrixLayout::Column}, {"row", MatrixLayout::Row}},
-                            "Column vectors, M v, or row vectors, v M");
+    addConventions(*command, options->conventions,
+                   "Whose axes, depths and pixels the matrices have; without it, the scene's");
+    addChoice<std::optional<MatrixLayout>>(*command, "--layout", options->layout,
+                                           {{"column", MatrixLayout::Column}, {"row", MatrixLayout::Row}},
+                                           "Column vectors, M v, or row vectors, v M; without it, as the conventions "
+                                           "have\nit");
     addChoice<MatricesFormat>(*command, "--format", options->format,
                               {{"text", MatricesFormat::Text},
                                {"json", MatricesFormat::Json},
@@ -164,6 +175,7 @@ void addMatrices(CLI::App &app, Run &run)
                     "\n"
                     "Examples:\n"
                     "  unproject matrices scene.json\n"
+                    "  unproject matrices --conventions direct3d scene.json\n"
                     "  unproject matrices --format numpy --layout row scene.json > matrices.py");
     command->callback([options, &run] { run = [options] { return runMatrices(*options); }; });
 }
@@ -252,14 +264,17 @@ void addScene(CLI::App &app, Run &run)
                                           "How the 16 numbers follow each other; without it, as programs\nwrite them: "
                                           "16 in a row by columns, four lines or "
                                           "four brackets of four by\nrows, glm::to_string by columns");
-    addChoice<std::optional<NdcDepth>>(
+    CLI::Option *depth = addChoice<std::optional<NdcDepth>>(
         *command, "--depth", options->depth,
         {{"minus-one-to-one", NdcDepth::MinusOneToOne}, {"zero-to-one", NdcDepth::ZeroToOne}},
         "NDC depths that the projection goes by");
-    addChoice<std::optional<bool>>(*command, "--y", options->isYDown, {{"up", false}, {"down", true}},
-                                   "Which way NDC y grows: down, as in Vulkan, turns it round");
+    CLI::Option *y = addChoice<std::optional<bool>>(*command, "--y", options->isYDown, {{"up", false}, {"down", true}},
+                                                    "Which way NDC y grows: down, as in Vulkan, turns it round");
     command->add_flag("--reversed", options->isReversed,
                       "Depths are 1 on the near plane: by the projection, or else by the depth\nrange");
+    addConventions(*command, options->conventions, "Whose matrices they are, kept in the scene")
+        ->excludes(depth)
+        ->excludes(y);
     command->add_option("--window", options->window, "The window's size in pixels; without it, what the viewport needs")
         ->type_name("WxH");
     addFile(*command, "-o,--output", options->output, "Scene file; - is standard output")->default_str("-");

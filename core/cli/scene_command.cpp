@@ -107,8 +107,24 @@ class Taker {
 public:
     Taker(const SceneOptions &options, const std::string &name) : m_options(options), m_name(name) {}
 
-    /// The matrix in the order that is asked for, or in that of its form.
-    glm::dmat4 matrix(const PastedMatrix &pasted) const { return matrixOf(pasted.numbers, order(pasted)); }
+    /// The matrix in the order that is asked for, or in that of its form; OpenGL's, whosever it was.
+    glm::dmat4 matrix(const PastedMatrix &pasted, MatrixRole role) const
+    {
+        const glm::dmat4 given = matrixOf(pasted.numbers, order(pasted));
+        switch (role) {
+        case MatrixRole::View: return oursFromView(given, api());
+        case MatrixRole::Projection: return oursFromApi({given, {}}, api()).clipFromEye;
+        case MatrixRole::Product: break;
+        }
+        // The eye between the two may look either way.
+        return oursFromApi({given * viewFromOurs(glm::dmat4(1.0), api()), {}}, api()).clipFromEye;
+    }
+
+    /// NDC depths that are known.
+    std::optional<NdcDepth> depth() const
+    {
+        return conventionsOf(api()).hasOnlyThatDepth ? conventionsOf(api()).ndcDepth : m_options.depth;
+    }
 
     void say(PastedPart part, const std::string &what) const { complain(m_name + ": " + nameOf(part) + ": " + what); }
 
@@ -118,7 +134,7 @@ public:
                 const std::optional<glm::dmat4> &clipFromEye = std::nullopt) const
     {
         bool isReversed = false;
-        for (const MatrixFinding &finding : findings(matrix(pasted), role, m_options.depth, clipFromEye)) {
+        for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depth(), clipFromEye)) {
             const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
             isReversed = isReversed || isAboutDepth;
             if ((isAboutDepth && m_options.isReversed) || (finding.fault == MatrixFault::YDown && m_options.isYDown))
@@ -129,7 +145,13 @@ public:
     }
 
 private:
-    NumberOrder order(const PastedMatrix &pasted) const { return m_options.order.value_or(orderOf(pasted.form)); }
+    Api api() const { return m_options.conventions.value_or(Api::OpenGl); }
+    /// Rows of row vectors are columns.
+    NumberOrder order(const PastedMatrix &pasted) const
+    {
+        const NumberOrder usual = conventionsOf(api()).areVectorsRows ? NumberOrder::ByColumns : orderOf(pasted.form);
+        return m_options.order.value_or(usual);
+    }
 
     const SceneOptions &m_options;
     const std::string &m_name;
@@ -141,12 +163,12 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
     const Taker taker(options, name);
     const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
     const PastedMatrix &lens = isWhole ? *pasted.projection : *pasted.product;
-    glm::dmat4 clipFromEye = taker.matrix(lens);
+    glm::dmat4 clipFromEye = taker.matrix(lens, isWhole ? MatrixRole::Projection : MatrixRole::Product);
     bool isReversed = false;
     if (isWhole) {
         const PastedMatrix &view = pasted.view ? *pasted.view : *pasted.modelView;
         const PastedPart viewPart = pasted.view ? PastedPart::View : PastedPart::ModelView;
-        scene.view = taker.matrix(view);
+        scene.view = taker.matrix(view, MatrixRole::View);
         taker.lookAt(view, viewPart, MatrixRole::View, clipFromEye);
         isReversed = taker.lookAt(lens, PastedPart::Projection, MatrixRole::Projection);
         if (pasted.product)
@@ -171,7 +193,8 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
         clipFromEye = repaired(clipFromEye, {MatrixFault::YDown, MatrixRepair::TurnY});
     if (options.isReversed && !isReversed)
         scene.depthRange = {1.0, 0.0};
-    scene.projection = MatrixProjection{clipFromEye, options.depth};
+    scene.projection = MatrixProjection{clipFromEye, taker.depth()};
+    scene.conventions = options.conventions;
 }
 
 } // namespace

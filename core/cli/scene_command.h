@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cli/exit_code.h"
+#include "core/geometry/api_conventions.h"
 #include "core/geometry/matrix_projection.h"
 #include "core/matrices/pasted_matrix.h"
 
@@ -14,6 +15,7 @@ using namespace matrices;
 /// `unproject scene`: makes a scene file from what another program prints of its matrices.
 struct SceneOptions {
     std::vector<std::string> fromMatrices; ///< the numbers, or the name of one text file that has them, "-" for stdin
+    std::optional<Api> conventions;        ///< whose matrices they are; none: OpenGL's
     std::optional<NumberOrder> order;      ///< how the sixteen numbers of a matrix follow each other; none: as written
     std::optional<NdcDepth> depth;         ///< of the projection; none: as its numbers tell
     std::optional<bool> isYDown;           ///< NDC y, as Vulkan has it; none: up

@@ -74,7 +74,7 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
 
 SceneInput sceneInput(const SceneFile &scene)
 {
-    SceneInput input{pictureOf(scene), {}};
+    SceneInput input{pictureOf(scene), {}, scene.conventions.value_or(Api::OpenGl)};
     for (const SceneFileObject &object : scene.objects)
         input.objects.push_back({object.name, worldFromObject(object.transform)});
     return input;
@@ -82,8 +82,13 @@ SceneInput sceneInput(const SceneFile &scene)
 
 std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file)
 {
-    if (const auto *scene = std::get_if<SceneFile>(&given))
+    if (const auto *scene = std::get_if<SceneFile>(&given)) {
+        const ApiConventions &api = conventionsOf(scene->conventions.value_or(Api::OpenGl));
+        if (api.isWorldMirrored)
+            complain((file == "-" ? "stdin" : file) + ": conventions: " + api.name
+                     + "'s own world has z negated; world coordinates here are the scene's, right-handed");
         return sceneInput(*scene);
+    }
     const auto &clicks = std::get<std::vector<Click>>(given);
     if (!clicks.empty() && haveOneScene(clicks))
         return sceneInput(clicks.front().scene);

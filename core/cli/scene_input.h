@@ -23,6 +23,7 @@ struct PlacedObject {
 struct SceneInput {
     Picture geometry;
     std::vector<PlacedObject> objects;
+    Api conventions = Api::OpenGl; ///< to write matrices in
 };
 
 /// Reads a scene file, or the clicks that the window prints; what is wrong with it is said on stderr.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/api_conventions.h"
 #include "core/geometry/framing.h"
 #include "core/geometry/given_point.h"
 #include "core/geometry/picture.h"
@@ -81,6 +82,8 @@ struct SceneSettings {
     landmarks::LandmarkSet landmarks; ///< world space
     /// A point that the user follows through the pipeline besides what is clicked.
     std::optional<GivenPoint> givenPoint;
+    Api conventions =
+        Api::OpenGl; ///< whose conventions matrices and points are shown and written in; nothing is computed by them
 };
 
 /// What is shown and how: everything but the window's size.

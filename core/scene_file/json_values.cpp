@@ -30,6 +30,16 @@ Json vectorJson(const Vector &v)
     return numbersJson({glm::value_ptr(v), static_cast<std::size_t>(Vector::length())});
 }
 
+void failDepth(const JsonNode &node, std::vector<std::string> choices)
+{
+    SceneFileError error;
+    error.code = SceneFileErrorCode::UnknownChoice;
+    error.foundKind = JsonKind::Array;
+    error.found = shortened(compactJson(node.json()));
+    error.choices = std::move(choices);
+    node.fail(std::move(error));
+}
+
 } // namespace
 
 void Plain::read(const JsonNode &node, std::filesystem::path &value)
@@ -87,13 +97,16 @@ void Plain::read(const JsonNode &node, NdcDepth &value)
     } else if (ends == glm::dvec2(-1.0, 1.0)) {
         value = NdcDepth::MinusOneToOne;
     } else {
-        SceneFileError error;
-        error.code = SceneFileErrorCode::UnknownChoice;
-        error.foundKind = JsonKind::Array;
-        error.found = shortened(compactJson(node.json()));
-        error.choices = {"[-1, 1]", "[0, 1]"};
-        node.fail(std::move(error));
+        failDepth(node, {"[-1, 1]", "[0, 1]"});
     }
+}
+
+void NdcDepthOf::read(const JsonNode &node, NdcDepth &value) const
+{
+    Plain::read(node, value);
+    const ApiConventions &conventions = conventionsOf(api);
+    if (!node.failed() && conventions.hasOnlyThatDepth && value != conventions.ndcDepth)
+        failDepth(node, {"[0, 1] (\"conventions\": \"" + std::string(conventions.key) + "\")"});
 }
 
 void Plain::read(const JsonNode &node, Rotate &value)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/api_conventions.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/matrix_projection.h"
 #include "core/geometry/transform.h"
@@ -102,6 +103,14 @@ struct Words {
     {
         return words[static_cast<std::size_t>(value)];
     }
+};
+
+/// NDC depths, of an API that may have but one.
+struct NdcDepthOf {
+    Api api;
+
+    void read(const JsonNode &node, NdcDepth &value) const;
+    static nlohmann::ordered_json write(NdcDepth value) { return Plain::write(value); }
 };
 
 /// A text that must not be empty.

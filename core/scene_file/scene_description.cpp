@@ -231,6 +231,7 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     scene.clipPlanes = file.clipPlanes;
     scene.landmarks = file.landmarks;
     scene.givenPoint = file.point;
+    scene.conventions = file.conventions.value_or(Api::OpenGl);
     for (const SceneFilePlaneOff &off : file.ui.clipPlanesOff)
         scene.clipPlanesOff.push_back({off.place, off.plane});
     return scene;
@@ -253,6 +254,8 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
     file.clipPlanes = scene.clipPlanes;
     file.landmarks = scene.landmarks;
     file.point = scene.givenPoint;
+    if (scene.conventions != Api::OpenGl || before.conventions)
+        file.conventions = scene.conventions;
     file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home, {}};
     file.extra = before.extra;
     keepMatrices(file, before);

@@ -11,6 +11,17 @@ namespace unprojector::scene_file {
 
 constexpr int kSceneVersion = 1;
 
+/// The keys of the APIs, in the order of Api.
+inline std::span<const char *const> apiWords()
+{
+    static const auto words = [] {
+        std::array<const char *, kApis.size()> keys{};
+        std::transform(kApis.begin(), kApis.end(), keys.begin(), [](Api api) { return conventionsOf(api).key; });
+        return keys;
+    }();
+    return words;
+}
+
 /// What a variant holds; when reading it is made to hold that.
 template <class T, class Variant>
 auto &as(Variant &variant)
@@ -73,11 +84,33 @@ void describe(Fields &json, T &oblique)
     json.angle("phi", "phiRadians", oblique.phiRadians);
 }
 
+/// As the file's API has it; in the scene it is OpenGL's.
 template <class Fields, Is<MatrixProjection> T>
-void describe(Fields &json, T &projection)
+void describe(Fields &json, T &projection, Api api)
 {
-    json.required("matrix", projection.clipFromEye, InvertibleMatrix{});
-    json.optional("ndcDepth", projection.ndcDepth);
+    if constexpr (Fields::kReads) {
+        json.required("matrix", projection.clipFromEye, InvertibleMatrix{});
+        json.optional("ndcDepth", projection.ndcDepth, NdcDepthOf{api});
+        projection = oursFromApi(projection, api);
+    } else {
+        MatrixProjection written = apiFromOurs(projection, api);
+        if (conventionsOf(api).hasOnlyThatDepth)
+            written.ndcDepth.reset();
+        json.required("matrix", written.clipFromEye, InvertibleMatrix{});
+        json.optional("ndcDepth", std::as_const(written.ndcDepth), NdcDepthOf{api});
+    }
+}
+
+/// The same of eyeFromWorld.
+template <class Fields, Is<glm::dmat4> T>
+void describeView(Fields &json, T &eyeFromWorld, Api api)
+{
+    if constexpr (Fields::kReads) {
+        json.required("matrix", eyeFromWorld, InvertibleMatrix{});
+        eyeFromWorld = oursFromView(eyeFromWorld, api);
+    } else {
+        json.required("matrix", viewFromOurs(eyeFromWorld, api), InvertibleMatrix{});
+    }
 }
 
 /// A perspective may leave its aspect to the viewport.
@@ -125,7 +158,7 @@ void describeProjection(Fields &json, T &scene)
     if (json.failed())
         return;
     if (type == Type::Matrix)
-        return describe(json, as<MatrixProjection>(scene.projection));
+        return describe(json, as<MatrixProjection>(scene.projection), scene.conventions.value_or(Api::OpenGl));
     auto &projection = as<Projection>(scene.projection);
     switch (type) {
     case Type::Frustum: describe(json, as<Frustum>(projection)); break;
@@ -218,6 +251,7 @@ void describe(Fields &json, T &scene)
 {
     int version = kSceneVersion;
     json.required("unprojector", version, Version{kSceneVersion});
+    json.optional("conventions", scene.conventions, Words{apiWords()});
     json.object("window", [&](auto &window) {
         window.required("width", scene.windowWidth, Count{1, kMostWindowPixels});
         window.required("height", scene.windowHeight, Count{1, kMostWindowPixels});
@@ -232,7 +266,7 @@ void describe(Fields &json, T &scene)
     json.object("projection", [&](auto &projection) { describeProjection(projection, scene); });
     json.object("view", [&](auto &view) {
         if (view.has("matrix", std::holds_alternative<glm::dmat4>(scene.view)))
-            view.required("matrix", as<glm::dmat4>(scene.view), InvertibleMatrix{});
+            describeView(view, as<glm::dmat4>(scene.view), scene.conventions.value_or(Api::OpenGl));
         else
             describe(view, as<LookAt>(scene.view));
     });

@@ -59,13 +59,18 @@ struct SceneFileUi {
 /// What each key is, is said in scene_fields.h.
 ///
 /// A projection of type "matrix" has "matrix", 16 numbers column by column, and may have "ndcDepth", [-1, 1] or [0, 1]; a
-/// view may be {"matrix": [...]} too. Any finite matrix that has an inverse is read, whatever its form.
+/// view may be {"matrix": [...]} too. Any finite matrix that has an inverse is read, whatever its form. "conventions" says
+/// whose they are, "vulkan" or another key of ApiConventions: their axes, and the NDC depth where that API has but one, which
+/// "ndcDepth" must not contradict. Where vectors are rows, the 16 numbers are row by row. The window shows matrices and points
+/// so; everything else in the file is OpenGL's all the same, the world right-handed.
 struct SceneFile {
     int windowWidth = 800; ///< logical pixels
     int windowHeight = 600;
     double devicePixelRatio = 1.0;
     std::optional<Viewport> viewport; ///< none: the whole window
     DepthRange depthRange;
+    /// "conventions": whose matrices the file has; none: OpenGL's. Here they are OpenGL's always, see oursFromApi.
+    std::optional<Api> conventions;
     std::variant<Projection, MatrixProjection> projection;
     bool aspectFromViewport = false;       ///< a perspective without "aspect"; `projection` already has the viewport's
     std::variant<LookAt, glm::dmat4> view; ///< or eyeFromWorld

@@ -81,6 +81,8 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
         changes |= Change::Picture;
     if (a.givenPoint != b.givenPoint)
         changes |= Change::GivenPoint;
+    if (a.conventions != b.conventions)
+        changes |= Change::Conventions;
     return changes;
 }
 

@@ -27,8 +27,9 @@ enum class Change {
     LandmarkSelection = 0x800, ///< which of them are selected, and which one waits for its place
     Curves =
         0x1000, ///< how the curves between points go: worked out after the points were told, or to be worked out anew
-    GivenPoint = 0x2000, ///< the point that is followed besides the clicks
-    History = 0x20       ///< what can be undone and what is saved: isModified and isEdited may be other than before
+    GivenPoint = 0x2000,  ///< the point that is followed besides the clicks
+    Conventions = 0x4000, ///< in whose conventions matrices and points are shown
+    History = 0x20        ///< what can be undone and what is saved: isModified and isEdited may be other than before
 };
 Q_DECLARE_FLAGS(Changes, Change)
 
@@ -41,7 +42,7 @@ bool isSameObject(const SceneObject &a, const SceneObject &b);
 /// @pre place < before.size()
 std::optional<std::size_t> placeAfter(const std::vector<SceneObject> &before, std::size_t place,
                                       const std::vector<SceneObject> &after);
-/// Picture, ClipPlanes and GivenPoint, or nothing where both settings are the same.
+/// Picture, ClipPlanes, GivenPoint and Conventions, or nothing where both settings are the same.
 Changes changesBetween(const SceneSettings &a, const SceneSettings &b);
 /// Of two lists of objects: Objects with what follows from that; or Placement, Visibility and Names, or nothing where both
 /// are the same.

@@ -272,6 +272,13 @@ Check SceneDocument::editGivenPoint(std::optional<GivenPoint> point, const Deed 
     return edit(std::move(settings), deed);
 }
 
+Check SceneDocument::editConventions(Api conventions, const Deed &deed)
+{
+    SceneSettings settings = m_state.settings;
+    settings.conventions = conventions;
+    return edit(std::move(settings), deed);
+}
+
 Check SceneDocument::editLandmarks(std::vector<landmarks::Landmark> landmarks, const Deed &deed)
 {
     landmarks::LandmarkSet set = landmarkSet();

@@ -146,6 +146,8 @@ public:
     Check editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed);
     /// The point that is followed through the pipeline besides the clicks, or none.
     Check editGivenPoint(std::optional<GivenPoint> point, const Deed &deed);
+    /// In whose conventions matrices and points are shown and written.
+    Check editConventions(Api conventions, const Deed &deed);
     /// All placed points, for those that are there. What is done to single ones: points().
     Check editLandmarks(std::vector<landmarks::Landmark> landmarks, const Deed &deed);
     Check editLandmarkSet(landmarks::LandmarkSet set, const Deed &deed);

@@ -17,6 +17,8 @@ private slots:
     void rowsAreColumnsTransposed();
     void textsAreForTheirReaders_data();
     void textsAreForTheirReaders();
+    void conventionsOfOtherApis();
+    void openCvHasRotationTranslationAndCameraMatrix();
     void unusableInput();
 
 private:
@@ -90,8 +92,52 @@ void TestMatricesCommand::textsAreForTheirReaders()
     QVERIFY2(run.output.contains(part), run.output.constData());
 }
 
+void TestMatricesCommand::conventionsOfOtherApis()
+{
+    const QJsonObject direct3d = json({"--conventions", "direct3d"});
+    QCOMPARE(direct3d["conventions"].toString(), "direct3d");
+    QCOMPARE(direct3d["layout"].toString(), "row");
+    QCOMPARE(entry(direct3d, "view", 3, 2), 5.0); // the world's origin lies in front, along +z
+    QCOMPARE(entry(direct3d, "projection", 2, 2), 4.0 / 3.0);
+    QCOMPARE(entry(direct3d, "projection", 2, 3), 1.0);
+    QCOMPARE(entry(direct3d, "projection", 3, 2), -4.0 / 3.0);
+    QCOMPARE(entry(direct3d, "viewport", 1, 1), -300.0);
+    const QJsonObject vulkan = json({"--conventions", "vulkan"}), columns = json();
+    QCOMPARE(entry(vulkan, "projection", 1, 1), -1.0 / 0.75);
+    QCOMPARE(entry(vulkan, "viewport", 1, 1), 300.0);
+    QVERIFY(vulkan["view"] == columns["view"]);
+    const QJsonObject unity = json({"--conventions", "unity"});
+    QCOMPARE(entry(unity, "model_face", 2, 3), -3.0);
+    QVERIFY(unity["modelview_face"] == columns["modelview_face"]);
+
+    // The scene's own, without a word.
+    const QByteArray text = QByteArray(kFrustumScene).replace("1,\n", "1, \"conventions\": \"vulkan\",\n");
+    const Run run = runCommand({"matrices", "--format", "json", m_folder.write("vulkan.json", text)});
+    QVERIFY(QJsonDocument::fromJson(run.output).object() == vulkan);
+    // Those of a left-handed world are not the scene's.
+    const QByteArray mirrored = QByteArray(text).replace("vulkan", "unity");
+    const Run said = runCommand({"project", m_folder.write("unity.json", mirrored)}, "x,y,z\n0,0,0\n");
+    QVERIFY2(said.errors.contains("unity.json: conventions: Unity's own world has z negated"), said.errors);
+}
+
+void TestMatricesCommand::openCvHasRotationTranslationAndCameraMatrix()
+{
+    const QJsonObject m = json({"--conventions", "opencv"});
+    QVERIFY(!m.contains("projection") && !m.contains("mvp_face"));
+    QCOMPARE(entry(m, "K", 0, 0), 400.0);
+    QCOMPARE(entry(m, "K", 0, 2), 399.5);
+    QCOMPARE(entry(m, "K", 1, 2), 299.5);
+    QCOMPARE(entry(m, "R", 1, 1), -1.0);
+    QCOMPARE(entry(m, "t", 2, 0), 5.0);
+    const Run c = runCommand({"matrices", "--conventions", "opencv", "--format", "c", m_scene});
+    QVERIFY2(c.output.contains("const double K[9] = {\n400, 0, 399.5,\n0, 400, 299.5,\n0, 0, 1,\n};\n"), c.output);
+}
+
 void TestMatricesCommand::unusableInput()
 {
+    const Run unknown = runCommand({"matrices", "--conventions", "glide", m_scene});
+    QCOMPARE(unknown.exitCode, 2);
+    QVERIFY2(unknown.errors.contains("\"glide\" is none of direct3d, metal,"), unknown.errors);
     QCOMPARE(runCommand({"matrices", m_folder.path("missing")}).exitCode, 2);
     QCOMPARE(runCommand({"matrices", "--format", "xml", m_scene}).exitCode, 2);
     QCOMPARE(runCommand({"matrices"}).exitCode, 2);

@@ -28,6 +28,8 @@ private slots:
     void aProductAloneUnprojects();
     void optionsTakeMatricesOtherwise_data();
     void optionsTakeMatricesOtherwise();
+    void matricesOfOtherApisGiveTheSameWorld_data();
+    void matricesOfOtherApisGiveTheSameWorld();
     void badMatricesAreRefused_data();
     void badMatricesAreRefused();
     void badArgumentsAreNamed_data();
@@ -220,6 +222,32 @@ void TestSceneCommand::optionsTakeMatricesOtherwise()
         QVERIFY2(std::abs(cells[3 + k].toDouble() - expected[k]) <= 1e-13, points.output.constData());
         QVERIFY2(std::abs(cells[6 + k].toDouble() - expected[k]) <= 1e-13, points.output.constData());
     }
+}
+
+void TestSceneCommand::matricesOfOtherApisGiveTheSameWorld_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    // The same eye, near 1 and far 3 as above; Direct3D's as XMStoreFloat4x4 prints them, row vectors in four lines.
+    QTest::newRow("vulkan") << QByteArray("view 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 "
+                                          "projection 1 0 0 0  0 -1 0 0  0 0 -1.5 -1  0 0 -1.5 0");
+    QTest::newRow("direct3d") << QByteArray("view\n1 0 0 0\n0 1 0 0\n0 0 -1 0\n0 0 5 1\n"
+                                            "projection\n1 0 0 0\n0 1 0 0\n0 0 1.5 1\n0 0 -1.5 0\n");
+    QTest::newRow("opencascade") << QByteArray("view\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -5 1\n"
+                                               "projection\n1 0 0 0\n0 1 0 0\n0 0 -2 -1\n0 0 -3 0\n");
+}
+
+void TestSceneCommand::matricesOfOtherApisGiveTheSameWorld()
+{
+    QFETCH(QByteArray, text);
+    const QString key = QTest::currentDataTag();
+    const Run scene =
+        runCommand({"scene", "--conventions", key, "--from-matrices", "-"}, text + " viewport 0 0 400 300");
+    QCOMPARE(scene.errors, QByteArray());
+    QVERIFY2(scene.output.contains("\"conventions\": \"" + key.toUtf8() + '"'), scene.output);
+    const Run points = runCommand({"points", "--method", "formula", m_folder.write("api.json", scene.output)},
+                                  "px,py,depth\n400,300,1\n");
+    QCOMPARE(points.errors, QByteArray());
+    QVERIFY2(points.output.contains("400,300,1,3,-3,2\n"), points.output);
 }
 
 void TestSceneCommand::badMatricesAreRefused_data()

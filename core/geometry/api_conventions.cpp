@@ -1,0 +1,245 @@
+#include "core/geometry/api_conventions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::geometry {
+namespace {
+
+constexpr ApiConventions named(const char *key, const char *name)
+{
+    ApiConventions conventions;
+    conventions.key = key;
+    conventions.name = name;
+    return conventions;
+}
+
+/// NDC depths in [0, 1], pixels from the top: what all but OpenGL have since Direct3D.
+constexpr ApiConventions modern(const char *key, const char *name)
+{
+    ApiConventions conventions = named(key, name);
+    conventions.ndcDepth = NdcDepth::ZeroToOne;
+    conventions.hasOnlyThatDepth = true;
+    conventions.isOriginTop = true;
+    return conventions;
+}
+
+constexpr std::array<ApiConventions, kApis.size()> allConventions()
+{
+    ApiConventions openGl = named("opengl", "OpenGL"), vulkan = modern("vulkan", "Vulkan"),
+                   direct3d = modern("direct3d", "Direct3D"), metal = modern("metal", "Metal"),
+                   webGpu = modern("webgpu", "WebGPU"), threeJs = named("threejs", "three.js"),
+                   unity = named("unity", "Unity"), openCv = named("opencv", "OpenCV"),
+                   openCascade = named("opencascade", "Open CASCADE");
+    vulkan.isNdcYDown = true;
+    direct3d.looksAlongPlusZ = true;
+    direct3d.areVectorsRows = true;
+    threeJs.isOriginTop = true;
+    threeJs.areLogicalPixels = true;
+    unity.isWorldMirrored = true;
+    unity.isDepthReversed = true;
+    openCv.looksAlongPlusZ = true;
+    openCv.isEyeYDown = true;
+    openCv.isOriginTop = true;
+    openCv.pixelCentre = 0.0;
+    openCascade.areVectorsRows = true;
+    openCascade.isOriginTop = true;
+    return {openGl, vulkan, direct3d, metal, webGpu, threeJs, unity, openCv, openCascade};
+}
+
+/// In the order of Api.
+constexpr std::array kApiConventions = allConventions();
+
+constexpr double sign(bool isTurned)
+{
+    return isTurned ? -1.0 : 1.0;
+}
+
+AxisChange worldChange(const ApiConventions &api)
+{
+    return {{1.0, 1.0, sign(api.isWorldMirrored)}, {}};
+}
+
+/// @param looksAlongPlusZ  whether the eye space to come from does
+AxisChange eyeChange(const ApiConventions &api, bool looksAlongPlusZ)
+{
+    return {{1.0, sign(api.isEyeYDown), sign(api.looksAlongPlusZ != looksAlongPlusZ)}, {}};
+}
+
+/// @param depth  of the clip space to come from
+AxisChange clipChange(const ApiConventions &api, NdcDepth depth)
+{
+    AxisChange change{{1.0, sign(api.isNdcYDown), 1.0}, {}};
+    if (depth != api.ndcDepth) {
+        const bool isHalved = api.ndcDepth == NdcDepth::ZeroToOne;
+        change.scale.z = isHalved ? 0.5 : 2.0;
+        change.shift.z = isHalved ? 0.5 : -1.0;
+    }
+    return change;
+}
+
+/// windowFromNdc, also for NDC depths in [0, 1].
+AxisChange viewportChange(const Picture &picture)
+{
+    const Viewport &v = picture.viewport;
+    const double atNear = picture.depthRange.atNear, depth = picture.depthRange.atFar - atNear;
+    const bool isZeroToOne = ndcDepthOf(picture) == NdcDepth::ZeroToOne;
+    return {{v.width / 2.0, v.height / 2.0, isZeroToOne ? depth : depth / 2.0},
+            {v.x + v.width / 2.0, v.y + v.height / 2.0, isZeroToOne ? atNear : atNear + depth / 2.0}};
+}
+
+std::optional<RecognisedProjection> formOf(const Picture &picture)
+{
+    const auto *matrix = std::get_if<MatrixProjection>(&picture.lens);
+    const auto form = matrix ? recognised(*matrix) : Result<RecognisedProjection>(Error{ErrorCode::NotFinite});
+    return form ? std::optional(*form) : std::nullopt;
+}
+
+/// K of a projection that divides by the z of OpenCV's eye space: positions are (first two rows of clip) / z.
+std::optional<glm::dmat3> intrinsicsOf(const glm::dmat4 &clipFromEye, const glm::dmat4 &windowFromNdc)
+{
+    const glm::dmat4 m = windowFromNdc * clipFromEye; // homogeneous pixels
+    const double w = m[2][3];
+    if (!(w > 0.0) || m[0][3] != 0.0 || m[1][3] != 0.0 || m[3][3] != 0.0 || m[3][0] != 0.0 || m[3][1] != 0.0)
+        return std::nullopt;
+    glm::dmat3 k(0.0);
+    for (int column = 0; column < 3; ++column)
+        k[column] = {m[column][0] / w, m[column][1] / w, m[column][3] / w};
+    return k;
+}
+
+} // namespace
+
+const ApiConventions &conventionsOf(Api api)
+{
+    return kApiConventions[static_cast<std::size_t>(api)];
+}
+
+std::optional<Api> apiOf(std::string_view key)
+{
+    const auto found =
+        std::find_if(kApis.begin(), kApis.end(), [key](Api api) { return key == conventionsOf(api).key; });
+    return found == kApis.end() ? std::nullopt : std::optional(*found);
+}
+
+glm::dmat4 AxisChange::matrix() const
+{
+    glm::dmat4 m(1.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        m[axis][axis] = scale[axis];
+        m[3][axis] = shift[axis];
+    }
+    return m;
+}
+
+AxisChange AxisChange::inverse() const
+{
+    return {1.0 / scale, -shift / scale};
+}
+
+ApiSpaces apiSpaces(const Picture &picture, Api which)
+{
+    const ApiConventions &api = conventionsOf(which);
+    const std::optional<RecognisedProjection> form = formOf(picture);
+    const auto &[atNear, atFar] = picture.depthRange;
+    const bool isReversed = (atNear > atFar) != (form && form->reversed);
+
+    AxisChange window;
+    if (api.isOriginTop) {
+        window.scale.y = -1.0;
+        window.shift.y = picture.surface.heightPixels;
+    }
+    constexpr double kCentre = 0.5; // of our own pixels
+    window.shift += glm::dvec3(api.pixelCentre - kCentre, api.pixelCentre - kCentre, 0.0);
+    if (api.areLogicalPixels) {
+        const glm::dvec3 ratio(picture.surface.devicePixelRatio, picture.surface.devicePixelRatio, 1.0);
+        window.scale /= ratio;
+        window.shift /= ratio;
+    }
+    if (api.isDepthReversed && !isReversed) {
+        window.scale.z = -1.0;
+        window.shift.z = atNear + atFar;
+    }
+    return {worldChange(api), eyeChange(api, form && form->looksAlongPlusZ), clipChange(api, ndcDepthOf(picture)),
+            window};
+}
+
+Result<ApiCamera> apiCamera(const Picture &picture, Api api)
+{
+    const Result<glm::dmat4> view = eyeFromWorld(picture), projection = clipFromEye(picture);
+    if (!view)
+        return view.error();
+    if (!projection)
+        return projection.error();
+    const ApiSpaces spaces = apiSpaces(picture, api);
+    ApiCamera camera;
+    camera.eyeFromWorld = spaces.eye.matrix() * *view * spaces.world.inverse().matrix();
+    camera.clipFromEye = spaces.clip.matrix() * *projection * spaces.eye.inverse().matrix();
+    camera.windowFromNdc = spaces.window.matrix() * viewportChange(picture).matrix() * spaces.clip.inverse().matrix();
+    if (api == Api::OpenCv)
+        camera.intrinsics = intrinsicsOf(camera.clipFromEye, camera.windowFromNdc);
+    return camera;
+}
+
+Result<ApiClick> apiClick(const Picture &picture, Api api, const WindowPoint &window, const EyePoint &eye,
+                          const WorldPoint &world)
+{
+    const Result<glm::dmat4> projection = clipFromEye(picture);
+    if (!projection)
+        return projection.error();
+    const ApiSpaces spaces = apiSpaces(picture, api);
+    ApiClick click;
+    const glm::dvec3 pixel = spaces.window * glm::dvec3(window.coordinates());
+    click.position = glm::dvec2(pixel);
+    click.depth = pixel.z;
+    click.eye = spaces.eye * glm::dvec3(eye.coordinates());
+    click.world = spaces.world * glm::dvec3(world.coordinates());
+    if (api == Api::OpenCv) {
+        click.depth = click.eye.z;
+        click.ndc = click.eye / click.eye.z;
+        return click;
+    }
+    const NdcPoint ndc = ndcFromWindow(picture.viewport, picture.depthRange, window, ndcDepthOf(picture));
+    click.ndc = spaces.clip * glm::dvec3(ndc.coordinates());
+    click.clip = spaces.clip * (*projection * glm::dvec4(eye.coordinates(), 1.0));
+    return click;
+}
+
+MatrixProjection apiFromOurs(const MatrixProjection &projection, Api which)
+{
+    const ApiConventions &api = conventionsOf(which);
+    MatrixProjection result = projection;
+    AxisChange clip = clipChange(api, ndcDepthOf(projection));
+    if (api.hasOnlyThatDepth) {
+        result.ndcDepth = api.ndcDepth;
+    } else { // what the matrix goes by is said beside it
+        clip.scale.z = 1.0;
+        clip.shift.z = 0.0;
+    }
+    result.clipFromEye = clip.matrix() * projection.clipFromEye * eyeChange(api, false).matrix();
+    return result;
+}
+
+MatrixProjection oursFromApi(const MatrixProjection &projection, Api which)
+{
+    const ApiConventions &api = conventionsOf(which);
+    MatrixProjection result = projection;
+    if (api.hasOnlyThatDepth)
+        result.ndcDepth = api.ndcDepth;
+    const AxisChange clip = clipChange(api, api.ndcDepth); // y only
+    result.clipFromEye = clip.inverse().matrix() * projection.clipFromEye * eyeChange(api, false).matrix();
+    return result;
+}
+
+glm::dmat4 viewFromOurs(const glm::dmat4 &eyeFromWorld, Api which)
+{
+    const ApiConventions &api = conventionsOf(which);
+    return eyeChange(api, false).matrix() * eyeFromWorld * worldChange(api).matrix();
+}
+
+glm::dmat4 oursFromView(const glm::dmat4 &eyeFromWorld, Api api)
+{
+    return viewFromOurs(eyeFromWorld, api); // signs, which undo themselves
+}
+
+} // namespace unprojector::geometry
