@@ -8,6 +8,22 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+namespace {
+
+/// Into the framebuffer that is bound.
+/// @param from  a framebuffer of the frame's size
+void copyPixels(QOpenGLExtraFunctions &gl, unsigned from, const FrameTextures &frame, GLbitfield what)
+{
+    GLint boundBefore = 0;
+    gl.glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &boundBefore);
+    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    gl.glReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl.glBlitFramebuffer(0, 0, frame.widthPixels, frame.heightPixels, 0, 0, frame.widthPixels, frame.heightPixels, what,
+                         GL_NEAREST);
+    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(boundBefore));
+}
+
+} // namespace
 
 void FramePainter::initialize()
 {
@@ -66,6 +82,7 @@ unsigned FramePainter::smoothed(const FrameTextures &frame)
         if (isMeasured)
             glFinish();
         timer.start();
+        copyPixels(*this, frame.framebuffer, frame, GL_COLOR_BUFFER_BIT);
         glDisable(GL_DEPTH_TEST);
         glBindTexture(GL_TEXTURE_2D, frame.colors);
         drawTriangle(*m_smoothing);
@@ -87,20 +104,11 @@ bool FramePainter::copied(const FrameTextures &frame, bool isSmooth)
         return false;
     if (!m_canCopy)
         clearErrors(*this);
-    GLint boundBefore = 0;
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &boundBefore);
-    const auto copy = [&](unsigned framebuffer, GLbitfield what) {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-        glReadBuffer(GL_COLOR_ATTACHMENT0);
-        glBlitFramebuffer(0, 0, frame.widthPixels, frame.heightPixels, 0, 0, frame.widthPixels, frame.heightPixels,
-                          what, GL_NEAREST);
-    };
     // With the stencil, of which nothing is used: only what is copied whole is copied fast.
     constexpr GLbitfield kDepths = GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-    copy(frame.framebuffer, isSmooth ? kDepths : kDepths | GL_COLOR_BUFFER_BIT);
+    copyPixels(*this, frame.framebuffer, frame, isSmooth ? kDepths : kDepths | GL_COLOR_BUFFER_BIT);
     if (isSmooth)
-        copy(m_smooth->handle(), GL_COLOR_BUFFER_BIT);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(boundBefore));
+        copyPixels(*this, m_smooth->handle(), frame, GL_COLOR_BUFFER_BIT);
     if (!m_canCopy)
         m_canCopy = glGetError() == GL_NO_ERROR;
     return *m_canCopy;

@@ -1,4 +1,4 @@
-// A drawn frame with smooth edges, colours alone.
+// The edges of a drawn frame, smooth: drawn over a copy of it, which is kept where there is no edge. Colours alone.
 //
 // Smooth edges are those of Timothy Lottes, "FXAA", 2009: where brightness changes, the edge's direction is found, the
 // edge is followed to both its ends, and the colour is taken from so far across the edge as a straight line between
@@ -73,26 +73,19 @@ vec2 shiftOnEdge(ivec2 pixel, float middle, float up, float down, float left, fl
     return across * shift;
 }
 
-vec3 colorAt(ivec2 pixel)
+void main()
 {
-    vec3 color = texelFetch(colors, pixel, 0).rgb;
-    float middle = brightness(color);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float middle = brightnessAt(pixel);
     float up = brightnessAt(pixel + ivec2(0, 1)), down = brightnessAt(pixel + ivec2(0, -1));
     float right = brightnessAt(pixel + ivec2(1, 0)), left = brightnessAt(pixel + ivec2(-1, 0));
     float highest = max(max(max(up, down), max(left, right)), middle);
     float lowest = min(min(min(up, down), min(left, right)), middle);
     float contrast = highest - lowest;
-    // A loop that runs once or never: renderers on the processor compute both sides of an `if` for every pixel, and skip a
-    // loop that none of their pixels is in. Few pixels are on an edge.
-    int edges = contrast < max(kLeastContrast, highest * kLeastShareOfBrightest) ? 0 : 1;
-    for (int i = 0; i < edges; ++i) {
-        vec2 shift = shiftOnEdge(pixel, middle, up, down, left, right, contrast);
-        color = textureLod(colors, (vec2(pixel) + 0.5 + shift) / vec2(textureSize(colors, 0)), 0.0).rgb;
-    }
-    return color;
-}
-
-void main()
-{
-    fragment = vec4(colorAt(ivec2(gl_FragCoord.xy)), 1.0);
+    // Few pixels are on an edge, and renderers on the processor compute both sides of an `if` for every pixel: but where all
+    // pixels are discarded they go no further.
+    if (contrast < max(kLeastContrast, highest * kLeastShareOfBrightest))
+        discard;
+    vec2 shift = shiftOnEdge(pixel, middle, up, down, left, right, contrast);
+    fragment = vec4(textureLod(colors, (vec2(pixel) + 0.5 + shift) / vec2(textureSize(colors, 0)), 0.0).rgb, 1.0);
 }
