@@ -25,6 +25,10 @@ public:
     CoveringTriangles(const Mesh &mesh, const glm::mat4 &clipFromSource, const glm::ivec4 &viewport,
                       const glm::dvec3 &reach);
 
+    /// Finds out once where every vertex comes to lie, instead of at each triangle around it anew: for whoever asks for all
+    /// triangles. Takes 12 bytes a vertex.
+    void placeVertices();
+
     /// Appends the vertices of those, and of all that lie in front of the eye in part only, three each and in their order.
     /// What OpenGL rounds is allowed for: none that it draws anything of is left out.
     /// @param begin, end  corners of whole triangles
@@ -32,16 +36,17 @@ public:
 
 private:
     struct Corner {
-        glm::dvec2 pixel;
-        double margin; ///< by which OpenGL may place it elsewhere; infinite where it is not in front of the eye
+        float x, y;   ///< pixels from the viewport's lower left corner
+        float margin; ///< by which OpenGL may place it elsewhere; infinite where it is not in front of the eye
     };
     Corner cornerAt(const glm::vec3 &position) const;
-    bool canCover(const std::array<Corner, 3> &corners) const;
+    bool canCover(const Corner &a, const Corner &b, const Corner &c) const;
 
     const Mesh &m_mesh;
-    glm::dvec4 m_x, m_y, m_w;               ///< rows of the matrix
-    double m_sizeOfX, m_sizeOfY, m_sizeOfW; ///< of their largest summands, together
-    glm::dvec2 m_lowest, m_highest;         ///< rims of the viewport
+    glm::vec4 m_x, m_y, m_w;     ///< rows of the matrix
+    float m_sizeOfXY, m_sizeOfW; ///< of their largest summands, together
+    float m_width, m_height;     ///< of the viewport
+    std::vector<Corner> m_placed;
 };
 
 } // namespace unprojector::scene

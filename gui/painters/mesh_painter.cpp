@@ -278,10 +278,12 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
         const Drawable &drawn = contents.drawn;
         const auto pixels = static_cast<std::size_t>(drawn.width) * static_cast<std::size_t>(drawn.height);
         std::optional<CoveringTriangles> covering;
-        if (m_isSoftware && mesh.primitives == GL_TRIANGLES && mesh.elementCount / 3 > 2 * pixels
+        if (m_isSoftware && mesh.primitives == GL_TRIANGLES && mesh.elementCount / 3 > pixels
             && !object.model->bounds.isEmpty())
             covering.emplace(*mesh.source, clipFromUploaded, glm::ivec4(drawn.x, drawn.y, drawn.width, drawn.height),
                              reach);
+        if (covering && mesh.isIndexed && deadline.isNever()) // else all of them would be placed for a few triangles
+            covering->placeVertices();
         // More than half the time of a closed mesh goes into back sides, without a graphics card.
         const bool isHalfDrawn = areBackSidesHidden && mesh.source->isClosed && turn != 0.0;
         if (isHalfDrawn) {
