@@ -93,7 +93,19 @@ void Framing::add(const glm::dmat4 &worldFromSource, std::span<const glm::vec3> 
         }
         return false;
     };
+    const auto addAt = [&](std::size_t i) {
+        if (!isNamed.empty() && isNamed[i] == 0)
+            return;
+        const glm::dvec4 p(glm::dvec3(positions[i]), 1.0);
+        std::array<double, kMeasures> measures{};
+        for (std::size_t k = 0; k < kMeasures; ++k)
+            measures[k] = glm::dot(planes[k], p);
+        add(measures);
+    };
     constexpr std::size_t kTogether = 256;
+    // With one of each the rims are nearly where they come to lie: then few reach out.
+    for (std::size_t first = 0; first < positions.size(); first += kTogether)
+        addAt(first);
     for (std::size_t first = 0; first < positions.size(); first += kTogether) {
         const std::size_t end = std::min(positions.size(), first + kTogether);
         glm::vec3 lowest = positions[first], highest = lowest;
@@ -103,15 +115,8 @@ void Framing::add(const glm::dmat4 &worldFromSource, std::span<const glm::vec3> 
         }
         if (!reachesOut(lowest, highest))
             continue;
-        for (std::size_t i = first; i < end; ++i) {
-            if (!isNamed.empty() && isNamed[i] == 0)
-                continue;
-            const glm::dvec4 p(glm::dvec3(positions[i]), 1.0);
-            std::array<double, kMeasures> measures{};
-            for (std::size_t k = 0; k < kMeasures; ++k)
-                measures[k] = glm::dot(planes[k], p);
-            add(measures);
-        }
+        for (std::size_t i = first; i < end; ++i)
+            addAt(i);
     }
 }
 
