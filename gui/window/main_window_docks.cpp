@@ -4,6 +4,7 @@
 
 #include "gui/document/point_files.h"
 #include "gui/panels/comparison_panel.h"
+#include "gui/panels/depth_precision_panel.h"
 #include "gui/panels/lifecycle_panel.h"
 #include "gui/panels/objects_panel.h"
 #include "gui/panels/observer_panel.h"
@@ -104,6 +105,8 @@ void MainWindow::createPanels()
         {"parameters", tr("Parameters"), m_parameters, kLeft, Qt::ALT | Qt::Key_3},
         {"inspector", tr("Viewport"), scrolled(m_inspector), kBottom, Qt::ALT | Qt::Key_4},
         {"lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle), kBottom, Qt::ALT | Qt::Key_5},
+        {"precision", tr("Depth Precision"), scrolled(new DepthPrecisionPanel(*m_document)), kBottom,
+         Qt::ALT | Qt::Key_9},
         {"objects", tr("Objects"), objects, kRight, Qt::ALT | Qt::Key_6},
         {"points", tr("Points"), points, kRight, Qt::ALT | Qt::Key_7},
         {"series", tr("Series"), m_seriesPanel, kBottom, Qt::ALT | Qt::Key_8},

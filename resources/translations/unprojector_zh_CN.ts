@@ -1484,6 +1484,76 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     </message>
 </context>
 <context>
+    <name>unprojector::gui::DepthPrecisionPanel</name>
+    <message>
+        <source>32-bit floats</source>
+        <translation>32 位浮点</translation>
+    </message>
+    <message>
+        <source>%1 bits</source>
+        <translation>%1 位</translation>
+    </message>
+    <message>
+        <source>In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open.</source>
+        <translation>在画面中部、视点前方 %1 处，深度的舍入留下 ±%2 的不确定。</translation>
+    </message>
+    <message>
+        <source>Near %1 instead of %2 makes this %3 times better here (±%4).</source>
+        <translation>把近平面从 %2 改为 %1，这里的精度提高到 %3 倍（±%4）。</translation>
+    </message>
+    <message>
+        <source>A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that has 1 at near, would make it %1 times better (±%2).</source>
+        <translation>改用浮点深度缓冲、NDC 深度取 0 到 1（glClipControl）、并让投影在近平面处为 1，精度可提高到 %1 倍（±%2）。</translation>
+    </message>
+    <message>
+        <source>as drawn: %1</source>
+        <translation>当前：%1</translation>
+    </message>
+    <message>
+        <source>At the point, %1 in front of the eye, rounding the depth leaves ±%2 open.</source>
+        <translation>在所选点处（视点前方 %1），深度的舍入留下 ±%2 的不确定。</translation>
+    </message>
+    <message>
+        <source>with near %1</source>
+        <translation>近平面为 %1 时</translation>
+    </message>
+    <message>
+        <source>Near is about as far away as the objects let it be.</source>
+        <translation>近平面已大致是物体所允许的最远处。</translation>
+    </message>
+    <message>
+        <source>floats, reversed</source>
+        <translation>浮点，反向</translation>
+    </message>
+    <message>
+        <source>In a box, as of glOrtho, that is so at every distance; only less room between near and far makes it less.</source>
+        <translation>在 glOrtho 这样的长方体中，任何距离都是如此；只有缩短近、远平面之间的距离才能减小它。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::DepthPrecisionPlot</name>
+    <message>
+        <source>What rounding a depth leaves open, over the distance</source>
+        <translation>深度舍入留下的不确定随距离的变化</translation>
+    </message>
+    <message>
+        <source>distance in front of the eye, scene units</source>
+        <translation>视点前方的距离（场景单位）</translation>
+    </message>
+    <message>
+        <source>± along the view, scene units</source>
+        <translation>沿视线方向的 ±（场景单位）</translation>
+    </message>
+    <message>
+        <source>Across: the distance in front of the eye, from the near to the far plane.
+Up: how far along the view a surface may be from where its rounded depth says, ±.
+Both in the scene&apos;s units. The circle is the clicked point. What drawing is off besides is in a click&apos;s ±.</source>
+        <translation>横轴：到视点的距离，从近平面到远平面。
+纵轴：沿视线方向，表面与舍入后的深度所示位置可能相差多少（±）。
+均以场景单位计。圆圈是点击的点。绘制本身的偏差另计在点击的 ± 中。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ExampleNote</name>
     <message>
         <source>Example</source>
@@ -2625,6 +2695,10 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel</source>
         <translation>生成这幅画面的调用（GLU 与 MFC、GLM、Qt 或 three.js），以及从像素反算回去的函数</translation>
+    </message>
+    <message>
+        <source>Depth Precision</source>
+        <translation>深度精度</translation>
     </message>
 </context>
 <context>

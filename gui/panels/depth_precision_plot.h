@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/unproject/depth_precision.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace unproject;
+
+/// What rounding a depth leaves open, over the distance in front of the eye: one curve for each way to keep depths. Both axes are
+/// logarithmic, but for a near plane at or behind the eye, as glOrtho may have it: then distances are not. Curves differ by their
+/// lines, not only by colours.
+class DepthPrecisionPlot : public QWidget {
+    Q_OBJECT
+public:
+    struct Curve {
+        QString name;
+        DepthScale scale;
+        DepthFormat format;
+    };
+
+    explicit DepthPrecisionPlot(QWidget *parent = nullptr);
+
+    /// @param curves  one to three; the first is how the picture is drawn
+    /// @param marked  a distance to mark on the first curve
+    void show(std::vector<Curve> curves, const std::optional<double> &marked);
+    const std::vector<Curve> &curves() const { return m_curves; }
+    const std::optional<double> &marked() const { return m_marked; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    struct Axes;
+    Axes axes() const;
+    void paintAxes(QPainter &painter, const Axes &axes) const;
+    void paintCurve(QPainter &painter, const Axes &axes, std::size_t place) const;
+    void paintMark(QPainter &painter, const Axes &axes) const;
+    void paintNames(QPainter &painter) const;
+    std::vector<QPointF> namePlaces() const;
+    double sampleWidth() const;
+    QPen penOf(std::size_t place) const;
+
+    std::vector<Curve> m_curves;
+    std::optional<double> m_marked;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,103 @@
+// What rounding a depth leaves open, in its panel: computed of this picture, and no advice that would cut anything off.
+
+#include "gui/panels/depth_precision_panel.h"
+#include "gui/panels/depth_precision_plot.h"
+#include "gui_scene.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace unprojector::gui;
+
+class TestDepthPrecisionPanel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void aFartherNearIsComputed();
+    void aNearThatFitsIsLeftAlone();
+    void aBoxHasOneErrorEverywhere();
+    void theClickedPointIsMarked();
+
+private:
+    void setPerspective(double nearDistance)
+    {
+        ProjectionRule rule{Perspective{0.8, 800.0 / 600.0, nearDistance, 100.0}, false, false};
+        QVERIFY(m_document->editProjection(rule, {}));
+    }
+
+    std::unique_ptr<SceneDocument> m_document;
+    std::unique_ptr<DepthPrecisionPanel> m_panel;
+};
+
+/// A cube of edge 2 with its middle 5 in front of the eye: its front is 4 away.
+void TestDepthPrecisionPanel::init()
+{
+    m_panel.reset();
+    m_document = std::make_unique<SceneDocument>();
+    m_document->setSurface({800, 600, 1.0});
+    const LookAt home{WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 5.0)),
+                      WorldPoint(guitest::kCubeCenter),
+                      {0.0, 1.0, 0.0}};
+    m_document->setObjects(guitest::cubeScene(), home);
+    m_panel = std::make_unique<DepthPrecisionPanel>(*m_document);
+    m_panel->resize(500, 300);
+    m_panel->show();
+}
+
+void TestDepthPrecisionPanel::aFartherNearIsComputed()
+{
+    setPerspective(0.1);
+    // 5^2 / 0.1 / 2^25 at the camera's centre
+    QVERIFY2(m_panel->text().contains(QStringLiteral("5 in front of the eye, rounding the depth leaves ±7.4e−06 open")),
+             qPrintable(m_panel->text()));
+    QVERIFY2(m_panel->text().contains(QStringLiteral("Near 3 instead of 0.1 makes this 31 times better")),
+             qPrintable(m_panel->text()));
+    QCOMPARE(m_panel->plot().curves().size(), std::size_t(3));
+    QCOMPARE(m_panel->plot().curves()[1].scale.nearDistance, 3.0);
+    QVERIFY(!m_panel->plot().marked());
+}
+
+void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
+{
+    setPerspective(3.5);
+    QVERIFY2(!m_panel->text().contains(QStringLiteral("instead of")), qPrintable(m_panel->text()));
+    LookAt inside = m_document->geometry().camera();
+    inside.eye = WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 0.5));
+    m_document->setCamera(inside);
+    setPerspective(0.001);
+    QVERIFY2(!m_panel->text().contains(QStringLiteral("instead of")), qPrintable(m_panel->text()));
+}
+
+void TestDepthPrecisionPanel::aBoxHasOneErrorEverywhere()
+{
+    ProjectionRule rule{Ortho{-2.0, 2.0, -2.0, 2.0, -1.0, 9.0}, false, false};
+    QVERIFY(m_document->editProjection(rule, {}));
+    QVERIFY2(m_panel->text().contains(QStringLiteral("at every distance")), qPrintable(m_panel->text()));
+    QCOMPARE(m_panel->plot().curves().size(), std::size_t(1));
+    QVERIFY(!m_panel->grab().isNull()); // distances from -1 on have no logarithm
+}
+
+void TestDepthPrecisionPanel::theClickedPointIsMarked()
+{
+    setPerspective(0.1);
+    DepthSample sample;
+    sample.depth = unitDepthAt(depthScaleOf(m_document->geometry()), 4.0); // on the cube's front
+    sample.object = 0;
+    sample.format = DepthFormat(16);
+    m_document->pickAt(WidgetPoint(400.0, 300.0), sample);
+    QVERIFY(m_panel->plot().marked());
+    QVERIFY(std::abs(*m_panel->plot().marked() - 4.0) < 1e-9);
+    QVERIFY2(m_panel->text().startsWith(
+                 QStringLiteral("At the point, 4 in front of the eye, rounding the depth leaves ±0.0012 open")),
+             qPrintable(m_panel->text()));
+    QVERIFY2(m_panel->text().contains(QStringLiteral("make it 8200 times better")), qPrintable(m_panel->text()));
+    QCOMPARE(m_panel->plot().curves()[0].name, QStringLiteral("as drawn: 16 bits"));
+    const DepthFormat format(16);
+    QCOMPARE(halfDepthStepAt(m_panel->plot().curves()[0].scale, format, 4.0),
+             m_document->pick()->certainty.halfDepthStep);
+}
+
+QTEST_MAIN(TestDepthPrecisionPanel)
+#include "test_depth_precision_panel.moc"
