@@ -104,13 +104,14 @@ int main(int argc, char **argv)
     std::printf("%-20s %9s %9s %7s %9s %9s %7s\n", "file", "F3D s", "ours s", "ratio", "F3D MiB", "ours MiB", "ratio");
     bool isComplete = true;
     for (const QString &file : std::as_const(files)) {
-        QStringList arguments{QStringLiteral("--screenshot"), ours, file};
+        // The view is as large as F3D's picture, whatever room the panels take.
+        QStringList arguments{QStringLiteral("--screenshot"), ours, QStringLiteral("--view-size"),
+                              QStringLiteral("720x640"), file};
         if (isPlain)
-            arguments << QStringLiteral("--no-panels") << QStringLiteral("--view-size") << QStringLiteral("720x640");
+            arguments << QStringLiteral("--no-panels");
         std::vector<Cost> our, their;
         // The first round of each only warms the file's pages and the programs' own.
         for (int round = 0; round <= rounds; ++round) {
-            // As large as the window's view at the start: 720 × 640 device pixels.
             const auto peer =
                 run(f3d, {QStringLiteral("--output=") + theirs, QStringLiteral("--resolution=720,640"), file}, theirs);
             const auto own = run(QStringLiteral(UNPROJECTOR_PROGRAM), arguments, ours);
