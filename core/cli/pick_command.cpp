@@ -119,7 +119,9 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
         sink.write(header);
     }
     const unsigned threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-    const ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
+    ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
+    if (outside > 0 && code == ExitCode::Done)
+        code = ExitCode::SomeRowsBad;
     // Empty cells alone would read as background.
     if (outside > 0)
         complain(source.name() + ": " + std::to_string(outside) + (outside == 1 ? " pixel lies" : " pixels lie")
@@ -135,9 +137,11 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
     const Picture &picture = rays.rays().picture();
     for (const DevicePoint &position : positions) {
         // Nothing is met there, for a reason that a wrong size gives away.
-        if (!rays.rays().isInPicture(position))
+        if (!rays.rays().isInPicture(position)) {
             complain("--at " + shortestText(position.x) + ',' + shortestText(position.y) + ": lies outside "
                      + viewportText(picture));
+            code = ExitCode::SomeRowsBad;
+        }
         const Result<std::optional<SceneHit>> hit = rays.at(position, options.snap);
         if (!hit) {
             complain("--at " + shortestText(position.x) + ',' + shortestText(position.y) + ": "

@@ -75,6 +75,16 @@ private:
     std::vector<ray::Ray<WorldSpace>> m_row;
 };
 
+/// Where another one answers what the inverted matrix answers too, nothing is displaced: what is left between the methods is
+/// rounding, and no effect of it.
+double displacement(const WorldPoint &other, const WorldPoint &matrix, const WorldPoint &formula)
+{
+    constexpr double kRoundingUlps = 16.0; // of the ways of the same numbers through two products
+    if (distance(other, matrix) <= kRoundingUlps * ulpOfLargest(matrix))
+        return 0.0;
+    return distance(formula, other);
+}
+
 /// Distance to what a program answers.
 class ProgramRow : public RowWorker {
 public:
@@ -91,8 +101,9 @@ public:
             m_elements.add(click.position, depthAt(click.depthFrom));
         }
         m_elements.unproject(m_matrix, m_points);
+        pixels.elements.unproject(m_matrix, m_right);
         for (std::size_t k = 0; k < numbers.size(); ++k)
-            numbers[k] = distance(formula.world(k), m_points.world(k));
+            numbers[k] = displacement(m_points.world(k), m_right.world(k), formula.world(k));
     }
 
 private:
@@ -110,7 +121,7 @@ private:
     const SurfaceImage &m_surfaces;
     const ClickBatch &m_matrix;
     ElementArrays m_elements;
-    PointArrays m_points;
+    PointArrays m_points, m_right; ///< the program's, and by the same matrix without its ways
 };
 
 /// Distance to what a mistake gives, one point after the other: no loop makes mistakes.
@@ -118,21 +129,23 @@ class MistakeRow : public RowWorker {
 public:
     /// @param unprojectors  with the mistake, one an object, or a single one
     MistakeRow(const Conventions &conventions, const std::vector<Unprojector> &unprojectors,
-               const SurfaceImage &surfaces)
-        : m_conventions(conventions), m_unprojectors(unprojectors), m_surfaces(surfaces)
+               const SurfaceImage &surfaces, const ClickBatch &matrix)
+        : m_conventions(conventions), m_unprojectors(unprojectors), m_surfaces(surfaces), m_matrix(matrix)
     {
     }
 
     void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
     {
         const Picture &picture = m_unprojectors.front().picture();
+        pixels.elements.unproject(m_matrix, m_right);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const WidgetPoint widget = widgetFromDevice(picture.surface, pixelCenter(pixels.pixels[k]));
             const Result<WindowPoint> window = windowOfClick(picture, m_conventions, widget, pixels.elements.depth[k]);
             const std::size_t object = m_unprojectors.size() > 1 ? m_surfaces.objects[pixels.places[k]] : 0;
             const Result<WorldPoint> point =
                 window ? m_unprojectors[object].worldAt(Method::Matrix, *window) : window.error();
-            numbers[k] = point ? distance(formula.world(k), *point) : std::numeric_limits<double>::quiet_NaN();
+            numbers[k] = point ? displacement(*point, m_right.world(k), formula.world(k))
+                               : std::numeric_limits<double>::quiet_NaN();
         }
     }
 
@@ -140,6 +153,8 @@ private:
     const Conventions &m_conventions;
     const std::vector<Unprojector> &m_unprojectors;
     const SurfaceImage &m_surfaces;
+    const ClickBatch &m_matrix;
+    PointArrays m_right; ///< without the mistake
 };
 
 class UncertaintyWorker : public RowWorker {
@@ -181,8 +196,7 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
     Prepared result{*formula, {}, {}, {}, {}, {}};
     const Quantity quantity = question.quantity;
     const auto *mistake = std::get_if<Conventions>(&question.other);
-    if (quantity == Quantity::FormulaMatrix || quantity == Quantity::MatrixRay
-        || (quantity == Quantity::Displacement && mistake == nullptr)) {
+    if (quantity == Quantity::FormulaMatrix || quantity == Quantity::MatrixRay || quantity == Quantity::Displacement) {
         const Result<ClickBatch> matrix = ClickBatch::of(Method::Matrix, picture, {});
         if (!matrix)
             return matrix.error();
@@ -216,7 +230,7 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
         if (!eye)
             return eye.error();
         result.eye = *eye;
-        result.uncertainty.emplace(*parameters, surfaces, objects);
+        result.uncertainty.emplace(*parameters, surfaces, objects, question.cornerShiftPixels);
     }
     return result;
 }
@@ -233,7 +247,8 @@ std::unique_ptr<RowWorker> workerOf(const Question &question, const Prepared &pr
     }
     if (const auto *program = std::get_if<OtherProgram>(&question.other))
         return std::make_unique<ProgramRow>(*program, picture, surfaces, *prepared.matrix);
-    return std::make_unique<MistakeRow>(std::get<Conventions>(question.other), prepared.mistaken, surfaces);
+    return std::make_unique<MistakeRow>(std::get<Conventions>(question.other), prepared.mistaken, surfaces,
+                                        *prepared.matrix);
 }
 
 std::vector<NamedConvention> allConventions()

@@ -51,6 +51,8 @@ struct Question {
     Quantity quantity = Quantity::FormulaMatrix;
     Unit unit = Unit::World;
     Other other = OtherProgram::Paper; ///< of a displacement
+    /// Of an uncertainty: DepthSample::cornerShiftPixels of the renderer whose depths clicks read.
+    double cornerShiftPixels = kCornerShiftPixels;
 };
 
 /// A number for each pixel of a picture, rows from the top; NaN where there is none.

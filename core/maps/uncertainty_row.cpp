@@ -10,8 +10,8 @@
 namespace unprojector::maps {
 
 UncertaintyRow::UncertaintyRow(const Picture &picture, const SurfaceImage &surfaces,
-                               std::span<const ray::SceneObject> objects)
-    : m_picture(picture), m_surfaces(&surfaces), m_certainties(picture)
+                               std::span<const ray::SceneObject> objects, double cornerShiftPixels)
+    : m_picture(picture), m_surfaces(&surfaces), m_cornerShiftPixels(cornerShiftPixels), m_certainties(picture)
 {
     for (const ray::SceneObject &object : objects) {
         std::vector<PreparedMesh> &meshes = m_meshes.emplace_back();
@@ -57,7 +57,7 @@ double UncertaintyRow::at(const DevicePixel &pixel, const EyePoint &eye, const W
     const auto after = std::upper_bound(meshes.begin(), meshes.end(), number,
                                         [](std::size_t n, const PreparedMesh &mesh) { return n < mesh.before; });
     const PreparedMesh &own = *(after - 1);
-    const DepthSample sample{s.depths[place], s.objects[place], s.format, slopeAt(pixel)};
+    const DepthSample sample{s.depths[place], s.objects[place], s.format, slopeAt(pixel), m_cornerShiftPixels};
     const WindowPoint window = windowFromDevice(m_picture.surface, pixelCenter(pixel), sample.depth);
     const DepthError error = own.errors.at(window, world, sample,
                                            ray::cornersOf(*own.mesh, static_cast<std::uint32_t>(number - own.before)));

@@ -11,12 +11,14 @@
 namespace unprojector::maps {
 
 /// How sure clicks on a picture's pixels are, as a click states it once its triangle is known (see unproject::Pick): with the
-/// slope that the depths around a pixel show, and corners that are moved to 1/256 of a pixel, as graphics cards do.
+/// slope that the depths around a pixel show, and corners that are moved as the renderer does.
 class UncertaintyRow {
 public:
     /// @param picture   by parameters
     /// @param surfaces, objects  outlive this; @pre surfaces.isMet()
-    UncertaintyRow(const Picture &picture, const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects);
+    /// @param cornerShiftPixels  as DepthSample has it
+    UncertaintyRow(const Picture &picture, const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects,
+                   double cornerShiftPixels);
 
     /// The length of the +- in world space.
     /// @param pixel       with a surface
@@ -35,6 +37,7 @@ private:
 
     Picture m_picture;
     const SurfaceImage *m_surfaces;
+    double m_cornerShiftPixels;
     Certainties m_certainties;
     std::vector<std::vector<PreparedMesh>> m_meshes; ///< of each object
 };

@@ -40,7 +40,11 @@ void OtherProgramsView::setAnswers(const std::optional<OtherAnswers> &answers, c
         m_answers->setText(tr("A click on a surface has them, as soon as its ray is known."));
         return;
     }
-    QString rows;
+    // Snapped or not: what a click takes besides is no program's answer.
+    QString rows =
+        QStringLiteral("<p style='margin:0 0 4px 0'>%1</p>")
+            .arg(tr("Measured from the formula's point, whatever vertex, edge or place of the mesh the click takes.")
+                     .toHtmlEscaped());
     for (const OtherAnswer &answer : *answers) {
         const QString name = programName(answer.program), reason = programReason(answer.program);
         const QString why = reason.toHtmlEscaped();

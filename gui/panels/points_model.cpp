@@ -190,7 +190,11 @@ QVariant PointsModel::headerData(int section, Qt::Orientation orientation, int r
     case X: return isTip ? tr("World x; black as far as it is certain") : QStringLiteral("x");
     case Y: return isTip ? tr("World y; black as far as it is certain") : QStringLiteral("y");
     case Z: return isTip ? tr("World z; black as far as it is certain") : QStringLiteral("z");
-    case PlusMinus: return isTip ? tr("How far the point can be off, world units") : QStringLiteral("±");
+    case PlusMinus:
+        return isTip ? tr(
+                   "How far the point can be off, world units: half a pixel to the side, and how far a click is off "
+                   "(which alone is what the comparison and the map of uncertainty have)")
+                     : QStringLiteral("±");
     case Object: return isTip ? tr("The object that it lies on") : tr("Object");
     case HeldBy: return isTip ? tr("What of the object's mesh holds it") : tr("Held by");
     case Note: return tr("Note");

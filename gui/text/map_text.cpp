@@ -68,7 +68,9 @@ QString quantityText(Quantity quantity)
     case Quantity::MatrixRay:
         return MapText::tr("How far the inverted matrix's point is from where the pixel's ray meets the mesh");
     case Quantity::Uncertainty:
-        return MapText::tr("How far the surface may be from the point of a click: the length of its ±");
+        return MapText::tr(
+            "How far the surface may be from the point of a click: the length of its ± in the comparison. A "
+            "placed point's ± has half a pixel to the side besides");
     case Quantity::Displacement:
         return MapText::tr("How far what another program answers, or a program with a mistake, is from the formulas' "
                            "point");

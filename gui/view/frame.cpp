@@ -261,6 +261,12 @@ void Frame::measureCorners()
         m_cornerShift = measuredCornerShift(*this);
 }
 
+double Frame::cornerShiftPixels()
+{
+    measureCorners();
+    return m_cornerShift.value_or(kCornerShiftPixels);
+}
+
 std::optional<DepthSample> Frame::sample(const DevicePixel &pixel)
 {
     if (!m_picture)

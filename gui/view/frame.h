@@ -46,6 +46,8 @@ public:
     unsigned colors() const { return m_colors; }
     unsigned depths() const { return m_depths; }
 
+    /// DepthSample::cornerShiftPixels of this renderer; the context must be current.
+    double cornerShiftPixels();
     /// What was drawn at a pixel, with the slope that the same object's pixels beside it show. Waits until it is drawn.
     /// @pre the pixel lies inside the picture, if there is one
     /// @return nothing without a picture, and when OpenGL reports an error

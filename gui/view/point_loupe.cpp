@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -33,12 +34,12 @@ QRect loupePixels(const DevicePoint &at)
             kLoupePixels};
 }
 
-QRectF loupeBox(const Surface &surface, const DevicePoint &at)
+QRectF loupeBox(const Surface &surface, const DevicePoint &at, double taken)
 {
     constexpr double kMargin = 12.0;
     const double ratio = surface.devicePixelRatio;
     const double width = surface.widthPixels / ratio, height = surface.heightPixels / ratio;
-    const double left = width - kSide - kMargin;
+    const double left = std::max(kMargin, width - taken - kSide - kMargin);
     QRectF box(left, kMargin, kSide, kSide);
     constexpr double kApart = 40.0;
     if (box.adjusted(-kApart, -kApart, kApart, kApart).contains(at.x / ratio, at.y / ratio))

@@ -24,7 +24,8 @@ constexpr int kLoupeZoom = 8;    ///< logical pixels for each of them
 QRect loupePixels(const DevicePoint &at);
 
 /// Where it stands: in a corner of the view on the right, out of the way of the position. Logical pixels.
-QRectF loupeBox(const Surface &surface, const DevicePoint &at);
+/// @param taken  how much of the view's width on the right something else takes, logical pixels
+QRectF loupeBox(const Surface &surface, const DevicePoint &at, double taken = 0.0);
 
 /// The edges of the triangles in sight there, device pixels.
 std::vector<QLineF> loupeEdges(const ray::SceneRays &rays, const DevicePoint &at);

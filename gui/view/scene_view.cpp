@@ -75,6 +75,14 @@ void SceneView::redraw()
     update();
 }
 
+void SceneView::setMap(const QImage &map)
+{
+    if (m_map.isNull() && map.isNull())
+        return;
+    m_map = map;
+    update();
+}
+
 void SceneView::onCreate()
 {
     QElapsedTimer timer;
@@ -122,6 +130,7 @@ void SceneView::onDraw()
     timer.start();
     const Drawn drawn = updateFrame();
     if (showFrame()) {
+        drawMap();
         m_overlay->draw(m_document, m_isCrosshairShown ? std::optional(crosshair()) : std::nullopt, m_mark);
         drawMarks();
     }
@@ -143,6 +152,8 @@ FrameView::Drawn SceneView::updateFrame()
     // What the pointer was to be told of the last picture is read in this one.
     if (const std::optional<WidgetPoint> dropped = std::exchange(m_requested, std::nullopt); dropped && !m_hovered)
         m_hovered = dropped;
+    if (!m_hovered && m_drag == Drag::None) // the pointer rests, and what is under it is another place
+        m_hovered = m_pointed;
     const Picture &g = m_document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
@@ -169,6 +180,16 @@ void SceneView::onDestroy()
                    QStringLiteral("glDeleteFramebuffers, glDeleteProgram, glDeleteBuffers, glDeleteVertexArrays, "
                                   "glDeleteTextures"),
                    milliseconds(timer)});
+}
+
+double SceneView::cornerShiftPixels()
+{
+    if (!isReady())
+        return kCornerShiftPixels;
+    makeCurrent();
+    const double shift = frame().cornerShiftPixels();
+    doneCurrent();
+    return shift;
 }
 
 std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)

@@ -8,12 +8,14 @@
 #include "gui/view/point_marks.h"
 
 #include <QImage>
+#include <QPointer>
 #include <QTimer>
 #include <QUrl>
 
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QHelpEvent;
@@ -43,6 +45,13 @@ public:
 
     /// Whether a click places a point, where it is released; a drag navigates as ever. Marks of points are selected and dragged
     /// in either case.
+    /// Colours over the objects, below points, picks and crosshair; device pixels, null: none.
+    void setMap(const QImage &map);
+    /// How far this renderer moves corners, see DepthSample.
+    double cornerShiftPixels();
+    /// A widget over the upper right corner: while it is seen, the loupe stands beside it.
+    void setCornerWidget(QWidget *widget) { m_corner = widget; }
+
     bool isPlacing() const { return m_isPlacing; }
     void setPlacing(bool isPlacing);
 
@@ -109,10 +118,11 @@ private:
 
     /// As they are seen now.
     const std::vector<PointMark> &marks();
+    void drawMap();
     void drawMarks();
     bool pressMark(const QMouseEvent &event);
     bool isPointDragged() const { return m_drag == Drag::Point || m_drag == Drag::Axis; }
-    /// Slides the point on the surface under the pointer.
+    /// Slides the point on the surface under the pointer, and those that are selected besides by as many pixels.
     void dragPoint(const QPointF &local);
     /// The arrows by which the current point is moved off the surface: while points are placed.
     std::optional<std::array<AxisArrow, 3>> arrows() const;
@@ -129,6 +139,8 @@ private:
     void pressPointKey(const QKeyEvent &event);
     /// Moves the selected points that are in sight on the surface. @param way  device pixels
     void nudge(const QPointF &way);
+    /// Says of how many selected points that they stayed.
+    void tellUnmoved(std::size_t count, const QPointF &at);
     void showTip(const QHelpEvent &event);
     /// Shows a place large while points are placed and dragged.
     /// @param at  device pixels; nothing: no more
@@ -148,13 +160,17 @@ private:
 
     // The pointer's readout waits for nothing: it is asked for, and reported when the GPU has it.
     void reportHover(const QPointF &local);
+    void reportHover(const WidgetPoint &position);
     void requestHover();
     void takeHover();
 
     SceneDocument &m_document;
     std::unique_ptr<SceneOverlay> m_overlay;
 
+    QImage m_map;
+    QPointer<QWidget> m_corner;
     std::optional<SnapMark> m_mark;
+    std::optional<WidgetPoint> m_pointed;   ///< what is told of; told again of the next picture
     std::optional<WidgetPoint> m_hovered;   ///< to be read
     std::optional<WidgetPoint> m_requested; ///< being read
     QTimer m_hoverTimer;
@@ -163,9 +179,13 @@ private:
     bool m_placesAtRelease = false;                ///< the press was not on a mark
     std::optional<std::vector<PointMark>> m_marks; ///< nothing: to be looked for
     std::size_t m_draggedPoint = 0;                ///< its place
-    bool m_isMovingPoint = false;                  ///< what changes now is what the hand does
-    QPointF m_pointGrab;                           ///< from the pointer to the dragged mark
-    int m_stepAtPress = 0;                         ///< of undo, when the drag of a point began
+    QPointF m_dragStart;                           ///< where its mark was at the press
+    /// The other selected points in sight, and where their marks were.
+    std::vector<std::pair<std::size_t, QPointF>> m_draggedWith;
+    std::size_t m_leftBehind = 0; ///< selected points that a drag has not moved
+    bool m_isMovingPoint = false; ///< what changes now is what the hand does
+    QPointF m_pointGrab;          ///< from the pointer to the dragged mark
+    int m_stepAtPress = 0;        ///< of undo, when the drag of a point began
     bool m_hasMovedPoint = false;
     int m_draggedAxis = 0;
     WorldPoint m_axisStart;  ///< where the dragged point was

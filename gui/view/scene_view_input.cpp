@@ -103,6 +103,8 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
         return;
     if (m_drag != Drag::None)
         aimLoupe(m_isPlacing ? pointedAt(event->position()) : std::nullopt);
+    if (m_drag == Drag::Point && m_hasMovedPoint && m_leftBehind > 0)
+        tellUnmoved(m_leftBehind, event->position());
     const bool isClick = std::exchange(m_drag, Drag::None) != Drag::None && !m_hasMoved;
     if (std::exchange(m_placesAtRelease, false) && isClick)
         placePointAt(event->position());
@@ -113,8 +115,13 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
 
 void SceneView::reportHover(const QPointF &local)
 {
-    m_hovered = widgetPosition(local);
-    markAt(*m_hovered);
+    markAt(widgetPosition(local));
+    reportHover(widgetPosition(local));
+}
+
+void SceneView::reportHover(const WidgetPoint &position)
+{
+    m_pointed = m_hovered = position;
     requestHover();
 }
 
@@ -249,6 +256,7 @@ void SceneView::leaveEvent(QEvent *event)
 {
     FrameView::leaveEvent(event);
     m_hovered.reset();
+    m_pointed.reset();
     clearMark();
     if (m_drag == Drag::None)
         aimLoupe(std::nullopt);

@@ -148,6 +148,7 @@ void SceneView::keyPressEvent(QKeyEvent *event)
         m_crosshair = {std::clamp(pixel.i + deed->way.x(), 0, surface.widthPixels - 1),
                        std::clamp(pixel.j + deed->way.y(), 0, surface.heightPixels - 1)};
         markAt(widgetFromDevice(surface, pixelCenter(*m_crosshair)));
+        reportHover(widgetFromDevice(surface, pixelCenter(*m_crosshair))); // what is looked at is told of
         update();
         return;
     case KeyDeed::Kind::Zoom: zoomAt(position, deed->notches, QStringLiteral("zoom by keys")); return;

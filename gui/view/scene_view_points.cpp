@@ -65,6 +65,30 @@ const std::vector<PointMark> &SceneView::marks()
     return *m_marks;
 }
 
+namespace {
+
+/// What a QPainter leaves switched on, what is drawn next does not expect.
+void switchOff()
+{
+    for (const GLenum what : {GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_TEST})
+        glDisable(what);
+}
+
+} // namespace
+
+void SceneView::drawMap()
+{
+    if (m_map.isNull())
+        return;
+    {
+        const Surface surface = currentSurface();
+        QOpenGLPaintDevice device(surface.widthPixels, surface.heightPixels);
+        QPainter painter(&device);
+        painter.drawImage(0, 0, m_map); // pixel on pixel
+    }
+    switchOff();
+}
+
 void SceneView::drawMarks()
 {
     const std::vector<PointMark> &shown = marks();
@@ -107,13 +131,12 @@ void SceneView::drawMarks()
             drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_draggedAxis) : std::nullopt);
         if (m_loupeAt) {
             const ray::SceneRays *rays = m_document.rays();
-            drawLoupe(painter, loupeBox(m_document.geometry().surface, *m_loupeAt), *m_loupeAt, loupe,
+            const double taken = m_corner && m_corner->isVisible() ? m_corner->width() : 0.0;
+            drawLoupe(painter, loupeBox(m_document.geometry().surface, *m_loupeAt, taken), *m_loupeAt, loupe,
                       rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
         }
     }
-    // What the painter leaves switched on, the next picture does not expect.
-    for (const GLenum what : {GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_TEST})
-        glDisable(what);
+    switchOff();
 }
 
 void SceneView::aimLoupe(const std::optional<DevicePoint> &at)
@@ -179,6 +202,13 @@ bool SceneView::pressMark(const QMouseEvent &event)
         return true;
     }
     m_draggedPoint = pressed.place;
+    m_dragStart = pressed.at;
+    m_draggedWith.clear();
+    for (const PointMark &other : marks()) {
+        if (other.isSelected && !other.isBehind && other.place != pressed.place)
+            m_draggedWith.emplace_back(other.place, other.at);
+    }
+    m_leftBehind = 0;
     m_pointGrab = pressed.at - pointer;
     m_hasMovedPoint = false;
     m_stepAtPress = m_document.undoStack().index();
@@ -194,8 +224,22 @@ void SceneView::dragPoint(const QPointF &local)
     if (!there) // beside the mesh it waits where it was last on it
         return;
     m_hasMovedPoint = true;
+    std::vector<ScenePoints::Move> moves{{m_draggedPoint, *there}};
+    for (const auto &[place, at] : m_draggedWith) {
+        const std::optional<Landmark> other =
+            m_document.points().onMeshAt(deviceOf(m_document.geometry().surface, at + wanted - m_dragStart));
+        const std::string &before = m_document.landmarks()[place].object;
+        if (other && (before.empty() || other->object == before)) // not from one object onto another
+            moves.push_back({place, *other});
+    }
+    const std::vector<std::size_t> selected = selectedInView();
+    const auto wantedMoves =
+        static_cast<std::size_t>(std::count_if(selected.begin(), selected.end(), [this](std::size_t place) {
+            return !m_document.landmarks()[place].isMissing();
+        }));
+    m_leftBehind = wantedMoves - std::min(wantedMoves, moves.size());
     const QScopedValueRollback<bool> moving(m_isMovingPoint, true);
-    static_cast<void>(m_document.points().move(m_draggedPoint, *there, m_gesture));
+    static_cast<void>(m_document.points().moveAll(moves, m_gesture));
     aimLoupe(deviceOf(m_document.geometry().surface, wanted));
 }
 
@@ -343,16 +387,23 @@ void SceneView::nudge(const QPointF &way)
     for (const ScenePoints::Move &move : moves)
         key += u' ' + QString::number(move.place);
     static_cast<void>(points.moveAll(moves, key));
-    if (aim)
+    if (aim) {
         aimLoupe(*aim);
+        reportHover(widgetFromDevice(m_document.geometry().surface, *aim));
+    }
     const auto unmoved = static_cast<int>(wanted) - static_cast<int>(moves.size());
     if (wanted == 1 && left)
         QToolTip::showText(mapToGlobal(*left).toPoint(),
                            tr("It is behind what is seen here: turn the view, or go to it (G)."), this);
     else if (wanted > 1 && unmoved > 0)
-        QToolTip::showText(
-            mapToGlobal(left.value_or(QPointF(rect().center()))).toPoint(),
-            tr("Selected points that were not moved, behind what is seen here or beside it: %1.").arg(unmoved), this);
+        tellUnmoved(static_cast<std::size_t>(unmoved), left.value_or(QPointF(rect().center())));
+}
+
+void SceneView::tellUnmoved(std::size_t count, const QPointF &at)
+{
+    QToolTip::showText(mapToGlobal(at).toPoint(),
+                       tr("Selected points that were not moved, behind what is seen here or beside it: %1.").arg(count),
+                       this);
 }
 
 void SceneView::showTip(const QHelpEvent &event)

@@ -34,6 +34,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace unprojector::gui {
@@ -167,6 +168,7 @@ void MainWindow::createView()
     m_map = new MapOverlay(*m_document, *m_view);
     m_center->addWidget(&m_map->panel(), 0, 0, Qt::AlignTop | Qt::AlignRight);
     m_map->panel().raise();
+    m_view->setCornerWidget(&m_map->panel());
     connect(m_map, &MapOverlay::closeRequested, this, [this] { m_mapAction->setChecked(false); });
     connect(&m_map->panel(), &MapPanel::exportRequested, this, &MainWindow::exportMap);
     for (QWidget *bar :
@@ -284,8 +286,11 @@ void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sampl
         m_hover->setText(tr("background, %1").arg(pixel));
         return;
     }
+    // All to the same place, as far as the least certain of them is.
+    const WorldVector &open = pick->withinPixel.world;
+    const double most = std::max({open.x, open.y, open.z});
     m_hover->setText(
-        tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], pick->withinPixel.world), pixel));
+        tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], WorldVector(most, most, most)), pixel));
 }
 
 void MainWindow::showCamera()

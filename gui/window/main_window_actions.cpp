@@ -393,7 +393,7 @@ void MainWindow::exportMap()
     if (const QString problem = m_map->exportTo(named.file); !problem.isEmpty())
         showFailure(problem);
     else
-        statusBar()->showMessage(tr("Map written to %1").arg(pathText(named.file)), kNoticeMilliseconds);
+        statusBar()->showMessage(tr("Map written to %1").arg(pathText(named.file.filename())), kNoticeMilliseconds);
 }
 
 void MainWindow::showFormulas(const QString &anchor)

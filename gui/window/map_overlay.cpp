@@ -4,6 +4,7 @@
 #include "gui/panels/map_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
+#include "gui/view/scene_view.h"
 
 #include <QBuffer>
 #include <QFontMetrics>
@@ -20,30 +21,8 @@ constexpr int kRestMilliseconds = 200;
 
 } // namespace
 
-MapLayer::MapLayer(QWidget *parent) : QWidget(parent)
-{
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_NoSystemBackground);
-    setFocusPolicy(Qt::NoFocus);
-    hide();
-}
-
-void MapLayer::setImage(const QImage &image)
-{
-    m_image = image;
-    m_image.setDevicePixelRatio(devicePixelRatio());
-    setVisible(!image.isNull());
-    update();
-}
-
-void MapLayer::paintEvent(QPaintEvent *)
-{
-    QPainter painter(this);
-    painter.drawImage(QPointF(0.0, 0.0), m_image); // pixel on pixel
-}
-
-MapOverlay::MapOverlay(SceneDocument &document, QWidget &view)
-    : m_document(document), m_view(view), m_maker(document), m_layer(new MapLayer(&view)), m_panel(new MapPanel)
+MapOverlay::MapOverlay(SceneDocument &document, SceneView &view)
+    : m_document(document), m_view(view), m_maker(document), m_panel(new MapPanel)
 {
     m_panel->hide();
     m_rest.setSingleShot(true);
@@ -97,7 +76,7 @@ void MapOverlay::drop()
 {
     m_map.reset();
     m_image = {};
-    m_layer->setImage({});
+    m_view.setMap({});
     m_panel->setScale(std::nullopt);
     m_panel->setExportable(false);
     tellValue();
@@ -107,7 +86,10 @@ void MapOverlay::ask()
 {
     if (!m_isShown)
         return;
-    if (m_maker.ask(m_panel->question()))
+    maps::Question question = m_panel->question();
+    if (question.quantity == maps::Quantity::Uncertainty)
+        question.cornerShiftPixels = m_view.cornerShiftPixels();
+    if (m_maker.ask(question))
         m_panel->setNote(tr("Computing the map…"));
     else if (m_document.rayCasters().isHopeless(m_document.objects()))
         m_panel->setNote(tr("There is no memory to prepare the model for rays, and so no map."));
@@ -125,6 +107,14 @@ void MapOverlay::show(const std::shared_ptr<const MadeMap> &map)
                                 : tr("%1 pixels: median %2, 99 % at most %3, greatest %4")
                                       .arg(QLocale().toString(static_cast<qulonglong>(s.count)), number(s.median),
                                            number(s.percentile99), number(s.greatest));
+    if (s.count > 0 && !(s.greatest > 0.0) && map->question.quantity == maps::Quantity::Displacement)
+        note =
+            tr("%1 pixels: no difference beyond rounding.").arg(QLocale().toString(static_cast<qulonglong>(s.count)));
+    if (map->question.quantity == maps::Quantity::Uncertainty)
+        note += QStringLiteral("\n")
+                + tr("It is the length of the ± that the comparison states for a click there. Half a step of the depth "
+                     "buffer is "
+                     "a part of it; the ± of a placed point has half a pixel to the side besides.");
     if (map->leavesPointsOut)
         note += QStringLiteral("\n") + tr("Points of clouds are left out: maps are of surfaces.");
     m_panel->setNote(note);
@@ -139,8 +129,7 @@ void MapOverlay::paintMap()
         return;
     m_panel->setScale(m_map->statistics.greatest > 0.0 ? std::optional(m_scale) : std::nullopt);
     m_image = coloredMap(m_map->map, m_scale, m_panel->colors());
-    m_layer->setGeometry(m_view.rect());
-    m_layer->setImage(m_image);
+    m_view.setMap(m_image);
 }
 
 void MapOverlay::setPointer(const std::optional<WidgetPoint> &position)

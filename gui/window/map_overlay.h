@@ -6,7 +6,6 @@
 #include <QImage>
 #include <QObject>
 #include <QTimer>
-#include <QWidget>
 
 #include <memory>
 #include <optional>
@@ -14,26 +13,14 @@
 namespace unprojector::gui {
 
 class MapPanel;
-
-/// A map's colours over the view; lets the mouse through.
-class MapLayer : public QWidget {
-public:
-    explicit MapLayer(QWidget *parent = nullptr);
-    void setImage(const QImage &image);
-
-protected:
-    void paintEvent(QPaintEvent *event) override;
-
-private:
-    QImage m_image;
-};
+class SceneView;
 
 /// A map over the view, off at first. It goes as soon as the view shows anything else, and comes back when that rests.
 class MapOverlay : public QObject {
     Q_OBJECT
 public:
-    /// @param view  the widget that shows the document's picture; the layer lies over it
-    MapOverlay(SceneDocument &document, QWidget &view);
+    /// @param view  shows the document's picture; the colours are drawn in it, below points and crosshair
+    MapOverlay(SceneDocument &document, SceneView &view);
     ~MapOverlay() override;
 
     bool isShown() const { return m_isShown; }
@@ -63,9 +50,8 @@ private:
     QImage withScale() const;
 
     SceneDocument &m_document;
-    QWidget &m_view;
+    SceneView &m_view;
     MapMaker m_maker;
-    MapLayer *m_layer;
     MapPanel *m_panel;
     QTimer m_rest;
     std::shared_ptr<const MadeMap> m_map;

@@ -2759,6 +2759,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>%1: a map is written as .png or .pfm; give the name one of these suffixes.</source>
         <translation>%1：映射图写为 .png 或 .pfm；请给文件名加上其中一个后缀。</translation>
     </message>
+    <message>
+        <source>%1 pixels: no difference beyond rounding.</source>
+        <translation>%1 个像素：除舍入外没有差别。</translation>
+    </message>
+    <message>
+        <source>It is the length of the ± that the comparison states for a click there. Half a step of the depth buffer is a part of it; the ± of a placed point has half a pixel to the side besides.</source>
+        <translation>这是“比较”对该处点击所给 ± 的长度。深度缓冲区的半步只是其中一部分；放置的点的 ± 还另含侧向半个像素。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MapPanel</name>
@@ -2946,10 +2954,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>逆矩阵的点与像素射线在网格上的交点相距多远</translation>
     </message>
     <message>
-        <source>How far the surface may be from the point of a click: the length of its ±</source>
-        <translation>表面可能偏离点击所得点多远：其 ± 的长度</translation>
-    </message>
-    <message>
         <source>How far what another program answers, or a program with a mistake, is from the formulas&apos; point</source>
         <translation>其他程序或带有某个错误的程序所得的点与公式的点相距多远</translation>
     </message>
@@ -2988,6 +2992,10 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Divides by the size less one: right in the middle of the viewport, half a pixel off at its edges</source>
         <translation>除以尺寸减一：视口中央正确，边缘偏差半个像素</translation>
+    </message>
+    <message>
+        <source>How far the surface may be from the point of a click: the length of its ± in the comparison. A placed point&apos;s ± has half a pixel to the side besides</source>
+        <translation>表面离点击所得的点可能有多远：即“比较”中 ± 的长度。放置的点的 ± 还另含侧向半个像素</translation>
     </message>
 </context>
 <context>
@@ -3798,6 +3806,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <source>%1 off, at %2</source>
         <translation>偏差 %1，位于 %2</translation>
     </message>
+    <message>
+        <source>Measured from the formula&apos;s point, whatever vertex, edge or place of the mesh the click takes.</source>
+        <translation>均从公式所得的点量起，无论点击取的是网格的哪个顶点、边或位置。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ParameterGroup</name>
@@ -4557,10 +4569,6 @@ of a point that needs no division</source>
         <translation>世界 z；黑色部分是确定的</translation>
     </message>
     <message>
-        <source>How far the point can be off, world units</source>
-        <translation>该点可能相差多少，世界单位</translation>
-    </message>
-    <message>
         <source>The object that it lies on</source>
         <translation>它所在的物体</translation>
     </message>
@@ -4587,6 +4595,10 @@ of a point that needs no division</source>
     <message>
         <source>How far the point can be off is not known, so none of its digits counts as certain</source>
         <translation>该点可能偏差多少未知，因此没有一位数字算是确定的</translation>
+    </message>
+    <message>
+        <source>How far the point can be off, world units: half a pixel to the side, and how far a click is off (which alone is what the comparison and the map of uncertainty have)</source>
+        <translation>此点可能偏差多远（世界单位）：侧向半个像素，再加点击本身的偏差（“比较”和不确定度图只含后者）</translation>
     </message>
 </context>
 <context>

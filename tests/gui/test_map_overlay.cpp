@@ -3,6 +3,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/map_panel.h"
 #include "gui/view/map_colors.h"
+#include "gui/view/point_loupe.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/map_overlay.h"
 #include "tests/gui/window_user.h"
@@ -58,6 +59,9 @@ private slots:
     void itIsOfThePicture();
     void theQuestion();
     void files();
+    void pointsAreOverTheMap();
+    void uncertaintyIsThatOfAClick();
+    void noEffectIsNoDifference();
 };
 
 void TestMapOverlay::colorsGoFromDarkToLight()
@@ -205,6 +209,74 @@ void TestMapOverlay::files()
     QCOMPARE(png.pixelColor(pixel->i, pixel->j), shown.pixelColor(pixel->i, pixel->j));
     QVERIFY(window->map().exportTo(path("a.txt")).contains(".png or .pfm"));
     QVERIFY(window->map().exportTo(path("none/a.pfm")).contains("none"));
+}
+
+void TestMapOverlay::pointsAreOverTheMap()
+{
+    const auto window = windowOfSize({900, 600});
+    SceneDocument &document = window->document();
+    SceneView &view = window->view();
+    window->map().setShown(true);
+    QTRY_VERIFY(window->map().map() != nullptr);
+    const std::optional<DevicePixel> pixel = seenPixel(window->map().map()->map);
+    QVERIFY(pixel);
+    const QImage shown = view.grabFramebuffer();
+    QCOMPARE(shown.pixelColor(pixel->i, pixel->j), window->map().image().pixelColor(pixel->i, pixel->j));
+    landmarks::Landmark point;
+    point.world = document.rays()->at(pixelCenter(*pixel)).value()->world;
+    QVERIFY(document.points().place(point));
+    QVERIFY(window->map().map() != nullptr); // a point is no other picture
+    const QImage marked = view.grabFramebuffer();
+    int changed = 0;
+    for (int j = -8; j <= 8; ++j) {
+        for (int i = -8; i <= 8; ++i) {
+            const QPoint at(pixel->i + i, pixel->j + j);
+            if (marked.rect().contains(at) && marked.pixel(at) != shown.pixel(at))
+                ++changed;
+        }
+    }
+    QVERIFY2(changed > 20, qPrintable(QString::number(changed)));
+    // The loupe stands beside the panel.
+    const Surface &surface = document.geometry().surface;
+    const QRectF beside = loupeBox(surface, {10.0, 10.0}, 100.0), usual = loupeBox(surface, {10.0, 10.0});
+    QCOMPARE(usual.left() - beside.left(), 100.0);
+    window->map().setShown(false);
+    QCOMPARE(view.grabFramebuffer().pixelColor(pixel->i, pixel->j) == shown.pixelColor(pixel->i, pixel->j), false);
+}
+
+/// The number of the map and the ± of the comparison are the same.
+void TestMapOverlay::uncertaintyIsThatOfAClick()
+{
+    const auto window = windowOfSize({900, 600});
+    boxOf(*window, "What the map shows")->setCurrentIndex(3);
+    window->map().setShown(true);
+    QTRY_VERIFY(window->map().map() != nullptr);
+    const MadeMap &made = *window->map().map();
+    const Picture &picture = window->document().geometry();
+    for (const double share : {0.4, 0.5, 0.6}) {
+        const DevicePixel pixel{int(share * made.map.widthPixels), made.map.heightPixels / 2};
+        window->view().onLButtonDown(widgetFromDevice(picture.surface, pixelCenter(pixel)));
+        const std::optional<Pick> &pick = window->document().pick();
+        QVERIFY(pick && pick->hit());
+        const double stated = length(pick->uncertainty.world), shown = double(made.map.at(pixel));
+        QVERIFY2(std::abs(stated - shown) < 0.02 * shown, qPrintable(QStringLiteral("%1 %2").arg(stated).arg(shown)));
+    }
+}
+
+void TestMapOverlay::noEffectIsNoDifference()
+{
+    const auto window = windowOfSize({900, 600});
+    boxOf(*window, "What the map shows")->setCurrentIndex(4);
+    QComboBox *convention = boxOf(*window, "Whose displacement");
+    convention->setCurrentIndex(convention->findText("the viewport's origin ignored")); // it is 0, 0
+    window->map().setShown(true);
+    QTRY_VERIFY(window->map().map() != nullptr);
+    QVERIFY(window->map().map()->statistics.count > 0);
+    QCOMPARE(window->map().map()->statistics.greatest, 0.0);
+    const QList<QLabel *> labels = window->map().panel().findChildren<QLabel *>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel *label) {
+        return label->text().endsWith(QStringLiteral("no difference beyond rounding."));
+    }));
 }
 
 QTEST_MAIN(TestMapOverlay)

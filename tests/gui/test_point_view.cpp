@@ -79,6 +79,8 @@ private slots:
     void outsidePlacingClicksPick();
     void aMarkIsSelectedAndDragged();
     void aPointNobodyChoseStaysWhereItIs();
+    void selectedMarksAreDraggedTogether();
+    void whatIsToldGoesWithTheView();
     void escapeEndsADragAndThenPlacing();
     void arrowKeysMoveByPixels_data();
     void arrowKeysMoveByPixels();
@@ -174,6 +176,45 @@ void TestPointView::aMarkIsSelectedAndDragged()
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
     click(window->view(), QPointF(4, 4));
     QVERIFY(window->document().pick()); // beside marks, clicks pick
+}
+
+void TestPointView::selectedMarksAreDraggedTogether()
+{
+    const auto window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    putPoint(*window);
+    const WorldPoint beside(kFront + glm::dvec3(0.3, 0.2, 0.0)), stays(kFront - glm::dvec3(0.3, 0.2, 0.0));
+    QVERIFY(document.points().place(pointAt(beside.coordinates(), "beside")));
+    QVERIFY(document.points().place(pointAt(stays.coordinates(), "stays")));
+    document.points().select({0, 1});
+    const std::vector<Landmark> before = document.landmarks();
+    const int steps = document.undoStack().count();
+    const QPointF at = localOf(*window, kFront), other = localOf(*window, before[1].world->coordinates());
+    drag(window->view(), at, at + QPointF(-12, 8), Qt::LeftButton);
+    const std::vector<Landmark> &after = document.landmarks();
+    const QPointF way = localOf(*window, after[0].world->coordinates()) - at;
+    QVERIFY(std::hypot(way.x() + 12, way.y() - 8) < 1e-6);
+    const QPointF otherWay = localOf(*window, after[1].world->coordinates()) - other;
+    QVERIFY(std::hypot(otherWay.x() + 12, otherWay.y() - 8) < 1e-6);
+    QVERIFY(after[2] == before[2]); // not selected
+    QCOMPARE(document.undoStack().count(), steps + 1);
+    document.undoStack().undo();
+    QVERIFY(document.landmarks() == before);
+}
+
+void TestPointView::whatIsToldGoesWithTheView()
+{
+    const auto window = cubeWindow(false);
+    SceneView &view = window->view();
+    std::vector<WidgetPoint> told;
+    connect(&view, &SceneView::hovered, this, [&told](const WidgetPoint &position) { told.push_back(position); });
+    sendMouse(view, QEvent::MouseMove, localOf(*window, kFront), Qt::NoButton, Qt::NoButton);
+    QTRY_COMPARE(told.size(), std::size_t(1));
+    LookAt camera = window->document().scene().camera;
+    camera.eye += WorldVector(0.2, 0.0, 0.0);
+    window->document().setCamera(camera); // as by a key, while the pointer rests
+    QTRY_COMPARE(told.size(), std::size_t(2));
+    QVERIFY(told[0] == told[1]);
 }
 
 void TestPointView::escapeEndsADragAndThenPlacing()
