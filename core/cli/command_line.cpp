@@ -559,11 +559,12 @@ void addDoctor(CLI::App &app, Run &run)
                                           "The right depth there, in the scene's depth range. Without it: that of the "
                                           "scene's\nmesh; without a mesh answers are rays")
                              ->type_name("D");
-    CLI::Option *got = command
-                           ->add_option("--got", options->got,
-                                        "The wrong point, with the digits that are known of it: 1.50 has two "
-                                        "decimals")
-                           ->type_name("X,Y,Z");
+    CLI::Option *got =
+        command
+            ->add_option("--got", options->got,
+                         "The wrong point as the program prints it: 1.50,2,3 or vec3(1.5, 2, 3). Its digits "
+                         "count: 1.50\nhas two decimals")
+            ->type_name("X,Y,Z");
     command
         ->add_option("--got-space", options->gotSpace,
                      "The space that the point is meant in: world, eye, object (of the only one) or object:NAME")

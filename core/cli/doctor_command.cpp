@@ -6,7 +6,7 @@
 #include "core/cli/scene_input.h"
 #include "core/cli/size_text.h"
 #include "core/cli/wrong_points.h"
-#include "core/ray/scene_rays.h"
+#include "core/ray/mesh_depth.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
 
@@ -32,30 +32,6 @@ std::optional<Case> withoutMesh(const std::string &file)
     return result;
 }
 
-/// The depth at which the ray of a position meets the objects.
-class MeshDepth {
-public:
-    MeshDepth(const Unprojector &unprojector, const OpenedScene &opened)
-        : m_picture(unprojector.picture()),
-          m_rays(std::make_shared<ray::SceneRays>(unprojector, opened.objects, castersOf(opened.objects),
-                                                  opened.clipPlanes()))
-    {
-    }
-
-    std::optional<double> operator()(const DevicePoint &position) const
-    {
-        const auto hit = m_rays->at(position);
-        if (!hit || !*hit)
-            return std::nullopt;
-        const Result<WindowPoint> window = windowFromWorld(m_picture, (*hit)->world);
-        return window ? std::optional(window->z) : std::nullopt;
-    }
-
-private:
-    Picture m_picture;
-    std::shared_ptr<const ray::SceneRays> m_rays;
-};
-
 std::optional<Case> withMesh(const std::string &file)
 {
     const std::optional<OpenedScene> opened = openScene(file);
@@ -71,7 +47,8 @@ std::optional<Case> withMesh(const std::string &file)
         return std::nullopt;
     }
     if (!opened->objects.empty())
-        result.depthOnMesh = MeshDepth(*unprojector, *opened);
+        result.depthOnMesh = ray::MeshDepth(std::make_shared<ray::SceneRays>(
+            *unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes()));
     return result;
 }
 
@@ -124,6 +101,25 @@ bool setSpace(std::vector<WrongPoint> &points, const std::string &space, const C
     return true;
 }
 
+/// Leaves out the points of pixels outside the picture, which stderr is told.
+void leaveOutside(WrongPoints &given, const Surface &surface)
+{
+    WrongPoints inside{{}, {}, given.isComplete};
+    for (std::size_t i = 0; i < given.points.size(); ++i) {
+        const DevicePoint &at = given.points[i].pixel;
+        if (at.x >= 0.0 && at.y >= 0.0 && at.x <= surface.widthPixels && at.y <= surface.heightPixels) {
+            inside.points.push_back(given.points[i]);
+            inside.names.push_back(given.names[i]);
+            continue;
+        }
+        inside.isComplete = false;
+        complain(given.names[i] + ": " + shortestText(at.x) + ',' + shortestText(at.y) + " lies outside the picture of "
+                 + std::to_string(surface.widthPixels) + 'x' + std::to_string(surface.heightPixels)
+                 + "; device pixels from its top left corner are meant");
+    }
+    given = std::move(inside);
+}
+
 std::string depthAdvice(const Picture &picture)
 {
     return "; the scene's go from " + shortestText(picture.depthRange.atNear) + " to "
@@ -139,7 +135,7 @@ ExitCode runDoctor(const DoctorOptions &options)
         const std::optional<WrongPoint> point = wrongPoint(options.pixel, options.depth, options.got);
         if (!point)
             return ExitCode::UnusableInput;
-        given.points = {*point};
+        given = {{*point}, {"--pixel"}};
     } else {
         if (options.points == "-" && options.scene == "-") {
             complain("the scene and the points cannot both come from standard input; give a file for one of them");
@@ -165,6 +161,9 @@ ExitCode runDoctor(const DoctorOptions &options)
             return ExitCode::UnusableInput;
         }
     }
+    leaveOutside(given, scene->picture.surface);
+    if (given.points.empty())
+        return ExitCode::UnusableInput;
     const Result<Diagnosis> diagnosis = diagnose(*scene, given.points);
     if (!diagnosis) {
         const Error &error = diagnosis.error();
@@ -173,14 +172,6 @@ ExitCode runDoctor(const DoctorOptions &options)
                            + depthAdvice(scene->picture)
                      : options.scene + ": " + errorText(error));
         return ExitCode::UnusableInput;
-    }
-    for (const WrongPoint &point : given.points) {
-        const Surface &surface = scene->picture.surface;
-        const DevicePoint &at = point.pixel;
-        if (at.x < 0.0 || at.y < 0.0 || at.x > surface.widthPixels || at.y > surface.heightPixels)
-            complain("pixel " + shortestText(at.x) + ',' + shortestText(at.y) + " lies outside the picture of "
-                     + std::to_string(surface.widthPixels) + 'x' + std::to_string(surface.heightPixels)
-                     + "; device pixels from its top left corner are meant");
     }
     ByteSink sink;
     sink.write(options.isJson ? doctorJson(*diagnosis) : doctorText(*diagnosis, given.points.front()));

@@ -61,7 +61,7 @@ std::string shortText(double value, int digits)
 {
     std::array<char, 32> text;
     const auto written =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+        std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, digits);
     return {text.data(), written.ptr};
 }
 
@@ -72,7 +72,10 @@ std::string coordinateText(double value, double lastDigit)
     std::array<char, 400> text;
     const auto written =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-    return {text.data(), written.ptr};
+    std::string result(text.data(), written.ptr);
+    if (result.front() == '-' && result.find_first_of("123456789") == std::string::npos)
+        result.erase(0, 1);
+    return result;
 }
 
 std::string pointText(const glm::dvec3 &point, const WrongPoint &like)

@@ -1,102 +1,14 @@
 #include "core/cli/wrong_points.h"
 
 #include "core/cli/byte_stream.h"
-#include "core/cli/csv_line.h"
+#include "core/doctor/written_points.h"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace unprojector::cli {
 using namespace doctor;
 namespace {
-
-/// The numbers of "X,Y,Z", with or without blanks and brackets around them.
-std::vector<std::string_view> listed(std::string_view text)
-{
-    text = trimmed(text);
-    if (text.size() > 1 && ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']')))
-        text = text.substr(1, text.size() - 2);
-    std::vector<std::string_view> parts;
-    for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(',', start), text.size());
-        parts.push_back(trimmed(text.substr(start, end - start)));
-        start = end + 1;
-    }
-    return parts;
-}
-
-double depthDigit(const WrittenNumber &depth)
-{
-    return depth.lastDigit <= 1.5 * std::pow(10.0, -kRoundedDepthDecimals) ? depth.lastDigit : 0.0;
-}
-
-void setGot(WrongPoint &point, int axis, const WrittenNumber &number)
-{
-    point.got[axis] = number.value;
-    point.lastDigit[axis] = number.lastDigit;
-}
-
-constexpr std::array<std::string_view, 6> kColumns{"px", "py", "depth", "x", "y", "z"};
-constexpr std::size_t kDepth = 2;
-
-std::vector<std::string_view> cellsOf(std::string_view row)
-{
-    std::vector<std::string_view> cells;
-    for (std::size_t start = 0; start <= row.size();) {
-        const std::size_t end = cellEnd(row, start);
-        cells.push_back(unquoted(row.substr(start, end - start)));
-        start = end + 1;
-    }
-    return cells;
-}
-
-/// Where each column stands; without a header at its own place. What is wrong with a header is said on stderr.
-std::optional<std::array<std::size_t, 6>> placesOf(const std::vector<std::string_view> &first, const std::string &name)
-{
-    std::array<std::size_t, 6> places{0, 1, 2, 3, 4, 5};
-    if (writtenNumber(first.front()))
-        return places;
-    for (std::size_t column = 0; column < kColumns.size(); ++column) {
-        const auto found = std::find(first.begin(), first.end(), kColumns[column]);
-        places[column] = std::size_t(found - first.begin());
-        if (found == first.end() && column != kDepth) {
-            complain(name + ":1: there is no column \"" + std::string(kColumns[column])
-                     + "\"; give px,py,depth,x,y,z, where depth may be left out");
-            return std::nullopt;
-        }
-    }
-    return places;
-}
-
-/// Nothing where the row has a cell that is no number, which stderr has been told.
-std::optional<WrongPoint> pointOf(const std::vector<std::string_view> &cells, const std::array<std::size_t, 6> &places,
-                                  const std::string &where)
-{
-    WrongPoint point;
-    for (std::size_t column = 0; column < kColumns.size(); ++column) {
-        const std::string_view cell = places[column] < cells.size() ? cells[places[column]] : std::string_view();
-        if (column == kDepth && cell.empty())
-            continue;
-        const std::optional<WrittenNumber> number = writtenNumber(cell);
-        if (!number) {
-            complain(where + ": " + std::string(kColumns[column]) + ": \"" + std::string(cell) + "\" is no number");
-            return std::nullopt;
-        }
-        if (column < kDepth) {
-            point.pixel[int(column)] = number->value;
-        } else if (column == kDepth) {
-            point.depth = number->value;
-            point.depthLastDigit = depthDigit(*number);
-        } else {
-            setGot(point, int(column - kDepth) - 1, *number);
-        }
-    }
-    return point;
-}
 
 std::optional<std::string> allOf(ByteSource &source)
 {
@@ -111,49 +23,37 @@ std::optional<std::string> allOf(ByteSource &source)
     return text;
 }
 
-} // namespace
-
-std::optional<WrittenNumber> writtenNumber(std::string_view text)
+std::string tableErrorText(const PointTableError &error)
 {
-    text = trimmed(text);
-    if (text.starts_with('+'))
-        text.remove_prefix(1);
-    WrittenNumber number;
-    const char *end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, number.value);
-    if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(number.value))
-        return std::nullopt;
-    const std::size_t mantissaEnd = std::min(text.find_first_of("eE"), text.size());
-    const std::size_t point = text.substr(0, mantissaEnd).find('.');
-    int place = point == std::string_view::npos ? 0 : -int(mantissaEnd - point - 1);
-    if (mantissaEnd < text.size()) {
-        std::string_view exponent = text.substr(mantissaEnd + 1);
-        if (exponent.starts_with('+'))
-            exponent.remove_prefix(1);
-        int power = 0;
-        std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
-        place += std::clamp(power, -400, 400); // as far as doubles go
+    const std::string column(error.column);
+    switch (error.kind) {
+    case PointTableError::Kind::NoColumn:
+        return "there is no column \"" + column + "\"; give px,py,depth,x,y,z, where depth may be left out";
+    case PointTableError::Kind::DoubledColumn:
+        return "the column \"" + column + "\" stands there twice; leave one of them out";
+    case PointTableError::Kind::OpenQuote: return "a quote is opened here and not closed at the end of its cell";
     }
-    // More digits than a double has say nothing more.
-    const double least = std::max(std::abs(number.value), 1.0) * 1e-15;
-    number.lastDigit = std::max(std::pow(10.0, place), least);
-    if (!std::isfinite(number.lastDigit))
-        return std::nullopt;
-    return number;
+    return {};
 }
+
+std::string rowErrorText(const PointRow &row, std::size_t place)
+{
+    if (place >= kPointColumns.size())
+        return "the row has more than six cells; give px,py,depth,x,y,z, with a point for the decimals";
+    return std::string(kPointColumns[place]) + ": \"" + row.cells[place] + "\" is no number";
+}
+
+} // namespace
 
 std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string &depth, const std::string &got)
 {
     WrongPoint point;
-    const std::vector<std::string_view> position = listed(pixel), coordinates = listed(got);
-    for (int axis = 0; axis < 2; ++axis) {
-        const auto number = position.size() == 2 ? writtenNumber(position[std::size_t(axis)]) : std::nullopt;
-        if (!number) {
-            complain("--pixel " + pixel + ": give device pixels from the top left corner, as in 400.5,300.5");
-            return std::nullopt;
-        }
-        point.pixel[axis] = number->value;
+    const auto position = writtenNumbers(pixel, 2);
+    if (!position) {
+        complain("--pixel " + pixel + ": give device pixels from the top left corner, as in 400.5,300.5");
+        return std::nullopt;
     }
+    point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
     if (!depth.empty()) {
         const std::optional<WrittenNumber> number = writtenNumber(depth);
         if (!number) {
@@ -161,17 +61,18 @@ std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string
             return std::nullopt;
         }
         point.depth = number->value;
-        point.depthLastDigit = depthDigit(*number);
+        point.depthLastDigit = depthLastDigit(*number);
+    }
+    const auto coordinates = writtenNumbers(got, 3);
+    if (!coordinates) {
+        complain("--got " + got
+                 + ": give the three coordinates as the program has printed them, as in "
+                   "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)");
+        return std::nullopt;
     }
     for (int axis = 0; axis < 3; ++axis) {
-        const auto number = coordinates.size() == 3 ? writtenNumber(coordinates[std::size_t(axis)]) : std::nullopt;
-        if (!number) {
-            complain("--got " + got
-                     + ": give the three coordinates as the program has printed them, as in "
-                       "0.7051,-0.4122,0.0918");
-            return std::nullopt;
-        }
-        setGot(point, axis, *number);
+        point.got[axis] = (*coordinates)[std::size_t(axis)].value;
+        point.lastDigit[axis] = (*coordinates)[std::size_t(axis)].lastDigit;
     }
     return point;
 }
@@ -181,38 +82,29 @@ std::optional<WrongPoints> wrongPoints(const std::string &file)
     ByteSource source(file);
     if (!source.isOpen())
         return std::nullopt;
-    std::optional<std::string> text = allOf(source);
+    const std::optional<std::string> text = allOf(source);
     if (!text)
         return std::nullopt;
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (text->starts_with(kByteOrderMark))
-        text->erase(0, kByteOrderMark.size());
+    const auto where = [&](std::size_t line) { return source.name() + ':' + std::to_string(line) + ": "; };
+    const Result<std::vector<PointRow>, PointTableError> rows = pointRows(*text);
+    if (!rows) {
+        complain(where(rows.error().line) + tableErrorText(rows.error()));
+        return std::nullopt;
+    }
     WrongPoints result;
-    std::optional<std::array<std::size_t, 6>> places;
-    std::size_t surplus = 0, line = 0;
-    for (std::size_t start = 0; start < text->size();) {
-        const std::size_t end = std::min(text->find('\n', start), text->size());
-        const std::string_view row = trimmed(std::string_view(*text).substr(start, end - start));
-        start = end + 1;
-        ++line;
-        if (row.empty())
-            continue;
-        const std::vector<std::string_view> cells = cellsOf(row);
-        if (!places) {
-            places = placesOf(cells, source.name());
-            if (!places)
-                return std::nullopt;
-            if (!writtenNumber(cells.front()))
-                continue;
-        }
+    std::size_t surplus = 0;
+    for (const PointRow &row : *rows) {
         if (result.points.size() == kMostWrongPoints) {
             ++surplus;
             continue;
         }
-        if (const auto point = pointOf(cells, *places, source.name() + ':' + std::to_string(line)))
+        if (const auto point = pointOf(row)) {
             result.points.push_back(*point);
-        else
+            result.names.push_back(source.name() + ':' + std::to_string(row.line));
+        } else {
+            complain(where(row.line) + rowErrorText(row, point.error()));
             result.isComplete = false;
+        }
     }
     if (surplus > 0)
         complain(source.name() + ": the first " + std::to_string(kMostWrongPoints) + " points are looked at; "

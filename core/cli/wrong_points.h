@@ -4,22 +4,9 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace unprojector::cli {
-
-/// A number with the digits it was written with.
-struct WrittenNumber {
-    double value = 0.0;
-    double lastDigit = 1.0; ///< its unit: 0.01 of 1.50, 1000 of 3e3
-};
-
-/// Nothing for what is no finite number.
-std::optional<WrittenNumber> writtenNumber(std::string_view text);
-
-/// A depth of fewer digits than this after its point is taken for exact, as 0.5 is; one of more for rounded.
-constexpr int kRoundedDepthDecimals = 4;
 
 /// The point of the options --pixel, --depth and --got. What is wrong with them is said on stderr.
 /// @param depth  empty where it is not known
@@ -29,6 +16,7 @@ std::optional<doctor::WrongPoint> wrongPoint(const std::string &pixel, const std
 /// The points of a table, and whether some of its rows were left out.
 struct WrongPoints {
     std::vector<doctor::WrongPoint> points;
+    std::vector<std::string> names; ///< of each, for messages: "wrong.csv:3", "--pixel"
     bool isComplete = true;
 };
 

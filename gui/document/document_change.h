@@ -29,6 +29,7 @@ enum class Change {
         0x1000, ///< how the curves between points go: worked out after the points were told, or to be worked out anew
     GivenPoint = 0x2000,  ///< the point that is followed besides the clicks
     Conventions = 0x4000, ///< in whose conventions matrices and points are shown
+    WrongPoints = 0x8000, ///< those that are marked beside the right ones
     History = 0x20        ///< what can be undone and what is saved: isModified and isEdited may be other than before
 };
 Q_DECLARE_FLAGS(Changes, Change)

@@ -50,6 +50,13 @@ struct SinceClick {
     bool isAnything() const { return isOtherPicture || isObjectMoved || isObjectHidden || isCutAway; }
 };
 
+/// A point that another program has got, and the right one of its click, as both are marked in the views. World space.
+struct WrongPointMark {
+    WorldPoint got;
+    std::optional<WorldPoint> right;
+    friend bool operator==(const WrongPointMark &, const WrongPointMark &) = default;
+};
+
 /// The one owner of the scene, the undo stack and the picked point. Widgets show it and ask it to change; it unprojects.
 class SceneDocument : public QObject {
     Q_OBJECT
@@ -92,6 +99,9 @@ public:
     const std::optional<GivenPoint> &givenPoint() const { return m_scene.givenPoint; }
     /// Where the given point lies in the picture as it is now; nothing where there is none, or no world point of it.
     std::optional<WorldPoint> givenWorld() const;
+    /// What other programs have got: marked while somebody looks into it. Not of the scene: neither kept nor undone.
+    const std::vector<WrongPointMark> &wrongPoints() const { return m_wrongPoints; }
+    void markWrongPoints(std::vector<WrongPointMark> points);
     QUndoStack &undoStack() { return m_undoStack; }
 
     /// Whether anything, the camera included, is other than when the scene was opened or marked as saved. What was undone
@@ -256,6 +266,7 @@ private:
     RayCasters m_casters;
     mutable std::optional<ray::SceneRays> m_rays; ///< of the picture, once somebody has asked
     ray::Snap m_snap = ray::Snap::Surface;
+    std::vector<WrongPointMark> m_wrongPoints;
     Box m_bounds;
     Ground m_ground;
     std::uint64_t m_lastEdit = 0;

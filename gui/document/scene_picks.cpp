@@ -183,6 +183,12 @@ std::optional<WorldPoint> SceneDocument::givenWorld() const
     return world ? std::optional(*world) : std::nullopt;
 }
 
+void SceneDocument::markWrongPoints(std::vector<WrongPointMark> points)
+{
+    if (std::exchange(m_wrongPoints, std::move(points)) != m_wrongPoints)
+        tell(Change::WrongPoints);
+}
+
 const ray::SceneRays *SceneDocument::rays() const
 {
     if (!m_rays) {

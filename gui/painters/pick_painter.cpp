@@ -29,7 +29,7 @@ void PickPainter::draw(const WorldPoint &point, const glm::dmat4 &clipFromWorld,
     m_program->setUniformValue("center", float(clip.x / clip.w), float(clip.y / clip.w));
     m_program->setUniformValue("viewportPixels", viewportPixels.x, viewportPixels.y);
     m_program->setUniformValue("pixelRatio", pixelRatio);
-    m_program->setUniformValue("isGiven", mark == Mark::Given);
+    m_program->setUniformValue("mark", static_cast<int>(mark));
     m_vertexArray.bind();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     m_vertexArray.release();

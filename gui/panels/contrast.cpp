@@ -1,5 +1,7 @@
 #include "gui/panels/contrast.h"
 
+#include <QApplication>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,6 +43,13 @@ QColor quietInk(const QColor &ink, const QColor &base)
         quiet = next;
     }
     return quiet;
+}
+
+QPalette refusedPalette()
+{
+    QPalette palette = QApplication::palette();
+    palette.setColor(QPalette::Base, mixed(palette.color(QPalette::Base), QColor(255, 60, 60), 0.35));
+    return palette;
 }
 
 } // namespace unprojector::gui

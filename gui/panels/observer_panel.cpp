@@ -172,6 +172,17 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
         if (changes & (Change::Picture | Change::Pick))
             showDistances();
     });
+    m_outOfSight = new QPushButton(tr("× out of sight: show it"));
+    m_outOfSight->setToolTip(
+        tr("The point that your program got lies outside of this picture. Move back until it is in it"));
+    m_outOfSight->hide();
+    auto *overView = new QVBoxLayout(m_view);
+    overView->setSizeConstraint(QLayout::SetNoConstraint);
+    overView->addWidget(m_outOfSight, 0, Qt::AlignTop | Qt::AlignLeft);
+    connect(m_outOfSight, &QPushButton::clicked, m_view, &ObserverView::fit);
+    connect(
+        m_view, &ObserverView::wrongPointsSeen, m_outOfSight,
+        [this](bool areSeen) { m_outOfSight->setVisible(!areSeen); }, Qt::QueuedConnection);
     setIsInset(false);
     showMorph(0.0);
     showDistances();

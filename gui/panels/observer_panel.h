@@ -49,6 +49,7 @@ private:
     QWidget *m_legend;
     QToolButton *m_toDock;
     QToolButton *m_close;
+    QPushButton *m_outOfSight; ///< over the view
 };
 
 } // namespace unprojector::gui

@@ -6,11 +6,13 @@
 #include "gui/painters/observer_shapes.h"
 #include "gui/painters/scene_lines.h"
 #include "gui/text/error_text.h"
+#include "gui/view/wrong_point_marks.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // The hand is in observer_view_input.cpp.
 
@@ -48,7 +50,7 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : FrameView
             setHotPlane(std::nullopt);
         }
         m_isStale |= bool(changes & kSeen);
-        if (changes & (kSeen | Change::Pick | Change::GivenPoint))
+        if (changes & (kSeen | Change::Pick | Change::GivenPoint | Change::WrongPoints))
             update();
     });
 }
@@ -136,6 +138,8 @@ void ObserverView::fit()
         Framing framing(m_observer);
         for (const WorldPoint &point : pointsToFit(*p))
             framing.add(point);
+        for (const WrongPointMark &mark : m_document.wrongPoints())
+            framing.add(mark.got);
         m_observer.camera() = framing.picture().camera();
         // The camera's sign has a constant size in the picture: how large it is follows from the first try.
         const double size = signSize(m_observer, frame->eye);
@@ -337,6 +341,27 @@ void ObserverView::drawCamera(const ObserverPicture &p)
     glDepthMask(GL_TRUE);
 }
 
+void ObserverView::drawWrong(const ObserverPicture &p)
+{
+    std::vector<WrongPointMark> marks;
+    bool areSeen = true;
+    for (WrongPointMark mark : m_document.wrongPoints()) {
+        const std::optional<QPointF> place = p.holds(mark.got) ? placeOf(mark.got) : std::nullopt;
+        areSeen = areSeen && place && QRectF(rect()).contains(*place);
+        if (!p.holds(mark.got))
+            continue;
+        if (mark.right && !p.holds(*mark.right))
+            mark.right.reset();
+        marks.push_back(mark);
+    }
+    const Surface &surface = p.observer.surface;
+    glDisable(GL_DEPTH_TEST);
+    drawWrongPoints(marks, p.clipFromDrawn * p.drawnFromWorld, glm::vec2(surface.widthPixels, surface.heightPixels),
+                    static_cast<float>(surface.devicePixelRatio), m_lines, m_pickPainter);
+    if (std::exchange(m_areWrongPointsSeen, areSeen) != areSeen)
+        emit wrongPointsSeen(areSeen);
+}
+
 void ObserverView::drawPick(const ObserverPicture &p)
 {
     const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
@@ -350,6 +375,7 @@ void ObserverView::drawPick(const ObserverPicture &p)
         glDisable(GL_DEPTH_TEST);
         drawMark(*given, PickPainter::Mark::Given);
     }
+    drawWrong(p);
     const std::optional<Pick> &pick = m_document.pick();
     if (!pick)
         return;

@@ -25,7 +25,7 @@ public:
     double morph() const { return m_t; }
     void setMorph(double t);
 
-    /// Shows the eye and the view volume fully, from the direction that the observer looks in.
+    /// Shows the eye, the view volume and the points that another program got fully, from the direction that the observer looks in.
     void fit();
 
     const LookAt &observer() const { return m_observer.camera(); }
@@ -34,6 +34,8 @@ public:
 
 signals:
     void morphChanged(double t);
+    /// Whether all points that another program got lie in the picture. Told while it is drawn.
+    void wrongPointsSeen(bool areSeen);
 
 protected:
     void initializeGL() override;
@@ -67,6 +69,7 @@ private:
     void drawVolume(const ObserverPicture &p);
     void drawCamera(const ObserverPicture &p);
     void drawPick(const ObserverPicture &p);
+    void drawWrong(const ObserverPicture &p);
     /// Where they are hidden, the lines show faintly.
     void drawLines(const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource, double widthLogical);
 
@@ -89,7 +92,8 @@ private:
     Placement m_reference; ///< where the cube stands
     bool m_isPlaced = false;
     bool m_isTouched = false; ///< a hand has moved the observer
-    Surface m_placedFor;      ///< the first view's surface when the observer was placed
+    bool m_areWrongPointsSeen = true;
+    Surface m_placedFor; ///< the first view's surface when the observer was placed
 
     Drag m_drag = Drag::None;
     std::optional<ClipPlaneDrag> m_planeDrag;

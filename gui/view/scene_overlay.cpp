@@ -4,6 +4,7 @@
 #include "gui/painters/scene_lines.h"
 #include "gui/view/curve_shapes.h"
 #include "gui/view/frame.h"
+#include "gui/view/wrong_point_marks.h"
 
 #include <algorithm>
 #include <array>
@@ -102,11 +103,13 @@ void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &cli
     if (const std::optional<WorldPoint> given = document.givenWorld()) {
         glDisable(GL_DEPTH_TEST);
         m_pick.draw(*given, clipFromWorld, viewportPixels(g), pixelRatio(g), PickPainter::Mark::Given);
-        glEnable(GL_DEPTH_TEST);
     }
+    glDisable(GL_DEPTH_TEST);
+    drawWrongPoints(document.wrongPoints(), clipFromWorld, viewportPixels(g), pixelRatio(g), m_lines, m_pick);
     const std::optional<WorldPoint> point = document.pickedPoint();
     if (!point)
         return;
+    glEnable(GL_DEPTH_TEST);
     const std::vector<LineSegment> drops = dropLines(*point, document.ground());
     m_lines.draw(drops, clipFromWorld, viewportPixels(g), 2.0f * pixelRatio(g));
     glDisable(GL_DEPTH_TEST);

@@ -47,8 +47,8 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
         if (changes & kSeen)
             redraw();
         else if (changes
-                 & (Change::Pick | Change::GivenPoint | Change::Ray | Change::Landmarks | Change::LandmarkSelection
-                    | Change::Curves))
+                 & (Change::Pick | Change::GivenPoint | Change::WrongPoints | Change::Ray | Change::Landmarks
+                    | Change::LandmarkSelection | Change::Curves))
             update(); // they are drawn over the frame
         if (changes & Change::Snap)
             clearMark();

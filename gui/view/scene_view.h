@@ -39,6 +39,9 @@ public:
     /// follows, what was picked before comes back. A position outside the view is ignored.
     void onLButtonDown(const WidgetPoint &position);
 
+    /// Puts the crosshair onto a pixel and picks there, as Enter does. One outside the view is ignored.
+    void pickPixel(const DevicePixel &pixel);
+
     /// The widget position of a mouse event, corrected for fractional pixel ratios: Qt composes the view onto whole
     /// device pixels, while the event's position is relative to the view's logical corner.
     WidgetPoint widgetPosition(const QPointF &local) const;

@@ -95,6 +95,15 @@ void SceneView::setCrosshairShown(bool isShown)
     update();
 }
 
+void SceneView::pickPixel(const DevicePixel &pixel)
+{
+    const WidgetPoint position = widgetFromDevice(m_document.geometry().surface, pixelCenter(pixel));
+    putCrosshair(position);
+    setCrosshairShown(true);
+    update();
+    onLButtonDown(position);
+}
+
 bool SceneView::event(QEvent *event)
 {
     // The view's keys come before the window's shortcuts.

@@ -6,6 +6,7 @@
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
+#include "gui/panels/doctor_panel.h"
 #include "gui/panels/icons.h"
 #include "gui/panels/map_panel.h"
 #include "gui/panels/observer_panel.h"
@@ -70,6 +71,7 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     createView();
 
     connect(m_comparison, &ComparisonPanel::pickRequested, m_view, &SceneView::onLButtonDown);
+    connect(m_doctor, &DoctorPanel::pickRequested, m_view, &SceneView::pickPixel);
     connect(m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Pick && m_document->pick())
             showFirstSteps(false);
@@ -308,6 +310,7 @@ void MainWindow::showCamera()
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
+    fitToolBar();
     m_places->windowResized();
 }
 

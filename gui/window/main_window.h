@@ -23,6 +23,7 @@ namespace unprojector::gui {
 using namespace unproject;
 
 class ComparisonPanel;
+class DoctorPanel;
 class ExampleNote;
 class FirstSteps;
 class FormulasWindow;
@@ -110,6 +111,7 @@ private:
     void dockObserver(bool isDocked);
 
     void createActions();
+    void fitToolBar();
     void createFileMenu(QToolBar &bar);
     void createExamplesMenu(QMenu &menu);
     void importPoints();
@@ -172,6 +174,7 @@ private:
     ViewportInspector *m_inspector = nullptr;
     PointsPanel *m_pointsPanel = nullptr;
     SeriesPanel *m_seriesPanel = nullptr;
+    DoctorPanel *m_doctor = nullptr;
     ExampleNote *m_exampleNote = nullptr;
     FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
     KeySheet *m_keys = nullptr;           ///< so is this

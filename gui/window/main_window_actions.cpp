@@ -70,8 +70,7 @@ void MainWindow::createActions()
 {
     QToolBar *bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
-    const int icon = fontMetrics().height() * 3 / 2;
-    bar->setIconSize({icon, icon});
+    fitToolBar();
     // Where one is stands first: a narrow window cuts the others off.
     for (const WorkPlaces::Place &place : m_places->places())
         bar->addAction(place.action);
@@ -80,6 +79,15 @@ void MainWindow::createActions()
     createEditMenu(*bar);
     createViewMenu(*bar);
     createHelpMenu();
+}
+
+void MainWindow::fitToolBar()
+{
+    // In a narrow window with a large font they are smaller, so that all have room.
+    constexpr int kShareOfWidth = 40;
+    const int icon =
+        std::min(fontMetrics().height() * 3 / 2, std::max(width() / kShareOfWidth, fontMetrics().ascent()));
+    findChild<QToolBar *>(QStringLiteral("tools"))->setIconSize({icon, icon});
 }
 
 std::vector<std::filesystem::path> MainWindow::askForModels(const QString &title, const QString &filter)

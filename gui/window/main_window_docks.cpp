@@ -5,6 +5,7 @@
 #include "gui/document/point_files.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/depth_precision_panel.h"
+#include "gui/panels/doctor_panel.h"
 #include "gui/panels/lifecycle_panel.h"
 #include "gui/panels/objects_panel.h"
 #include "gui/panels/observer_panel.h"
@@ -98,6 +99,7 @@ void MainWindow::createPanels()
     auto *pipeline = new PipelinePanel(*m_document);
     connect(m_session, &Session::typedToCount, pipeline, &PipelinePanel::applyTyped);
     pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself
+    m_doctor = new DoctorPanel(*m_document);
     const auto scrolled = [](QWidget *panel) { return new PanelScroll(panel); };
     std::vector<WorkPlaces::Panel> panels = {
         {"comparison", tr("Comparison"), scrolled(m_comparison), kRight, Qt::ALT | Qt::Key_1},
@@ -110,6 +112,7 @@ void MainWindow::createPanels()
         {"objects", tr("Objects"), objects, kRight, Qt::ALT | Qt::Key_6},
         {"points", tr("Points"), points, kRight, Qt::ALT | Qt::Key_7},
         {"series", tr("Series"), m_seriesPanel, kBottom, Qt::ALT | Qt::Key_8},
+        {"doctor", tr("Doctor"), scrolled(m_doctor), kRight, {}},
         {kObserver, tr("View from Outside"), m_observerHome, kRight, {}, true},
         {kExample, tr("Example"), m_exampleNote, kLeft, {}, true},
     };
@@ -125,6 +128,11 @@ void MainWindow::createPanels()
          tr("Place points on the surface, name them, move them, measure between them"),
          Qt::Key_F7,
          {"points", "objects"}},
+        {kDoctorPlace,
+         tr("Doctor"),
+         tr("Which mistake of a program makes its wrong coordinate"),
+         Qt::Key_F8,
+         {"doctor", "objects"}},
     };
     Q_ASSERT(std::equal(places.begin(), places.end(), kPlaceIds.begin(), kPlaceIds.end(),
                         [](const WorkPlaces::Place &place, const char *id) { return qstrcmp(place.id, id) == 0; }));

@@ -8,7 +8,8 @@ namespace unprojector::gui {
 inline constexpr char kClickPlace[] = "click";
 inline constexpr char kPipelinePlace[] = "pipeline";
 inline constexpr char kPointsPlace[] = "points";
+inline constexpr char kDoctorPlace[] = "doctor";
 /// In the order of the tool bar; the first is where one starts.
-inline constexpr std::array<const char *, 3> kPlaceIds{kClickPlace, kPipelinePlace, kPointsPlace};
+inline constexpr std::array<const char *, 4> kPlaceIds{kClickPlace, kPipelinePlace, kPointsPlace, kDoctorPlace};
 
 } // namespace unprojector::gui

@@ -1,20 +1,33 @@
 in vec2 offset;
 
 uniform float pixelRatio;
-uniform bool isGiven;
+uniform int mark; // PickPainter::Mark
 
 out vec4 fragment;
 
-// A dot and a ring, or of a given point a square on its corner, each with a light rim so that they show on any colour.
+const int kGiven = 1, kWrong = 2, kRight = 3;
+const vec3 kColors[4] = vec3[](vec3(0.85, 0.10, 0.30), vec3(0.80, 0.45, 0.0), vec3(0.76, 0.28, 0.0), vec3(0.0, 0.40, 0.70));
+
+// 1 up to an edge, 0 beyond it.
+float within(float edge, float r)
+{
+    float soft = 0.5 / pixelRatio;
+    return 1.0 - smoothstep(edge - soft, edge + soft, r);
+}
+
+// A dot and a ring; a square on its corner; a cross; an upright square: each with a light rim so that it shows on any colour.
 void main()
 {
     vec2 side = abs(offset);
-    float r = isGiven ? (side.x + side.y) / sqrt(2.0) : length(offset);
-    float soft = 0.5 / pixelRatio;
-    float dotShape = 1.0 - smoothstep(2.0 - soft, 2.0 + soft, r);
-    float ring = 1.0 - smoothstep(1.0 - soft, 1.0 + soft, abs(r - 7.0));
-    float rim = max(1.0 - smoothstep(3.2 - soft, 3.2 + soft, r),
-                    1.0 - smoothstep(2.2 - soft, 2.2 + soft, abs(r - 7.0)));
-    float ink = max(dotShape, ring);
-    fragment = vec4(mix(vec3(1.0), isGiven ? vec3(0.80, 0.45, 0.0) : vec3(0.85, 0.10, 0.30), ink), max(ink, rim * 0.85));
+    float ink, rim;
+    if (mark == kWrong) {
+        float arm = abs(side.x - side.y) / sqrt(2.0), reach = length(offset);
+        ink = within(1.4, arm) * within(8.5, reach);
+        rim = within(2.8, arm) * within(10.0, reach);
+    } else {
+        float r = mark == kGiven ? (side.x + side.y) / sqrt(2.0) : mark == kRight ? max(side.x, side.y) : length(offset);
+        ink = max(within(2.0, r), within(1.0, abs(r - 7.0)));
+        rim = max(within(3.2, r), within(2.2, abs(r - 7.0)));
+    }
+    fragment = vec4(mix(vec3(1.0), kColors[mark], ink), max(ink, rim * 0.85));
 }

@@ -921,6 +921,41 @@
     </message>
 </context>
 <context>
+    <name>unprojector::gui::CandidatesTable</name>
+    <message>
+        <source>Mistake</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Its answer</source>
+        <translation>它给出的结果</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>位数</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>相差</translation>
+    </message>
+    <message>
+        <source>Units of the last digit given: the greatest difference of a coordinate</source>
+        <translation>以给出的末位为单位：各坐标之差中最大的</translation>
+    </message>
+    <message>
+        <source>How many of the digits given it explains</source>
+        <translation>它能解释给出的多少位数字</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>候选</translation>
+    </message>
+    <message>
+        <source>What could have made the point, the best first. The code to change is that of the chosen one</source>
+        <translation>可能造成这个点的错误，最符合的在前。要改的代码是所选那一行的</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ClipGroup</name>
     <message>
         <source>Kept is where A x + B y + C z + D ≥ 0, in world coordinates.</source>
@@ -1009,6 +1044,37 @@
     <message>
         <source>Offset</source>
         <translation>偏移</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::CodeChangesView</name>
+    <message>
+        <source>Copy t&amp;hese lines</source>
+        <translation>复制这几行(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Lines for %1</source>
+        <translation>%1 的代码</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>库</translation>
+    </message>
+    <message>
+        <source>Code to change</source>
+        <translation>要改的代码</translation>
+    </message>
+    <message>
+        <source>Copy the lines as they stand and as they should</source>
+        <translation>复制原来的行和应有的行</translation>
+    </message>
+    <message>
+        <source>%1: no line of this library makes it; the other libraries show where it is made.</source>
+        <translation>%1：这个库里没有哪一行会造成它；其他库的代码说明它出在哪里。</translation>
+    </message>
+    <message>
+        <source>To change: %1</source>
+        <translation>要改的：%1</translation>
     </message>
 </context>
 <context>
@@ -1551,6 +1617,281 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>横轴：到视点的距离，从近平面到远平面。
 纵轴：沿视线方向，表面与舍入后的深度所示位置可能相差多少（±）。
 均以场景单位计。圆圈是点击的点。绘制本身的偏差另计在点击的 ± 中。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::DiagnosisView</name>
+    <message>
+        <source>Verdict</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>What speaks for it</source>
+        <translation>依据</translation>
+    </message>
+    <message>
+        <source>Pick that pixel, and type what your program gets there: it tells the first from the others</source>
+        <translation>拾取那个像素，再键入您的程序在那里得到的坐标：由此可以区分第一个候选与其余候选</translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation>能解释</translation>
+    </message>
+    <message>
+        <source>Closest</source>
+        <translation>最接近</translation>
+    </message>
+    <message>
+        <source>Runner-up</source>
+        <translation>其次</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>runner-up: its answer, how many digits it explains</comment>
+        <translation>%1：%2，%3</translation>
+    </message>
+    <message>
+        <source>Chance</source>
+        <translation>巧合</translation>
+    </message>
+    <message>
+        <source>%1 that a point of other making is explained as well</source>
+        <translation>由其他原因造成的点也能这样解释的可能性：%1</translation>
+    </message>
+    <message>
+        <source>Lands</source>
+        <translation>落点</translation>
+    </message>
+    <message>
+        <source>by the right matrices %1</source>
+        <translation>按正确的矩阵，%1</translation>
+    </message>
+    <message>
+        <source>Right is</source>
+        <translation>正确的点</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>that of the mesh under the pixel</source>
+        <translation>像素下的网格的深度</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>位数</translation>
+    </message>
+    <message>
+        <source>more were given than single precision holds; this is to those that it leaves</source>
+        <translation>给出的位数多于单精度所能容纳的；结论以单精度留下的位数为准</translation>
+    </message>
+    <message>
+        <source>Tell apart</source>
+        <translation>如何区分</translation>
+    </message>
+    <message>
+        <source>at pixel %1 the answers are %2 or more apart</source>
+        <translation>在像素 %1 处，各结果至少相差 %2</translation>
+    </message>
+    <message>
+        <source>Click t&amp;here: %1</source>
+        <translation>点击那里(&amp;H)：%1</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::DoctorPanel</name>
+    <message>
+        <source>As it is &amp;now</source>
+        <translation>按现在的视图(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;In the space:</source>
+        <translation>所在空间(&amp;I)：</translation>
+    </message>
+    <message>
+        <source>Space of the points that the program got</source>
+        <translation>程序所得的点所在的空间</translation>
+    </message>
+    <message>
+        <source>The space that the program means its points in</source>
+        <translation>程序的点是哪个空间里的</translation>
+    </message>
+    <message>
+        <source>The picture of the pixels</source>
+        <translation>像素所属的画面</translation>
+    </message>
+    <message>
+        <source>Take the pixels for those of the view as it is now</source>
+        <translation>把这些像素当作现在的视图的像素</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to try all mistakes.</source>
+        <translation>内存不足，无法试遍所有错误。</translation>
+    </message>
+    <message>
+        <source>More about your program</source>
+        <translation>您的程序的其他情况</translation>
+    </message>
+    <message>
+        <source>The size of its window, and another size that it may still go by</source>
+        <translation>它的窗口大小，以及它可能仍在沿用的另一个大小</translation>
+    </message>
+    <message>
+        <source>Its window</source>
+        <translation>它的窗口</translation>
+    </message>
+    <message>
+        <source>Device pixels, such as 1000 x 700. Empty: as large as the view</source>
+        <translation>以设备像素计，例如 1000 x 700。留空：与视图一样大</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>另一个大小</translation>
+    </message>
+    <message>
+        <source>Device pixels, such as 640 x 480: that of the window before, or of another framebuffer</source>
+        <translation>以设备像素计，例如 640 x 480：窗口以前的大小，或另一个帧缓冲的大小</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Its &amp;window:</source>
+        <translation>它的窗口(&amp;W)：</translation>
+    </message>
+    <message>
+        <source>Another &amp;size it may go by:</source>
+        <translation>可能沿用的另一个大小(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>“%1” is no size: type width and height in whole pixels, such as 1000 x 700.</source>
+        <translation>“%1”不是大小：请键入以整像素计的宽和高，例如 1000 x 700。</translation>
+    </message>
+    <message>
+        <source>as the view, %1</source>
+        <translation>与视图相同，%1</translation>
+    </message>
+    <message>
+        <source>The scene has no picture in a window of %1.</source>
+        <translation>在 %1 的窗口里，这个场景没有画面。</translation>
+    </message>
+    <message>
+        <source>Pixels of %1, of the view as it was when they were given</source>
+        <translation>像素属于给出它们时的视图，%1</translation>
+    </message>
+    <message>
+        <source>Pixels of your program&apos;s window, %1</source>
+        <translation>像素属于您的程序的窗口，%1</translation>
+    </message>
+    <message>
+        <source>Pixels of the view, %1</source>
+        <translation>像素属于视图，%1</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>世界</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>眼</translation>
+    </message>
+    <message>
+        <source>Object: %1</source>
+        <translation>物体：%1</translation>
+    </message>
+    <message>
+        <source>Click the pixel in the view that your program was asked for, and type the wrong coordinate that it got.</source>
+        <translation>在视图里点击您的程序所处理的那个像素，再键入它得到的错误坐标。</translation>
+    </message>
+    <message>
+        <source>Give the pixel, and the three coordinates that your program got for it.</source>
+        <translation>请给出像素，以及您的程序为它得到的三个坐标。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::DoctorText</name>
+    <message>
+        <source>Unknown: nothing that is known explains this point, none of %1 mistakes and pairs of them.</source>
+        <translation>未知：已知的错误都不能解释这个点，试过的 %1 种错误及其两两组合无一符合。</translation>
+    </message>
+    <message>
+        <source>Unknown: the pixel is right and the depth is not; by the ray alone the mistakes of the depth cannot be told from each other. Give the depth.</source>
+        <translation>未知：像素正确，深度不正确；只凭射线无法区分各种深度错误。请给出深度。</translation>
+    </message>
+    <message>
+        <source>Unknown: “%1” would explain the point, but that may be chance. Give more digits, or another wrong point.</source>
+        <translation>未知：“%1”能解释这个点，但也可能是巧合。请给出更多位数，或另一个错误的点。</translation>
+    </message>
+    <message>
+        <source>Right, as far as the ray tells: the point lies on the ray of this pixel. Whether its depth is right is not known. Give the depth.</source>
+        <translation>就射线而言是正确的：点在这个像素的射线上。它的深度是否正确尚不可知。请给出深度。</translation>
+    </message>
+    <message>
+        <source>The point is right, to the digits given.</source>
+        <translation>这个点是正确的，精确到给出的位数。</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>all %1 digits</source>
+        <translation>全部 %1 位数字</translation>
+    </message>
+    <message>
+        <source>%1 of %2 digits</source>
+        <translation>%2 位数字中的 %1 位</translation>
+    </message>
+    <message>
+        <source>in the plane of the eye</source>
+        <translation>落在眼所在的平面里</translation>
+    </message>
+    <message>
+        <source>on pixel %1, %2, depth %3</source>
+        <translation>落在像素 %1, %2，深度 %3</translation>
+    </message>
+    <message>
+        <source>the pixel is right</source>
+        <translation>像素正确</translation>
+    </message>
+    <message>
+        <source>pixel and depth are right</source>
+        <translation>像素和深度都正确</translation>
+    </message>
+    <message>
+        <source>the depth is right, the pixel is not: pixel, viewport or lens</source>
+        <translation>深度正确，像素不正确：错在像素、视口或镜头</translation>
+    </message>
+    <message>
+        <source>the pixel is right, the depth is not</source>
+        <translation>像素正确，深度不正确</translation>
+    </message>
+    <message>
+        <source>the pixel is not right</source>
+        <translation>像素不正确</translation>
+    </message>
+    <message>
+        <source>neither pixel nor depth is right: a matrix</source>
+        <translation>像素和深度都不正确：错在矩阵</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>where a point lands, and what of that is wrong</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>less than 0.0001 %</source>
+        <translation>小于 0.0001 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -2700,6 +3041,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>Depth Precision</source>
         <translation>深度精度</translation>
     </message>
+    <message>
+        <source>Doctor</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Which mistake of a program makes its wrong coordinate</source>
+        <translation>程序的哪个错误造成了它的错误坐标</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MapOverlay</name>
@@ -3297,6 +3646,661 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::MistakeText</name>
+    <message>
+        <source>y not flipped</source>
+        <translation>y 未翻转</translation>
+    </message>
+    <message>
+        <source>y is not turned over: rows of a window count from the top, OpenGL&apos;s from the bottom.</source>
+        <translation>y 没有翻转：窗口的行从上往下数，OpenGL 的行从下往上数。</translation>
+    </message>
+    <message>
+        <source>row above</source>
+        <translation>取了上一行</translation>
+    </message>
+    <message>
+        <source>The row is one too high: H - y is taken for H - 1 - y.</source>
+        <translation>行号高了一行：把 H - y 当成了 H - 1 - y。</translation>
+    </message>
+    <message>
+        <source>row below</source>
+        <translation>取了下一行</translation>
+    </message>
+    <message>
+        <source>The row is one too low: H - 1 - y is taken for H - y, though y has its half already.</source>
+        <translation>行号低了一行：把 H - 1 - y 当成了 H - y，而 y 已经含有半个像素。</translation>
+    </message>
+    <message>
+        <source>pixel corner</source>
+        <translation>取了像素的角</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s corner is unprojected instead of its centre: half a pixel is missing.</source>
+        <translation>反投影的是像素的角而不是中心：少了半个像素。</translation>
+    </message>
+    <message>
+        <source>logical pixels in a device viewport</source>
+        <translation>把逻辑像素当作设备像素</translation>
+    </message>
+    <message>
+        <source>The pixel is in logical pixels, the viewport and the height of the flip are in device pixels.</source>
+        <translation>像素以逻辑像素计，而视口和翻转所用的高度以设备像素计。</translation>
+    </message>
+    <message>
+        <source>pixel and flip in logical pixels</source>
+        <translation>像素与翻转都用逻辑像素</translation>
+    </message>
+    <message>
+        <source>The pixel and the height of the flip are in logical pixels, the viewport is in device pixels.</source>
+        <translation>像素和翻转所用的高度以逻辑像素计，而视口以设备像素计。</translation>
+    </message>
+    <message>
+        <source>device pixels in a logical viewport</source>
+        <translation>把设备像素用于逻辑视口</translation>
+    </message>
+    <message>
+        <source>The viewport is in logical pixels, the pixel in device pixels; or the pixel ratio is applied twice.</source>
+        <translation>视口以逻辑像素计，而像素以设备像素计；或者像素比乘了两次。</translation>
+    </message>
+    <message>
+        <source>viewport&apos;s origin ignored</source>
+        <translation>忽略了视口原点</translation>
+    </message>
+    <message>
+        <source>The viewport&apos;s origin is ignored, as if it lay in the window&apos;s corner.</source>
+        <translation>忽略了视口的原点，好像它就在窗口的角上。</translation>
+    </message>
+    <message>
+        <source>viewport&apos;s y from the top</source>
+        <translation>视口的 y 从上数</translation>
+    </message>
+    <message>
+        <source>The viewport&apos;s y is counted from the top of the window; OpenGL counts it from the bottom.</source>
+        <translation>视口的 y 从窗口上边数起；OpenGL 从下边数起。</translation>
+    </message>
+    <message>
+        <source>flipped with the viewport&apos;s height</source>
+        <translation>用视口高度翻转</translation>
+    </message>
+    <message>
+        <source>y is turned over with the viewport&apos;s height instead of the framebuffer&apos;s.</source>
+        <translation>翻转 y 用的是视口的高度，而不是帧缓冲的高度。</translation>
+    </message>
+    <message>
+        <source>window taken for viewport</source>
+        <translation>把窗口当作视口</translation>
+    </message>
+    <message>
+        <source>The whole window is taken for the viewport.</source>
+        <translation>把整个窗口当成了视口。</translation>
+    </message>
+    <message>
+        <source>x and y swapped</source>
+        <translation>x 与 y 对调</translation>
+    </message>
+    <message>
+        <source>x and y are swapped.</source>
+        <translation>x 和 y 对调了。</translation>
+    </message>
+    <message>
+        <source>aspect integer</source>
+        <translation>宽高比用整数除法</translation>
+    </message>
+    <message>
+        <source>The aspect is divided in whole numbers: 800 / 600 is 1.</source>
+        <translation>宽高比用整数相除：800 / 600 得 1。</translation>
+    </message>
+    <message>
+        <source>aspect inverted</source>
+        <translation>宽高比颠倒</translation>
+    </message>
+    <message>
+        <source>The aspect is turned round: height by width.</source>
+        <translation>宽高比颠倒了：用高除以宽。</translation>
+    </message>
+    <message>
+        <source>aspect of the window</source>
+        <translation>用了窗口的宽高比</translation>
+    </message>
+    <message>
+        <source>The aspect is the window&apos;s, not the viewport&apos;s.</source>
+        <translation>宽高比是窗口的，而不是视口的。</translation>
+    </message>
+    <message>
+        <source>aspect left out</source>
+        <translation>漏了宽高比</translation>
+    </message>
+    <message>
+        <source>The aspect is left out, as in a square viewport.</source>
+        <translation>漏了宽高比，好像视口是正方形。</translation>
+    </message>
+    <message>
+        <source>aspect of another size</source>
+        <translation>宽高比过时</translation>
+    </message>
+    <message>
+        <source>The aspect is another one than the viewport&apos;s: of the window&apos;s size before, or a fixed one.</source>
+        <translation>宽高比不是视口的：是窗口以前的大小的，或是固定的。</translation>
+    </message>
+    <message>
+        <source>viewport of another size</source>
+        <translation>视口过时</translation>
+    </message>
+    <message>
+        <source>The viewport or the height of the flip is that of another size.</source>
+        <translation>视口或翻转所用的高度属于另一个大小。</translation>
+    </message>
+    <message>
+        <source>degrees taken for radians</source>
+        <translation>把度当作弧度</translation>
+    </message>
+    <message>
+        <source>The field of view is in degrees where radians are meant.</source>
+        <translation>视野角以度给出，而要求的是弧度。</translation>
+    </message>
+    <message>
+        <source>radians taken for degrees</source>
+        <translation>把弧度当作度</translation>
+    </message>
+    <message>
+        <source>The field of view is in radians where degrees are meant.</source>
+        <translation>视野角以弧度给出，而要求的是度。</translation>
+    </message>
+    <message>
+        <source>half the field of view</source>
+        <translation>视野角减半</translation>
+    </message>
+    <message>
+        <source>Half the field of view is taken for the whole.</source>
+        <translation>把半个视野角当成了整个视野角。</translation>
+    </message>
+    <message>
+        <source>twice the field of view</source>
+        <translation>视野角加倍</translation>
+    </message>
+    <message>
+        <source>The field of view is twice as large: half the angle is the one that has the tangent.</source>
+        <translation>视野角大了一倍：取正切的应是它的一半。</translation>
+    </message>
+    <message>
+        <source>horizontal field of view</source>
+        <translation>把水平视野角当作垂直的</translation>
+    </message>
+    <message>
+        <source>The field of view of one axis is taken for the other&apos;s: these functions want the vertical angle.</source>
+        <translation>把一个方向的视野角当成了另一个方向的：这些函数要的是垂直视野角。</translation>
+    </message>
+    <message>
+        <source>frustum taken for centred</source>
+        <translation>把视锥当作对称的</translation>
+    </message>
+    <message>
+        <source>The frustum is taken for a centred one, though the view axis is not in its middle.</source>
+        <translation>把视锥当成了对称的，而视轴并不在它的正中。</translation>
+    </message>
+    <message>
+        <source>depth not remapped</source>
+        <translation>深度未换算</translation>
+    </message>
+    <message>
+        <source>z in NDC is taken to be the depth itself: depths go from 0 to 1, OpenGL&apos;s NDC from -1 to 1.</source>
+        <translation>把深度直接当成了 NDC 的 z：深度从 0 到 1，OpenGL 的 NDC 从 -1 到 1。</translation>
+    </message>
+    <message>
+        <source>depth remapped twice</source>
+        <translation>深度换算了两次</translation>
+    </message>
+    <message>
+        <source>The depth is mapped to -1 to 1 once too often: the function does it itself, or the matrix goes by 0 to 1.</source>
+        <translation>深度多换算了一次到 -1 至 1：函数自己会换算，或者矩阵用的是 0 到 1。</translation>
+    </message>
+    <message>
+        <source>depth taken for linear</source>
+        <translation>把深度当作线性的</translation>
+    </message>
+    <message>
+        <source>A depth is not linear in the distance: a share of the way from near to far is confused with it.</source>
+        <translation>深度与距离不成线性：把它和从近平面到远平面的路程之比混淆了。</translation>
+    </message>
+    <message>
+        <source>depth 0</source>
+        <translation>深度为 0</translation>
+    </message>
+    <message>
+        <source>The depth is 0: it was not read, or not where the picture is.</source>
+        <translation>深度为 0：没有读到，或者没有在画面所在之处读。</translation>
+    </message>
+    <message>
+        <source>depth 1</source>
+        <translation>深度为 1</translation>
+    </message>
+    <message>
+        <source>The depth is 1: that of the background, or of a buffer that was cleared.</source>
+        <translation>深度为 1：是背景的深度，或是已清空的缓冲的深度。</translation>
+    </message>
+    <message>
+        <source>distance taken for depth</source>
+        <translation>把到眼的距离当作深度</translation>
+    </message>
+    <message>
+        <source>A distance from the eye is confused with the depth.</source>
+        <translation>把到眼的距离和深度混淆了。</translation>
+    </message>
+    <message>
+        <source>depth reversed</source>
+        <translation>深度颠倒</translation>
+    </message>
+    <message>
+        <source>The depth is turned round: reversed depths are taken for ordinary ones, or ordinary for reversed ones.</source>
+        <translation>深度颠倒了：把反向深度当作普通深度，或把普通深度当作反向深度。</translation>
+    </message>
+    <message>
+        <source>depth rounded</source>
+        <translation>深度被舍入</translation>
+    </message>
+    <message>
+        <source>The depth is rounded to few bits.</source>
+        <translation>深度被舍入到很少的几位。</translation>
+    </message>
+    <message>
+        <source>depth range ignored</source>
+        <translation>忽略了深度范围</translation>
+    </message>
+    <message>
+        <source>The depth range is ignored, as if it went from 0 to 1.</source>
+        <translation>忽略了深度范围，好像它从 0 到 1。</translation>
+    </message>
+    <message>
+        <source>depth of another row</source>
+        <translation>取了别行的深度</translation>
+    </message>
+    <message>
+        <source>The depth is that of a neighbouring row.</source>
+        <translation>深度是相邻一行的。</translation>
+    </message>
+    <message>
+        <source>another near plane</source>
+        <translation>近平面不同</translation>
+    </message>
+    <message>
+        <source>The near plane is not that of the picture.</source>
+        <translation>近平面不是这幅画面的近平面。</translation>
+    </message>
+    <message>
+        <source>another far plane</source>
+        <translation>远平面不同</translation>
+    </message>
+    <message>
+        <source>The far plane is not that of the picture.</source>
+        <translation>远平面不是这幅画面的远平面。</translation>
+    </message>
+    <message>
+        <source>length of the ray taken for z</source>
+        <translation>把射线长度当作 z</translation>
+    </message>
+    <message>
+        <source>The length of the ray is taken for z: z is measured along the view axis.</source>
+        <translation>把射线的长度当成了 z：z 是沿视轴量的。</translation>
+    </message>
+    <message>
+        <source>z taken for length of the ray</source>
+        <translation>把 z 当作射线长度</translation>
+    </message>
+    <message>
+        <source>z is taken for the length of the ray: z is measured along the view axis.</source>
+        <translation>把 z 当成了射线的长度：z 是沿视轴量的。</translation>
+    </message>
+    <message>
+        <source>angle interpolated</source>
+        <translation>角度按线性插值</translation>
+    </message>
+    <message>
+        <source>The ray&apos;s angle is interpolated; it is its tangent that is linear in the pixel.</source>
+        <translation>对射线的角度作了插值；与像素成线性的是它的正切。</translation>
+    </message>
+    <message>
+        <source>orthographic formula</source>
+        <translation>用了正交的公式</translation>
+    </message>
+    <message>
+        <source>The formula of an orthographic view is used in a perspective one: x and y are not scaled by z / near.</source>
+        <translation>在透视视图里用了正交视图的公式：x 和 y 没有乘以 z / near。</translation>
+    </message>
+    <message>
+        <source>divided by far</source>
+        <translation>除以了 far</translation>
+    </message>
+    <message>
+        <source>The near plane&apos;s window is scaled by z / far instead of z / near.</source>
+        <translation>近平面上的窗口乘的是 z / far，而不是 z / near。</translation>
+    </message>
+    <message>
+        <source>perspective formula</source>
+        <translation>用了透视的公式</translation>
+    </message>
+    <message>
+        <source>The formula of a perspective is used in an orthographic view, as if rays came from the eye.</source>
+        <translation>在正交视图里用了透视的公式，好像射线出自眼。</translation>
+    </message>
+    <message>
+        <source>not divided by w</source>
+        <translation>没有除以 w</translation>
+    </message>
+    <message>
+        <source>The result is not divided by w.</source>
+        <translation>结果没有除以 w。</translation>
+    </message>
+    <message>
+        <source>divided by w twice</source>
+        <translation>除以了两次 w</translation>
+    </message>
+    <message>
+        <source>The result is divided by w twice.</source>
+        <translation>结果除以了两次 w。</translation>
+    </message>
+    <message>
+        <source>projection transposed</source>
+        <translation>投影矩阵被转置</translation>
+    </message>
+    <message>
+        <source>The projection matrix is transposed: its rows are taken for columns.</source>
+        <translation>投影矩阵被转置了：把行当成了列。</translation>
+    </message>
+    <message>
+        <source>view transposed</source>
+        <translation>视图矩阵被转置</translation>
+    </message>
+    <message>
+        <source>The view matrix is transposed: its rows are taken for columns.</source>
+        <translation>视图矩阵被转置了：把行当成了列。</translation>
+    </message>
+    <message>
+        <source>both transposed</source>
+        <translation>两个矩阵都被转置</translation>
+    </message>
+    <message>
+        <source>Projection and view matrix are transposed: rows are taken for columns.</source>
+        <translation>投影矩阵和视图矩阵都被转置了：把行当成了列。</translation>
+    </message>
+    <message>
+        <source>product transposed</source>
+        <translation>乘积被转置</translation>
+    </message>
+    <message>
+        <source>The product of projection and view is transposed: its rows are taken for columns.</source>
+        <translation>投影与视图的乘积被转置了：把行当成了列。</translation>
+    </message>
+    <message>
+        <source>inverses in the wrong order</source>
+        <translation>逆矩阵次序颠倒</translation>
+    </message>
+    <message>
+        <source>The inverses stand in the wrong order: the inverse of P V is inverse(V) inverse(P).</source>
+        <translation>逆矩阵的次序错了：P V 的逆是 inverse(V) inverse(P)。</translation>
+    </message>
+    <message>
+        <source>not inverted</source>
+        <translation>没有求逆</translation>
+    </message>
+    <message>
+        <source>The matrices are not inverted.</source>
+        <translation>矩阵没有求逆。</translation>
+    </message>
+    <message>
+        <source>view&apos;s inverse taken for view</source>
+        <translation>把视图的逆当作视图</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s own matrix, which is the view&apos;s inverse, is passed for the view.</source>
+        <translation>把相机自己的矩阵（视图的逆）当作视图矩阵传入了。</translation>
+    </message>
+    <message>
+        <source>view left out</source>
+        <translation>漏了视图矩阵</translation>
+    </message>
+    <message>
+        <source>The view matrix is left out: what comes is the point in eye space.</source>
+        <translation>漏了视图矩阵：得到的是眼空间里的点。</translation>
+    </message>
+    <message>
+        <source>projection left out</source>
+        <translation>漏了投影矩阵</translation>
+    </message>
+    <message>
+        <source>The projection matrix is left out.</source>
+        <translation>漏了投影矩阵。</translation>
+    </message>
+    <message>
+        <source>overwritten in place</source>
+        <translation>就地覆盖</translation>
+    </message>
+    <message>
+        <source>The vector is overwritten while it is still needed: y is computed with the new x.</source>
+        <translation>向量还要用时就被覆盖了：算 y 时用的是新的 x。</translation>
+    </message>
+    <message>
+        <source>model left in</source>
+        <translation>留着模型矩阵</translation>
+    </message>
+    <message>
+        <source>The model matrix is left in: these are the object&apos;s own coordinates, not the world&apos;s.</source>
+        <translation>模型矩阵没有去掉：这是物体自己的坐标，不是世界坐标。</translation>
+    </message>
+    <message>
+        <source>model left out</source>
+        <translation>多乘了模型矩阵</translation>
+    </message>
+    <message>
+        <source>The model matrix is applied once too often, or left out of the inverse.</source>
+        <translation>模型矩阵多乘了一次，或者求逆时漏了它。</translation>
+    </message>
+    <message>
+        <source>eye added</source>
+        <translation>多加了眼的位置</translation>
+    </message>
+    <message>
+        <source>The eye&apos;s position is added to a point that has it already.</source>
+        <translation>点里已经含有眼的位置，又加了一次。</translation>
+    </message>
+    <message>
+        <source>eye subtracted</source>
+        <translation>漏加了眼的位置</translation>
+    </message>
+    <message>
+        <source>The eye&apos;s position is missing: the point is counted from the eye, along the world&apos;s axes.</source>
+        <translation>缺了眼的位置：点从眼数起，沿世界的轴。</translation>
+    </message>
+    <message>
+        <source>z of the eye point positive</source>
+        <translation>眼坐标的 z 变号</translation>
+    </message>
+    <message>
+        <source>z of the eye point has the wrong sign: an eye looks down -z.</source>
+        <translation>眼空间点的 z 符号错了：眼朝 -z 看。</translation>
+    </message>
+    <message>
+        <source>eye point mirrored</source>
+        <translation>眼坐标的 x、y 镜像</translation>
+    </message>
+    <message>
+        <source>x and y of the eye point are mirrored: the formulas want z as a distance, above 0.</source>
+        <translation>眼空间点的 x 和 y 成了镜像：公式要的 z 是大于 0 的距离。</translation>
+    </message>
+    <message>
+        <source>axes swapped</source>
+        <translation>坐标轴互换</translation>
+    </message>
+    <message>
+        <source>Axes are exchanged, as between y up and z up.</source>
+        <translation>坐标轴互换了，例如在 y 向上与 z 向上之间。</translation>
+    </message>
+    <message>
+        <source>its x only</source>
+        <translation>只有 x</translation>
+    </message>
+    <message>
+        <source>its y only</source>
+        <translation>只有 y</translation>
+    </message>
+    <message>
+        <source>with its flip</source>
+        <translation>连同翻转</translation>
+    </message>
+    <message>
+        <source>the flip only</source>
+        <translation>只有翻转</translation>
+    </message>
+    <message>
+        <source>about the middle of the viewport</source>
+        <translation>绕视口中线</translation>
+    </message>
+    <message>
+        <source>lower left corner</source>
+        <translation>左下角</translation>
+    </message>
+    <message>
+        <source>upper left corner</source>
+        <translation>左上角</translation>
+    </message>
+    <message>
+        <source>x only</source>
+        <translation>只有 x</translation>
+    </message>
+    <message>
+        <source>y only, lower edge</source>
+        <translation>只有 y，下边</translation>
+    </message>
+    <message>
+        <source>y only, upper edge</source>
+        <translation>只有 y，上边</translation>
+    </message>
+    <message>
+        <source>lower left corner of the whole pixel</source>
+        <translation>整像素的左下角</translation>
+    </message>
+    <message>
+        <source>upper left corner of the whole pixel</source>
+        <translation>整像素的左上角</translation>
+    </message>
+    <message>
+        <source>before the flip</source>
+        <translation>在翻转之前</translation>
+    </message>
+    <message>
+        <source>the vertical angle spans the width</source>
+        <translation>垂直角用于宽度</translation>
+    </message>
+    <message>
+        <source>the horizontal angle spans the height</source>
+        <translation>水平角用于高度</translation>
+    </message>
+    <message>
+        <source>the depth too</source>
+        <translation>深度也如此</translation>
+    </message>
+    <message>
+        <source>the depth only</source>
+        <translation>只有深度</translation>
+    </message>
+    <message>
+        <source>the horizontal angle is the vertical one times the aspect</source>
+        <translation>水平角取为垂直角乘宽高比</translation>
+    </message>
+    <message>
+        <source>of the projection</source>
+        <translation>投影的</translation>
+    </message>
+    <message>
+        <source>the size given</source>
+        <translation>给出的大小</translation>
+    </message>
+    <message>
+        <source>z up given for y up</source>
+        <translation>把 y 向上给成 z 向上</translation>
+    </message>
+    <message>
+        <source>y up given for z up</source>
+        <translation>把 z 向上给成 y 向上</translation>
+    </message>
+    <message>
+        <source>y and z exchanged</source>
+        <translation>y 与 z 互换</translation>
+    </message>
+    <message>
+        <source>a share of the way is passed for the depth</source>
+        <translation>把路程之比当深度传入</translation>
+    </message>
+    <message>
+        <source>the depth is taken for a share of the way</source>
+        <translation>把深度当路程之比</translation>
+    </message>
+    <message>
+        <source>the depth is taken for a share of far</source>
+        <translation>把深度当 far 的比例</translation>
+    </message>
+    <message>
+        <source>the distance is passed for the depth</source>
+        <translation>把距离当深度传入</translation>
+    </message>
+    <message>
+        <source>the length of the ray is passed for the depth</source>
+        <translation>把射线长度当深度传入</translation>
+    </message>
+    <message>
+        <source>the depth is taken for the distance</source>
+        <translation>把深度当距离</translation>
+    </message>
+    <message>
+        <source>nor mapped by the depth range</source>
+        <translation>也未按深度范围换算</translation>
+    </message>
+    <message>
+        <source>in the depth range</source>
+        <translation>在深度范围里</translation>
+    </message>
+    <message>
+        <source>before the depth range</source>
+        <translation>在深度范围之前</translation>
+    </message>
+    <message>
+        <source>the row above</source>
+        <translation>上一行</translation>
+    </message>
+    <message>
+        <source>the row below</source>
+        <translation>下一行</translation>
+    </message>
+    <message>
+        <source>ratio %1, flipped in logical pixels</source>
+        <translation>像素比 %1，以逻辑像素翻转</translation>
+    </message>
+    <message>
+        <source>ratio %1</source>
+        <translation>像素比 %1</translation>
+    </message>
+    <message>
+        <source>near times %1, the window of glFrustum as it was</source>
+        <translation>near 乘 %1，glFrustum 的窗口不变</translation>
+    </message>
+    <message>
+        <source>near times %1</source>
+        <translation>near 乘 %1</translation>
+    </message>
+    <message>
+        <source>far times %1</source>
+        <translation>far 乘 %1</translation>
+    </message>
+    <message>
+        <source>to %1 bits</source>
+        <translation>舍入到 %1 位</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>属于 %1</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ModelGroup</name>
     <message>
         <source>Remove object</source>
@@ -3763,6 +4767,14 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Back into the corner of the view</source>
         <translation>放回视图的一角</translation>
+    </message>
+    <message>
+        <source>× out of sight: show it</source>
+        <translation>× 在画面之外：显示它</translation>
+    </message>
+    <message>
+        <source>The point that your program got lies outside of this picture. Move back until it is in it</source>
+        <translation>您的程序得到的点在这幅画面之外。向后退，直到看得见它</translation>
     </message>
 </context>
 <context>
@@ -6098,6 +7110,97 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>&amp;Put Them Behind</source>
         <translation>排在其后(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::WrongPointsForm</name>
+    <message>
+        <source>&amp;Another wrong point</source>
+        <translation>再加一个错误的点(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Pixel x, y</source>
+        <translation>像素 x, y</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Your program got</source>
+        <translation>您的程序得到</translation>
+    </message>
+    <message>
+        <source>What cannot be taken</source>
+        <translation>不能采用的内容</translation>
+    </message>
+    <message>
+        <source>Another click of the same program: it settles what one leaves open. A click in the view fills it</source>
+        <translation>同一程序的另一次点击：能确定一次点击定不下来的事。在视图里点击就会填入</translation>
+    </message>
+    <message>
+        <source>click, or 400.5, 300.5</source>
+        <translation>点击，或 400.5, 300.5</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Device pixels from the top-left corner; the first pixel&apos;s centre is 0.5, 0.5</source>
+        <translation>以设备像素计，从左上角起；第一个像素的中心是 0.5, 0.5</translation>
+    </message>
+    <message>
+        <source>by the mesh</source>
+        <translation>按网格</translation>
+    </message>
+    <message>
+        <source>The right depth there, in the depth range of the view. Empty: that of the mesh under the pixel; where there is none, any depth is allowed for</source>
+        <translation>那里的正确深度，在视图的深度范围内。留空：取像素下的网格的深度；没有网格时允许任何深度</translation>
+    </message>
+    <message>
+        <source>0.7051 -0.4122 0.0918</source>
+        <translation>0.7051 -0.4122 0.0918</translation>
+    </message>
+    <message>
+        <source>What your program got</source>
+        <translation>您的程序得到的坐标</translation>
+    </message>
+    <message>
+        <source>The wrong coordinate, as the program prints it: 1 2 3, vec3(1, 2, 3), [1. 2. 3.]. Its digits count: 1.50 has two decimals. Rows of px,py,depth,x,y,z can be pasted</source>
+        <translation>错误的坐标，按程序打印的样子：1 2 3、vec3(1, 2, 3)、[1. 2. 3.]。位数有意义：1.50 有两位小数。可以粘贴 px,py,depth,x,y,z 的多行</translation>
+    </message>
+    <message>
+        <source>Remove this point</source>
+        <translation>去掉这个点</translation>
+    </message>
+    <message>
+        <source>row %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>Not taken of what was pasted, since it is no number: %1.</source>
+        <translation>粘贴的内容中以下各项不是数，没有采用：%1。</translation>
+    </message>
+    <message>
+        <source>%1 is no pixel: type its x and y, such as 400.5, 300.5.</source>
+        <translation>%1 不是像素：请键入 x 和 y，例如 400.5, 300.5。</translation>
+    </message>
+    <message>
+        <source>Pixel %1 lies outside the picture of %2 × %3.</source>
+        <translation>像素 %1 在 %2 × %3 的画面之外。</translation>
+    </message>
+    <message>
+        <source>%1 is no depth: type one number, or leave it empty.</source>
+        <translation>%1 不是深度：请键入一个数，或留空。</translation>
+    </message>
+    <message>
+        <source>Depth %1 lies outside the depth range, which goes from %2 to %3. A distance is no depth: leave it empty.</source>
+        <translation>深度 %1 不在从 %2 到 %3 的深度范围内。距离不是深度：请留空。</translation>
+    </message>
+    <message>
+        <source>%1 is no point: type three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918.</source>
+        <translation>%1 不是点：请按程序打印的样子键入三个坐标，例如 0.7051 -0.4122 0.0918。</translation>
     </message>
 </context>
 </TS>

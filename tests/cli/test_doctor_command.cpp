@@ -32,6 +32,7 @@ private slots:
     void theVerdictInJson();
     void theAnswerInWords();
     void digitsAreReadAsWritten();
+    void noZeroIsBelowZero();
     void aTableIsOneProgram();
     void badRowsAreNamed();
     void theMeshGivesTheDepth();
@@ -65,6 +66,15 @@ void TestDoctorCommand::theVerdictInJson_data()
                                          << "depth-not-remapped";
     QTest::newRow("in brackets") << "[ -0.1383, -0.0869, 0.1686 ]"
                                  << "view-transposed";
+    QTest::newRow("blanks") << "0.7051 -0.4122 0.0918"
+                            << "y-not-flipped";
+    QTest::newRow("as GLM prints") << "dvec3(0.705100, -0.412200, 0.091800)"
+                                   << "y-not-flipped";
+    QTest::newRow("typeset") << QString::fromUtf8("[−0.1383 −0.0869 0.1686]") << "view-transposed";
+    QTest::newRow("named, of floats") << "x=0.7051f y=-0.4122f z=0.0918f"
+                                      << "y-not-flipped";
+    QTest::newRow("with w") << "(0.7051, -0.4122, 0.0918, 1)"
+                            << "y-not-flipped";
     QTest::newRow("right") << "0.5000,0.7500,-0.2500"
                            << "right";
     QTest::newRow("unknown") << "1.1234,2.2345,0.3456"
@@ -134,6 +144,15 @@ void TestDoctorCommand::digitsAreReadAsWritten()
     QCOMPARE(verdict("1e308,-1e308,0e-2000000000"), QString("unknown"));
 }
 
+/// A point on the axes of a camera that looks along them: rounding makes it -1e-17 and the like.
+void TestDoctorCommand::noZeroIsBelowZero()
+{
+    const Run run = runCommand({"doctor", m_folder.write("frustum.json", kFrustumScene), "--pixel", "400,300",
+                                "--depth", "0.5", "--got", "-0.0000,0.0000,1.2345"});
+    QVERIFY2(run.exitCode == 0, run.errors.constData());
+    QVERIFY2(!run.output.contains(" -0.0000") && !run.output.contains(" -0 "), run.output.constData());
+}
+
 void TestDoctorCommand::aTableIsOneProgram()
 {
     const QString points = m_folder.write("wrong.csv", "px,py,depth,x,y,z\r\n"
@@ -161,6 +180,21 @@ void TestDoctorCommand::badRowsAreNamed()
                                             "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918\n");
     QCOMPARE(run.exitCode, 1);
     QCOMPARE(run.errors, QByteArray("stdin:2: y: \"nan\" is no number\n"));
+    // Whatever stands before it in quotes, and where there is no header.
+    const QByteArray row = "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918";
+    const auto errors = [&](const QByteArray &table) {
+        const Run one = doctor({"--points", "-", "--json"}, table);
+        return QByteArray::number(one.exitCode) + ' ' + one.errors;
+    };
+    QCOMPARE(errors("note,px,py,depth,x,y,z\n\"two\nlines\"," + row + "\n,1,2,,3,4x,5\n"),
+             QByteArray("1 stdin:4: y: \"4x\" is no number\n"));
+    QCOMPARE(errors("568.6x,274.3,0.8,1,2,3\n" + row + '\n'), QByteArray("1 stdin:1: px: \"568.6x\" is no number\n"));
+    QVERIFY(
+        errors("px,py,depth,x,x,y,z\n1,2,0.5,3,3,4,5\n").startsWith("2 stdin:1: the column \"x\" stands there twice"));
+    QVERIFY(errors("568,6,274,3,0,8,1,2,3\n" + row + '\n').startsWith("1 stdin:1: the row has more than six cells"));
+    QVERIFY(errors("\"1,2,0.5,3,3,4\n").startsWith("2 stdin:1: a quote is opened"));
+    QVERIFY(
+        errors("2000,5,0.5,1,2,3\n" + row + '\n').startsWith("1 stdin:1: 2000,5 lies outside the picture of 1000x700"));
     QCOMPARE(QJsonDocument::fromJson(run.output).object()["verdict"].toString(), QString("y-not-flipped"));
 }
 
@@ -232,6 +266,10 @@ void TestDoctorCommand::unusable_data()
     QTest::newRow("points and a pixel") << kClick + QStringList{"--points", "-"} << QByteArray("--points");
     QTest::newRow("no such table") << QStringList{"--points", "nowhere.csv"} << QByteArray("nowhere.csv");
     QTest::newRow("no size") << kClick + got + QStringList{"--other-size", "640"} << QByteArray("--other-size 640");
+    QTest::newRow("outside the picture") << QStringList{"--pixel", "1001,5"} + got
+                                         << QByteArray("--pixel: 1001,5 lies");
+    QTest::newRow("a sign apart") << kClick + QStringList{"--got", "1 - 2 3"} << QByteArray("--got 1 - 2 3");
+    QTest::newRow("thousands") << kClick + QStringList{"--got", "1,500.5 2 1"} << QByteArray("--got 1,500.5");
     QTest::newRow("no rows") << QStringList{"--points", "-"} << QByteArray("stdin");
 }
 

@@ -130,7 +130,7 @@ void TestWindowGrid::everythingFits()
                 continue;
             }
             wasLookedAt = true;
-            for (const char *place : {"click", "pipeline"}) {
+            for (const char *place : {"click", "pipeline", "doctor"}) {
                 window.places().enter(place);
                 window.places().reset(); // as it starts at this size
                 QTest::qWait(10);

@@ -1,5 +1,6 @@
 #include "gui/panels/parameters/number_field.h"
 
+#include "gui/panels/contrast.h"
 #include "gui/panels/parameters/digit_step.h"
 #include "gui/text/number_text.h"
 
@@ -29,16 +30,6 @@ quint64 nextSession()
 {
     static quint64 last = 0;
     return ++last;
-}
-
-QPalette refusedPalette()
-{
-    // Mixed from the theme's own colours, so that it is readable on a dark one as well.
-    QPalette palette = QApplication::palette();
-    const QColor base = palette.color(QPalette::Base);
-    const auto mixed = [](int from, int to) { return (from * 65 + to * 35) / 100; };
-    palette.setColor(QPalette::Base, QColor(mixed(base.red(), 255), mixed(base.green(), 60), mixed(base.blue(), 60)));
-    return palette;
 }
 
 } // namespace

@@ -1,0 +1,212 @@
+#include "core/doctor/written_points.h"
+
+#include "core/landmark_files/lines.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+namespace unprojector::doctor {
+namespace {
+
+using landmark_files::CsvRow;
+
+constexpr std::size_t kDepth = 2;
+
+constexpr std::string_view kMinusSign = "\xe2\x88\x92"; // U+2212, which typeset numbers have for the sign
+
+struct Replacement {
+    std::string_view from, to;
+};
+/// What typeset text has for characters of programs: signs, blanks, commas, brackets.
+constexpr Replacement kReplacements[] = {{kMinusSign, "-"},     {"\xc2\xa0", " "},     {"\xe2\x80\xaf", " "},
+                                         {"\xef\xbc\x8c", ","}, {"\xef\xbc\x88", "("}, {"\xef\xbc\x89", ")"}};
+
+std::string inAscii(std::string_view text)
+{
+    std::string result(text);
+    for (const Replacement &each : kReplacements) {
+        for (std::size_t at = result.find(each.from); at != std::string::npos; at = result.find(each.from, at))
+            result.replace(at, each.from.size(), each.to);
+    }
+    return result;
+}
+
+bool isLetter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// A word that names something, as vec3 and x do; no number that is none.
+bool isName(std::string_view word)
+{
+    const std::string small = landmark_files::lowerCase(word);
+    return isLetter(word.front()) && small != "nan" && small != "inf" && small != "infinity";
+}
+
+/// Where each of kPointColumns stands in a header; its size where there is none.
+using Places = std::array<std::size_t, kPointColumns.size()>;
+
+bool isHeader(const CsvRow &row)
+{
+    return std::any_of(row.cells.begin(), row.cells.end(), [](const std::string &cell) {
+        return std::find(kPointColumns.begin(), kPointColumns.end(), landmark_files::lowerCase(cell))
+               != kPointColumns.end();
+    });
+}
+
+Result<Places, PointTableError> placesIn(const CsvRow &header)
+{
+    Places places{};
+    for (std::size_t column = 0; column < kPointColumns.size(); ++column) {
+        const auto is = [&](const std::string &cell) {
+            return landmark_files::lowerCase(cell) == kPointColumns[column];
+        };
+        const auto found = std::find_if(header.cells.begin(), header.cells.end(), is);
+        places[column] = std::size_t(found - header.cells.begin());
+        if (found == header.cells.end() && column != kDepth)
+            return PointTableError{PointTableError::Kind::NoColumn, header.line, kPointColumns[column]};
+        if (found != header.cells.end() && std::any_of(found + 1, header.cells.end(), is))
+            return PointTableError{PointTableError::Kind::DoubledColumn, header.line, kPointColumns[column]};
+    }
+    return places;
+}
+
+} // namespace
+
+std::optional<WrittenNumber> writtenNumber(std::string_view text)
+{
+    const std::string ascii = inAscii(text);
+    text = landmark_files::trimmed(ascii);
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    if (text.size() > 1 && (text.back() == 'f' || text.back() == 'F')
+        && text.find_first_not_of("0123456789.eE+-") == text.size() - 1)
+        text.remove_suffix(1);
+    WrittenNumber number;
+    const char *end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number.value);
+    if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(number.value))
+        return std::nullopt;
+    const std::size_t mantissaEnd = std::min(text.find_first_of("eE"), text.size());
+    const std::size_t point = text.substr(0, mantissaEnd).find('.');
+    int place = point == std::string_view::npos ? 0 : -int(mantissaEnd - point - 1);
+    if (mantissaEnd < text.size()) {
+        std::string_view exponent = text.substr(mantissaEnd + 1);
+        if (exponent.starts_with('+'))
+            exponent.remove_prefix(1);
+        int power = 0;
+        std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+        place += std::clamp(power, -400, 400); // as far as doubles go
+    }
+    // More digits than a double has say nothing more.
+    const double least = std::max(std::abs(number.value), 1.0) * 1e-15;
+    number.lastDigit = std::max(std::pow(10.0, place), least);
+    if (!std::isfinite(number.lastDigit))
+        return std::nullopt;
+    return number;
+}
+
+std::optional<std::vector<WrittenNumber>> writtenNumbers(std::string_view given, std::size_t count)
+{
+    constexpr std::string_view kBetween = " \t\r\n,;()[]{}<>=:\"'|";
+    const std::string text = inAscii(given);
+    std::vector<WrittenNumber> numbers;
+    std::size_t commas = 0; // between two numbers
+    bool isBehindComma = false;
+    for (std::size_t at = 0; at < text.size();) {
+        if (kBetween.find(text[at]) != std::string_view::npos) {
+            isBehindComma = isBehindComma || text[at] == ',' || text[at] == ';';
+            ++at;
+            continue;
+        }
+        const std::size_t end = std::min(text.find_first_of(kBetween, at), text.size());
+        const std::string_view word = std::string_view(text).substr(at, end - at);
+        at = end;
+        if (isName(word))
+            continue;
+        const std::optional<WrittenNumber> number = writtenNumber(word);
+        if (!number)
+            return std::nullopt;
+        if (!numbers.empty() && isBehindComma)
+            ++commas;
+        isBehindComma = false;
+        numbers.push_back(*number);
+    }
+    // 1,500.5 2 3 are no four numbers.
+    if (numbers.empty() || (commas != 0 && commas + 1 != numbers.size()))
+        return std::nullopt;
+    if (count == 3 && numbers.size() == 4 && numbers.back().value == 1.0)
+        numbers.pop_back();
+    if (numbers.size() != count)
+        return std::nullopt;
+    return numbers;
+}
+
+double depthLastDigit(const WrittenNumber &depth)
+{
+    constexpr double kRounded = 1e-4;
+    return depth.lastDigit <= 1.5 * kRounded ? depth.lastDigit : 0.0;
+}
+
+Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text)
+{
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (text.starts_with(kByteOrderMark))
+        text.remove_prefix(kByteOrderMark.size());
+    std::vector<CsvRow> read;
+    try {
+        read = landmark_files::csvRows(text);
+    } catch (const landmark_files::Failure &failure) {
+        return PointTableError{PointTableError::Kind::OpenQuote, failure.line, {}};
+    }
+    const bool hasHeader = !read.empty() && isHeader(read.front());
+    Places places{0, 1, 2, 3, 4, 5};
+    if (hasHeader) {
+        const Result<Places, PointTableError> named = placesIn(read.front());
+        if (!named)
+            return named.error();
+        places = *named;
+    }
+    std::vector<PointRow> rows;
+    for (std::size_t i = hasHeader ? 1 : 0; i < read.size(); ++i) {
+        const std::vector<std::string> &cells = read[i].cells;
+        PointRow row;
+        row.line = read[i].line;
+        row.isTooLong = !hasHeader && cells.size() > kPointColumns.size();
+        for (std::size_t column = 0; column < places.size(); ++column) {
+            if (places[column] < cells.size())
+                row.cells[column] = cells[places[column]];
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Result<WrongPoint, std::size_t> pointOf(const PointRow &row)
+{
+    if (row.isTooLong)
+        return row.cells.size();
+    WrongPoint point;
+    for (std::size_t column = 0; column < row.cells.size(); ++column) {
+        if (column == kDepth && landmark_files::trimmed(row.cells[column]).empty())
+            continue;
+        const std::optional<WrittenNumber> number = writtenNumber(row.cells[column]);
+        if (!number)
+            return column;
+        if (column < kDepth) {
+            point.pixel[int(column)] = number->value;
+        } else if (column == kDepth) {
+            point.depth = number->value;
+            point.depthLastDigit = depthLastDigit(*number);
+        } else {
+            point.got[int(column - kDepth) - 1] = number->value;
+            point.lastDigit[int(column - kDepth) - 1] = number->lastDigit;
+        }
+    }
+    return point;
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/doctor/diagnosis.h"
+#include "gui/document/scene_document.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QToolButton;
+
+namespace unprojector::gui {
+
+class CandidatesTable;
+class CodeChangesView;
+class Diagnoser;
+class DiagnosisView;
+class WrongPointsForm;
+
+/// Why another program's coordinate is wrong: the clicks and what it got for them, and which mistake makes that.
+///
+/// Pixels belong to a picture: that of the click that was taken, or of the window that the other program has. It is kept with
+/// them, whatever the view shows later.
+class DoctorPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit DoctorPanel(SceneDocument &document, QWidget *parent = nullptr);
+    ~DoctorPanel() override;
+
+    DiagnosisView &answer() { return *m_answer; }
+    CodeChangesView &code() { return *m_code; }
+
+signals:
+    /// This pixel of the view is to be picked.
+    void pickRequested(const unprojector::geometry::DevicePixel &pixel);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QWidget *createProgram();
+    /// The picture that the program has of the scene as it is now: in a window of its own size, or in the view's.
+    std::optional<Picture> pictureNow() const;
+    /// That of the points that are there, or that of now.
+    std::optional<Picture> picture() const;
+    /// What the rays of a picture meet; null where that is not known.
+    std::shared_ptr<const ray::SceneRays> raysOf(const Picture &picture) const;
+
+    /// Fills in the pick, if it is another one; where it is the one before that, a drag has begun and the last was none.
+    void takePick();
+    void goToPixel(const DevicePoint &pixel);
+    void refresh();
+    void showPicture();
+    void showSpaces();
+    /// Asks what the points that are there tell.
+    void ask();
+    void showDiagnosis(const doctor::Diagnosis &diagnosis);
+    void mark();
+
+    SceneDocument &m_document;
+    Diagnoser *m_diagnoser;
+    std::optional<Picture> m_picture; ///< of the points, while there are any
+    /// Of the pick that was taken last, and of that before.
+    struct Taken {
+        DevicePixel pixel;
+        Picture picture;
+        friend bool operator==(const Taken &, const Taken &) = default;
+    };
+    std::optional<Taken> m_taken, m_takenBefore;
+    std::optional<Picture> m_pictureBefore;
+    std::vector<doctor::WrongPoint> m_asked;
+    std::optional<doctor::Diagnosis> m_diagnosis; ///< of m_asked
+
+    WrongPointsForm *m_form;
+    QComboBox *m_space;
+    QLabel *m_pictureText;
+    QPushButton *m_pictureNow;
+    QToolButton *m_fold;
+    QWidget *m_program;
+    QLineEdit *m_window;
+    QLineEdit *m_otherSize;
+    QLabel *m_sizeFault;
+    DiagnosisView *m_answer;
+    CodeChangesView *m_code;
+    CandidatesTable *m_candidates;
+};
+
+} // namespace unprojector::gui

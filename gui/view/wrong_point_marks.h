@@ -1,0 +1,17 @@
+#pragma once
+
+#include "gui/document/scene_document.h"
+#include "gui/painters/line_painter.h"
+#include "gui/painters/pick_painter.h"
+
+#include <span>
+
+namespace unprojector::gui {
+
+/// Draws what other programs have got, with the right points and the way from each to its wrong one, over everything. The
+/// OpenGL context is current, no depth is tested.
+/// @param viewportPixels  width and height of the current viewport
+void drawWrongPoints(std::span<const WrongPointMark> points, const glm::dmat4 &clipFromWorld,
+                     const glm::vec2 &viewportPixels, float pixelRatio, LinePainter &lines, PickPainter &marks);
+
+} // namespace unprojector::gui

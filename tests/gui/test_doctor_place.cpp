@@ -1,0 +1,379 @@
+// The work place Doctor as a hand has it: a click, what another program got for it, and the answer.
+
+#include "window_user.h"
+
+#include "core/doctor/diagnosis.h"
+#include "core/doctor/remedies.h"
+#include "gui/panels/candidates_table.h"
+#include "gui/panels/code_changes_view.h"
+#include "gui/panels/diagnosis_view.h"
+#include "gui/panels/doctor_panel.h"
+#include "gui/panels/observer_panel.h"
+#include "gui/panels/segmented_switch.h"
+#include "gui/panels/wrong_points_form.h"
+#include "gui/text/mistake_text.h"
+#include "gui/view/observer_view.h"
+#include "gui/window/place_ids.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <glm/matrix.hpp>
+
+#include <cmath>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace guitest;
+
+namespace {
+
+constexpr QSize kWindow(1280, 800);
+
+/// The window at the place, with a cube before it.
+std::unique_ptr<MainWindow> doctorWindow()
+{
+    auto window = shownWindow(false, kWindow, true);
+    window->document().setObjects(
+        cubeScene(), {WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    window->places().enter(kDoctorPlace);
+    QTest::qWait(50);
+    return window;
+}
+
+DoctorPanel &panelOf(MainWindow &window)
+{
+    return *window.findChild<DoctorPanel *>();
+}
+
+QList<QLineEdit *> fieldsOf(MainWindow &window, const QString &name)
+{
+    QList<QLineEdit *> fields;
+    for (QLineEdit *field : panelOf(window).findChildren<QLineEdit *>()) {
+        if (field->accessibleName() == name && !field->isHidden())
+            fields << field;
+    }
+    return fields;
+}
+
+QLineEdit *gotOf(MainWindow &window, int row = 0)
+{
+    return fieldsOf(window, QStringLiteral("What your program got")).value(row);
+}
+
+void type(QLineEdit *field, const QString &text)
+{
+    field->setFocus();
+    field->clear();
+    QApplication::clipboard()->setText(text); // keys make no U+2212
+    QTest::keySequence(field, QKeySequence::Paste);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+QString verdictOf(MainWindow &window)
+{
+    for (const QLabel *label : panelOf(window).findChildren<QLabel *>()) {
+        if (label->accessibleName() == QStringLiteral("Verdict"))
+            return label->text();
+    }
+    return {};
+}
+
+QString pointText(const glm::dvec3 &point)
+{
+    return QStringLiteral("%1 %2 %3").arg(point.x, 0, 'f', 4).arg(point.y, 0, 'f', 4).arg(point.z, 0, 'f', 4);
+}
+
+/// What a program gives for a window position: the product inverted, whole.
+glm::dvec3 unprojected(const MainWindow &window, const glm::dvec3 &at)
+{
+    const Picture &g = const_cast<MainWindow &>(window).document().geometry();
+    const glm::dvec4 ndc(2.0 * (at.x - g.viewport.x) / g.viewport.width - 1.0,
+                         2.0 * (at.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * at.z - 1.0, 1.0);
+    const glm::dvec4 world = glm::inverse(*clipFromWorld(g)) * ndc;
+    return glm::dvec3(world) / world.w;
+}
+
+/// Clicks the cube a little off its middle, and gives what a program without the flip of y makes of it.
+glm::dvec3 clickedAndWrong(MainWindow &window, const glm::dvec3 &off = {0.4, 0.6, 1.0})
+{
+    click(window.view(), localOf(window, kCubeCenter + off));
+    const Pick &pick = *window.document().pick();
+    const double height = window.document().geometry().surface.heightPixels;
+    return unprojected(window, {pick.window.x, height - pick.window.y, pick.window.z});
+}
+
+} // namespace
+
+class TestDoctorPlace : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+
+    void theMistakeIsNamed();
+    void aRightPointIsRight();
+    void garbageIsUnknown();
+    void nonsenseIsNamedAndStays();
+    void pointsAsProgramsPrintThem_data();
+    void pointsAsProgramsPrintThem();
+    void theCodeIsThatOfTheLibrary();
+    void aSecondClickMakesASecondRow();
+    void aDragIsNoClick();
+    void theClickThatTellsIsPicked();
+    void rowsCanBePasted();
+    void thePictureStaysThatOfTheClick();
+    void theMarksGoWithThePlace();
+    void theWrongPointIsFoundFromOutside();
+    void everyMistakeIsWorded();
+};
+
+void TestDoctorPlace::theMistakeIsNamed()
+{
+    const auto window = doctorWindow();
+    const glm::dvec3 got = clickedAndWrong(*window);
+    const DevicePixel pixel = window->document().pick()->devicePixel;
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(),
+             QStringLiteral("%1, %2").arg(pixel.i + 0.5).arg(pixel.j + 0.5));
+    type(gotOf(*window), pointText(got));
+    QTRY_COMPARE(verdictOf(*window), QString::fromLatin1(doctor::remedyOf("y-not-flipped").sentence.data()));
+    const QString text = panelOf(*window).answer().text();
+    QVERIFY2(text.contains(QStringLiteral("y not flipped: all ")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("Runner-up")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("the depth is right, the pixel is not")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("Tell apart")), qPrintable(text));
+    QCOMPARE(panelOf(*window).code().text(),
+             QStringLiteral("- gluUnProject(x, y, d, modelview, projection, viewport, &X, &Y, &Z);\n"
+                            "+ gluUnProject(x, H - y, d, modelview, projection, viewport, &X, &Y, &Z);\n"));
+    const auto *candidates = panelOf(*window).findChild<CandidatesTable *>();
+    QVERIFY(candidates->isVisible() && candidates->rowCount() >= 5);
+    const std::vector<WrongPointMark> &marks = window->document().wrongPoints();
+    QCOMPARE(marks.size(), std::size_t(1));
+    QVERIFY(distance(marks[0].got, WorldPoint(got)) < 1e-4);
+    QVERIFY(marks[0].right
+            && distance(*marks[0].right, *window->document().pick()->point.world[Method::Formula]) < 1e-4);
+}
+
+void TestDoctorPlace::aRightPointIsRight()
+{
+    const auto window = doctorWindow();
+    clickedAndWrong(*window);
+    type(gotOf(*window), pointText(window->document().pick()->point.world[Method::Formula]->coordinates()));
+    QTRY_COMPARE(verdictOf(*window), QStringLiteral("The point is right, to the digits given."));
+    QVERIFY(!panelOf(*window).code().isVisible());
+}
+
+void TestDoctorPlace::garbageIsUnknown()
+{
+    const auto window = doctorWindow();
+    clickedAndWrong(*window);
+    type(gotOf(*window), QStringLiteral("11.1234 22.2345 -30.3456"));
+    QTRY_VERIFY(verdictOf(*window).startsWith(QStringLiteral("Unknown: nothing that is known explains this point")));
+    QVERIFY(panelOf(*window).answer().text().contains(QStringLiteral("Lands by the right matrices on pixel ")));
+    QVERIFY(!panelOf(*window).code().isVisible());
+    // What comes closest has its code all the same, once it is chosen.
+    auto *candidates = panelOf(*window).findChild<CandidatesTable *>();
+    candidates->setCurrentCell(1, 0);
+    QVERIFY(panelOf(*window).code().isVisible() && !panelOf(*window).code().text().isEmpty());
+}
+
+void TestDoctorPlace::nonsenseIsNamedAndStays()
+{
+    const auto window = doctorWindow();
+    const auto fault = [&] { return panelOf(*window).findChild<WrongPointsForm *>()->fault(); };
+    clickedAndWrong(*window);
+    type(gotOf(*window), QStringLiteral("0.7051 -0.41x2 0.0918"));
+    QCOMPARE(gotOf(*window)->text(), QStringLiteral("0.7051 -0.41x2 0.0918"));
+    QVERIFY2(fault().contains(QStringLiteral("0.7051 -0.41x2 0.0918")), qPrintable(fault()));
+    QVERIFY(window->document().wrongPoints().empty());
+    QLineEdit *pixel = fieldsOf(*window, QStringLiteral("Pixel")).value(0);
+    type(gotOf(*window), QStringLiteral("1 2 3"));
+    type(pixel, QStringLiteral("90000, 5"));
+    QVERIFY2(fault().contains(QStringLiteral("90000, 5 lies outside the picture of")), qPrintable(fault()));
+    type(pixel, QStringLiteral("200, 100"));
+    QVERIFY2(fault().isEmpty(), qPrintable(fault()));
+    type(fieldsOf(*window, QStringLiteral("Depth")).value(0), QStringLiteral("5.88"));
+    QVERIFY2(fault().startsWith(QStringLiteral("Depth 5.88 lies outside the depth range")), qPrintable(fault()));
+}
+
+void TestDoctorPlace::pointsAsProgramsPrintThem_data()
+{
+    QTest::addColumn<QString>("form");
+    QTest::newRow("blanks") << QStringLiteral("%1 %2 %3");
+    QTest::newRow("commas") << QStringLiteral("%1, %2, %3");
+    QTest::newRow("GLM") << QStringLiteral("dvec3(%1, %2, %3)");
+    QTest::newRow("NumPy") << QStringLiteral("[%1 %2 %3]");
+    QTest::newRow("named") << QStringLiteral("x=%1 y=%2 z=%3");
+    QTest::newRow("in brackets") << QStringLiteral("(%1,%2,%3)");
+}
+
+void TestDoctorPlace::pointsAsProgramsPrintThem()
+{
+    QFETCH(QString, form);
+    const auto window = doctorWindow();
+    const glm::dvec3 got = clickedAndWrong(*window);
+    QString text = form;
+    for (int axis = 0; axis < 3; ++axis)
+        text = text.arg(QString::number(got[axis], 'f', 4).replace(u'-', QChar(0x2212)));
+    type(gotOf(*window), text);
+    QTRY_VERIFY2(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")), qPrintable(verdictOf(*window)));
+}
+
+void TestDoctorPlace::theCodeIsThatOfTheLibrary()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    CodeChangesView &code = panelOf(*window).code();
+    QTRY_VERIFY(code.isVisible());
+    for (const char *library : {"GLU", "GLM", "Qt", "three.js", "NumPy"}) {
+        code.setLibrary(QLatin1String(library));
+        QCOMPARE(code.library(), QLatin1String(library));
+        QVERIFY2(code.text().startsWith(u'-') && code.text().contains(QStringLiteral("\n+ ")), library);
+    }
+    QVERIFY(code.text().contains(QStringLiteral("y_n = 2 * (H - y - vy) / h - 1")));
+}
+
+void TestDoctorPlace::aSecondClickMakesASecondRow()
+{
+    const auto window = doctorWindow();
+    click(window->view(), localOf(*window, kCubeCenter + glm::dvec3(-0.5, 0.2, 1.0)));
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 1); // it waited still
+    const glm::dvec3 second = clickedAndWrong(*window, {-0.7, 0.3, 1.0});
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 2);
+    type(gotOf(*window, 1), pointText(second));
+    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(2));
+    QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
+    for (QToolButton *button : panelOf(*window).findChildren<QToolButton *>()) {
+        if (button->accessibleName() == QStringLiteral("Remove this point")) {
+            QTest::mouseClick(button, Qt::LeftButton);
+            break;
+        }
+    }
+    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+}
+
+void TestDoctorPlace::aDragIsNoClick()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    const QString pixel = fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text();
+    drag(window->view(), {200.0, 200.0}, {260.0, 210.0}, Qt::LeftButton);
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 1);
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(), pixel);
+}
+
+void TestDoctorPlace::theClickThatTellsIsPicked()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QPushButton *there = nullptr;
+    for (QPushButton *button : panelOf(*window).answer().findChildren<QPushButton *>())
+        there = button;
+    QTRY_VERIFY(there && there->isVisible());
+    QTest::mouseClick(there, Qt::LeftButton);
+    const DevicePixel pixel = window->document().pick()->devicePixel;
+    const QString text = QStringLiteral("%1, %2").arg(pixel.i + 0.5).arg(pixel.j + 0.5);
+    QVERIFY2(there->text().endsWith(text), qPrintable(there->text()));
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(1)->text(), text);
+    QCOMPARE(window->focusWidget(), gotOf(*window, 1)); // whether or not the window is active
+}
+
+void TestDoctorPlace::rowsCanBePasted()
+{
+    const auto window = doctorWindow();
+    QApplication::clipboard()->setText(QStringLiteral("px,py,depth,x,y,z\n100.5,200.5,0.5,1.2,3.4,5.6\n"
+                                                      "200.5,100.5,,\"2.2\",oops,5.6\n300.5,90.5,,7.25,8,9\n"));
+    gotOf(*window)->setFocus();
+    QTest::keySequence(gotOf(*window), QKeySequence::Paste);
+    const auto texts = [&](const QString &name) {
+        QStringList result;
+        for (const QLineEdit *field : fieldsOf(*window, name))
+            result << field->text();
+        return result;
+    };
+    QCOMPARE(texts(QStringLiteral("Pixel")), (QStringList{"100.5, 200.5", "300.5, 90.5"}));
+    QCOMPARE(texts(QStringLiteral("Depth")), (QStringList{"0.5", ""}));
+    QCOMPARE(texts(QStringLiteral("What your program got")), (QStringList{"1.2 3.4 5.6", "7.25 8 9"}));
+    const QString fault = panelOf(*window).findChild<WrongPointsForm *>()->fault();
+    QVERIFY2(fault.contains(QStringLiteral("row 3: y")), qPrintable(fault));
+}
+
+void TestDoctorPlace::thePictureStaysThatOfTheClick()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_VERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
+    QPushButton *now = nullptr;
+    for (QPushButton *button : panelOf(*window).findChildren<QPushButton *>()) {
+        if (button->text().remove(u'&') == QStringLiteral("As it is now"))
+            now = button;
+    }
+    QVERIFY(now && !now->isVisible());
+    window->document().setCamera({WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
+    QTest::qWait(100);
+    QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
+    QVERIFY(now->isVisible());
+    QTest::mouseClick(now, Qt::LeftButton);
+    QTRY_VERIFY(!verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
+    QVERIFY(!now->isVisible());
+}
+
+void TestDoctorPlace::theMarksGoWithThePlace()
+{
+    const auto window = doctorWindow();
+    const QImage before = window->view().grabFramebuffer();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+    const WrongPointMark mark = window->document().wrongPoints().front();
+    const QImage marked = window->view().grabFramebuffer();
+    const glm::dvec2 place = placeOf(*window, mark.got.coordinates());
+    const QPoint at(int(place.x), marked.height() - 1 - int(place.y));
+    QVERIFY(marked.rect().contains(at));
+    QVERIFY(marked.pixelColor(at) != before.pixelColor(at));
+    window->places().enter(kClickPlace);
+    QTRY_VERIFY(window->document().wrongPoints().empty());
+    window->places().enter(kDoctorPlace);
+    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+}
+
+void TestDoctorPlace::theWrongPointIsFoundFromOutside()
+{
+    const auto window = doctorWindow();
+    actionOf(*window, QStringLiteral("View from Outside"))->setChecked(true);
+    auto *observer = window->findChild<ObserverPanel *>();
+    QVERIFY(observer && QTest::qWaitForWindowExposed(window.get()));
+    QTRY_VERIFY(observer->view().isReady());
+    const auto button = [&] {
+        const auto buttons = observer->view().findChildren<QPushButton *>();
+        return buttons.value(0);
+    };
+    clickedAndWrong(*window);
+    type(gotOf(*window), QStringLiteral("300.1234 222.2345 3000.3456"));
+    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+    QTRY_VERIFY(button()->isVisible());
+    QTest::mouseClick(button(), Qt::LeftButton);
+    QTRY_VERIFY(!button()->isVisible());
+    const auto place = observer->view().placeOf(window->document().wrongPoints().front().got);
+    QVERIFY(place && QRectF(observer->view().rect()).contains(*place));
+}
+
+/// In English the words of the window are those of core; that all are translated is for the test of translations.
+void TestDoctorPlace::everyMistakeIsWorded()
+{
+    for (const std::string &id : doctor::mistakeIds()) {
+        const std::string_view sentence = doctor::remedyOf(id).sentence;
+        QCOMPARE(mistakeSentence(id), QString::fromUtf8(sentence.data(), qsizetype(sentence.size())));
+        QVERIFY2(!mistakeName(id).isEmpty() && mistakeName(id) != QString::fromStdString(id), id.c_str());
+    }
+    QCOMPARE(mistakeName("y-not-flipped+no-w-divide"), QStringLiteral("y not flipped + not divided by w"));
+    QCOMPARE(variantText("ratio 1.5; x only"), QStringLiteral("ratio 1.5; x only"));
+}
+
+QTEST_MAIN(TestDoctorPlace)
+#include "test_doctor_place.moc"
