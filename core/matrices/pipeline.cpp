@@ -228,6 +228,27 @@ Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromOb
     return result;
 }
 
+Pipeline inApi(const Pipeline &pipeline, const ApiSpaces &spaces)
+{
+    struct Ends {
+        AxisChange source, target; // of the way forward
+    };
+    const AxisChange same;
+    const std::array<Ends, kPipelineStages.size()> ends{{{same, spaces.world},
+                                                         {spaces.world, spaces.eye},
+                                                         {spaces.eye, spaces.clip},
+                                                         {spaces.clip, spaces.window},
+                                                         {same, spaces.eye},
+                                                         {same, spaces.window}}};
+    Pipeline result = pipeline;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const auto &[source, target] = ends[i];
+        result.forward[i] = target.matrix() * pipeline.forward[i] * source.inverse().matrix();
+        result.backward[i] = source.matrix() * pipeline.backward[i] * target.inverse().matrix();
+    }
+    return result;
+}
+
 PipelinePoints pointsForward(const Pipeline &pipeline, const ObjectPoint &point)
 {
     return from(pipeline, point);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/api_conventions.h"
 #include "core/geometry/given_point.h"
 #include "core/geometry/picture.h"
 
@@ -43,6 +44,10 @@ struct Pipeline {
 /// @return the errors of check(geometry); NotFinite (the value of the entry); SingularMatrix, also where the inverse
 ///         overflows
 Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromObject);
+
+/// The same matrices as an API has them, from its own spaces to its own. The points of a pipeline stay those of this program:
+/// ApiSpaces takes them there.
+Pipeline inApi(const Pipeline &pipeline, const ApiSpaces &spaces);
 
 /// One point in every space. Each stage says for itself why it has no answer; the stages after it have the same reason.
 struct PipelinePoints {

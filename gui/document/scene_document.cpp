@@ -141,7 +141,8 @@ Check SceneDocument::open(Scene scene)
     clearPick();
     m_points.forget();
     emit opened();
-    tell(kSeen | Change::Pick | Change::GivenPoint | Change::Landmarks | Change::LandmarkSelection | Change::History);
+    tell(kSeen | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks | Change::LandmarkSelection
+         | Change::History);
     return std::monostate{};
 }
 

@@ -1,6 +1,7 @@
 #include "gui/panels/comparison_panel.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/panels/api_clicks_view.h"
 #include "gui/panels/comparison_model.h"
 #include "gui/panels/comparison_table.h"
 #include "gui/panels/copy_menu.h"
@@ -141,6 +142,8 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
                               longestRayDetailTexts());
 
     m_others = new OtherProgramsView;
+    m_apis = new ApiClicksView;
+    m_apis->setScenes(m_document.scene().conventions);
 
     m_formula = new FormulaView;
     m_formula->setAccessibleName(tr("Formula with its numbers"));
@@ -165,6 +168,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_certainty);
     layout->addWidget(m_cause);
     layout->addWidget(m_others);
+    layout->addWidget(m_apis);
     layout->addWidget(new QLabel(tr("The formula with its numbers:")));
     layout->addWidget(m_formula, 1);
 
@@ -178,6 +182,8 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
             emit pickRequested(m_document.pick()->widget);
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Conventions)
+            m_apis->setScenes(m_document.scene().conventions);
         if (changes & (Change::Pick | Change::Names | Change::Ray)) {
             showPick();
             return;
@@ -272,6 +278,7 @@ void ComparisonPanel::showPick()
 {
     const std::optional<Pick> &pick = m_document.pick();
     m_model->setPick(pick);
+    m_apis->setPick(pick);
     showSinceClick();
     showRay();
     if (!pick) {
@@ -326,7 +333,7 @@ QString ComparisonPanel::text() const
         text += link->accessibleName() + u'\t' + link->text() + u'\n';
     text += m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n';
     text += m_rayModel->text() + m_ray->text() + u'\n' + m_rayDetail->text() + u'\n';
-    text += m_others->text();
+    text += m_others->text() + m_apis->text();
     return text + m_formula->formulas().text() + u'\n';
 }
 

@@ -13,6 +13,7 @@ class QPushButton;
 namespace unprojector::gui {
 using namespace unproject;
 
+class ApiClicksView;
 class ComparisonModel;
 class ComparisonTable;
 class ElidedLabel;
@@ -75,6 +76,7 @@ private:
     SteadyLabel *m_ray;
     SteadyLabel *m_rayDetail;
     OtherProgramsView *m_others;
+    ApiClicksView *m_apis;
     FormulaView *m_formula;
     QCheckBox *m_showsFloat;
     QPushButton *m_copy;

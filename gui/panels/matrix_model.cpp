@@ -15,8 +15,9 @@ MatrixModel::MatrixModel(PipelineStage stage, QObject *parent) : NumberGridModel
     show();
 }
 
-void MatrixModel::setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind)
+void MatrixModel::setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind, bool isNamed)
 {
+    m_isNamed = isNamed;
     m_direction = direction;
     m_kind = kind;
     if (matrix == m_matrix)
@@ -91,7 +92,8 @@ QString MatrixModel::toolTip(int row, int column) const
     const int index = memoryIndex(row, column);
     const bool isColumns = m_view.layout == MatrixLayout::Column;
     const int mathRow = index % 4, mathColumn = index / 4;
-    const std::string_view symbol = matrixEntryName(m_stage, m_direction, m_kind, mathRow, mathColumn);
+    const std::string_view symbol =
+        m_isNamed ? matrixEntryName(m_stage, m_direction, m_kind, mathRow, mathColumn) : std::string_view();
     const QString name = QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
     const bool isConstant = name == u"0" || name == u"1" || name == u"−1";
     const QString number = fullText(row, column);

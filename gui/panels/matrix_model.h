@@ -13,7 +13,8 @@ class MatrixModel : public NumberGridModel {
 public:
     explicit MatrixModel(PipelineStage stage, QObject *parent = nullptr);
 
-    void setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind);
+    /// @param isNamed  whether its entries are those that the formulas' symbols stand for
+    void setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind, bool isNamed = true);
     void setView(const MatrixView &view);
     /// In place of the one that the stage has.
     void setVariableName(const QString &name) { m_variableName = name; }
@@ -38,6 +39,7 @@ private:
     PipelineStage m_stage;
     PipelineDirection m_direction = PipelineDirection::Forward;
     ProjectionKind m_kind = ProjectionKind::Perspective;
+    bool m_isNamed = true;
     glm::dmat4 m_matrix{1.0};
     MatrixView m_view;
     QString m_variableName;

@@ -6,9 +6,11 @@
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/since_click_text.h"
+#include "gui/text/api_text.h"
 #include "gui/text/error_text.h"
 #include "gui/text/typed_numbers.h"
 
+#include <type_traits>
 #include <utility>
 
 namespace unprojector::gui {
@@ -99,6 +101,14 @@ void PipelineModel::take(Space space, int coordinate, const QString &typed)
         }
         values[static_cast<std::size_t>(coordinate)] = *value;
     }
+    const AxisChange ours = changeOf(space).inverse();
+    if (count == 4) {
+        const glm::dvec4 p = ours * glm::dvec4(values[0], values[1], values[2], values[3]);
+        values = {p.x, p.y, p.z, p.w};
+    } else if (count == 3) {
+        const glm::dvec3 p = ours * glm::dvec3(values[0], values[1], values[2]);
+        values = {p.x, p.y, p.z};
+    }
     GivenPoint given;
     switch (space) {
     case Space::Object: {
@@ -120,8 +130,8 @@ void PipelineModel::take(Space space, int coordinate, const QString &typed)
             return;
         }
         const Surface &surface = m_document.geometry().surface;
-        given.point =
-            windowFromDevice(surface, deviceFromWidget(surface, WidgetPoint(values[0], values[1])), window[2]);
+        const double depth = (m_spaces.window.inverse() * glm::dvec3(window[0], window[1], window[2])).z;
+        given.point = windowFromDevice(surface, deviceFromWidget(surface, WidgetPoint(values[0], values[1])), depth);
         break;
     }
     }
@@ -192,10 +202,14 @@ void PipelineModel::update()
         m_status = errorText(pipeline.error());
         return;
     }
+    showApi();
     showGiven();
     const ProjectionKind kind = kindOf(m_document.geometry().projection());
-    for (const PipelineStage stage : kPipelineStages)
-        matrix(stage)->setMatrix(pipeline->matrix(stage, m_direction), m_direction, kind);
+    const Pipeline shown = m_api == Api::OpenGl ? *pipeline : inApi(*pipeline, m_spaces);
+    for (const PipelineStage stage : kPipelineStages) {
+        const glm::dmat4 &entries = shown.matrix(stage, m_direction);
+        matrix(stage)->setMatrix(entries, m_direction, kind, entries == pipeline->matrix(stage, m_direction));
+    }
     if (followsGiven()) {
         showGivenPoint(*pipeline);
     } else if (!pick) {
@@ -210,6 +224,45 @@ void PipelineModel::update()
     }
 }
 
+AxisChange PipelineModel::changeOf(Space space) const
+{
+    switch (space) {
+    case Space::World: return m_spaces.world;
+    case Space::Eye: return m_spaces.eye;
+    case Space::Clip:
+    case Space::Ndc: return m_spaces.clip;
+    case Space::Window: return m_spaces.window;
+    case Space::Object:
+    case Space::Widget: break;
+    }
+    return {};
+}
+
+void PipelineModel::setApi(Api api)
+{
+    static_cast<void>(
+        m_document.editConventions(api, {tr("Conventions of %1").arg(QString::fromUtf8(conventionsOf(api).name))}));
+}
+
+void PipelineModel::showApi()
+{
+    m_api = m_document.scene().conventions;
+    m_spaces = apiSpaces(m_document.geometry(), m_api);
+    for (PointModel *point : m_points)
+        point->setApi(m_api);
+    m_apiNote.clear();
+    if (m_api == Api::OpenGl)
+        return;
+    m_apiNote = apiText(m_api);
+    if (m_api != Api::OpenCv)
+        return;
+    // Its own camera has no clip space and no buffer of depths: these rows are OpenGL's from OpenCV's eye.
+    const auto camera = apiCamera(m_document.geometry(), m_api);
+    m_apiNote += u' ' + tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].") + u'\n';
+    m_apiNote += camera && camera->intrinsics ? intrinsicsText(*camera->intrinsics)
+                                              : tr("Without a perspective there is no camera matrix K.");
+}
+
 void PipelineModel::showGiven()
 {
     const std::optional<GivenProjection> &given = m_document.scene().given;
@@ -219,7 +272,8 @@ void PipelineModel::showGiven()
     const Result<RecognisedProjection> form = recognised(given->matrix);
     if (!form)
         return;
-    m_given->setMatrix(given->matrix.clipFromEye, PipelineDirection::Forward, kindOf(given->converted));
+    m_given->setMatrix(apiFromOurs(given->matrix, m_api).clipFromEye, PipelineDirection::Forward,
+                       kindOf(given->converted), m_api == Api::OpenGl);
     QStringList said{form->ndcDepth == NdcDepth::ZeroToOne ? tr("z of NDC from 0 to 1") : tr("z of NDC from −1 to 1")};
     if (form->reversed)
         said << tr("reversed: the depth range is turned round for it");
@@ -280,14 +334,21 @@ void PipelineModel::showGivenPoint(const Pipeline &pipeline)
 void PipelineModel::showAll(const PipelinePoints &points)
 {
     point(Space::Object)->setPoint(points.object);
-    point(Space::World)->setPoint(points.world);
-    point(Space::Eye)->setPoint(points.eye);
+    const auto show = [this](Space space, const auto &ours) {
+        auto shown = ours;
+        if (ours)
+            shown = std::decay_t<decltype(*ours)>(changeOf(space) * ours->coordinates());
+        point(space)->setPoint(shown);
+    };
+    show(Space::World, points.world);
+    show(Space::Eye, points.eye);
     if (m_direction == PipelineDirection::Forward)
-        point(Space::Clip)->setPoint(points.clip);
-    else
-        point(Space::Clip)->setUndivided(points.undividedEye);
-    point(Space::Ndc)->setPoint(points.ndc);
-    point(Space::Window)->setPoint(points.window);
+        show(Space::Clip, points.clip);
+    else // the eye point, not divided yet
+        point(Space::Clip)
+            ->setUndivided(points.undividedEye ? std::optional(m_spaces.eye * *points.undividedEye) : std::nullopt);
+    show(Space::Ndc, points.ndc);
+    show(Space::Window, points.window);
     point(Space::Widget)->setPoint(points.widget);
     if (!points.widget)
         m_status = errorText(points.widget.error());
@@ -312,6 +373,8 @@ void PipelineModel::clearPoints()
 QString PipelineModel::text() const
 {
     QString text = m_status + u'\n';
+    if (m_api != Api::OpenGl)
+        text += QString::fromUtf8(conventionsOf(m_api).name) + QStringLiteral(": ") + m_apiNote + u'\n';
     const bool forward = m_direction == PipelineDirection::Forward;
     for (int i = 0; i < PointModel::kSpaces; ++i) {
         const PointModel *model = m_points[static_cast<std::size_t>(forward ? i : PointModel::kSpaces - 1 - i)];

@@ -53,6 +53,12 @@ public:
 
     /// The object whose space is shown; nothing for the identity.
     std::optional<std::size_t> shownObject() const;
+    /// Whose conventions points and matrices have: the scene's.
+    Api api() const { return m_api; }
+    /// Undoably.
+    void setApi(Api api);
+    /// What is otherwise there than in OpenGL, with the camera's numbers where they are no matrix; empty for OpenGL.
+    const QString &apiNote() const { return m_apiNote; }
     /// Whether the window point's depth on the way back is the one that was read at the click; else it is computed.
     bool isDepthRead() const;
     /// Where the points come from, or why there are none.
@@ -74,6 +80,9 @@ private:
     void take(PointModel::Space space, int coordinate, const QString &typed);
     void showGivenPoint(const Pipeline &pipeline);
     void showAll(const PipelinePoints &points);
+    /// How the coordinates of a space follow from those of this program.
+    AxisChange changeOf(PointModel::Space space) const;
+    void showApi();
     void showPoints(const Pipeline &pipeline);
     void clearPoints();
 
@@ -83,6 +92,9 @@ private:
     FollowedObject *m_chosen;
     bool m_isIdentity = false;
     MatrixView m_view;
+    Api m_api = Api::OpenGl;
+    ApiSpaces m_spaces;
+    QString m_apiNote;
     std::array<MatrixModel *, kPipelineStages.size()> m_matrices;
     std::array<PointModel *, PointModel::kSpaces> m_points;
     MatrixModel *m_given;

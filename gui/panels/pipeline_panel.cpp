@@ -6,6 +6,7 @@
 #include "gui/panels/number_grid.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/steady_label.h"
+#include "gui/text/api_text.h"
 #include "gui/text/number_text.h"
 
 #include <QComboBox>
@@ -85,7 +86,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_scrollArea, 1);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint))
+        if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint | Change::Conventions))
             refresh();
     });
     showFollowed();
@@ -173,6 +174,25 @@ QWidget *PipelinePanel::createSwitches()
     auto *objectLabel = new QLabel(tr("&Object:"));
     objectLabel->setBuddy(m_object);
 
+    m_conventions = new QComboBox;
+    m_conventions->setObjectName(QStringLiteral("conventions"));
+    m_conventions->setAccessibleName(tr("Conventions"));
+    for (const Api api : kApis) {
+        m_conventions->addItem(QString::fromUtf8(conventionsOf(api).name));
+        m_conventions->setItemData(static_cast<int>(api), apiText(api), Qt::ToolTipRole);
+    }
+    auto *conventionsLabel = new QLabel(tr("Con&ventions:"));
+    conventionsLabel->setBuddy(m_conventions);
+    m_apiNote = new QLabel;
+    m_apiNote->setWordWrap(true);
+    m_apiNote->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_apiNote->setAccessibleName(tr("What is otherwise than in OpenGL"));
+    m_apiNote->hide();
+    connect(m_conventions, &QComboBox::activated, this, [this](int item) {
+        m_model->setApi(kApis[static_cast<std::size_t>(item)]);
+        showTheirLayout();
+    });
+
     auto *switches = new QWidget;
     auto *lines = new QVBoxLayout(switches);
     lines->setContentsMargins(0, 0, 0, 0);
@@ -192,8 +212,13 @@ QWidget *PipelinePanel::createSwitches()
     third->addWidget(m_digitsSwitch);
     third->addStretch();
     third->addWidget(copy);
-    for (QHBoxLayout *line : {first, second, third})
+    auto *fourth = new QHBoxLayout;
+    fourth->addWidget(conventionsLabel);
+    fourth->addWidget(m_conventions);
+    fourth->addStretch();
+    for (QHBoxLayout *line : {fourth, first, second, third})
         lines->addLayout(line);
+    lines->addWidget(m_apiNote);
 
     connect(m_directionSwitch, &SegmentedSwitch::chosen, this, [this](int index) {
         m_model->setDirection(index == 0 ? PipelineDirection::Forward : PipelineDirection::Backward);
@@ -335,6 +360,26 @@ void PipelinePanel::refresh()
     m_model->update();
     showStatus();
     showObjects();
+    showConventions();
+}
+
+/// Vectors as the API writes them; until the user says otherwise.
+void PipelinePanel::showTheirLayout()
+{
+    m_layoutSwitch->setChoice(conventionsOf(m_model->api()).areVectorsRows ? 1 : 0);
+}
+
+void PipelinePanel::showConventions()
+{
+    const int item = static_cast<int>(m_model->api());
+    if (m_conventions->currentIndex() != item) {
+        m_conventions->setCurrentIndex(item);
+        showTheirLayout();
+    }
+    m_conventions->setToolTip(
+        tr("Whose axes, depths and pixels are shown, kept in the scene. %1").arg(apiText(m_model->api())));
+    m_apiNote->setText(m_model->apiNote());
+    m_apiNote->setVisible(!m_model->apiNote().isEmpty());
 }
 
 void PipelinePanel::showStatus()
@@ -346,9 +391,10 @@ void PipelinePanel::showStatus()
         m_status->setToolTip(m_model->status());
     }
     const Surface &surface = m_document.geometry().surface;
-    if (surface == m_surface && m_model->isDepthRead() == m_isDepthRead)
+    if (surface == m_surface && m_model->isDepthRead() == m_isDepthRead && m_model->api() == m_api)
         return;
     m_surface = surface;
+    m_api = m_model->api();
     m_isDepthRead = m_model->isDepthRead();
     showFlip();
 }
@@ -361,18 +407,25 @@ void PipelinePanel::showGiven()
 
 void PipelinePanel::showFlip()
 {
-    const int height = m_surface.heightPixels;
-    const double ratio = m_surface.devicePixelRatio;
-    const QString ratioText = significantText(ratio, 6);
-    if (m_model->direction() == PipelineDirection::Forward)
-        m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y)").arg(height)
-                                     : tr("↓  (x, %1 − y) / %2").arg(height).arg(ratioText));
-    else if (m_isDepthRead)
-        m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y), depth as read").arg(height)
-                                     : tr("↓  (x · %2, %1 − y · %2), depth as read").arg(height).arg(ratioText));
+    const ApiConventions &api = conventionsOf(m_api);
+    const double pixelRatio = api.areLogicalPixels ? 1.0 : m_surface.devicePixelRatio;
+    const bool isForward = m_model->direction() == PipelineDirection::Forward;
+    const QString ratio = pixelRatio == 1.0 ? QString() : significantText(pixelRatio, 6);
+    const QString half = api.pixelCentre != 0.0 ? QString()
+                         : isForward            ? QStringLiteral(" + ½")
+                                                : QStringLiteral(" − ½");
+    const auto axis = [&](QChar name, bool isFlipped) {
+        const QString scaled =
+            isForward || ratio.isEmpty() ? QString(name) : QStringLiteral("%1 · %2").arg(name).arg(ratio);
+        return (isFlipped ? QStringLiteral("%1 − ").arg(m_surface.heightPixels) : QString()) + scaled + half;
+    };
+    QString text = QStringLiteral("↓  (%1, %2)").arg(axis(u'x', false), axis(u'y', !api.isOriginTop));
+    if (isForward && !ratio.isEmpty())
+        text += QStringLiteral(" / ") + ratio;
+    if (isForward)
+        m_flip->setText(text);
     else
-        m_flip->setText(ratio == 1.0 ? tr("↓  (x, %1 − y), depth computed").arg(height)
-                                     : tr("↓  (x · %2, %1 − y · %2), depth computed").arg(height).arg(ratioText));
+        m_flip->setText(m_isDepthRead ? tr("%1, depth as read").arg(text) : tr("%1, depth computed").arg(text));
 }
 
 void PipelinePanel::showObjects()

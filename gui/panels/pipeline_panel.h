@@ -57,6 +57,8 @@ private:
     void showFlip();
     void showGiven();
     void showObjects();
+    void showConventions();
+    void showTheirLayout();
 
     const SceneDocument &m_document;
     PipelineModel *m_model;
@@ -64,6 +66,8 @@ private:
     SegmentedSwitch *m_layoutSwitch;
     SegmentedSwitch *m_memorySwitch;
     SegmentedSwitch *m_digitsSwitch;
+    QComboBox *m_conventions;
+    QLabel *m_apiNote;
     QComboBox *m_object;
     QLabel *m_status;
     QToolButton *m_follow; ///< the other one of click and given point
@@ -77,6 +81,7 @@ private:
     MatrixSection *m_given = nullptr; ///< before the projection, while that is a file's
     QLabel *m_division;
     QLabel *m_flip;
+    Api m_api = Api::OpenGl;                ///< as m_flip tells of it
     Surface m_surface;                      ///< as m_flip tells of it
     bool m_isDepthRead = false;             ///< the same
     std::vector<std::string> m_objectNames; ///< as the combo box lists them

@@ -1,5 +1,7 @@
 #include "gui/panels/point_model.h"
 
+#include "gui/text/api_text.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -160,6 +162,10 @@ QString PointModel::toolTip(int row, int column) const
                            : tr("%1 = %2\nof the eye point before the division by its own w′").arg(axis, number);
     if (column >= m_own)
         return tr("w = %1\nof a point that needs no division").arg(number);
+    const bool isOpenGl = m_api == Api::OpenGl || m_space == Space::Object || m_space == Space::Widget;
+    if (!isOpenGl) // the convention's words
+        return QStringLiteral("%1 = %2\n%3: %4")
+            .arg(axis, number, QString::fromUtf8(conventionsOf(m_api).name), apiText(m_api));
     switch (m_space) {
     case Space::Object: return tr("%1 = %2\nin the object's own units").arg(axis, number);
     case Space::World: return tr("%1 = %2\nin world units").arg(axis, number);

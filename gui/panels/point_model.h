@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/api_conventions.h"
 #include "core/geometry/result.h"
 #include "core/geometry/spaces.h"
 #include "core/matrices/pipeline.h"
@@ -44,6 +45,8 @@ public:
     void clearPoint();
     void setView(const MatrixView &view);
     void setDirection(PipelineDirection direction);
+    /// Whose the coordinates are, for what is said of them.
+    void setApi(Api api) { m_api = api; }
 
     Space space() const { return m_space; }
     /// How many coordinates a point of the space has.
@@ -84,6 +87,7 @@ private:
     int m_shown; ///< with w
     Coordinates m_coordinates;
     MatrixView m_view;
+    Api m_api = Api::OpenGl;
     PipelineDirection m_direction = PipelineDirection::Forward;
 };
 

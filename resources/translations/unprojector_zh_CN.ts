@@ -921,6 +921,72 @@
     </message>
 </context>
 <context>
+    <name>unprojector::gui::ApiClicksView</name>
+    <message>
+        <source>In other APIs</source>
+        <translation>其他 API 中的表示</translation>
+    </message>
+    <message>
+        <source>The same click as Vulkan, Direct3D, Unity, OpenCV and others count it</source>
+        <translation>同一次点击在 Vulkan、Direct3D、Unity、OpenCV 等中的坐标</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>NDC</source>
+        <translation>NDC</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>眼坐标</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>世界</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ApiText</name>
+    <message>
+        <source>The eye looks along −z, y up; NDC from −1 to 1; pixels from the bottom-left corner, y up, with their centres at halves.</source>
+        <translation>视线沿 −z，y 向上；NDC 从 −1 到 1；像素从左下角起计，y 向上，像素中心在半整数处。</translation>
+    </message>
+    <message>
+        <source>y of NDC points down, z goes from 0 to 1; pixels from the top-left corner. The projection is GLM&apos;s perspectiveRH_ZO with its second row negated.</source>
+        <translation>NDC 的 y 向下，z 从 0 到 1；像素从左上角起计。投影为 GLM 的 perspectiveRH_ZO，第二行取负。</translation>
+    </message>
+    <message>
+        <source>Row vectors; the eye looks along +z (XMMatrixPerspectiveFovLH); z of NDC from 0 to 1; pixels from the top-left corner. The world stays as it is, so the view mirrors z. Direct3D 10 and later: 9 has the centres of pixels at whole numbers.</source>
+        <translation>行向量；视线沿 +z（XMMatrixPerspectiveFovLH）；NDC 的 z 从 0 到 1；像素从左上角起计。世界坐标保持不变，因此视图矩阵把 z 反向。指 Direct3D 10 及以后：Direct3D 9 的像素中心在整数处。</translation>
+    </message>
+    <message>
+        <source>z of NDC from 0 to 1; pixels from the top-left corner, y down.</source>
+        <translation>NDC 的 z 从 0 到 1；像素从左上角起计，y 向下。</translation>
+    </message>
+    <message>
+        <source>Logical (CSS) pixels from the top-left corner, as clientX and clientY have them; all else as in OpenGL.</source>
+        <translation>从左上角起计的逻辑（CSS）像素，与 clientX、clientY 相同；其余与 OpenGL 相同。</translation>
+    </message>
+    <message>
+        <source>The world is left-handed: its z is negated. The camera&apos;s matrices are OpenGL&apos;s, pixels count from the bottom-left corner. The depth buffer is reversed, 1 at near (SystemInfo.usesReversedZBuffer; where Unity runs on OpenGL it is not).</source>
+        <translation>世界坐标系为左手系：z 取负。相机矩阵与 OpenGL 相同，像素从左下角起计。深度缓冲反向，近平面为 1（SystemInfo.usesReversedZBuffer；Unity 在 OpenGL 上运行时不反向）。</translation>
+    </message>
+    <message>
+        <source>x right, y down, z forward; pixels from the top-left corner with their centres at whole numbers; x / z and y / z in the place of NDC, z in that of the depth. Without distortion.</source>
+        <translation>x 向右，y 向下，z 向前；像素从左上角起计，像素中心在整数处；以 x / z、y / z 代替 NDC，以 z 代替深度。不含镜头畸变。</translation>
+    </message>
+    <message>
+        <source>Row vectors, v · M; pixels from the top-left corner, y down.</source>
+        <translation>行向量，v · M；像素从左上角起计，y 向下。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::CandidatesTable</name>
     <message>
         <source>Mistake</source>
@@ -4977,6 +5043,18 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <source>Your point, given in %1 coordinates, and both ways from there.</source>
         <translation>您在%1坐标中给出的点，由此向两个方向推算。</translation>
     </message>
+    <message>
+        <source>Conventions of %1</source>
+        <translation>采用 %1 的约定</translation>
+    </message>
+    <message>
+        <source>Here clip, NDC and depth stay OpenGL&apos;s; the view&apos;s matrix is [R t].</source>
+        <translation>此处裁剪坐标、NDC 和深度仍为 OpenGL 的；视图矩阵为 [R t]。</translation>
+    </message>
+    <message>
+        <source>Without a perspective there is no camera matrix K.</source>
+        <translation>非透视投影没有相机内参矩阵 K。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PipelinePanel</name>
@@ -5093,22 +5171,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>↓  除以 w</translation>
     </message>
     <message>
-        <source>↓  (x, %1 − y)</source>
-        <translation>↓  (x, %1 − y)</translation>
-    </message>
-    <message>
-        <source>↓  (x, %1 − y) / %2</source>
-        <translation>↓  (x, %1 − y) / %2</translation>
-    </message>
-    <message>
-        <source>↓  (x, %1 − y), depth as read</source>
-        <translation>↓  (x, %1 − y)，深度为读出值</translation>
-    </message>
-    <message>
-        <source>↓  (x · %2, %1 − y · %2), depth as read</source>
-        <translation>↓  (x · %2, %1 − y · %2)，深度为读出值</translation>
-    </message>
-    <message>
         <source>None (identity)</source>
         <translation>无（单位矩阵）</translation>
     </message>
@@ -5119,14 +5181,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Automatic</source>
         <translation>自动</translation>
-    </message>
-    <message>
-        <source>↓  (x, %1 − y), depth computed</source>
-        <translation>↓  (x, %1 − y)，深度为计算值</translation>
-    </message>
-    <message>
-        <source>↓  (x · %2, %1 − y · %2), depth computed</source>
-        <translation>↓  (x · %2, %1 − y · %2)，深度为计算值</translation>
     </message>
     <message>
         <source>Nine digits of the double; all of them in the tooltip and when copied</source>
@@ -5171,6 +5225,30 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Which point to follow</source>
         <translation>跟随哪个点</translation>
+    </message>
+    <message>
+        <source>Conventions</source>
+        <translation>约定</translation>
+    </message>
+    <message>
+        <source>Con&amp;ventions:</source>
+        <translation>约定(&amp;V)：</translation>
+    </message>
+    <message>
+        <source>What is otherwise than in OpenGL</source>
+        <translation>与 OpenGL 的不同之处</translation>
+    </message>
+    <message>
+        <source>Whose axes, depths and pixels are shown, kept in the scene. %1</source>
+        <translation>按哪种 API 的坐标轴、深度和像素显示，随场景保存。%1</translation>
+    </message>
+    <message>
+        <source>%1, depth as read</source>
+        <translation>%1，深度为读取值</translation>
+    </message>
+    <message>
+        <source>%1, depth computed</source>
+        <translation>%1，深度为计算值</translation>
     </message>
 </context>
 <context>

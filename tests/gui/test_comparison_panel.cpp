@@ -1,6 +1,7 @@
 // What the panel shows of a pick: the numbers, which of their digits are certain, and what is copied. No window of OpenGL
 // is needed.
 
+#include "gui/panels/api_clicks_view.h"
 #include "gui/panels/comparison_model.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/formula_view.h"
@@ -18,6 +19,7 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTest>
 
 #include <cmath>
@@ -51,6 +53,7 @@ class TestComparisonPanel : public QObject {
     Q_OBJECT
 
 private slots:
+    void theClickStandsInTheTermsOfEveryApi();
     void theTableHoldsThePicksDoubles();
     void theTableOfABackgroundHoldsTheRay();
     void differencesAreCountedInUlpsOfTheLargestComponent();
@@ -65,6 +68,26 @@ private slots:
     void thePanelStandsStillFromClickToClick_data();
     void thePanelStandsStillFromClickToClick();
 };
+
+void TestComparisonPanel::theClickStandsInTheTermsOfEveryApi()
+{
+    ApiClicksView view;
+    view.setOpen(true);
+    const auto cell = [&view](Api api, int column) { return view.table().item(static_cast<int>(api), column)->text(); };
+    QCOMPARE(cell(Api::Vulkan, 0), QStringLiteral("–"));
+    QVERIFY(view.text().isEmpty());
+    view.setPick(picked(frustumGeometry(), 500.0, 200.0, 0.5));
+    QCOMPARE(cell(Api::OpenGl, 0), QStringLiteral("(500.5, 399.5)"));
+    QCOMPARE(cell(Api::Vulkan, 0), QStringLiteral("(500.5, 200.5)"));
+    QCOMPARE(cell(Api::OpenCv, 0), QStringLiteral("(500, 200)"));
+    QCOMPARE(cell(Api::Unity, 1), QStringLiteral("0.5"));
+    QVERIFY(cell(Api::OpenCv, 1).startsWith(QStringLiteral("3.33")));
+    QCOMPARE(view.text().count(u'\n'), qsizetype(kApis.size()));
+    for (const Api api : kApis)
+        QVERIFY(!view.table().verticalHeaderItem(static_cast<int>(api))->toolTip().isEmpty());
+    view.setPick(picked(frustumGeometry(), 500.0, 200.0, 0.5, false)); // background
+    QCOMPARE(cell(Api::Vulkan, 3), QStringLiteral("–"));
+}
 
 void TestComparisonPanel::theTableHoldsThePicksDoubles()
 {

@@ -7,6 +7,7 @@
 #include "gui/text/error_text.h"
 #include "tests/gui/depth_ranges.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QScrollBar>
 
@@ -24,6 +25,9 @@ private slots:
     void theDepthRangeChangesOnlyTheWindow_data() { depthranges::addRows(); }
     void theDepthRangeChangesOnlyTheWindow();
     void backwardStartsFromTheClickedPixelsCentre();
+    void otherApisHaveTheSamePointInTheirOwnTerms();
+    void whatIsTypedCountsInTheConventionsShown();
+    void theConventionsAreChosenUndoably();
     void backwardStartsFromThePointOnceTheViewChanged();
     void theBackgroundHasNoPoint();
     void pointsAreColumnsWithAWInEverySpace();
@@ -110,6 +114,79 @@ void TestPipelinePanel::theDepthRangeChangesOnlyTheWindow()
         QVERIFY(isPoint(model.point(Space::Ndc), {0.22, -0.42, 0.7}));
         QVERIFY(isPoint(model.point(Space::Window), {30.5, 14.5, depth}));
     }
+}
+
+void TestPipelinePanel::otherApisHaveTheSamePointInTheirOwnTerms()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
+        model.setDirection(direction);
+        model.setApi(Api::Direct3d);
+        model.update();
+        QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
+        QVERIFY(isPoint(model.point(Space::Eye), {2.2, -4.2, 7}));
+        QVERIFY(isPoint(model.point(Space::Ndc), {0.22, -0.42, 0.85}));
+        QVERIFY(isPoint(model.point(Space::Window), {30.5, 35.5, 0.85}));
+        QVERIFY(isPoint(model.point(Space::Widget), {30.5, 35.5}));
+        model.setApi(Api::Unity);
+        model.update();
+        QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, 2}));
+        QVERIFY(isPoint(model.point(Space::Eye), {2.2, -4.2, -7}));
+        QVERIFY(isPoint(model.point(Space::Window), {30.5, 14.5, 0.15}));
+        model.setApi(Api::OpenCv);
+        model.update();
+        QVERIFY(isPoint(model.point(Space::Eye), {2.2, 4.2, 7}));
+        QVERIFY(isPoint(model.point(Space::Window), {30, 35, 0.85}));
+        QVERIFY(model.apiNote().contains(QStringLiteral("there is no camera matrix K"))); // a box
+    }
+    model.setDirection(PipelineDirection::Forward);
+    model.setApi(Api::Direct3d);
+    model.update();
+    QCOMPARE(value(model.matrix(Stage::ViewMatrix), 2, 3), 5.0); // the world's origin lies in front
+    QVERIFY(std::abs(value(model.matrix(Stage::ProjectionMatrix), 2, 2) - 0.05) < kRounding);
+    document.setProjection(Perspective{std::acos(-1.0) / 2.0, 1, 1, 100});
+    model.setApi(Api::OpenCv);
+    model.update();
+    QVERIFY2(model.apiNote().contains(QStringLiteral("K = [25 0 24.5; 0 25 24.5; 0 0 1]")),
+             qPrintable(model.apiNote()));
+}
+
+void TestPipelinePanel::whatIsTypedCountsInTheConventionsShown()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    model.setApi(Api::OpenCv);
+    model.update();
+    emit model.point(Space::Eye)->typed(0, QStringLiteral("2.2 4.2 7"));
+    QVERIFY(document.givenPoint());
+    model.update();
+    QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
+    QVERIFY(isPoint(model.point(Space::Eye), {2.2, 4.2, 7}));
+    QVERIFY(std::get<EyePoint>(document.givenPoint()->point).z == -7.0);
+}
+
+void TestPipelinePanel::theConventionsAreChosenUndoably()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.show();
+    auto *choice = panel.findChild<QComboBox *>(QStringLiteral("conventions"));
+    QVERIFY(choice);
+    const auto choose = [choice](Api api) { emit choice->activated(static_cast<int>(api)); };
+    choose(Api::OpenCascade);
+    QVERIFY(document.scene().conventions == Api::OpenCascade);
+    QCOMPARE(choice->currentIndex(), static_cast<int>(Api::OpenCascade));
+    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
+    QVERIFY(document.isModified());
+    document.undoStack().undo();
+    QVERIFY(document.scene().conventions == Api::OpenGl);
+    QCOMPARE(choice->currentIndex(), 0);
+    QVERIFY(panel.matrixView().layout == MatrixLayout::Column);
 }
 
 void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()

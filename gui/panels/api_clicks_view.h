@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/geometry/api_conventions.h"
+#include "core/unproject/pick.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QTableWidget;
+class QToolButton;
+
+namespace unprojector::gui {
+using namespace unproject;
+
+/// A click in the conventions of every API: a row each, with what is otherwise there in its tooltip. Folded at first.
+class ApiClicksView : public QWidget {
+    Q_OBJECT
+public:
+    explicit ApiClicksView(QWidget *parent = nullptr);
+
+    /// @param pick  of a surface, else the cells are empty
+    void setPick(const std::optional<Pick> &pick);
+    /// The API that the scene is shown in stands out.
+    void setScenes(Api api);
+    bool isOpen() const;
+    void setOpen(bool isOpen);
+    const QTableWidget &table() const { return *m_table; }
+    /// All of it with all digits, an API a line, tab-separated; empty without a point.
+    QString text() const { return m_plain; }
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void fit();
+    void showMenu(const QPoint &position);
+
+    QToolButton *m_fold;
+    QTableWidget *m_table;
+    QString m_plain;
+};
+
+} // namespace unprojector::gui
