@@ -275,6 +275,10 @@ void addScene(CLI::App &app, Run &run)
     addConventions(*command, options->conventions, "Whose matrices they are, kept in the scene")
         ->excludes(depth)
         ->excludes(y);
+    command->add_flag(
+        "--orthonormal", options->isOrthonormal,
+        "Takes the nearest view whose axes are perpendicular and of length 1, for\none that was printed with "
+        "few digits");
     command->add_option("--window", options->window, "The window's size in pixels; without it, what the viewport needs")
         ->type_name("WxH");
     addFile(*command, "-o,--output", options->output, "Scene file; - is standard output")->default_str("-");

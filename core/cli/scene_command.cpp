@@ -9,7 +9,6 @@
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <system_error>
@@ -94,6 +93,8 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order)
     case MatrixFault::DepthZeroToOne: return "; --depth zero-to-one takes it so, --depth minus-one-to-one does not";
     case MatrixFault::DepthReversed: return "; --reversed says that they are";
     case MatrixFault::YDown: return "; --y down turns it back, --y up leaves it so";
+    case MatrixFault::Rounded: return "; --orthonormal takes the nearest that are, more decimals are better";
+    case MatrixFault::Negated: return "; its signs are turned round";
     case MatrixFault::Mirrored:
     case MatrixFault::Scaled:
     case MatrixFault::UnknownForm:
@@ -139,6 +140,8 @@ public:
             isReversed = isReversed || isAboutDepth;
             if ((isAboutDepth && m_options.isReversed) || (finding.fault == MatrixFault::YDown && m_options.isYDown))
                 continue;
+            if (finding.fault == MatrixFault::Rounded && m_options.isOrthonormal)
+                continue;
             say(part, findingText(finding, role) + adviceFor(finding, order(pasted)));
         }
         return isReversed;
@@ -168,9 +171,16 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
     if (isWhole) {
         const PastedMatrix &view = pasted.view ? *pasted.view : *pasted.modelView;
         const PastedPart viewPart = pasted.view ? PastedPart::View : PastedPart::ModelView;
-        scene.view = taker.matrix(view, MatrixRole::View);
+        glm::dmat4 eyeFromWorld = taker.matrix(view, MatrixRole::View);
+        if (options.isOrthonormal && eyeFromWorld[3][3] != 0.0)
+            eyeFromWorld = repaired(eyeFromWorld, {MatrixFault::Rounded, MatrixRepair::Orthonormal});
+        scene.view = eyeFromWorld;
         taker.lookAt(view, viewPart, MatrixRole::View, clipFromEye);
         isReversed = taker.lookAt(lens, PastedPart::Projection, MatrixRole::Projection);
+        for (const MatrixFinding &finding : findings(clipFromEye, MatrixRole::Projection, taker.depth())) {
+            if (finding.fault == MatrixFault::Negated)
+                clipFromEye = repaired(clipFromEye, finding);
+        }
         if (pasted.product)
             taker.say(PastedPart::Product,
                       "left out, since the projection and the " + std::string(nameOf(viewPart)) + " are there");
@@ -184,16 +194,24 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
         taker.say(PastedPart::Product,
                   apart ? "taken apart into projection and view, which make it again up to "
                               + numberText(apart->off, Digits::Double, 1) + " of its largest entry"
+                              + (apart->isBox
+                                     ? "; of a box the eye may be anywhere along the view: it is put on the near "
+                                       "plane"
+                                     : "")
                         : "lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
                           "projection and view");
     }
+    for (const PastedPart part : pasted.more)
+        taker.say(part, "there are several, of which the first counts");
     if (pasted.model)
         taker.say(PastedPart::Model, "left out: world coordinates have no need of it");
     if (options.isYDown.value_or(false))
         clipFromEye = repaired(clipFromEye, {MatrixFault::YDown, MatrixRepair::TurnY});
     if (options.isReversed && !isReversed)
         scene.depthRange = {1.0, 0.0};
-    scene.projection = MatrixProjection{clipFromEye, taker.depth()};
+    // As it is read, so that whoever opens the scene reads it so as well.
+    const MatrixProjection asRead{clipFromEye, taker.depth()};
+    scene.projection = MatrixProjection{clipFromEye, recognised(asRead) ? ndcDepthOf(asRead) : taker.depth()};
     scene.conventions = options.conventions;
 }
 
@@ -215,8 +233,9 @@ ExitCode runScene(const SceneOptions &options)
     }
 
     SceneFile scene;
-    const std::array<double, 4> &v = numbers->viewport;
-    scene.viewport = Viewport{v[0], v[1], v[2], v[3]};
+    scene.viewport = *numbers->viewport;
+    if (numbers->depthRange)
+        scene.depthRange = *numbers->depthRange;
     if (!setWindow(options, *scene.viewport, scene))
         return ExitCode::UnusableInput;
     setMatrices(options, *numbers, given->name, scene);

@@ -20,6 +20,7 @@ struct SceneOptions {
     std::optional<NdcDepth> depth;         ///< of the projection; none: as its numbers tell
     std::optional<bool> isYDown;           ///< NDC y, as Vulkan has it; none: up
     bool isReversed = false;               ///< depths are 1 on the near plane
+    bool isOrthonormal = false;            ///< the view's axes are made perpendicular and of length 1
     std::string window;                    ///< "WxH"; empty: as far as the viewport reaches
     std::string output = "-";              ///< a scene file, "-" for stdout
 };

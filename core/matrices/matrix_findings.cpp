@@ -3,6 +3,7 @@
 #include "core/geometry/condition_number.h"
 #include "core/geometry/view_matrix.h"
 #include "core/matrices/matrix_format.h"
+#include "core/matrices/printed_digits.h"
 #include "core/matrices/taken_apart.h"
 
 #include <glm/geometric.hpp>
@@ -110,8 +111,10 @@ void lookAtProjection(const dmat4 &m, const RecognisedProjection &r, const std::
                       std::vector<MatrixFinding> &found)
 {
     if (!depth) {
+        const bool isSureOf = r.ndcDepth == NdcDepth::ZeroToOne;
         if (const auto n = nearByZeroToOne(m, r))
-            found.push_back({MatrixFault::DepthZeroToOne, MatrixRepair::DepthZeroToOne, *n});
+            found.push_back({MatrixFault::DepthZeroToOne, MatrixRepair::DepthZeroToOne, *n,
+                             isSureOf ? std::numeric_limits<double>::quiet_NaN() : nearOf(r)});
     }
     if (r.reversed)
         found.push_back({MatrixFault::DepthReversed, MatrixRepair::None, nearOf(r)});
@@ -122,7 +125,7 @@ void lookAtProjection(const dmat4 &m, const RecognisedProjection &r, const std::
     if (r.coefficients.xScale < 0.0)
         found.push_back({MatrixFault::Mirrored, MatrixRepair::TurnX});
     if (r.looksAlongPlusZ)
-        found.push_back({MatrixFault::LeftHanded});
+        found.push_back({MatrixFault::LeftHanded, MatrixRepair::TurnEye});
 }
 
 /// Whether a projection has this form and its w is 1, as it is in every one that is not transposed.
@@ -146,6 +149,8 @@ std::vector<MatrixFinding> projectionFindings(const dmat4 &m, const std::optiona
         lookAtProjection(m, *r, depth, found);
         return found;
     }
+    if (isPlainProjection(-m))
+        return {{MatrixFault::Negated, MatrixRepair::Negate}};
     if (axesOff(m) || axesOff(glm::transpose(m)))
         return {{MatrixFault::Exchanged, MatrixRepair::Exchange}};
     return {{MatrixFault::UnknownForm}};
@@ -193,6 +198,8 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
     }
     if (determinant < 0.0)
         found.push_back({MatrixFault::Mirrored, MatrixRepair::TurnX});
+    if (const auto printedOff = roundedOff(m))
+        found = {{MatrixFault::Rounded, MatrixRepair::Orthonormal, *printedOff}};
     const dmat4 inverse = glm::inverse(m);
     constexpr double kInTheMiddle = 0.5;
     const auto otherOff = originOffMiddle(inverse, clipFromEye);
@@ -206,7 +213,7 @@ std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<N
     // A view that looks at the world's origin makes of a product's inverse and transpose almost such products; but for w.
     const auto isPlain = [](const dmat4 &p) {
         const auto apart = takenApart(p);
-        return isAffine(p) || (apart && std::abs(apart->w - 1.0) <= 10.0 * kZero);
+        return isAffine(p) || (apart && std::abs(std::abs(apart->w) - 1.0) <= 10.0 * kZero);
     };
     const auto isProduct = [](const dmat4 &p) { return takenApart(p).has_value(); };
     const dmat4 transposed = glm::transpose(m), inverse = glm::inverse(m);
@@ -222,6 +229,11 @@ std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<N
     const auto apart = takenApart(m);
     if (!apart)
         return found;
+    if (apart->w < 0.0)
+        found.push_back({MatrixFault::Negated, MatrixRepair::Negate});
+    // Which way a box's depths and its y run, its product alone does not tell.
+    if (apart->isBox)
+        return found;
     if (const auto r = projectionIn(apart->clipFromEye, depth))
         lookAtProjection(apart->clipFromEye, *r, depth, found);
     return found;
@@ -231,6 +243,17 @@ std::string number(double value)
 {
     constexpr int kDigits = 5; // that are left of near in a matrix of single precision
     return numberText(value, Digits::Double, kDigits);
+}
+
+} // namespace
+
+namespace {
+
+dmat4 withoutNegativeZeros(dmat4 m)
+{
+    for (int i = 0; i < 16; ++i)
+        m[i / 4][i % 4] += 0.0;
+    return m;
 }
 
 } // namespace
@@ -248,6 +271,8 @@ std::string_view idOf(MatrixFault fault)
     case MatrixFault::YDown: return "y-down";
     case MatrixFault::Mirrored: return "mirrored";
     case MatrixFault::LeftHanded: return "left-handed";
+    case MatrixFault::Negated: return "negated";
+    case MatrixFault::Rounded: return "rounded";
     case MatrixFault::Scaled: break;
     }
     return "scaled";
@@ -266,6 +291,17 @@ std::vector<MatrixFinding> findings(const dmat4 &matrix, MatrixRole role, const 
     return productFindings(matrix, ndcDepth);
 }
 
+void turnEye(dmat4 &clipFromEye, dmat4 &eyeFromWorld)
+{
+    // A view that mirrors did so for the left-handed eye; another one turns half about x instead, and y is down then.
+    const bool isMirrored = glm::determinant(glm::dmat3(eyeFromWorld)) < 0.0;
+    dmat4 turn(1.0);
+    turn[1][1] = isMirrored ? 1.0 : -1.0;
+    turn[2][2] = -1.0;
+    clipFromEye = withoutNegativeZeros(clipFromEye * turn);
+    eyeFromWorld = withoutNegativeZeros(turn * eyeFromWorld);
+}
+
 dmat4 repaired(const dmat4 &matrix, const MatrixFinding &finding)
 {
     dmat4 m = matrix;
@@ -281,6 +317,9 @@ dmat4 repaired(const dmat4 &matrix, const MatrixFinding &finding)
     case MatrixRepair::Invert: return glm::inverse(m);
     case MatrixRepair::TurnY: turnRow(1); break;
     case MatrixRepair::TurnX: turnRow(0); break;
+    case MatrixRepair::Orthonormal: return orthonormal(m);
+    case MatrixRepair::Negate: return withoutNegativeZeros(-m);
+    case MatrixRepair::TurnEye: m[2] = -m[2]; return withoutNegativeZeros(m);
     case MatrixRepair::WithoutScale:
         // Eye coordinates stay, since near and far count in them: it is the object's that grow to the world's.
         for (int column = 0; column < 3; ++column) {
@@ -309,7 +348,11 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
     case MatrixFault::UnknownForm:
         return "has no form that formulas are known for: only the inverted matrix will answer";
     case MatrixFault::DepthZeroToOne:
-        return "seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): near is then " + number(finding.value);
+        return std::isnan(finding.other)
+                   ? "goes by NDC depths from 0 to 1 (Direct3D, Vulkan), and is read so: near is "
+                         + number(finding.value)
+                   : "seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): near is then " + number(finding.value)
+                         + "; it is read by depths from -1 to 1, near " + number(finding.other);
     case MatrixFault::DepthReversed:
         return "has reversed depths: near, " + number(finding.value)
                + ", is at 1; the depths of clicks must be reversed ones too";
@@ -317,6 +360,13 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
     case MatrixFault::YDown: return "turns y round, as is done for Vulkan: the picture is upside down for OpenGL";
     case MatrixFault::Mirrored: return isView ? "is mirrored: its axes are left-handed" : "mirrors x";
     case MatrixFault::LeftHanded: return "is for an eye space that looks along +z (Direct3D, OpenCV)";
+    case MatrixFault::Negated:
+        return "has every entry with the other sign: the same points, but w < 0 in front of the eye, which OpenGL cuts "
+               "off";
+    case MatrixFault::Rounded:
+        return "is printed with few digits: its axes are " + numberText(finding.value, Digits::Double, 2)
+               + " off being perpendicular and of length 1, as rounding leaves them; the formulas need them within "
+                 "0.00001";
     case MatrixFault::Scaled: break;
     }
     return finding.repair == MatrixRepair::None

@@ -33,6 +33,8 @@ enum class MatrixFault {
     YDown,          ///< y is turned round, as for Vulkan
     Mirrored,       ///< x is turned round, or the axes are left-handed ones
     LeftHanded,     ///< eye space looks along +z
+    Negated,        ///< every entry has the other sign: the same points, with w < 0 in front of the eye
+    Rounded,        ///< printed with few digits; value: how far the axes are from orthonormal, as axesOff counts
     Scaled          ///< value: how many times as long an axis is
 };
 
@@ -45,17 +47,23 @@ enum class MatrixRepair {
     DepthZeroToOne,
     TurnY, ///< the row of y times -1
     TurnX,
-    WithoutScale ///< axes of length 1, eye coordinates as they are
+    WithoutScale, ///< axes of length 1, eye coordinates as they are
+    Orthonormal,  ///< the nearest axes that are perpendicular and of length 1
+    Negate,       ///< times -1
+    TurnEye       ///< looks down -z, see turnEye
 };
 
 struct MatrixFinding {
     MatrixFault fault;
     MatrixRepair repair = MatrixRepair::None;
     double value = std::numeric_limits<double>::quiet_NaN();
+    /// DepthZeroToOne: near by the depths in [-1, 1] that the matrix is read by as long as nothing else is said; NaN where it
+    /// can only be [0, 1] and is read so already.
+    double other = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A fixed name: "transposed", "inverse", "exchanged", "unknown-form", "depth-zero-to-one", "depth-reversed",
-/// "far-at-infinity", "y-down", "mirrored", "left-handed", "scaled".
+/// "far-at-infinity", "y-down", "mirrored", "left-handed", "negated", "rounded", "scaled".
 std::string_view idOf(MatrixFault fault);
 
 /// What is to be seen of a matrix. Nothing is changed; what would be read in another order or inverted is not looked at
@@ -67,7 +75,11 @@ std::vector<MatrixFinding> findings(const glm::dmat4 &matrix, MatrixRole role,
                                     const std::optional<NdcDepth> &ndcDepth = std::nullopt,
                                     const std::optional<glm::dmat4> &clipFromEye = std::nullopt);
 
-/// The matrix after a repair. None, Exchange and DepthZeroToOne leave it as it is: these are said elsewhere.
+/// Makes a projection and a view of an eye space that looks along +z those of one that looks down -z. Their product stays.
+void turnEye(glm::dmat4 &clipFromEye, glm::dmat4 &eyeFromWorld);
+
+/// The matrix after a repair. None, Exchange and DepthZeroToOne leave it as it is: these are said elsewhere. TurnEye is that of a
+/// projection alone, for a view that looks down -z.
 glm::dmat4 repaired(const glm::dmat4 &matrix, const MatrixFinding &finding);
 
 /// In a sentence without its subject: "looks transposed: …".

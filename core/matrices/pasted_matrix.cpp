@@ -3,6 +3,7 @@
 #include "core/matrices/pasted_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <span>
 
@@ -90,11 +91,29 @@ PastedMatrix assembled(Numbers numbers)
 struct Part {
     PastedPart part;
     std::vector<PastedNumber> numbers{};
-    std::size_t wanted() const { return part == PastedPart::Viewport ? 4 : kEntries; }
+    /// A viewport may be given as its matrix.
+    bool isMatrix() const { return part != PastedPart::Viewport || numbers.size() == kEntries; }
+    std::size_t wanted() const { return isMatrix() ? kEntries : 4; }
+    bool isWhole() const { return part == PastedPart::ToWindow || numbers.size() == wanted(); }
+
+    /// Of several matrices, each behind a name of its own, leaves the first.
+    /// @return whether there were several
+    bool keepFirst()
+    {
+        if (numbers.size() <= kEntries || numbers.size() % kEntries != 0)
+            return false;
+        for (std::size_t i = 0; i < numbers.size(); i += kEntries) {
+            if (numbers[i].words.empty())
+                return false;
+        }
+        numbers.resize(kEntries);
+        return true;
+    }
 };
 
-constexpr std::array<PastedPart, 6> kParts{PastedPart::ModelView,  PastedPart::View,    PastedPart::Model,
-                                           PastedPart::Projection, PastedPart::Product, PastedPart::Viewport};
+constexpr std::array<PastedPart, 7> kParts{PastedPart::ModelView,  PastedPart::View,    PastedPart::Model,
+                                           PastedPart::Projection, PastedPart::Product, PastedPart::Viewport,
+                                           PastedPart::ToWindow};
 
 class Parts {
 public:
@@ -153,6 +172,21 @@ PasteError countError(const Part &part, std::size_t all)
     return error;
 }
 
+/// x, y, width and height, or what the matrix from NDC to the window says.
+void readViewport(const std::vector<PastedNumber> &numbers, PastedScene &scene)
+{
+    if (numbers.size() == 4) {
+        scene.viewport = {numbers[0].value, numbers[1].value, numbers[2].value, numbers[3].value};
+        return;
+    }
+    const PastedMatrix pasted = assembled(numbers);
+    const glm::dmat4 m = matrixOf(pasted.numbers, orderOf(pasted.form));
+    scene.viewport = {m[3][0] - m[0][0], m[3][1] - m[1][1], 2.0 * m[0][0], 2.0 * m[1][1]};
+    // By NDC depths in [-1, 1]; where that is no depth range of a window, by those in [0, 1].
+    const bool isUsual = std::abs(m[3][2] - 0.5) + std::abs(m[2][2]) <= 0.5;
+    scene.depthRange = {isUsual ? m[3][2] - m[2][2] : m[3][2], m[3][2] + m[2][2]};
+}
+
 } // namespace
 
 NumberOrder orderOf(MatrixForm form)
@@ -186,6 +220,7 @@ const char *nameOf(PastedPart part)
     case PastedPart::Model: return "model";
     case PastedPart::Projection: return "projection";
     case PastedPart::Product: return "product";
+    case PastedPart::ToWindow: return "window";
     case PastedPart::Viewport: break;
     }
     return "viewport";
@@ -203,21 +238,27 @@ Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)
     return error;
 }
 
-Result<PastedScene, PasteError> pastedScene(std::string_view text)
+namespace {
+
+/// @param isComplete  whether all that a scene is made of has to be there
+Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
 {
     Result<std::vector<PastedNumber>, PasteError> numbers = pastedNumbers(text);
     if (!numbers)
         return numbers.error();
     Parts parts;
     std::vector<PastedNumber> all = std::move(numbers).value();
+    const std::size_t count = all.size();
     sort(all, parts);
-    const std::vector<PastedPart> needed = parts.needed();
-    for (const PastedPart part : kParts) {
-        const bool isNeeded = std::find(needed.begin(), needed.end(), part) != needed.end();
-        if ((isNeeded || parts.has(part)) && parts[part].numbers.size() != parts[part].wanted())
-            return countError(parts[part], all.size());
-    }
+    const std::vector<PastedPart> needed = isComplete ? parts.needed() : std::vector<PastedPart>();
     PastedScene scene;
+    for (const PastedPart part : kParts) {
+        if (parts[part].keepFirst())
+            scene.more.push_back(part);
+        const bool isNeeded = std::find(needed.begin(), needed.end(), part) != needed.end();
+        if ((isNeeded || parts.has(part)) && !parts[part].isWhole())
+            return countError(parts[part], count);
+    }
     const auto matrix = [&parts](PastedPart part) -> std::optional<PastedMatrix> {
         if (!parts.has(part))
             return std::nullopt;
@@ -228,9 +269,21 @@ Result<PastedScene, PasteError> pastedScene(std::string_view text)
     scene.model = matrix(PastedPart::Model);
     scene.projection = matrix(PastedPart::Projection);
     scene.product = matrix(PastedPart::Product);
-    for (std::size_t i = 0; i < scene.viewport.size(); ++i)
-        scene.viewport[i] = parts[PastedPart::Viewport].numbers[i].value;
+    if (parts.has(PastedPart::Viewport))
+        readViewport(parts[PastedPart::Viewport].numbers, scene);
     return scene;
+}
+
+} // namespace
+
+Result<PastedScene, PasteError> pastedScene(std::string_view text)
+{
+    return sceneOf(text, true);
+}
+
+Result<PastedScene, PasteError> pastedParts(std::string_view text)
+{
+    return sceneOf(text, false);
 }
 
 } // namespace unprojector::matrices

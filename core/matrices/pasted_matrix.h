@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/result.h"
+#include "core/geometry/viewport.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -41,13 +42,16 @@ NumberOrder orderOf(MatrixForm form);
 glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order);
 
 /// What a text may say of a scene's matrices. Those behind a name are that part's; model is world from object, product the
-/// projection times the view, or times the modelview.
-enum class PastedPart { ModelView, View, Model, Projection, Product, Viewport };
+/// projection times the view, or times the modelview. ToWindow, the viewport's matrix times that, and what else is said of a
+/// window, follows from the others.
+enum class PastedPart { ModelView, View, Model, Projection, Product, Viewport, ToWindow };
 const char *nameOf(PastedPart part);
 
 struct PastedScene {
     std::optional<PastedMatrix> modelView, view, model, projection, product;
-    std::array<double, 4> viewport{}; ///< x y width height
+    std::optional<Viewport> viewport;
+    std::optional<DepthRange> depthRange; ///< where the viewport is given as a matrix, window from NDC
+    std::vector<PastedPart> more; ///< of which there are several, as of several objects: only the first is taken
 };
 
 struct PasteError {
@@ -67,5 +71,8 @@ Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
 /// where there are twenty altogether, the product and the viewport.
 /// @return the viewport, the projection and the modelview or the view; or the product; whatever else was there
 Result<PastedScene, PasteError> pastedScene(std::string_view text);
+
+/// What of all that a text has; none of it need be there. Sixteen numbers alone are the modelview's.
+Result<PastedScene, PasteError> pastedParts(std::string_view text);
 
 } // namespace unprojector::matrices

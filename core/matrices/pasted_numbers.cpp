@@ -68,8 +68,10 @@ std::optional<PastedPart> partOf(std::string_view words)
             letters += c;
     }
     const auto has = [&letters](const char *name) { return letters.find(name) != std::string::npos; };
-    if (has("viewport"))
+    if (has("viewport") || letters == "windowfromndc" || letters == "qrect" || letters == "qrectf")
         return PastedPart::Viewport;
+    if (has("window") || has("mvpw"))
+        return PastedPart::ToWindow;
     const bool isProjection =
         has("projection") || letters == "proj" || letters == "p" || has("projmat") || letters == "clipfromeye";
     if (has("mvp") || has("product") || (isProjection && has("view")) || letters == "vp" || letters == "pv"
@@ -162,6 +164,8 @@ private:
                 return;
             }
         }
+        if (c == '\\' && takePowerOfTen())
+            return;
         if (c == '[' || c == '(' || c == '{') {
             m_open.push_back(++m_brackets);
             m_subscripts.clear();
@@ -174,6 +178,23 @@ private:
             m_lineStart = m_at + 1;
         }
         ++m_at;
+    }
+
+    /// LaTeX's \cdot 10^{-16} behind a number.
+    bool takePowerOfTen()
+    {
+        constexpr std::string_view kTimes = "\\cdot 10^{";
+        const std::string_view rest = m_text.substr(m_at);
+        const std::size_t close = rest.find('}');
+        if (m_numbers.empty() || !rest.starts_with(kTimes) || close == rest.npos)
+            return false;
+        const std::string exponent(rest.substr(kTimes.size(), close - kTimes.size()));
+        const auto value = numberOf(m_lastWord + 'e' + exponent);
+        if (!value || !std::isfinite(*value))
+            return false;
+        m_numbers.back().value = *value;
+        m_at += close + 1;
+        return true;
     }
 
     /// Whether what ends at `end` is a key: a colon follows, perhaps behind a quote.
@@ -212,6 +233,15 @@ private:
             m_at += isSign ? kMinusSign.size() : 1;
         }
         const std::optional<double> value = numberOf(word);
+        // Qt prints the size of a rectangle as 300x200.
+        if (const std::size_t cross = word.find('x'); m_part == PastedPart::Viewport && cross != word.npos) {
+            const auto width = numberOf(word.substr(0, cross)), height = numberOf(word.substr(cross + 1));
+            if (width && height && *width > 0.0 && std::isfinite(*width) && std::isfinite(*height)) {
+                add(*width, start, word);
+                add(*height, start + cross + 1, word);
+                return std::nullopt;
+            }
+        }
         if (word == "-" && isSignApart(start))
             return wordError(word, start);
         if (!value && isMeantAsNumber(word))
@@ -227,8 +257,14 @@ private:
             m_subscripts = {int(*value)};
             return std::nullopt;
         }
+        add(*value, start, word);
+        return std::nullopt;
+    }
+
+    void add(double value, std::size_t start, const std::string &word)
+    {
         PastedNumber number;
-        number.value = *value;
+        number.value = value;
         number.at = start;
         number.line = m_line;
         number.bracket = m_open.empty() ? 0 : m_open.back();
@@ -241,7 +277,7 @@ private:
         m_words.clear();
         m_name.clear();
         m_isBehindSemicolon = false;
-        return std::nullopt;
+        m_lastWord = word;
     }
 
     /// Words that stand side by side are one name: "model view", "projection * view".
@@ -264,6 +300,7 @@ private:
     bool m_isBehindSemicolon = false;
     std::vector<int> m_subscripts;
     std::vector<std::string> m_words;
+    std::string m_lastWord; ///< that is a number
     std::string m_name;
     std::size_t m_nameEnd = 0;
     std::optional<PastedPart> m_part;

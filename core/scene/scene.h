@@ -57,7 +57,14 @@ struct ClipPlaneOff {
     friend bool operator==(const ClipPlaneOff &, const ClipPlaneOff &) = default;
 };
 
-/// A projection that a file gives as a matrix, and the parameters that it is shown by.
+/// A view that a file or the user gives as a matrix, and the camera that it is shown by.
+struct GivenView {
+    glm::dmat4 eyeFromWorld{1.0};
+    LookAt converted;
+    friend bool operator==(const GivenView &, const GivenView &) = default;
+};
+
+/// A projection that a file or the user gives as a matrix, and the parameters that it is shown by.
 struct GivenProjection {
     MatrixProjection matrix;
     Projection converted; ///< of OpenGL's depth; a reversed matrix has the scene's depth range turned round besides
@@ -77,8 +84,10 @@ struct SceneSettings {
     std::vector<glm::dvec4> clipPlanes;
     /// Planes that are switched off, by place. With `clipPlanes` no more than kMostClipPlanes.
     std::vector<ClipPlaneOff> clipPlanesOff;
-    /// What `projection` was read from; it is the file's as long as `projection` is still what that was converted to.
+    /// What `projection` was read from; it counts as long as `projection` is still what that was converted to.
     std::optional<GivenProjection> given;
+    /// The same of `camera`.
+    std::optional<GivenView> givenView;
     landmarks::LandmarkSet landmarks; ///< world space
     /// A point that the user follows through the pipeline besides what is clicked.
     std::optional<GivenPoint> givenPoint;

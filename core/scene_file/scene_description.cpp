@@ -12,24 +12,17 @@
 namespace unprojector::scene_file {
 namespace {
 
-/// Puts the matrices of `before` in place of the parameters that were read from them and are still the same.
-void keepMatrices(SceneFile &file, const SceneFile &before)
+/// Puts the matrices that the scene was given in place of the parameters that were read from them and are still the same.
+void keepMatrices(SceneFile &file, const Scene &scene)
 {
-    const auto *projection = std::get_if<MatrixProjection>(&before.projection);
-    const auto *view = std::get_if<glm::dmat4>(&before.view);
-    if (!projection && !view)
-        return;
-    const Result<Picture> read = byParameters(pictureOf(before));
-    if (!read)
-        return;
-    if (projection && std::get<Projection>(file.projection) == read->projection()) {
-        file.projection = *projection;
+    if (scene.given && std::get<Projection>(file.projection) == scene.given->converted) {
+        file.projection = scene.given->matrix;
         // Of a reversed matrix the window has turned the depth range round.
-        if (const auto form = recognised(*projection); form && form->reversed)
+        if (const auto form = recognised(scene.given->matrix); form && form->reversed)
             std::swap(file.depthRange.atNear, file.depthRange.atFar);
     }
-    if (view && std::get<LookAt>(file.view) == read->camera())
-        file.view = *view;
+    if (scene.givenView && std::get<LookAt>(file.view) == scene.givenView->converted)
+        file.view = scene.givenView->eyeFromWorld;
 }
 
 /// The path from the root, without "." and "..". Links stay as they are named, except one before a "..": the folder above
@@ -212,6 +205,8 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     scene.projection = picture.projection();
     if (const auto *matrix = std::get_if<MatrixProjection>(&file.projection))
         scene.given = {*matrix, scene.projection};
+    if (const auto *matrix = std::get_if<glm::dmat4>(&file.view))
+        scene.givenView = {*matrix, scene.camera};
     scene.projectionFollowsViewport = file.ui.projectionFollowsViewport.value_or(file.aspectFromViewport);
     scene.clipDistancesFitObjects = file.ui.clipDistancesFitObjects.value_or(false);
     if (file.ui.viewportRule)
@@ -258,7 +253,7 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
         file.conventions = scene.conventions;
     file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home, {}};
     file.extra = before.extra;
-    keepMatrices(file, before);
+    keepMatrices(file, scene);
 
     std::vector<SceneFilePlaneOff> knownPlanes = before.ui.clipPlanesOff;
     for (const ClipPlaneOff &off : scene.clipPlanesOff) {

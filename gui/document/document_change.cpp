@@ -77,7 +77,7 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
     if (a.camera != b.camera || a.home != b.home || a.projection != b.projection
         || a.projectionFollowsViewport != b.projectionFollowsViewport
         || a.clipDistancesFitObjects != b.clipDistancesFitObjects || a.viewport != b.viewport
-        || a.depthRange != b.depthRange)
+        || a.depthRange != b.depthRange || a.given != b.given || a.givenView != b.givenView)
         changes |= Change::Picture;
     if (a.givenPoint != b.givenPoint)
         changes |= Change::GivenPoint;

@@ -250,6 +250,48 @@ Check SceneDocument::editProjection(const ProjectionRule &rule, const Deed &deed
     return edit(std::move(settings), deed);
 }
 
+const MatrixProjection *SceneDocument::givenProjection() const
+{
+    return m_scene.given && m_scene.given->converted == m_scene.projection ? &m_scene.given->matrix : nullptr;
+}
+
+const glm::dmat4 *SceneDocument::givenView() const
+{
+    return m_scene.givenView && m_scene.givenView->converted == m_scene.camera ? &m_scene.givenView->eyeFromWorld
+                                                                               : nullptr;
+}
+
+Check SceneDocument::editMatrices(const std::optional<MatrixProjection> &projection,
+                                  const std::optional<glm::dmat4> &eyeFromWorld, const Deed &deed)
+{
+    SceneSettings settings = m_state.settings;
+    Picture picture = geometry();
+    picture.depthRange = settings.depthRange;
+    if (projection) {
+        // A reversed matrix has turned the depth range round; with it that goes.
+        const MatrixProjection *before = givenProjection();
+        if (const auto form = before ? recognised(*before) : Error{}; form && form->reversed)
+            std::swap(picture.depthRange.atNear, picture.depthRange.atFar);
+        picture.lens = *projection;
+    }
+    if (eyeFromWorld)
+        picture.pose = *eyeFromWorld;
+    const Result<Picture> shown = byParameters(picture);
+    if (!shown)
+        return shown.error();
+    settings.depthRange = shown->depthRange;
+    if (projection) {
+        settings.projection = shown->projection();
+        settings.given = {*projection, settings.projection};
+        settings.projectionFollowsViewport = settings.clipDistancesFitObjects = false;
+    }
+    if (eyeFromWorld) {
+        settings.camera = shown->camera();
+        settings.givenView = {*eyeFromWorld, settings.camera};
+    }
+    return edit(std::move(settings), deed);
+}
+
 Check SceneDocument::editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed)
 {
     SceneSettings settings = m_state.settings;

@@ -97,6 +97,10 @@ public:
     RayCasters &rayCasters() { return m_casters; }
     SinceClick sinceClick() const;
     const std::optional<GivenPoint> &givenPoint() const { return m_scene.givenPoint; }
+    /// The matrix that the projection is given by, or none (any more).
+    const MatrixProjection *givenProjection() const;
+    /// The same of the view: eyeFromWorld.
+    const glm::dmat4 *givenView() const;
     /// Where the given point lies in the picture as it is now; nothing where there is none, or no world point of it.
     std::optional<WorldPoint> givenWorld() const;
     /// What other programs have got: marked while somebody looks into it. Not of the scene: neither kept nor undone.
@@ -151,6 +155,11 @@ public:
     Check editTransform(std::size_t place, std::vector<TransformStep> steps, const Deed &deed);
     Check editCamera(const LookAt &camera, const Deed &deed);
     Check editProjection(const ProjectionRule &rule, const Deed &deed);
+    /// Takes a projection, a view or both from matrices, which the scene keeps as they are. What is none stays; the
+    /// projection's numbers then hold as they stand.
+    /// @return the errors of byParameters and pictureOf
+    Check editMatrices(const std::optional<MatrixProjection> &projection, const std::optional<glm::dmat4> &eyeFromWorld,
+                       const Deed &deed);
     Check editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed);
     /// @param off  planes that are kept but do not cut; with the others no more than kMostClipPlanes
     Check editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed);

@@ -103,7 +103,6 @@ bool Session::saveScene(const std::filesystem::path &file)
     m_file = path;
     m_stamp = written.value();
     m_name = pathText(path.filename());
-    // Its matrices stay known: undoing what was done to them brings them back into the file.
     m_contents.objects = std::move(contents.objects);
     m_document.markSaved();
     return true;
@@ -111,10 +110,9 @@ bool Session::saveScene(const std::filesystem::path &file)
 
 QString Session::droppedMatrices(const SceneFile &written) const
 {
-    const bool projection = std::holds_alternative<MatrixProjection>(m_contents.projection)
-                            && !std::holds_alternative<MatrixProjection>(written.projection);
-    const bool view =
-        std::holds_alternative<glm::dmat4>(m_contents.view) && !std::holds_alternative<glm::dmat4>(written.view);
+    const Scene &scene = m_document.scene();
+    const bool projection = scene.given && !std::holds_alternative<MatrixProjection>(written.projection);
+    const bool view = scene.givenView && !std::holds_alternative<glm::dmat4>(written.view);
     if (projection && view)
         return tr("Saved. The projection and the view have changed since they came as matrices; they are written by "
                   "their arguments.");

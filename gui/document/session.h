@@ -187,9 +187,9 @@ private:
     std::optional<Pending> m_pending; ///< while it loads
     QString m_name;
     std::filesystem::path m_file;
-    SceneFile m_contents; ///< what the file held when it was opened, for its matrices and the keys that are not ours
-    std::optional<files::FileStamp> m_stamp;              ///< what the file held when it was last read or written here
-    Autosave *m_autosave = nullptr;                       ///< none where nothing is to be kept
+    SceneFile m_contents;                    ///< what the file held when it was opened, for the keys that are not ours
+    std::optional<files::FileStamp> m_stamp; ///< what the file held when it was last read or written here
+    Autosave *m_autosave = nullptr;          ///< none where nothing is to be kept
     std::vector<std::unique_ptr<RecoveryFile>> m_offered; ///< the last one first
 };
 

@@ -171,11 +171,12 @@ void NumberGrid::changeEvent(QEvent *event)
 bool NumberGrid::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
-        // A digit begins a number here, or would where it could be typed: it turns no camera.
+        // What is typed here is a number, or would be where one could be typed; it may begin with a letter, as sqrt(2) does.
+        // It turns no camera and changes nothing in the view. Nor does Home, which goes to the first number.
         const auto &key = *static_cast<QKeyEvent *>(event);
-        static const QString kBeginnings = QStringLiteral("0123456789.,+-(");
         const bool isPlain = !(key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
-        if (isPlain && !key.text().isEmpty() && kBeginnings.contains(key.text())) {
+        const bool isTyped = !key.text().isEmpty() && key.text().front().isPrint();
+        if (isPlain && (isTyped || key.key() == Qt::Key_Home || key.key() == Qt::Key_End)) {
             event->accept();
             return true;
         }

@@ -8,6 +8,7 @@
 #include "gui/panels/since_click_text.h"
 #include "gui/text/api_text.h"
 #include "gui/text/error_text.h"
+#include "gui/text/matrix_text.h"
 #include "gui/text/typed_numbers.h"
 
 #include <type_traits>
@@ -38,9 +39,11 @@ QStringList PipelineModel::longestStatusTexts()
 
 PipelineModel::PipelineModel(SceneDocument &document, QObject *parent)
     : QObject(parent), m_document(document), m_chosen(new FollowedObject(document, this)),
-      m_given(new MatrixModel(PipelineStage::WholeMatrix, this))
+      m_given(new MatrixModel(PipelineStage::WholeMatrix, this)),
+      m_givenView(new MatrixModel(PipelineStage::WholeMatrix, this))
 {
     m_given->setVariableName(QStringLiteral("clipFromEyeAsGiven"));
+    m_givenView->setVariableName(QStringLiteral("eyeFromWorldAsGiven"));
     for (const PipelineStage stage : kPipelineStages)
         m_matrices[static_cast<std::size_t>(stage)] = new MatrixModel(stage, this);
     for (int space = 0; space < PointModel::kSpaces; ++space)
@@ -186,6 +189,7 @@ void PipelineModel::setView(const MatrixView &view)
     for (MatrixModel *matrix : m_matrices)
         matrix->setView(view);
     m_given->setView(view);
+    m_givenView->setView(view);
     for (PointModel *point : m_points)
         point->setView(view);
 }
@@ -265,24 +269,50 @@ void PipelineModel::showApi()
 
 void PipelineModel::showGiven()
 {
-    const std::optional<GivenProjection> &given = m_document.scene().given;
     m_givenNote.clear();
-    if (!given || given->converted != m_document.geometry().projection())
-        return;
-    const Result<RecognisedProjection> form = recognised(given->matrix);
+    m_projectionFindings.clear();
+    m_viewFindings.clear();
+    const MatrixProjection *given = m_document.givenProjection();
+    if (const glm::dmat4 *view = m_document.givenView()) {
+        m_givenView->setMatrix(viewFromOurs(*view, m_api), PipelineDirection::Forward, ProjectionKind::Perspective);
+        m_viewFindings =
+            findings(*view, MatrixRole::View, std::nullopt, given ? std::optional(given->clipFromEye) : std::nullopt);
+    }
+    const Result<RecognisedProjection> form = given ? recognised(*given) : Error{};
     if (!form)
         return;
-    m_given->setMatrix(apiFromOurs(given->matrix, m_api).clipFromEye, PipelineDirection::Forward,
-                       kindOf(given->converted), m_api == Api::OpenGl);
+    m_projectionFindings = findings(given->clipFromEye, MatrixRole::Projection, given->ndcDepth);
+    m_given->setMatrix(apiFromOurs(*given, m_api).clipFromEye, PipelineDirection::Forward,
+                       kindOf(m_document.geometry().projection()), m_api == Api::OpenGl);
     QStringList said{form->ndcDepth == NdcDepth::ZeroToOne ? tr("z of NDC from 0 to 1") : tr("z of NDC from −1 to 1")};
     if (form->reversed)
         said << tr("reversed: the depth range is turned round for it");
     if (form->infiniteFar)
         said << tr("the far plane at infinity: here at a million times near");
-    m_givenNote =
-        tr("As the file gives it: %1. Clip and NDC are those of its conversion, OpenGL's matrix of the same view "
-           "volume, which follows.")
-            .arg(said.join(QStringLiteral("; ")));
+    m_givenNote = tr("As it was given: %1. Clip and NDC are those of its conversion, OpenGL's matrix of the same view "
+                     "volume, which follows.")
+                      .arg(said.join(QStringLiteral("; ")));
+}
+
+const std::vector<MatrixFinding> &PipelineModel::givenFindings(MatrixRole role) const
+{
+    return role == MatrixRole::View ? m_viewFindings : m_projectionFindings;
+}
+
+void PipelineModel::repair(MatrixRole role, const MatrixFinding &finding)
+{
+    const Deed deed{repairName(finding, NumberOrder::ByColumns)};
+    std::optional<MatrixProjection> projection;
+    std::optional<glm::dmat4> view;
+    if (const MatrixProjection *given = m_document.givenProjection(); given && role == MatrixRole::Projection) {
+        projection = {repaired(given->clipFromEye, finding), given->ndcDepth};
+        if (finding.repair == MatrixRepair::DepthZeroToOne)
+            projection->ndcDepth = NdcDepth::ZeroToOne;
+    } else if (const glm::dmat4 *eyeFromWorld = m_document.givenView(); eyeFromWorld && role == MatrixRole::View) {
+        view = repaired(*eyeFromWorld, finding);
+    }
+    if (const Check done = m_document.editMatrices(projection, view, deed); !done)
+        emit refused(errorText(done.error()));
 }
 
 void PipelineModel::showPoints(const Pipeline &pipeline)
@@ -382,6 +412,8 @@ QString PipelineModel::text() const
     }
     for (const MatrixModel *model : m_matrices)
         text += QStringLiteral("\n%1\n%2").arg(model->variableName(), model->copyText(MatrixSyntax::Text));
+    if (m_document.givenView())
+        text += QStringLiteral("\n%1\n%2").arg(m_givenView->variableName(), m_givenView->copyText(MatrixSyntax::Text));
     if (!m_givenNote.isEmpty())
         text += QStringLiteral("\n%1\n%2").arg(m_given->variableName(), m_given->copyText(MatrixSyntax::Text));
     return text;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/matrices/matrix_findings.h"
 #include "core/matrices/pipeline.h"
 #include "gui/document/followed_object.h"
 #include "gui/panels/matrix_model.h"
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace unprojector::gui {
 using namespace matrices;
@@ -41,8 +43,14 @@ public:
     MatrixModel *matrix(PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
     /// The projection's matrix as the file gives it.
     MatrixModel *given() const { return m_given; }
-    /// How it was read and what became of it; empty where the projection is not a file's matrix (any more).
+    /// How it was read and what became of it; empty where the projection is not given as a matrix (any more).
     const QString &givenNote() const { return m_givenNote; }
+    /// The view's matrix as it is given.
+    MatrixModel *givenView() const { return m_givenView; }
+    /// What is to be seen of the matrices that are given.
+    const std::vector<MatrixFinding> &givenFindings(MatrixRole role) const;
+    /// Does what a finding offers to the scene.
+    void repair(MatrixRole role, const MatrixFinding &finding);
     PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
 
     /// Whether the given point is shown and not the picked one: since it was given, until the next click.
@@ -98,6 +106,8 @@ private:
     std::array<MatrixModel *, kPipelineStages.size()> m_matrices;
     std::array<PointModel *, PointModel::kSpaces> m_points;
     MatrixModel *m_given;
+    MatrixModel *m_givenView;
+    std::vector<MatrixFinding> m_projectionFindings, m_viewFindings;
     QString m_givenNote;
     QString m_status;
 };

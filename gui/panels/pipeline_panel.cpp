@@ -2,15 +2,20 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
+#include "gui/panels/matrix_findings_view.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
+#include "gui/panels/paste_matrices_dialog.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/api_text.h"
 #include "gui/text/number_text.h"
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -209,8 +214,13 @@ QWidget *PipelinePanel::createSwitches()
     copy->setToolTip(tr("Copy all points and matrices with all digits"));
     connect(copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_model->text()); });
     auto *third = new QHBoxLayout;
+    auto *paste = new QPushButton(tr("P&aste…"));
+    paste->setToolTip(tr("Take the camera from matrices that another program prints (Ctrl+V here)"));
+    paste->setAccessibleName(tr("Paste matrices"));
+    connect(paste, &QPushButton::clicked, this, [this] { PasteMatricesDialog::open(m_document, window()); });
     third->addWidget(m_digitsSwitch);
     third->addStretch();
+    third->addWidget(paste);
     third->addWidget(copy);
     auto *fourth = new QHBoxLayout;
     fourth->addWidget(conventionsLabel);
@@ -285,6 +295,13 @@ void PipelinePanel::createStages()
         section->setOpen(stage != PipelineStage::ModelviewMatrix && stage != PipelineStage::WholeMatrix);
     }
     m_given = new MatrixSection(m_model->given());
+    m_givenView = new MatrixSection(m_model->givenView());
+    m_givenFindings = new MatrixFindingsView;
+    m_givenViewFindings = new MatrixFindingsView;
+    connect(m_givenFindings, &MatrixFindingsView::repairWanted, m_model,
+            [this](const MatrixFinding &finding) { m_model->repair(MatrixRole::Projection, finding); });
+    connect(m_givenViewFindings, &MatrixFindingsView::repairWanted, m_model,
+            [this](const MatrixFinding &finding) { m_model->repair(MatrixRole::View, finding); });
     showGiven();
     m_division = new QLabel;
     m_flip = new QLabel;
@@ -308,13 +325,19 @@ void PipelinePanel::arrange()
         return m_sections[static_cast<std::size_t>(stage)];
     };
     const bool isForward = m_model->direction() == PipelineDirection::Forward;
-    std::vector<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix), point(Space::World),
-                                section(PipelineStage::ViewMatrix), point(Space::Eye)};
+    std::vector<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix), point(Space::World)};
+    if (isForward)
+        rows.insert(rows.end(), {m_givenView, m_givenViewFindings, section(PipelineStage::ViewMatrix)});
+    else
+        rows.insert(rows.end(), {section(PipelineStage::ViewMatrix), m_givenViewFindings, m_givenView});
+    rows.push_back(point(Space::Eye));
     // The division comes after the projection on the way there, and after its inverse on the way back.
     if (isForward)
-        rows.insert(rows.end(), {m_given, section(PipelineStage::ProjectionMatrix), point(Space::Clip), m_division});
+        rows.insert(rows.end(), {m_given, m_givenFindings, section(PipelineStage::ProjectionMatrix), point(Space::Clip),
+                                 m_division});
     else
-        rows.insert(rows.end(), {m_division, point(Space::Clip), section(PipelineStage::ProjectionMatrix), m_given});
+        rows.insert(rows.end(), {m_division, point(Space::Clip), section(PipelineStage::ProjectionMatrix),
+                                 m_givenFindings, m_given});
     rows.insert(rows.end(), {point(Space::Ndc), section(PipelineStage::ViewportMatrix), point(Space::Window), m_flip,
                              point(Space::Widget)});
     if (!isForward)
@@ -403,6 +426,13 @@ void PipelinePanel::showGiven()
 {
     m_given->setTitle(tr("Projection"), m_model->given()->variableName(), m_model->givenNote());
     m_given->setVisible(!m_model->givenNote().isEmpty());
+    m_givenView->setTitle(tr("View"), m_model->givenView()->variableName(), tr("As it was given."));
+    m_givenView->setVisible(m_document.givenView() != nullptr);
+    // Of what the scene keeps, the order is that of columns.
+    m_givenFindings->setFindings(m_model->givenFindings(MatrixRole::Projection), MatrixRole::Projection,
+                                 NumberOrder::ByColumns);
+    m_givenViewFindings->setFindings(m_model->givenFindings(MatrixRole::View), MatrixRole::View,
+                                     NumberOrder::ByColumns);
 }
 
 void PipelinePanel::showFlip()
@@ -474,6 +504,22 @@ void PipelinePanel::setMatrixView(const MatrixView &view)
 QSize PipelinePanel::sizeHint() const
 {
     return {51 * fontMetrics().horizontalAdvance(u'0'), 36 * fontMetrics().lineSpacing()};
+}
+
+void PipelinePanel::keyPressEvent(QKeyEvent *event)
+{
+    if (!event->matches(QKeySequence::Paste)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    const auto hasFocus = [this](const QWidget *section) { return section->isAncestorOf(window()->focusWidget()); };
+    MatrixRole role = MatrixRole::Projection;
+    if (hasFocus(m_givenView) || hasFocus(m_sections[std::size_t(PipelineStage::ViewMatrix)])
+        || hasFocus(m_sections[std::size_t(PipelineStage::ModelviewMatrix)]))
+        role = MatrixRole::View;
+    else if (hasFocus(m_sections[std::size_t(PipelineStage::WholeMatrix)]))
+        role = MatrixRole::Product;
+    PasteMatricesDialog::open(m_document, window(), role, QGuiApplication::clipboard()->text());
 }
 
 void PipelinePanel::showEvent(QShowEvent *event)

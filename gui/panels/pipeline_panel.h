@@ -13,6 +13,7 @@ class QVBoxLayout;
 
 namespace unprojector::gui {
 
+class MatrixFindingsView;
 class MatrixSection;
 class NumberGrid;
 class SceneDocument;
@@ -42,6 +43,8 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    /// Paste: sixteen numbers and more are matrices of another program, those on a section its own.
+    void keyPressEvent(QKeyEvent *event) override;
 
 private:
     QWidget *createSwitches();
@@ -60,7 +63,7 @@ private:
     void showConventions();
     void showTheirLayout();
 
-    const SceneDocument &m_document;
+    SceneDocument &m_document;
     PipelineModel *m_model;
     SegmentedSwitch *m_directionSwitch;
     SegmentedSwitch *m_layoutSwitch;
@@ -78,7 +81,10 @@ private:
     std::array<NumberGrid *, PointModel::kSpaces> m_pointGrids{};
     std::array<QLabel *, PointModel::kSpaces> m_pointNames{};
     std::array<MatrixSection *, kPipelineStages.size()> m_sections{};
-    MatrixSection *m_given = nullptr; ///< before the projection, while that is a file's
+    MatrixSection *m_given = nullptr;     ///< before the projection, while that is given as a matrix
+    MatrixSection *m_givenView = nullptr; ///< the same of the view
+    MatrixFindingsView *m_givenFindings = nullptr;
+    MatrixFindingsView *m_givenViewFindings = nullptr;
     QLabel *m_division;
     QLabel *m_flip;
     Api m_api = Api::OpenGl;                ///< as m_flip tells of it

@@ -10,6 +10,7 @@
 #include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/icons.h"
+#include "gui/panels/paste_matrices_dialog.h"
 #include "gui/panels/points_panel.h"
 #include "gui/panels/save_name.h"
 #include "gui/panels/series_panel.h"
@@ -232,6 +233,12 @@ void MainWindow::createEditMenu(QToolBar &bar)
     onBar(bar, undo, Drawing::Undo);
     onBar(bar, redo, Drawing::Redo);
     bar.addSeparator();
+    menu->addSeparator();
+    addAction(menu, tr("Paste &Matrices…"), {},
+              tr("Take the camera from projection and view, or their product, as another program prints them"), [this] {
+                  emit m_session->typedToCount();
+                  PasteMatricesDialog::open(*m_document, this);
+              });
     menu->addSeparator();
     createSnapActions(*menu, bar);
     menu->addSeparator();

@@ -3115,6 +3115,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>Which mistake of a program makes its wrong coordinate</source>
         <translation>程序的哪个错误造成了它的错误坐标</translation>
     </message>
+    <message>
+        <source>Paste &amp;Matrices…</source>
+        <translation>粘贴矩阵(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Take the camera from projection and view, or their product, as another program prints them</source>
+        <translation>让相机取自其他程序打印的投影和视图，或它们的乘积</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MapOverlay</name>
@@ -3507,6 +3515,221 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Four lines of numbers with commas, as shown</source>
         <translation>四行以逗号分隔的数字，按显示的排列</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::MatrixText</name>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>The axes have unlike lengths or no right angles, the longest %1: what comes out are the object&apos;s coordinates, not the world&apos;s. Paste the view alone.</source>
+        <translation>各轴长度不同或不成直角，最长为 %1：得到的是物体坐标，而不是世界坐标。请只粘贴视图矩阵。</translation>
+    </message>
+    <message>
+        <source>It scales by %1: a model&apos;s scale is in it, and what comes out are the object&apos;s coordinates, not the world&apos;s.</source>
+        <translation>它缩放了 %1 倍：其中含有模型的缩放，得到的是物体坐标，而不是世界坐标。</translation>
+    </message>
+    <message>
+        <source>View or modelview</source>
+        <translation>视图或模型视图</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Product (MVP)</source>
+        <translation>乘积（MVP）</translation>
+    </message>
+    <message>
+        <source>sixteen numbers in a row</source>
+        <translation>连续十六个数</translation>
+    </message>
+    <message>
+        <source>numbers with an index, m[0] to m[15]</source>
+        <translation>带下标的数，m[0] 至 m[15]</translation>
+    </message>
+    <message>
+        <source>GLM&apos;s or GLSL&apos;s columns</source>
+        <translation>GLM 或 GLSL 的列</translation>
+    </message>
+    <message>
+        <source>numbers with row and column, m(0,1)</source>
+        <translation>带行号和列号的数，m(0,1)</translation>
+    </message>
+    <message>
+        <source>four lines</source>
+        <translation>四行文本</translation>
+    </message>
+    <message>
+        <source>four brackets</source>
+        <translation>四组括号</translation>
+    </message>
+    <message>
+        <source>It looks transposed: its last column, not its last row, is 0 0 0 1.</source>
+        <translation>它看来被转置了：0 0 0 1 是它的最后一列，而不是最后一行。</translation>
+    </message>
+    <message>
+        <source>It looks transposed: only with rows for columns has it a projection&apos;s form.</source>
+        <translation>它看来被转置了：行列互换后才具有投影矩阵的形式。</translation>
+    </message>
+    <message>
+        <source>It may be the camera&apos;s own matrix, world from eye: as a view it has the world&apos;s origin out of sight, its inverse has it in sight.</source>
+        <translation>它可能是相机自身的矩阵（从眼坐标到世界坐标）：当作视图矩阵时看不到世界原点，用它的逆则看得到。</translation>
+    </message>
+    <message>
+        <source>It is an inverse: its own inverse has a projection&apos;s form.</source>
+        <translation>它是逆矩阵：它的逆才具有投影矩阵的形式。</translation>
+    </message>
+    <message>
+        <source>It has a projection&apos;s form: view and projection seem to be exchanged.</source>
+        <translation>它具有投影矩阵的形式：视图与投影看来弄反了。</translation>
+    </message>
+    <message>
+        <source>It has a view&apos;s form: view and projection seem to be exchanged.</source>
+        <translation>它具有视图矩阵的形式：视图与投影看来弄反了。</translation>
+    </message>
+    <message>
+        <source>It has no form that formulas are known for, and no camera of this window&apos;s.</source>
+        <translation>它的形式没有已知的公式，也不是本窗口能用的相机。</translation>
+    </message>
+    <message>
+        <source>It goes by NDC depths from 0 to 1 (Direct3D, Vulkan) and is read so: near is %1.</source>
+        <translation>它采用 0 到 1 的 NDC 深度（Direct3D、Vulkan），并已这样读取：近平面为 %1。</translation>
+    </message>
+    <message>
+        <source>It is read by NDC depths from −1 to 1, near %1, but seems to go by 0 to 1 (Direct3D, Vulkan): near is then %2.</source>
+        <translation>它按 −1 到 1 的 NDC 深度读取，近平面为 %1；但它看来采用 0 到 1（Direct3D、Vulkan）：此时近平面为 %2。</translation>
+    </message>
+    <message>
+        <source>Its depths are reversed: near, %1, is at 1. The depth range is turned round for it.</source>
+        <translation>它的深度是反转的：近平面 %1 位于 1。深度范围已为它反转。</translation>
+    </message>
+    <message>
+        <source>Its far plane is at infinity: it is drawn up to a million times near.</source>
+        <translation>它的远平面在无穷远：绘制到近平面的一百万倍处为止。</translation>
+    </message>
+    <message>
+        <source>It turns y round, as is done for Vulkan: the picture is upside down for OpenGL.</source>
+        <translation>它把 y 反了过来，如 Vulkan 所用：在 OpenGL 中画面上下颠倒。</translation>
+    </message>
+    <message>
+        <source>It is mirrored: its axes are left-handed.</source>
+        <translation>它是镜像的：坐标轴为左手系。</translation>
+    </message>
+    <message>
+        <source>It mirrors x.</source>
+        <translation>它使 x 成为镜像。</translation>
+    </message>
+    <message>
+        <source>It is for an eye space that looks along +z (Direct3D, OpenCV).</source>
+        <translation>它用于朝 +z 方向观看的眼坐标系（Direct3D、OpenCV）。</translation>
+    </message>
+    <message>
+        <source>Every entry has the other sign: the same points, but w &lt; 0 in front of the eye, which OpenGL cuts off.</source>
+        <translation>每个元素的符号都相反：得到的点相同，但眼前的点 w &lt; 0，会被 OpenGL 裁掉。</translation>
+    </message>
+    <message>
+        <source>It is printed with few digits: its axes are %1 off being perpendicular and of length 1, as rounding leaves them. The formulas need them within 0.00001; more decimals are better.</source>
+        <translation>它打印的位数很少：坐标轴与相互垂直且长度为 1 相差 %1，这是舍入造成的。公式要求在 0.00001 以内；位数更多更好。</translation>
+    </message>
+    <message>
+        <source>Read as Row-major</source>
+        <translation>按行优先读取</translation>
+    </message>
+    <message>
+        <source>Read as Column-major</source>
+        <translation>按列优先读取</translation>
+    </message>
+    <message>
+        <source>Take Its Inverse</source>
+        <translation>取它的逆</translation>
+    </message>
+    <message>
+        <source>Exchange Them</source>
+        <translation>互换</translation>
+    </message>
+    <message>
+        <source>Keep 0 to 1</source>
+        <translation>保持 0 到 1</translation>
+    </message>
+    <message>
+        <source>Read as 0 to 1</source>
+        <translation>按 0 到 1 读取</translation>
+    </message>
+    <message>
+        <source>Turn y Back</source>
+        <translation>把 y 反回来</translation>
+    </message>
+    <message>
+        <source>Turn x Back</source>
+        <translation>把 x 反回来</translation>
+    </message>
+    <message>
+        <source>Take the Scale Out</source>
+        <translation>去掉缩放</translation>
+    </message>
+    <message>
+        <source>Make Perpendicular</source>
+        <translation>使之正交</translation>
+    </message>
+    <message>
+        <source>Turn the Signs</source>
+        <translation>改变符号</translation>
+    </message>
+    <message>
+        <source>Turn to −z</source>
+        <translation>转向 −z</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: “%3” is not a finite number.</source>
+        <translation>第 %1 行第 %2 列：“%3”不是有限的数。</translation>
+    </message>
+    <message>
+        <source>There is no matrix of this kind among these %1 numbers: %2.</source>
+        <translation>这 %1 个数中没有这种矩阵：%2。</translation>
+    </message>
+    <message>
+        <source>%1 numbers: a viewport has 4, a matrix 16.</source>
+        <translation>有 %1 个数：视口有 4 个，矩阵有 16 个。</translation>
+    </message>
+    <message>
+        <source>%1: %2 numbers; a matrix has 16.</source>
+        <translation>%1：有 %2 个数；矩阵有 16 个。</translation>
+    </message>
+    <message>
+        <source>There is no number in it; a matrix has 16.</source>
+        <translation>其中没有数；矩阵有 16 个数。</translation>
+    </message>
+    <message>
+        <source>%1 numbers; a matrix has 16.</source>
+        <translation>有 %1 个数；矩阵有 16 个。</translation>
+    </message>
+    <message>
+        <source>Eye at %1, looking along %2.</source>
+        <translation>眼睛位于 %1，朝 %2 方向观看。</translation>
+    </message>
+    <message>
+        <source>near %1, far %2</source>
+        <translation>近平面 %1，远平面 %2</translation>
+    </message>
+    <message>
+        <source>Perspective: field of view %1° high, width to height %2, %3.</source>
+        <translation>透视：垂直视角 %1°，宽高比 %2，%3。</translation>
+    </message>
+    <message>
+        <source>Box: %1 wide, %2 high, %3.</source>
+        <translation>正交：宽 %1，高 %2，%3。</translation>
+    </message>
+    <message>
+        <source>Right-handed eye space, NDC depths from 0 to 1.</source>
+        <translation>眼坐标系为右手系，NDC 深度从 0 到 1。</translation>
+    </message>
+    <message>
+        <source>Right-handed eye space, NDC depths from −1 to 1.</source>
+        <translation>眼坐标系为右手系，NDC 深度从 −1 到 1。</translation>
     </message>
 </context>
 <context>
@@ -4951,6 +5174,128 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
+    <name>unprojector::gui::PasteMatricesDialog</name>
+    <message>
+        <source>Paste Matrices</source>
+        <translation>粘贴矩阵</translation>
+    </message>
+    <message>
+        <source>What is pasted</source>
+        <translation>粘贴的内容</translation>
+    </message>
+    <message>
+        <source>Projection and view</source>
+        <translation>投影和视图</translation>
+    </message>
+    <message>
+        <source>The two matrices, or one of them; the other stays that of the scene</source>
+        <translation>两个矩阵，或其中之一；另一个保留场景原有的</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>乘积</translation>
+    </message>
+    <message>
+        <source>Projection times view, or times modelview (MVP), taken apart into the two</source>
+        <translation>投影乘视图，或乘模型视图（MVP），并拆成这两个矩阵</translation>
+    </message>
+    <message>
+        <source>What the matrices mean</source>
+        <translation>矩阵的含义</translation>
+    </message>
+    <message>
+        <source>Take the camera of the scene from these matrices; undone with Ctrl+Z</source>
+        <translation>让场景的相机取自这些矩阵；可用 Ctrl+Z 撤销</translation>
+    </message>
+    <message>
+        <source>The product cannot be taken apart into lens and eye: it is neither a perspective&apos;s nor a box&apos;s. Paste projection and view.</source>
+        <translation>无法把乘积拆成投影和视图：它既不是透视投影的乘积，也不是正交投影的乘积。请粘贴投影和视图。</translation>
+    </message>
+    <message>
+        <source>No picture can be made of it: %1</source>
+        <translation>无法由此成像：%1</translation>
+    </message>
+    <message>
+        <source>Taken apart into projection and view, which make the product again up to %1 of its largest entry.</source>
+        <translation>已拆成投影和视图，两者相乘与原乘积之差不超过其最大元素的 %1。</translation>
+    </message>
+    <message>
+        <source>Of a box the eye may be anywhere along the view: it is put on the near plane.</source>
+        <translation>正交时眼睛可以在视线方向的任何位置：此处放在近平面上。</translation>
+    </message>
+    <message>
+        <source>The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).</source>
+        <translation>视口 %1 × %2 未采用：保留视图原有的视口（参数，视口）。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PastedMatrixBox</name>
+    <message>
+        <source>Paste 16 numbers here, as a program prints them:
+glm::to_string, NumPy, Eigen, QMatrix4x4,
+m[0] … m[15], JSON, C, three.js</source>
+        <translation>在此粘贴 16 个数，按程序打印的样子：
+glm::to_string、NumPy、Eigen、QMatrix4x4、
+m[0] … m[15]、JSON、C、three.js</translation>
+    </message>
+    <message>
+        <source>Text of the matrix: %1</source>
+        <translation>矩阵的文本：%1</translation>
+    </message>
+    <message>
+        <source>Sixteen numbers in a row are read column after column, four lines or brackets as rows</source>
+        <translation>连续十六个数按列依次读取，四行文本或四组括号则作为行</translation>
+    </message>
+    <message>
+        <source>Order of the numbers</source>
+        <translation>数的顺序</translation>
+    </message>
+    <message>
+        <source>By columns</source>
+        <translation>按列</translation>
+    </message>
+    <message>
+        <source>Column-major: the first four numbers are the first column</source>
+        <translation>列优先：前四个数是第一列</translation>
+    </message>
+    <message>
+        <source>By rows</source>
+        <translation>按行</translation>
+    </message>
+    <message>
+        <source>Row-major: the first four numbers are the first row</source>
+        <translation>行优先：前四个数是第一行</translation>
+    </message>
+    <message>
+        <source>As Pasted</source>
+        <translation>恢复原样</translation>
+    </message>
+    <message>
+        <source>Take back what was done to the matrix</source>
+        <translation>撤回对矩阵所做的改动</translation>
+    </message>
+    <message>
+        <source>Nothing yet.</source>
+        <translation>还没有内容。</translation>
+    </message>
+    <message>
+        <source>Nothing yet: without it, that of the scene stays.</source>
+        <translation>还没有内容：不填则保留场景原有的。</translation>
+    </message>
+    <message>
+        <source>From the other text: %1.</source>
+        <translation>取自另一段文本：%1。</translation>
+    </message>
+    <message>
+        <source>Read as %1.</source>
+        <translation>读作：%1。</translation>
+    </message>
+    <message>
+        <source>Done: %1.</source>
+        <translation>已做：%1。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::PictureNote</name>
     <message>
         <source>All objects are hidden. The Objects panel shows them again.</source>
@@ -5004,10 +5349,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>远裁剪面在无穷远：这里取近裁剪面的一百万倍</translation>
     </message>
     <message>
-        <source>As the file gives it: %1. Clip and NDC are those of its conversion, OpenGL&apos;s matrix of the same view volume, which follows.</source>
-        <translation>文件中给出的矩阵：%1。裁剪坐标和 NDC 属于其转换结果，即同一视景体的 OpenGL 矩阵，列于其后。</translation>
-    </message>
-    <message>
         <source>The view has changed since this click: the point on its way through the view as it is now.</source>
         <translation>视图在这次点击之后已改变：该点在当前视图中的变换过程。</translation>
     </message>
@@ -5054,6 +5395,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Without a perspective there is no camera matrix K.</source>
         <translation>非透视投影没有相机内参矩阵 K。</translation>
+    </message>
+    <message>
+        <source>As it was given: %1. Clip and NDC are those of its conversion, OpenGL&apos;s matrix of the same view volume, which follows.</source>
+        <translation>原样保留：%1。裁剪坐标和 NDC 属于它的转换结果，即同一视景体的 OpenGL 矩阵，列于其后。</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5594,22 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>%1, depth computed</source>
         <translation>%1，深度为计算值</translation>
+    </message>
+    <message>
+        <source>P&amp;aste…</source>
+        <translation>粘贴(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Take the camera from matrices that another program prints (Ctrl+V here)</source>
+        <translation>让相机取自其他程序打印的矩阵（在此按 Ctrl+V）</translation>
+    </message>
+    <message>
+        <source>Paste matrices</source>
+        <translation>粘贴矩阵</translation>
+    </message>
+    <message>
+        <source>As it was given.</source>
+        <translation>原样保留。</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,10 @@ private slots:
     void everyWayToPasteGivesTheSameScene();
     void theSceneUnprojects();
     void matricesComeBackAsTheyWere();
+    void whatMatricesPrintsIsTaken_data();
+    void whatMatricesPrintsIsTaken();
+    void viewportsAreReadAsTheyArePrinted_data();
+    void viewportsAreReadAsTheyArePrinted();
     void fileAndWindow();
     void whatIsToBeSeenOfAMatrixIsSaid_data();
     void whatIsToBeSeenOfAMatrixIsSaid();
@@ -98,6 +102,54 @@ void TestSceneCommand::matricesComeBackAsTheyWere()
     QVERIFY(matrices.output.contains("\"projection\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -2, -3], [0, 0, -1, 0]]"));
 }
 
+void TestSceneCommand::whatMatricesPrintsIsTaken_data()
+{
+    QTest::addColumn<QString>("format");
+    for (const char *format : {"text", "c", "numpy", "json", "latex"})
+        QTest::newRow(format) << format;
+}
+
+void TestSceneCommand::whatMatricesPrintsIsTaken()
+{
+    QFETCH(QString, format);
+    const QByteArray numbers = "modelview 0.8 0 0.6 0  0 1 0 0  -0.6 0 0.8 0  1e-9 0 -5 1 projection " + kProjection
+                               + " viewport 10 20 400 300";
+    const QByteArray none = R"("objects": [])",
+                     two = R"("objects": [{"name": "a", "bundled": "cube"}, {"name": "b", "bundled": "cube"}])";
+    const Run scene = runCommand({"scene", "--window", "500x400", "--from-matrices", "-"}, numbers);
+    QCOMPARE(scene.exitCode, 0);
+    QByteArray withObjects = scene.output;
+    QVERIFY(withObjects.contains(none));
+    withObjects.replace(none, two);
+    for (const QByteArray &text : {scene.output, withObjects}) {
+        const Run matrices = runCommand({"matrices", "--format", format, m_folder.write("printed.json", text)});
+        QCOMPARE(matrices.exitCode, 0);
+        const Run again = runCommand({"scene", "--window", "500x400", "--from-matrices", "-"}, matrices.output);
+        QVERIFY2(again.errors.contains("product: left out"), again.errors.constData());
+        QCOMPARE(again.output, scene.output);
+    }
+}
+
+void TestSceneCommand::viewportsAreReadAsTheyArePrinted_data()
+{
+    QTest::addColumn<QByteArray>("viewport");
+    QTest::newRow("QRect") << QByteArray("QRect(0,0 400x300)");
+    QTest::newRow("QRectF, named") << QByteArray("viewport QRectF(0,0 400x300)");
+    QTest::newRow("glm::vec4") << QByteArray("viewport vec4(0.000000, 0.000000, 400.000000, 300.000000)");
+    QTest::newRow("three.js") << QByteArray(R"(viewport: {"x": 0, "y": 0, "z": 400, "w": 300})");
+    QTest::newRow("its matrix") << QByteArray("viewport 200 0 0 0  0 150 0 0  0 0 0.5 0  200 150 0.5 1");
+}
+
+void TestSceneCommand::viewportsAreReadAsTheyArePrinted()
+{
+    QFETCH(QByteArray, viewport);
+    const QByteArray matrices = "modelview " + kModelview + " projection " + kProjection + ' ';
+    const Run expected = runCommand({"scene", "--from-matrices", "-"}, matrices + "viewport " + kViewport);
+    const Run run = runCommand({"scene", "--from-matrices", "-"}, matrices + viewport);
+    QCOMPARE(run.errors, QByteArray());
+    QCOMPARE(run.output, expected.output);
+}
+
 void TestSceneCommand::fileAndWindow()
 {
     const QString output = m_folder.path("made.json");
@@ -133,7 +185,8 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
     QTest::newRow("[0, 1]") << zeroToOne + rest << QStringList()
                             << QByteArray(
                                    "stdin: projection: seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): "
-                                   "near is then 0.1; --depth zero-to-one takes it so, --depth minus-one-to-one "
+                                   "near is then 0.1; it is read by depths from -1 to 1, near 0.050025; --depth "
+                                   "zero-to-one takes it so, --depth minus-one-to-one "
                                    "does not\n");
     QTest::newRow("[0, 1], asked for") << zeroToOne + rest << QStringList{"--depth", "zero-to-one"} << none;
     QTest::newRow("[-1, 1], asked for") << zeroToOne + rest << QStringList{"--depth", "minus-one-to-one"} << none;
@@ -142,6 +195,24 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
                                               "upside down for OpenGL; --y down turns it back, --y up leaves it so\n");
     QTest::newRow("Vulkan's y, turned back") << turned + rest << QStringList{"--y", "down"} << none;
     QTest::newRow("Vulkan's y, left") << turned + rest << QStringList{"--y", "up"} << none;
+    QTest::newRow("four decimals")
+        << "projection " + kProjection + " modelview 0.7071 0 0.7071 0  0 1 0 0  -0.7071 0 0.7071 0  0 0 -5 1 viewport "
+               + kViewport
+        << QStringList()
+        << QByteArray("stdin: modelview: is printed with few digits: its axes are 1.9e-05 off "
+                      "being perpendicular and of length 1, as rounding leaves them; the "
+                      "formulas need them within 0.00001; --orthonormal takes the nearest that "
+                      "are, more decimals are better\n");
+    QTest::newRow("four decimals, mended")
+        << "projection " + kProjection + " modelview 0.7071 0 0.7071 0  0 1 0 0  -0.7071 0 0.7071 0  0 0 -5 1 viewport "
+               + kViewport
+        << QStringList{"--orthonormal"} << none;
+    QTest::newRow("negated") << "MVP -1 0 0 0  0 -1 0 0  0 0 2 1  0 0 -7 -5 viewport " + kViewport << QStringList()
+                             << QByteArray(
+                                    "stdin: product: has every entry with the other sign: the same points, but w < "
+                                    "0 in front of the eye, which OpenGL cuts off; its signs are turned round\n"
+                                    "stdin: product: taken apart into projection and view, which make it again up "
+                                    "to 0 of its largest entry\n");
     QTest::newRow("reversed, asked for")
         << reversed + rest << QStringList{"--reversed", "--depth", "zero-to-one"}
         << QByteArray("stdin: projection: has its far plane at infinity: depths there have no point\n");
@@ -171,12 +242,26 @@ void TestSceneCommand::aProductAloneUnprojects_data()
     const QByteArray perspective = "1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5", box = "1 0 0 0  0 1 0 0  0 0 -1 0  0 0 3 1";
     const QByteArray apart = "stdin: product: taken apart into projection and view, which make it again up to 0 of its "
                              "largest entry\n";
+    const QByteArray onNear =
+        "stdin: product: taken apart into projection and view, which make it again up to 0 of its "
+        "largest entry; of a box the eye may be anywhere along the view: it is put on the near "
+        "plane\n";
     const QByteArray whole =
         "stdin: product: lens and eye cannot be taken apart: only the inverted matrix will answer, "
         "the formulas need projection and view\n";
     QTest::newRow("perspective, matrix") << perspective << apart << "matrix" << QList<double>{3, -3, 2};
     QTest::newRow("perspective, formula") << perspective << apart << "formula" << QList<double>{3, -3, 2};
-    QTest::newRow("box, matrix") << box << whole << "matrix" << QList<double>{1, -1, 2};
+    QTest::newRow("negated, formula")
+        << QByteArray("-1 0 0 0  0 -1 0 0  0 0 2 1  0 0 -7 -5")
+        << "stdin: product: has every entry with the other sign: the same points, but w < 0 "
+           "in front of the eye, which OpenGL cuts off; its signs are turned round\n"
+               + apart
+        << "formula" << QList<double>{3, -3, 2};
+    QTest::newRow("box, matrix") << box << onNear << "matrix" << QList<double>{1, -1, 2};
+    QTest::newRow("box, formula") << box << onNear << "formula" << QList<double>{1, -1, 2};
+    // x sheared along z.
+    QTest::newRow("oblique, matrix") << QByteArray("1 0 0 0  0 1 0 0  0.5 0 -1 0  -2.5 0 3 1") << whole << "matrix"
+                                     << QList<double>{2.5, -1, 2};
 }
 
 void TestSceneCommand::aProductAloneUnprojects()

@@ -1,5 +1,6 @@
 // Matrices as other programs write them, and what is to be seen of them.
 
+#include "core/geometry/view_matrix.h"
 #include "core/matrices/matrix_findings.h"
 #include "core/matrices/pasted_matrix.h"
 #include "core/matrices/taken_apart.h"
@@ -59,6 +60,16 @@ QStringList idsOf(const std::vector<MatrixFinding> &found)
     for (const MatrixFinding &finding : found)
         ids << QString::fromStdString(std::string(idOf(finding.fault)));
     return ids;
+}
+
+/// As a program prints it with so many decimals.
+glm::dmat4 rounded(const glm::dmat4 &matrix, int decimals)
+{
+    const double power = std::pow(10.0, decimals);
+    glm::dmat4 m;
+    for (int i = 0; i < 16; ++i)
+        m[i / 4][i % 4] = std::round(matrix[i / 4][i % 4] * power) / power;
+    return m;
 }
 
 bool isClose(const glm::dmat4 &a, const glm::dmat4 &b)
@@ -247,7 +258,7 @@ void TestPastedMatrices::aSceneIsSortedByNames()
         QCOMPARE(matrix->numbers[14], -5.0);
     }
     QCOMPARE(found.join(' '), parts);
-    QCOMPARE(scene->viewport, (std::array{0.0, 0.0, 400.0, 300.0}));
+    QVERIFY(scene->viewport == (Viewport{0.0, 0.0, 400.0, 300.0}));
 }
 
 void TestPastedMatrices::faultsAreFound_data()
@@ -292,6 +303,15 @@ void TestPastedMatrices::faultsAreFound_data()
         << v * glm::scale(glm::dmat4(1.0), glm::dvec3(1, 2, 1)) << View << "scaled";
     QTest::newRow("a mirrored view") << v * glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, -1)) << View << "mirrored";
     QTest::newRow("a camera's own matrix") << glm::inverse(v) << View << "inverse";
+    QTest::newRow("a view in five decimals") << rounded(v, 5) << View << "rounded";
+    QTest::newRow("a view in four decimals") << rounded(v, 4) << View << "rounded";
+    QTest::newRow("a view in three decimals") << rounded(v, 3) << View << "rounded";
+    QTest::newRow("a scale of 1.01 is no rounding")
+        << glm::scale(glm::dmat4(1.0), glm::dvec3(1.01)) << View << "scaled";
+    QTest::newRow("a negated projection") << -p << Projection << "negated";
+    QTest::newRow("a negated product") << -(p * v) << Product << "negated";
+    QTest::newRow("a box's product") << box * v << Product << "";
+    QTest::newRow("a product in four decimals") << rounded(p * v, 4) << Product << "";
     QTest::newRow("a product by rows") << glm::transpose(p * v) << Product << "transposed";
     QTest::newRow("a product's inverse") << glm::inverse(p * v) << Product << "inverse";
     QTest::newRow("a product in [0, 1]") << d * v << Product << "depth-zero-to-one";
@@ -352,6 +372,25 @@ void TestPastedMatrices::repairsGiveTheMatrixBack()
     QVERIFY(isClose(once(glm::transpose(v), MatrixRole::View), v));
     QVERIFY(isClose(once(glm::inverse(v), MatrixRole::View), v));
     QVERIFY(isClose(once(scaled, MatrixRole::View), v));
+    QVERIFY(isClose(once(-p, MatrixRole::Projection), p));
+    QVERIFY(isClose(once(-(p * v), MatrixRole::Product), p * v));
+    for (const int decimals : {5, 4, 3}) {
+        const glm::dmat4 printed = rounded(v, decimals), mended = once(printed, MatrixRole::View);
+        QVERIFY(axesOff(mended) && *axesOff(mended) <= 1e-14);
+        for (int i = 0; i < 16; ++i)
+            QVERIFY(std::abs(mended[i / 4][i % 4] - printed[i / 4][i % 4]) <= std::pow(10.0, -decimals));
+    }
+    // Turning the eye leaves the product, whichever way the axes are.
+    for (const double z : {1.0, -1.0}) {
+        const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, -1)),
+                         spun = glm::scale(glm::dmat4(1.0), glm::dvec3(1, z, -1));
+        glm::dmat4 clipFromEye = p * mirror, eyeFromWorld = spun * v;
+        const glm::dmat4 product = clipFromEye * eyeFromWorld;
+        turnEye(clipFromEye, eyeFromWorld);
+        QVERIFY(isClose(clipFromEye * eyeFromWorld, product));
+        QCOMPARE(idsOf(findings(clipFromEye, MatrixRole::Projection)).contains("left-handed"), false);
+        QVERIFY(glm::determinant(eyeFromWorld) > 0.0);
+    }
 }
 
 void TestPastedMatrices::productsAreTakenApart_data()
@@ -383,8 +422,15 @@ void TestPastedMatrices::productsAreTakenApart()
     const auto printed = takenApart(inSixDigits(projection * view));
     QVERIFY(printed);
     QVERIFY(printed->off > 1e-9 && printed->off <= 1e-4);
-    QVERIFY(!takenApart(glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 50.0) * view));
-    QVERIFY(!takenApart(glm::dmat4(1.0)));
+    // The eye of a box is put on its near plane.
+    const glm::dmat4 box = glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 50.0);
+    glm::dmat4 sheared(1.0);
+    sheared[2][0] = 0.5;
+    const auto ofBox = takenApart(box * view * 2.0);
+    QVERIFY(ofBox && ofBox->isBox && axesOff(ofBox->eyeFromWorld));
+    QVERIFY(isClose(ofBox->clipFromEye, glm::ortho(-3.0, 3.0, -2.0, 2.0, 0.0, 49.0)));
+    QVERIFY(isClose(ofBox->clipFromEye * ofBox->eyeFromWorld, box * view));
+    QVERIFY(!takenApart(box * sheared * view));
 }
 
 void TestPastedMatrices::everyFindingIsASentence()

@@ -97,10 +97,10 @@ void TestPipelineWidgets::theHeadingOpensAndCloses()
     panel.show();
     int open = 0;
     const QList<MatrixSection *> sections = panel.findChildren<MatrixSection *>();
-    QCOMPARE(sections.size(), 7); // with that of a file's projection
+    QCOMPARE(sections.size(), 8); // with those of a given projection and view
     for (const MatrixSection *section : sections)
         open += section->isOpen() ? 1 : 0;
-    QCOMPARE(open, 5);
+    QCOMPARE(open, 6);
     MatrixSection *first = sections.front();
     const bool wasOpen = first->isOpen();
     auto *heading = first->findChild<QToolButton *>();

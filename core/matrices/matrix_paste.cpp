@@ -1,0 +1,174 @@
+#include "core/matrices/matrix_paste.h"
+
+#include <algorithm>
+
+namespace unprojector::matrices {
+namespace {
+
+constexpr std::array kRoles{MatrixRole::View, MatrixRole::Projection, MatrixRole::Product};
+
+const std::optional<PastedMatrix> &partOf(const PastedScene &parts, MatrixRole role)
+{
+    switch (role) {
+    case MatrixRole::View: return parts.view ? parts.view : parts.modelView;
+    case MatrixRole::Projection: return parts.projection;
+    case MatrixRole::Product: break;
+    }
+    return parts.product;
+}
+
+} // namespace
+
+void MatrixPaste::setText(MatrixRole role, std::string_view text)
+{
+    Place &here = place(role);
+    here = {};
+    // What another place took from the text that stood here was repaired as that.
+    for (const MatrixRole other : kRoles) {
+        if (place(other).isBlank)
+            place(other) = {};
+    }
+    here.isBlank = text.find_first_not_of(" \t\r\n") == text.npos;
+    if (here.isBlank)
+        return;
+    if (const auto one = pastedMatrix(text)) {
+        here.own = *one;
+        return;
+    }
+    const PasteError error = pastedMatrix(text).error();
+    if (error.all <= error.wanted) {
+        here.error = error;
+        return;
+    }
+    const auto parts = pastedParts(text);
+    if (!parts) {
+        here.error = parts.error();
+        return;
+    }
+    here.parts = *parts;
+    here.own = partOf(*parts, role);
+    // One matrix beside a viewport is what it was pasted for.
+    const bool isAlone =
+        std::count_if(kRoles.begin(), kRoles.end(), [&](MatrixRole r) { return bool(partOf(*parts, r)); }) == 1;
+    if (!here.own && isAlone && !parts->model)
+        here.own = parts->product      ? parts->product
+                   : parts->projection ? parts->projection
+                                       : partOf(*parts, MatrixRole::View);
+    if (!here.own) {
+        here.error = PasteError();
+        here.error->all = error.all;
+        here.error->part = role == MatrixRole::View         ? PastedPart::View
+                           : role == MatrixRole::Projection ? PastedPart::Projection
+                                                            : PastedPart::Product;
+    }
+}
+
+const PastedMatrix *MatrixPaste::pasted(MatrixRole role) const
+{
+    const Place &here = place(role);
+    if (!here.isBlank)
+        return here.own ? &*here.own : nullptr;
+    for (const MatrixRole other : kRoles) {
+        // A product is looked for only where it is asked for.
+        const bool isOther = other != role && (other == MatrixRole::Product) == (role == MatrixRole::Product);
+        if (isOther && partOf(place(other).parts, role))
+            return &*partOf(place(other).parts, role);
+    }
+    return nullptr;
+}
+
+std::optional<Viewport> MatrixPaste::viewport() const
+{
+    for (const Place &one : m_places) {
+        if (one.parts.viewport)
+            return one.parts.viewport;
+    }
+    return std::nullopt;
+}
+
+NumberOrder MatrixPaste::order(MatrixRole role) const
+{
+    const PastedMatrix *matrix = pasted(role);
+    return place(role).order.value_or(matrix ? orderOf(matrix->form) : NumberOrder::ByColumns);
+}
+
+void MatrixPaste::setOrder(MatrixRole role, NumberOrder order)
+{
+    place(role).order = order;
+}
+
+void MatrixPaste::repair(MatrixRole role, const MatrixFinding &finding)
+{
+    if (finding.repair == MatrixRepair::OtherOrder)
+        setOrder(role, order(role) == NumberOrder::ByColumns ? NumberOrder::ByRows : NumberOrder::ByColumns);
+    else if (finding.repair == MatrixRepair::DepthZeroToOne)
+        place(role).ndcDepth = NdcDepth::ZeroToOne;
+    else if (finding.repair == MatrixRepair::None || finding.repair == MatrixRepair::Exchange)
+        return;
+    place(role).repairs.push_back(finding);
+}
+
+void MatrixPaste::takeBack(MatrixRole role)
+{
+    place(role).order.reset();
+    place(role).ndcDepth.reset();
+    place(role).repairs.clear();
+}
+
+bool MatrixPaste::hasRepair(MatrixRole role, MatrixRepair repair) const
+{
+    const auto &repairs = place(role).repairs;
+    return std::any_of(repairs.begin(), repairs.end(), [repair](const auto &done) { return done.repair == repair; });
+}
+
+std::optional<glm::dmat4> MatrixPaste::unturned(MatrixRole role) const
+{
+    const PastedMatrix *given = pasted(role);
+    if (!given)
+        return std::nullopt;
+    glm::dmat4 matrix = matrixOf(given->numbers, order(role));
+    for (const MatrixFinding &done : place(role).repairs) {
+        if (done.repair != MatrixRepair::OtherOrder && done.repair != MatrixRepair::TurnEye)
+            matrix = repaired(matrix, done);
+    }
+    return matrix;
+}
+
+std::optional<glm::dmat4> MatrixPaste::matrix(MatrixRole role) const
+{
+    std::optional<glm::dmat4> matrix = unturned(role);
+    if (!matrix || role == MatrixRole::Product || !hasRepair(MatrixRole::Projection, MatrixRepair::TurnEye))
+        return matrix;
+    auto projection = unturned(MatrixRole::Projection), view = unturned(MatrixRole::View);
+    if (!projection || !view)
+        return role == MatrixRole::Projection ? repaired(*matrix, {MatrixFault::LeftHanded, MatrixRepair::TurnEye})
+                                              : matrix;
+    turnEye(*projection, *view);
+    return role == MatrixRole::Projection ? projection : view;
+}
+
+std::vector<MatrixFinding> MatrixPaste::findings(MatrixRole role) const
+{
+    const auto here = matrix(role);
+    if (!here)
+        return {};
+    return matrices::findings(*here, role, ndcDepth(role),
+                              role == MatrixRole::View ? matrix(MatrixRole::Projection) : std::nullopt);
+}
+
+MatrixPaste::Camera MatrixPaste::camera() const
+{
+    Camera camera;
+    if (const auto projection = matrix(MatrixRole::Projection))
+        camera.projection = MatrixProjection{*projection, ndcDepth(MatrixRole::Projection)};
+    camera.eyeFromWorld = matrix(MatrixRole::View);
+    return camera;
+}
+
+std::optional<TakenApart> MatrixPaste::apart() const
+{
+    const auto product = matrix(MatrixRole::Product);
+    return product ? takenApart(*product) : std::nullopt;
+}
+
+} // namespace unprojector::matrices

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/geometry/matrix_projection.h"
+#include "core/matrices/matrix_findings.h"
+#include "core/matrices/pasted_matrix.h"
+#include "core/matrices/taken_apart.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::matrices {
+using namespace geometry;
+
+/// Matrices while they are being pasted: a text for each of the three, how it is read, what is to be seen of it, and the
+/// repairs that were chosen. A text that has several matrices fills the places of those whose own text is empty.
+class MatrixPaste {
+public:
+    /// Forgets the repairs of what the text gives.
+    void setText(MatrixRole role, std::string_view text);
+
+    /// Why the text of a role gives no matrix of it; nothing where it is blank.
+    const std::optional<PasteError> &error(MatrixRole role) const { return place(role).error; }
+    /// As it was pasted, in its own text or in another one's.
+    const PastedMatrix *pasted(MatrixRole role) const;
+    /// A viewport that stands beside the matrices: nothing is done with it.
+    std::optional<Viewport> viewport() const;
+
+    NumberOrder order(MatrixRole role) const;
+    void setOrder(MatrixRole role, NumberOrder order);
+    /// Does what a finding offers, but Exchange, which is one of the texts.
+    void repair(MatrixRole role, const MatrixFinding &finding);
+    /// As it was pasted.
+    void takeBack(MatrixRole role);
+    /// What was done, in this order.
+    const std::vector<MatrixFinding> &repairs(MatrixRole role) const { return place(role).repairs; }
+
+    /// In the order and with the repairs chosen; nothing where there is none.
+    std::optional<glm::dmat4> matrix(MatrixRole role) const;
+    /// Of the matrix as it is now.
+    std::vector<MatrixFinding> findings(MatrixRole role) const;
+    /// Of the NDC of the projection or the product; none: as its numbers tell.
+    std::optional<NdcDepth> ndcDepth(MatrixRole role) const { return place(role).ndcDepth; }
+
+    /// What a scene is to take.
+    struct Camera {
+        std::optional<MatrixProjection> projection;
+        std::optional<glm::dmat4> eyeFromWorld;
+        bool isAnything() const { return projection || eyeFromWorld; }
+    };
+    /// Projection and view, what there is of them.
+    Camera camera() const;
+    /// Those that the product is taken apart into; nothing where there is none, or it cannot be.
+    std::optional<TakenApart> apart() const;
+
+private:
+    struct Place {
+        bool isBlank = true;
+        std::optional<PasteError> error;
+        PastedScene parts;
+        std::optional<PastedMatrix> own;
+        std::optional<NumberOrder> order; ///< none: that of the form
+        std::vector<MatrixFinding> repairs;
+        std::optional<NdcDepth> ndcDepth;
+    };
+    Place &place(MatrixRole role) { return m_places[std::size_t(role)]; }
+    const Place &place(MatrixRole role) const { return m_places[std::size_t(role)]; }
+    bool hasRepair(MatrixRole role, MatrixRepair repair) const;
+    /// Without turning the eye, which takes projection and view together.
+    std::optional<glm::dmat4> unturned(MatrixRole role) const;
+
+    std::array<Place, 3> m_places;
+};
+
+} // namespace unprojector::matrices

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/matrices/matrix_paste.h"
+
+#include <QDialog>
+
+#include <array>
+
+class QLabel;
+class QPushButton;
+
+namespace unprojector::gui {
+using namespace matrices;
+
+class PastedMatrixBox;
+class SceneDocument;
+class SegmentedSwitch;
+
+/// Takes the scene's camera from matrices of another program, pasted as text: projection and view, one of them, or their
+/// product. Says as they are typed what is to be seen of them and what they mean; the scene changes with OK, in one step.
+class PasteMatricesDialog : public QDialog {
+    Q_OBJECT
+public:
+    explicit PasteMatricesDialog(SceneDocument &document, QWidget *parent = nullptr);
+
+    /// Puts a text into the place of a matrix, and shows that place.
+    void setText(MatrixRole role, const QString &text);
+
+    /// Shows the dialog over a window; it deletes itself.
+    static void open(SceneDocument &document, QWidget *parent, MatrixRole role = MatrixRole::Projection,
+                     const QString &text = {});
+
+    void accept() override;
+
+private:
+    PastedMatrixBox *box(MatrixRole role) const { return m_boxes[std::size_t(role)]; }
+    bool isProduct() const;
+    void repair(MatrixRole role, const MatrixFinding &finding);
+    /// Shows everything as it is now.
+    void refresh();
+    /// What OK would take.
+    MatrixPaste::Camera camera() const;
+    /// What the camera means, or why it cannot be taken.
+    QString meaning(const MatrixPaste::Camera &camera, bool &isUsable) const;
+
+    SceneDocument &m_document;
+    MatrixPaste m_paste;
+    SegmentedSwitch *m_kind;
+    std::array<PastedMatrixBox *, 3> m_boxes{};
+    QLabel *m_meaning;
+    QPushButton *m_ok;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,135 @@
+#include "gui/panels/pasted_matrix_box.h"
+
+#include "gui/panels/digits_font.h"
+#include "gui/panels/matrix_findings_view.h"
+#include "gui/panels/matrix_model.h"
+#include "gui/panels/number_grid.h"
+#include "gui/panels/segmented_switch.h"
+#include "gui/text/matrix_text.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr int kTextLines = 5;
+
+QString variableName(MatrixRole role)
+{
+    switch (role) {
+    case MatrixRole::View: return QStringLiteral("eyeFromWorld");
+    case MatrixRole::Projection: return QStringLiteral("clipFromEye");
+    case MatrixRole::Product: break;
+    }
+    return QStringLiteral("clipFromWorld");
+}
+
+} // namespace
+
+PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(parent), m_role(role)
+{
+    auto *title = new QLabel(QStringLiteral("%1   %2").arg(roleName(role), variableName(role)));
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+
+    m_text = new QPlainTextEdit;
+    m_text->setFont(digitsFont(font()));
+    m_text->setTabChangesFocus(true);
+    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_text->setPlaceholderText(tr("Paste 16 numbers here, as a program prints them:\nglm::to_string, NumPy, Eigen, "
+                                  "QMatrix4x4,\nm[0] … m[15], JSON, C, three.js"));
+    m_text->setAccessibleName(tr("Text of the matrix: %1").arg(roleName(role)));
+    m_text->setToolTip(tr("Sixteen numbers in a row are read column after column, four lines or brackets as rows"));
+    const int line = QFontMetrics(m_text->font()).lineSpacing();
+    m_text->setFixedHeight(kTextLines * line + 3 * m_text->frameWidth() + line);
+    title->setBuddy(m_text);
+    setFocusProxy(m_text);
+
+    m_said = new QLabel;
+    m_said->setWordWrap(true);
+    m_said->setTextFormat(Qt::PlainText);
+    m_order = new SegmentedSwitch(tr("Order of the numbers"),
+                                  {{tr("By columns"), tr("Column-major: the first four numbers are the first column")},
+                                   {tr("By rows"), tr("Row-major: the first four numbers are the first row")}});
+    m_asPasted = new QToolButton;
+    m_asPasted->setText(tr("As Pasted"));
+    m_asPasted->setToolTip(tr("Take back what was done to the matrix"));
+    QSizePolicy keepsRoom = m_asPasted->sizePolicy();
+    keepsRoom.setRetainSizeWhenHidden(true);
+    m_asPasted->setSizePolicy(keepsRoom);
+    m_asPasted->hide();
+    m_model = new MatrixModel(PipelineStage::WholeMatrix, this);
+    m_model->setVariableName(variableName(role));
+    m_grid = new NumberGrid(m_model);
+    m_grid->setAccessibleName(variableName(role));
+    m_findings = new MatrixFindingsView;
+
+    auto *how = new QHBoxLayout;
+    how->addWidget(m_order);
+    how->addStretch();
+    how->addWidget(m_asPasted);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(title);
+    layout->addWidget(m_text);
+    layout->addWidget(m_said);
+    layout->addLayout(how);
+    layout->addWidget(m_grid);
+    layout->addWidget(m_findings);
+    layout->addStretch();
+
+    connect(m_text, &QPlainTextEdit::textChanged, this, [this] { emit textChanged(text()); });
+    connect(m_order, &SegmentedSwitch::chosen, this,
+            [this](int index) { emit orderChosen(index == 0 ? NumberOrder::ByColumns : NumberOrder::ByRows); });
+    connect(m_asPasted, &QToolButton::clicked, this, &PastedMatrixBox::asPastedWanted);
+    connect(m_findings, &MatrixFindingsView::repairWanted, this, &PastedMatrixBox::repairWanted);
+}
+
+QString PastedMatrixBox::text() const
+{
+    return m_text->toPlainText();
+}
+
+void PastedMatrixBox::setText(const QString &text)
+{
+    m_text->setPlainText(text);
+}
+
+void PastedMatrixBox::showPaste(const MatrixPaste &paste)
+{
+    const PastedMatrix *pasted = paste.pasted(m_role);
+    const auto matrix = paste.matrix(m_role);
+    {
+        const QSignalBlocker blocker(m_order);
+        m_order->setChoice(paste.order(m_role) == NumberOrder::ByColumns ? 0 : 1);
+    }
+    m_order->setEnabled(pasted != nullptr);
+    if (const auto &error = paste.error(m_role))
+        m_said->setText(errorText(*error, m_role));
+    else if (!pasted)
+        m_said->setText(m_role == MatrixRole::Product ? tr("Nothing yet.")
+                                                      : tr("Nothing yet: without it, that of the scene stays."));
+    else if (text().trimmed().isEmpty())
+        m_said->setText(tr("From the other text: %1.").arg(formName(pasted->form)));
+    else
+        m_said->setText(tr("Read as %1.").arg(formName(pasted->form)));
+    QStringList done;
+    for (const MatrixFinding &finding : paste.repairs(m_role))
+        done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows
+                                                                                  : NumberOrder::ByColumns);
+    if (!done.isEmpty())
+        m_said->setText(m_said->text() + u' ' + tr("Done: %1.").arg(done.join(QStringLiteral(", "))));
+    m_asPasted->setVisible(!done.isEmpty());
+    m_grid->setVisible(matrix.has_value());
+    if (matrix)
+        m_model->setMatrix(*matrix, PipelineDirection::Forward, ProjectionKind::Perspective);
+    m_findings->setFindings(paste.findings(m_role), m_role, paste.order(m_role));
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/matrices/matrix_paste.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPlainTextEdit;
+class QToolButton;
+
+namespace unprojector::gui {
+using namespace matrices;
+
+class MatrixFindingsView;
+class MatrixModel;
+class NumberGrid;
+class SegmentedSwitch;
+
+/// One of the matrices that are being pasted: its text, the matrix as it is read from it, and what is to be seen of that.
+class PastedMatrixBox : public QWidget {
+    Q_OBJECT
+public:
+    explicit PastedMatrixBox(MatrixRole role, QWidget *parent = nullptr);
+
+    QString text() const;
+    void setText(const QString &text);
+    /// Shows what came of the texts.
+    void showPaste(const MatrixPaste &paste);
+
+signals:
+    void textChanged(const QString &text);
+    void orderChosen(unprojector::matrices::NumberOrder order);
+    void repairWanted(const unprojector::matrices::MatrixFinding &finding);
+    /// All repairs are to be forgotten.
+    void asPastedWanted();
+
+private:
+    MatrixRole m_role;
+    QPlainTextEdit *m_text;
+    QLabel *m_said;
+    SegmentedSwitch *m_order;
+    QToolButton *m_asPasted;
+    MatrixModel *m_model;
+    NumberGrid *m_grid;
+    MatrixFindingsView *m_findings;
+};
+
+} // namespace unprojector::gui

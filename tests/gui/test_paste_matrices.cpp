@@ -1,0 +1,482 @@
+// Matrices of other programs, pasted into the real dialog: read in every usual form, what is to be seen of them mended by
+// its button, the scene changed in one step, kept in its file as they were given.
+
+#include "gui_scene.h"
+
+#include "core/scene_file/scene_file.h"
+#include "gui/panels/number_grid.h"
+#include "gui/panels/paste_matrices_dialog.h"
+#include "gui/panels/pasted_matrix_box.h"
+#include "gui/panels/pipeline_panel.h"
+
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+using namespace guitest;
+using namespace unprojector::scene_file;
+
+namespace {
+
+glm::dmat4 lens()
+{
+    return glm::frustum(-1.0, 1.0, -0.75, 0.75, 2.0, 50.0);
+}
+
+glm::dmat4 view()
+{
+    return glm::lookAt(glm::dvec3(3, 2, 5), glm::dvec3(0.0), glm::dvec3(0, 1, 0));
+}
+
+QString number(double value)
+{
+    return QString::number(value, 'g', 17);
+}
+
+/// The entries one after the other, four of them in a pair of brackets or in a line.
+QString fours(const glm::dmat4 &m, bool areRows, const QString &separator, const QString &open, const QString &close,
+              const QString &between)
+{
+    QStringList groups;
+    for (int i = 0; i < 4; ++i) {
+        QStringList numbers;
+        for (int j = 0; j < 4; ++j)
+            numbers << number(areRows ? m[j][i] : m[i][j]);
+        groups << open + numbers.join(separator) + close;
+    }
+    return groups.join(between);
+}
+
+/// As the programs print it.
+QString printed(const glm::dmat4 &m, const QString &form)
+{
+    if (form == "glm::to_string")
+        return "dmat4x4(" + fours(m, false, ", ", "(", ")", ", ") + ")";
+    if (form == "NumPy")
+        return "[" + fours(m, true, "  ", "[", "]", "\n ") + "]";
+    if (form == "Eigen")
+        return fours(m, true, "   ", "", "", "\n");
+    if (form == "QMatrix4x4")
+        return "QMatrix4x4(type:General\n" + fours(m, true, "  ", "  ", "", "\n") + "\n)";
+    if (form == "JSON")
+        return "[" + fours(m, false, ", ", "", "", ", ") + "]";
+    if (form == "C")
+        return "const double m[16] = {\n" + fours(m, false, ", ", "    ", "", ",\n") + "\n};";
+    if (form == "three.js")
+        return R"({"elements":[)" + fours(m, false, ",", "", "", ",") + "]}";
+    QString text; // m[0] to m[15]
+    for (int i = 0; i < 16; ++i)
+        text += QStringLiteral("m[%1] = %2\n").arg(i).arg(number(m[i / 4][i % 4]));
+    return text;
+}
+
+double difference(const glm::dmat4 &a, const glm::dmat4 &b)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(a[i / 4][i % 4] - b[i / 4][i % 4]));
+    return largest;
+}
+
+/// A dialog on the screen, and hands on it.
+struct Pasting {
+    SceneDocument document;
+    PasteMatricesDialog dialog{document};
+
+    Pasting()
+    {
+        document.setSurface(surfaceFromWidget(400, 300, 1.0));
+        document.setObjects(cubeScene());
+        dialog.show();
+        if (!QTest::qWaitForWindowExposed(&dialog))
+            qFatal("The dialog is not shown.");
+    }
+    PastedMatrixBox *box(MatrixRole role) const
+    {
+        const QList<PastedMatrixBox *> boxes = dialog.findChildren<PastedMatrixBox *>();
+        return boxes.at(role == MatrixRole::Projection ? 0 : role == MatrixRole::View ? 1 : 2);
+    }
+    /// As a user does it: by the clipboard and the keyboard.
+    void paste(MatrixRole role, const QString &text) const
+    {
+        if (role == MatrixRole::Product)
+            button("Product")->click();
+        auto *edit = box(role)->findChild<QPlainTextEdit *>();
+        edit->setFocus();
+        edit->selectAll();
+        QGuiApplication::clipboard()->setText(text);
+        QTest::keySequence(edit, QKeySequence::Paste);
+    }
+    QAbstractButton *button(const QString &text) const
+    {
+        for (QAbstractButton *button : dialog.findChildren<QAbstractButton *>()) {
+            if (button->text() == text && button->isVisible())
+                return button;
+        }
+        return nullptr;
+    }
+    QPushButton *ok() const { return dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok); }
+    bool says(const QString &text) const
+    {
+        QStringList all;
+        for (const QLabel *label : dialog.findChildren<QLabel *>()) {
+            if (label->isVisible())
+                all << label->text();
+        }
+        if (all.join('\n').contains(text))
+            return true;
+        qWarning("It says: %s", qPrintable(all.join('\n')));
+        return false;
+    }
+    /// Of the camera of the scene.
+    glm::dmat4 shownProduct() const { return *clipFromWorld(document.geometry()); }
+};
+
+/// What is written for a document, and read again, without its objects.
+SceneFile saved(const SceneDocument &document)
+{
+    SceneFile file = sceneFileFrom(document.scene(), document.geometry(), {});
+    file.objects.clear();
+    return parseScene(*sceneText(file), "saved").value();
+}
+
+} // namespace
+
+class TestPasteMatrices : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void everyPrintedFormIsTaken_data();
+    void everyPrintedFormIsTaken();
+    void oneTextMayHaveBoth_data();
+    void oneTextMayHaveBoth();
+    void theProductAloneIsTakenApart();
+    void everyFindingHasItsButton_data();
+    void everyFindingHasItsButton();
+    void theScenesOwnStaysWithoutOne();
+    void whatIsNoMatrixIsSaid_data();
+    void whatIsNoMatrixIsSaid();
+    void oneStepIsUndone();
+    void theFileKeepsThemAsGiven();
+    void whatStillHoldsIsSaidInThePipeline();
+    void pasteInThePipelineOpensTheDialog();
+    void whatIsTypedInAMatrixStaysThere();
+};
+
+void TestPasteMatrices::everyPrintedFormIsTaken_data()
+{
+    QTest::addColumn<QString>("form");
+    for (const char *form :
+         {"glm::to_string", "NumPy", "Eigen", "QMatrix4x4", "JSON", "C", "three.js", "m[0] to m[15]"})
+        QTest::newRow(form) << form;
+}
+
+void TestPasteMatrices::everyPrintedFormIsTaken()
+{
+    QFETCH(QString, form);
+    Pasting pasting;
+    QVERIFY(!pasting.ok()->isEnabled());
+    pasting.paste(MatrixRole::Projection, printed(lens(), form));
+    pasting.paste(MatrixRole::View, printed(view(), form));
+    QVERIFY(pasting.says("Eye at (3, 2, 5)"));
+    QVERIFY(pasting.says("near 2, far 50"));
+    QVERIFY(pasting.ok()->isEnabled());
+    pasting.ok()->click();
+    QVERIFY(!pasting.dialog.isVisible());
+    QCOMPARE(pasting.document.givenProjection()->clipFromEye, lens());
+    QCOMPARE(*pasting.document.givenView(), view());
+    QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
+}
+
+void TestPasteMatrices::oneTextMayHaveBoth_data()
+{
+    QTest::addColumn<MatrixRole>("role");
+    QTest::addColumn<QString>("text");
+    const QString view_ = printed(view(), "NumPy"), lens_ = printed(lens(), "NumPy");
+    QTest::newRow("named, in the projection's place")
+        << MatrixRole::Projection << "view = " + view_ + "\nprojection = " + lens_;
+    QTest::newRow("named, in the view's place") << MatrixRole::View << "projection: " + lens_ + "\nmodelview: " + view_;
+    QTest::newRow("unnamed, as glGet gives them") << MatrixRole::View << view_ + "\n" + lens_;
+    QTest::newRow("with a viewport") << MatrixRole::View << view_ + "\n" + lens_ + "\nviewport: QRect(0,0 300x200)";
+}
+
+void TestPasteMatrices::oneTextMayHaveBoth()
+{
+    QFETCH(MatrixRole, role);
+    QFETCH(QString, text);
+    Pasting pasting;
+    pasting.paste(role, text);
+    if (text.contains("viewport"))
+        QVERIFY(pasting.says("The viewport, 300 × 200, is left out"));
+    pasting.ok()->click();
+    QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
+}
+
+void TestPasteMatrices::theProductAloneIsTakenApart()
+{
+    Pasting pasting;
+    pasting.paste(MatrixRole::Product, printed(lens() * view(), "glm::to_string"));
+    QVERIFY(pasting.says("Taken apart into projection and view"));
+    pasting.ok()->click();
+    QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-12);
+
+    Pasting ofBox;
+    const glm::dmat4 box = glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 9.0);
+    ofBox.paste(MatrixRole::Product, printed(box * view(), "NumPy"));
+    QVERIFY(ofBox.says("it is put on the near plane"));
+    ofBox.ok()->click();
+    QVERIFY(difference(ofBox.shownProduct(), box * view()) <= 1e-12);
+}
+
+void TestPasteMatrices::everyFindingHasItsButton_data()
+{
+    QTest::addColumn<MatrixRole>("role");
+    QTest::addColumn<glm::dmat4>("given");
+    QTest::addColumn<QString>("sentence");
+    QTest::addColumn<QString>("button");
+    QTest::addColumn<glm::dmat4>("expected"); ///< the projection or view that the scene keeps
+    const auto scaling = [](double x, double y, double z) { return glm::scale(glm::dmat4(1.0), glm::dvec3(x, y, z)); };
+    using enum MatrixRole;
+    QTest::newRow("transposed") << Projection << glm::transpose(lens()) << "looks transposed"
+                                << "Read as Row-major" << lens();
+    QTest::newRow("a view, transposed") << View << glm::transpose(view()) << "looks transposed"
+                                        << "Read as Row-major" << view();
+    QTest::newRow("an inverse") << Projection << glm::inverse(lens()) << "is an inverse"
+                                << "Take Its Inverse" << lens();
+    QTest::newRow("the camera's matrix") << View << glm::inverse(view()) << "camera's own matrix"
+                                         << "Take Its Inverse" << view();
+    QTest::newRow("Vulkan's y") << Projection << scaling(1, -1, 1) * lens() << "turns y round"
+                                << "Turn y Back" << lens();
+    QTest::newRow("mirrored") << Projection << scaling(-1, 1, 1) * lens() << "mirrors x"
+                              << "Turn x Back" << lens();
+    QTest::newRow("a mirrored view") << View << scaling(-1, 1, 1) * view() << "is mirrored"
+                                     << "Turn x Back" << view();
+    QTest::newRow("a scaled view") << View << view() * scaling(2, 2, 2) << "scales by 2"
+                                   << "Take the Scale Out" << view();
+    QTest::newRow("negated") << Projection << -lens() << "the other sign"
+                             << "Turn the Signs" << lens();
+    QTest::newRow("along +z") << Projection << lens() * scaling(1, 1, -1) << "looks along +z"
+                              << "Turn to −z" << lens();
+    glm::dmat4 zeroToOne = lens();
+    zeroToOne[2][2] = -50.0 / 48.0;
+    zeroToOne[3][2] = -100.0 / 48.0;
+    QTest::newRow("depths in [0, 1]") << Projection << zeroToOne << "seems to go by 0 to 1"
+                                      << "Read as 0 to 1" << zeroToOne;
+    QTest::newRow("exchanged") << Projection << view() << "seem to be exchanged"
+                               << "Exchange Them" << view();
+}
+
+void TestPasteMatrices::everyFindingHasItsButton()
+{
+    QFETCH(MatrixRole, role);
+    QFETCH(glm::dmat4, given);
+    QFETCH(QString, sentence);
+    QFETCH(QString, button);
+    QFETCH(glm::dmat4, expected);
+    Pasting pasting;
+    const bool isExchanged = button == "Exchange Them";
+    if (role == MatrixRole::View)
+        pasting.paste(MatrixRole::Projection, printed(lens(), "JSON"));
+    else if (!isExchanged)
+        pasting.paste(MatrixRole::View, printed(view(), "JSON"));
+    pasting.paste(role, printed(given, "JSON"));
+    QVERIFY(pasting.says(sentence));
+    QVERIFY(pasting.button(button));
+    pasting.button(button)->click();
+    QVERIFY(!pasting.button(button));
+    QVERIFY(pasting.ok()->isEnabled());
+    pasting.ok()->click();
+    if (role == MatrixRole::View || isExchanged) {
+        QVERIFY(difference(*pasting.document.givenView(), expected) <= 1e-12);
+        return;
+    }
+    if (button == "Turn to −z") { // with the view, whose product stays
+        QVERIFY(difference(pasting.shownProduct(), given * view()) <= 1e-12);
+        return;
+    }
+    QVERIFY(difference(pasting.document.givenProjection()->clipFromEye, expected) <= 1e-12);
+    if (button == "Read as 0 to 1")
+        QVERIFY(std::abs(projectionWindow(pasting.document.geometry().projection()).nearDistance - 2.0) <= 1e-12);
+}
+
+void TestPasteMatrices::theScenesOwnStaysWithoutOne()
+{
+    Pasting pasting;
+    const LookAt camera = pasting.document.geometry().camera();
+    pasting.paste(MatrixRole::Projection, printed(lens(), "C"));
+    pasting.ok()->click();
+    QCOMPARE(pasting.document.geometry().camera(), camera);
+    QVERIFY(!pasting.document.givenView());
+}
+
+void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
+{
+    QTest::addColumn<MatrixRole>("role");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("message");
+    using enum MatrixRole;
+    glm::dmat4 shear(1.0);
+    shear[2][0] = 0.5;
+    const QString zeros = QStringLiteral("0 ").repeated(16);
+    QTest::newRow("words") << View << "no matrix at all"
+                           << "There is no number in it";
+    QTest::newRow("one short") << View << "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0"
+                               << "15 numbers; a matrix has 16.";
+    QTest::newRow("NaN") << Projection << "1 0 0 0\n0 nan 0 0\n"
+                         << "Line 2, column 3: “nan” is not a finite number.";
+    QTest::newRow("no projection among them")
+        << Projection << "view " + zeros + " model " + zeros << "no matrix of this kind";
+    QTest::newRow("no inverse") << View << zeros << "No picture can be made of it";
+    QTest::newRow("a sheared box's product")
+        << Product << printed(glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 9.0) * shear * view(), "JSON")
+        << "cannot be taken apart";
+}
+
+void TestPasteMatrices::whatIsNoMatrixIsSaid()
+{
+    QFETCH(MatrixRole, role);
+    QFETCH(QString, text);
+    QFETCH(QString, message);
+    Pasting pasting;
+    pasting.paste(role, text);
+    QVERIFY(pasting.says(message));
+    QVERIFY(!pasting.ok()->isEnabled());
+    pasting.dialog.accept();
+    QVERIFY(pasting.dialog.isVisible());
+    QCOMPARE(pasting.document.undoStack().count(), 0);
+}
+
+void TestPasteMatrices::oneStepIsUndone()
+{
+    Pasting pasting;
+    const Picture before = pasting.document.geometry();
+    // Reversed, with its far plane at infinity, near 2.
+    glm::dmat4 reversed = lens();
+    reversed[2][2] = 0.0;
+    reversed[3][2] = 2.0;
+    pasting.paste(MatrixRole::Projection, printed(reversed, "JSON"));
+    pasting.paste(MatrixRole::View, printed(view(), "JSON"));
+    QVERIFY(pasting.says("Its depths are reversed") && pasting.says("far plane is at infinity"));
+    pasting.ok()->click();
+    SceneDocument &document = pasting.document;
+    QCOMPARE(document.geometry().depthRange, (DepthRange{1.0, 0.0}));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste Matrices"));
+    // The next one is not reversed: the depth range is as it was.
+    QVERIFY(document.editMatrices(MatrixProjection{lens(), std::nullopt}, std::nullopt, {"again"}));
+    QCOMPARE(document.geometry().depthRange, DepthRange{});
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QCOMPARE(document.geometry(), before);
+    QVERIFY(!document.givenProjection() && !document.givenView());
+    document.undoStack().redo();
+    QCOMPARE(document.givenProjection()->clipFromEye, reversed);
+}
+
+void TestPasteMatrices::theFileKeepsThemAsGiven()
+{
+    Pasting pasting;
+    pasting.paste(MatrixRole::Projection, printed(lens(), "JSON"));
+    pasting.paste(MatrixRole::View, printed(view(), "JSON"));
+    pasting.ok()->click();
+    SceneDocument &document = pasting.document;
+    const SceneFile file = saved(document);
+    QCOMPARE(std::get<MatrixProjection>(file.projection).clipFromEye, lens());
+    QCOMPARE(std::get<glm::dmat4>(file.view), view());
+    const auto scene = sceneFromFile(file, {}, {});
+    QVERIFY(scene && scene->given && scene->givenView);
+    QCOMPARE(scene->givenView->eyeFromWorld, view());
+    // Who turns the camera has another view, and still the projection; undone, the view is as given again.
+    LookAt camera = document.geometry().camera();
+    camera.eye.x += 1.0;
+    document.setCamera(camera);
+    QVERIFY(std::holds_alternative<LookAt>(saved(document).view));
+    QVERIFY(std::holds_alternative<MatrixProjection>(saved(document).projection));
+    document.undoStack().undo();
+    QVERIFY(std::holds_alternative<glm::dmat4>(saved(document).view));
+}
+
+void TestPasteMatrices::whatStillHoldsIsSaidInThePipeline()
+{
+    SceneDocument document;
+    document.setSurface(surfaceFromWidget(400, 300, 1.0));
+    document.setObjects(cubeScene());
+    PipelinePanel panel(document);
+    panel.resize(460, 2000);
+    panel.show();
+    glm::dmat4 turned = lens();
+    turned[1][1] = -turned[1][1];
+    QVERIFY(document.editMatrices(MatrixProjection{turned, std::nullopt}, view(), {"Paste Matrices"}));
+    const auto button = [&]() -> QPushButton * {
+        for (QPushButton *one : panel.findChildren<QPushButton *>()) {
+            if (one->text() == "Turn y Back" && one->isVisible())
+                return one;
+        }
+        return nullptr;
+    };
+    QVERIFY(button());
+    button()->click();
+    QCOMPARE(document.givenProjection()->clipFromEye, lens());
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Turn y Back"));
+    QVERIFY(!button());
+    document.undoStack().undo();
+    QVERIFY(button());
+}
+
+void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
+{
+    SceneDocument document;
+    document.setSurface(surfaceFromWidget(400, 300, 1.0));
+    document.setObjects(cubeScene());
+    PipelinePanel panel(document);
+    panel.resize(460, 2000);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QGuiApplication::clipboard()->setText(printed(view(), "Eigen"));
+    for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+        if (grid->model() != panel.model().matrix(PipelineStage::ViewMatrix))
+            continue;
+        grid->setFocus();
+        QTest::keySequence(grid, QKeySequence::Paste);
+    }
+    auto *dialog = panel.findChild<PasteMatricesDialog *>();
+    QVERIFY(dialog && dialog->isVisible());
+    QCOMPARE(dialog->findChildren<PastedMatrixBox *>().at(1)->text(), printed(view(), "Eigen"));
+    dialog->accept();
+    QCOMPARE(*document.givenView(), view());
+}
+
+void TestPasteMatrices::whatIsTypedInAMatrixStaysThere()
+{
+    const std::unique_ptr<MainWindow> window = shownWindow(false, {900, 700}, true);
+    PipelinePanel panel(window->document(), window.get());
+    panel.resize(400, 600);
+    panel.show();
+    NumberGrid *grid = panel.findChildren<NumberGrid *>().first();
+    grid->setFocus();
+    grid->setCurrentIndex(grid->model()->index(0, 0));
+    for (const Qt::Key key :
+         {Qt::Key_V, Qt::Key_E, Qt::Key_S, Qt::Key_M, Qt::Key_F, Qt::Key_P, Qt::Key_5, Qt::Key_Home}) {
+        QKeyEvent event(QEvent::ShortcutOverride, key, {},
+                        key == Qt::Key_Home ? QString() : QString(QChar(key)).toLower());
+        event.ignore();
+        QCoreApplication::sendEvent(grid, &event);
+        QVERIFY2(event.isAccepted(), qPrintable(QKeySequence(key).toString()));
+    }
+    // With Ctrl they are commands as everywhere.
+    QKeyEvent command(QEvent::ShortcutOverride, Qt::Key_1, Qt::ControlModifier, "1");
+    command.ignore();
+    QCoreApplication::sendEvent(grid, &command);
+    QVERIFY(!command.isAccepted());
+}
+
+QTEST_MAIN(TestPasteMatrices)
+#include "test_paste_matrices.moc"
