@@ -325,34 +325,33 @@ void PipelinePanel::arrange()
         return m_sections[static_cast<std::size_t>(stage)];
     };
     const bool isForward = m_model->direction() == PipelineDirection::Forward;
-    std::vector<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix), point(Space::World)};
+    QList<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix), point(Space::World)};
     if (isForward)
-        rows.insert(rows.end(), {m_givenView, m_givenViewFindings, section(PipelineStage::ViewMatrix)});
+        rows << m_givenView << m_givenViewFindings << section(PipelineStage::ViewMatrix);
     else
-        rows.insert(rows.end(), {section(PipelineStage::ViewMatrix), m_givenViewFindings, m_givenView});
-    rows.push_back(point(Space::Eye));
+        rows << section(PipelineStage::ViewMatrix) << m_givenViewFindings << m_givenView;
+    rows << point(Space::Eye);
     // The division comes after the projection on the way there, and after its inverse on the way back.
     if (isForward)
-        rows.insert(rows.end(), {m_given, m_givenFindings, section(PipelineStage::ProjectionMatrix), point(Space::Clip),
-                                 m_division});
+        rows << m_given << m_givenFindings << section(PipelineStage::ProjectionMatrix) << point(Space::Clip)
+             << m_division;
     else
-        rows.insert(rows.end(), {m_division, point(Space::Clip), section(PipelineStage::ProjectionMatrix),
-                                 m_givenFindings, m_given});
-    rows.insert(rows.end(), {point(Space::Ndc), section(PipelineStage::ViewportMatrix), point(Space::Window), m_flip,
-                             point(Space::Widget)});
+        rows << m_division << point(Space::Clip) << section(PipelineStage::ProjectionMatrix) << m_givenFindings
+             << m_given;
+    rows << point(Space::Ndc) << section(PipelineStage::ViewportMatrix) << point(Space::Window) << m_flip
+         << point(Space::Widget);
     if (!isForward)
         std::reverse(rows.begin(), rows.end());
-    rows.push_back(section(PipelineStage::ModelviewMatrix));
-    rows.push_back(section(PipelineStage::WholeMatrix));
+    rows << section(PipelineStage::ModelviewMatrix) << section(PipelineStage::WholeMatrix);
 
     while (QLayoutItem *item = m_rows->takeAt(0))
         delete item;
-    for (QWidget *row : rows)
+    for (QWidget *row : std::as_const(rows))
         m_rows->addWidget(row);
     m_rows->addStretch();
     // The Tab key follows the eye.
     QWidget *last = nullptr;
-    for (QWidget *row : rows) {
+    for (QWidget *row : std::as_const(rows)) {
         for (QWidget *child : row->findChildren<QWidget *>()) {
             if (child->focusPolicy() == Qt::NoFocus)
                 continue;
