@@ -8,7 +8,7 @@ namespace unprojector::gui {
 namespace {
 
 /// Of the methods' columns: "-1.23456" and all that a double has.
-constexpr int kLeastCharacters = 7;
+constexpr int kLeastCharacters = 8;
 constexpr int kMostCharacters = 19;
 constexpr int kMostInFloat = 10; // "-0.0000000"
 

@@ -256,8 +256,8 @@ void TestDocument::openingTellsWhenAllIsInPlace()
     int tellings = 0;
     connect(&document, &SceneDocument::changed, this, [&](Changes changes) {
         ++tellings;
-        QCOMPARE(changes, kSeen | Change::Pick | Change::GivenPoint | Change::Landmarks | Change::LandmarkSelection
-                              | Change::History);
+        QCOMPARE(changes, kSeen | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks
+                              | Change::LandmarkSelection | Change::History);
         QVERIFY(!document.pick() && !document.undoStack().canUndo());
         QVERIFY(!document.isModified() && !document.isEdited());
         QVERIFY(document.objects().empty() && document.bounds().isEmpty());
