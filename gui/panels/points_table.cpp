@@ -19,6 +19,13 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+namespace {
+
+// Characters of a name to be seen: names give way to the digits and their ±.
+constexpr int kLeastNameRoom = 12;
+constexpr int kMostNameRoom = 19;
+
+} // namespace
 
 PointsTable::PointsTable(SceneDocument &document, PointsModel *model, QWidget *parent)
     : QTreeView(parent), m_document(document), m_rows(new QSortFilterProxyModel(this))
@@ -92,6 +99,26 @@ void PointsTable::widenCoordinates(int first, int last)
         if (width > header()->sectionSize(column))
             header()->resizeSection(column, width);
     }
+    fitName();
+}
+
+void PointsTable::fitName()
+{
+    if (m_ownWidths.contains(PointsModel::Name))
+        return;
+    const QScopedValueRollback<bool> fitting(m_isFitting, true);
+    const int digit = QFontMetrics(font()).horizontalAdvance(u'0');
+    int others = 0;
+    for (int column = 0; column <= PointsModel::PlusMinus; ++column)
+        others += column == PointsModel::Name ? 0 : header()->sectionSize(column);
+    header()->resizeSection(PointsModel::Name,
+                            std::clamp(viewport()->width() - others, kLeastNameRoom * digit, kMostNameRoom * digit));
+}
+
+void PointsTable::resizeEvent(QResizeEvent *event)
+{
+    QTreeView::resizeEvent(event);
+    fitName();
 }
 
 void PointsTable::useFonts()
@@ -113,7 +140,7 @@ void PointsTable::fitColumns()
     m_ownWidths.clear();
     // As far as ± without scrolling in a panel of the usual width.
     fit(PointsModel::Number, 3);
-    fit(PointsModel::Name, 18);
+    fit(PointsModel::Name, kMostNameRoom - 1);
     for (const int column : {PointsModel::X, PointsModel::Y, PointsModel::Z})
         fit(column, PointsModel::kCoordinateRoom);
     fit(PointsModel::PlusMinus, 8);
@@ -125,9 +152,10 @@ void PointsTable::fitColumns()
 
 QSize PointsTable::sizeHint() const
 {
-    int width = 2 * frameWidth() + verticalScrollBar()->sizeHint().width(); // which comes with many points
+    int width = 2 * frameWidth() + verticalScrollBar()->sizeHint().width() // which comes with many points
+                + kLeastNameRoom * QFontMetrics(font()).horizontalAdvance(u'0');
     for (int column = 0; column <= PointsModel::PlusMinus; ++column)
-        width += header()->sectionSize(column);
+        width += column == PointsModel::Name ? 0 : header()->sectionSize(column);
     return {width, QTreeView::sizeHint().height()};
 }
 

@@ -37,12 +37,15 @@ signals:
 protected:
     void keyPressEvent(QKeyEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void useFonts();
     void fitColumns();
     /// Gives coordinates the room that those of some rows of the model need, but in columns whose width somebody has chosen.
     void widenCoordinates(int first, int last);
+    /// Names have the room that the columns up to ± leave.
+    void fitName();
     void showSelection();
     void tellSelection();
 
