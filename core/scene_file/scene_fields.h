@@ -4,6 +4,10 @@
 #include "core/scene_file/landmark_fields.h"
 #include "core/scene_file/scene_file.h"
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 namespace unprojector::scene_file {
 
 // What a scene file is made of, key by key, in the order in which it is written: see json_fields.h. Reading, writing,

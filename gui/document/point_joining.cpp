@@ -118,8 +118,10 @@ private:
         }
         std::vector<std::size_t> filled;
         for (std::size_t i = 0; i < m_points.size(); ++i) {
-            const auto found = m_isTaken[i] ? waiting.end() : waiting.find(keyOfName(m_points[i].name));
-            if (found == waiting.end())
+            if (m_isTaken[i])
+                continue;
+            const auto [found, past] = waiting.equal_range(keyOfName(m_points[i].name)); // the first of equal names
+            if (found == past)
                 continue;
             take(i, found->second);
             filled.push_back(found->second);

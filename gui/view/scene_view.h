@@ -46,8 +46,6 @@ public:
     /// device pixels, while the event's position is relative to the view's logical corner.
     WidgetPoint widgetPosition(const QPointF &local) const;
 
-    /// Whether a click places a point, where it is released; a drag navigates as ever. Marks of points are selected and dragged
-    /// in either case.
     /// Colours over the objects, below points, picks and crosshair; device pixels, null: none.
     void setMap(const QImage &map);
     /// How far this renderer moves corners, see DepthSample.
@@ -55,6 +53,8 @@ public:
     /// A widget over the upper right corner: while it is seen, the loupe stands beside it.
     void setCornerWidget(QWidget *widget) { m_corner = widget; }
 
+    /// Whether a click places a point, where it is released; a drag navigates as ever. Marks of points are selected and dragged
+    /// in either case.
     bool isPlacing() const { return m_isPlacing; }
     void setPlacing(bool isPlacing);
 
