@@ -120,10 +120,17 @@ void leaveOutside(WrongPoints &given, const Surface &surface)
     given = std::move(inside);
 }
 
-std::string depthAdvice(const Picture &picture)
+/// Which of the points has a depth that is refused, and what to do about it.
+std::string depthRefused(const WrongPoints &given, double depth, const Picture &picture)
 {
-    return "; the scene's go from " + shortestText(picture.depthRange.atNear) + " to "
-           + shortestText(picture.depthRange.atFar) + ". A distance is no depth: leave it out";
+    const auto refused = std::find_if(given.points.begin(), given.points.end(),
+                                      [depth](const WrongPoint &point) { return point.depth == depth; });
+    const std::string place = refused == given.points.end() || given.names.front() == "--pixel"
+                                  ? "--depth"
+                                  : given.names[std::size_t(refused - given.points.begin())] + ": depth";
+    return place + ' ' + shortestText(depth) + ": lies outside the depth range; the scene's go from "
+           + shortestText(picture.depthRange.atNear) + " to " + shortestText(picture.depthRange.atFar)
+           + ". A distance is no depth: leave it out";
 }
 
 } // namespace
@@ -167,10 +174,8 @@ ExitCode runDoctor(const DoctorOptions &options)
     const Result<Diagnosis> diagnosis = diagnose(*scene, given.points);
     if (!diagnosis) {
         const Error &error = diagnosis.error();
-        complain(error.code == ErrorCode::DepthOutsideRange
-                     ? "--depth " + shortestText(error.value) + ": lies outside the depth range"
-                           + depthAdvice(scene->picture)
-                     : options.scene + ": " + errorText(error));
+        complain(error.code == ErrorCode::DepthOutsideRange ? depthRefused(given, error.value, scene->picture)
+                                                            : options.scene + ": " + errorText(error));
         return ExitCode::UnusableInput;
     }
     ByteSink sink;

@@ -59,8 +59,10 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
     }
     Result<SceneOrClicks, SceneFileError> given = parseSceneOrClicks(*text, name);
     constexpr std::size_t kStart = 512;
-    const std::string advice = given ? std::string() : mesh_reader::adviceByContents(text->substr(0, kStart), "json");
+    std::string advice = given ? std::string() : mesh_reader::adviceByContents(text->substr(0, kStart), "json");
     if (!advice.empty()) {
+        if (const std::size_t dot = file.rfind('.'); dot != file.npos && advice.ends_with(file.substr(dot)))
+            advice = "it is a model; open it in the window, and give the scene that File > Save Scene writes";
         complain(name + ": is no scene; "
                  + (file == "-" ? "a model is not read from standard input, give it by its name" : advice));
         return std::nullopt;

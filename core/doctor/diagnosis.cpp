@@ -333,10 +333,28 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     return diagnosis;
 }
 
+bool isSame(const WrongPoint &a, const WrongPoint &b)
+{
+    return a.pixel.x == b.pixel.x && a.pixel.y == b.pixel.y && a.depth == b.depth && a.got == b.got
+           && a.space == b.space && a.model == b.model;
+}
+
+/// What is said twice is no further evidence.
+std::vector<WrongPoint> withoutRepetitions(std::span<const WrongPoint> points)
+{
+    std::vector<WrongPoint> different;
+    for (const WrongPoint &point : points) {
+        if (std::none_of(different.begin(), different.end(), [&](const WrongPoint &p) { return isSame(p, point); }))
+            different.push_back(point);
+    }
+    return different;
+}
+
 } // namespace
 
-Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> points)
+Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
 {
+    const std::vector<WrongPoint> points = withoutRepetitions(given);
     Result<Diagnosis> exact = diagnosed(scene, points, std::numeric_limits<double>::epsilon());
     if (!exact || exact->verdict != "unknown")
         return exact;

@@ -100,6 +100,7 @@ private slots:
     void theLandingSortsMistakes();
     void theNextClickTellsCandidatesApart();
     void severalPointsSettleIt();
+    void aPointThatIsRepeatedCountsOnce();
     void withoutADepthTheRayJudges();
     void theMeshKnowsTheDepth();
     void aRoundedDepthIsAllowedFor();
@@ -304,6 +305,17 @@ void TestDoctor::severalPointsSettleIt()
     // One of them is of another program: no mistake explains all.
     points[1].got.x += 0.8;
     QCOMPARE(diagnose(of, points).value().verdict, std::string("unknown"));
+}
+
+void TestDoctor::aPointThatIsRepeatedCountsOnce()
+{
+    const Case of = scene();
+    const WrongPoint point = pointAt(of, WorldPoint(kTruth), {-1.2, 0.9, 1.4}, 1);
+    const Diagnosis once = diagnosed(of, point);
+    const Diagnosis often = diagnose(of, std::vector(5, point)).value();
+    QCOMPARE(often.verdict, once.verdict);
+    QCOMPARE(often.chance, once.chance);
+    QCOMPARE(often.digitsGiven, once.digitsGiven);
 }
 
 void TestDoctor::withoutADepthTheRayJudges()
