@@ -31,14 +31,15 @@ void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem 
     const qsizetype power = length.toInt() > 0 && text.contains(u'e') ? text.indexOf(u'e') : text.size();
     const qsizetype end = std::min<qsizetype>(length.toInt(), power);
     const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
-    QRect area = item.rect.adjusted(margin, 0, -margin, 0);
+    QRectF area = item.rect.adjusted(margin, 0, -margin, 0);
+    const QFontMetricsF metrics(item.font);
     painter->save();
     painter->setFont(item.font);
     for (const auto &[part, color] : {std::pair(text.mid(power), ink), std::pair(text.mid(end, power - end), grey),
                                       std::pair(text.left(end), ink)}) {
         painter->setPen(color);
-        painter->drawText(area, Qt::AlignRight | Qt::AlignVCenter, part);
-        area.setRight(area.right() - item.fontMetrics.horizontalAdvance(part));
+        painter->drawText(area, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, part);
+        area.setRight(area.right() - metrics.horizontalAdvance(part));
     }
     painter->restore();
 }

@@ -13,6 +13,7 @@
 #include <QKeyEvent>
 
 #include <algorithm>
+#include <cmath>
 
 namespace unprojector::gui {
 
@@ -55,12 +56,14 @@ int CoordinatesTable::columnWidthFor(int column, int characters) const
 {
     const int head =
         horizontalHeader()->fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString());
-    return std::max(characters * fontMetrics().horizontalAdvance(u'0'), head) + kPadding;
+    // Digits are not always a whole number of pixels wide.
+    const int digits = int(std::ceil(characters * QFontMetricsF(font()).horizontalAdvance(QStringLiteral("0"))));
+    return std::max(digits, head) + kPadding;
 }
 
 int CoordinatesTable::charactersIn(int column) const
 {
-    return (columnWidth(column) - kPadding) / fontMetrics().horizontalAdvance(u'0');
+    return int((columnWidth(column) - kPadding) / QFontMetricsF(font()).horizontalAdvance(QStringLiteral("0")));
 }
 
 void CoordinatesTable::fitColumns()

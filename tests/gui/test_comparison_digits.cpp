@@ -26,6 +26,7 @@ private slots:
     void allThatIsCertainIsShownWhereThereIsRoom();
     void eachAxisHasItsOwnUncertainty();
     void coordinatesOfASurveyCanBeReadAtAnyWidth();
+    void signsFitWhereDigitsAreNoWholeNumberOfPixels();
     void theFirstDigitsGiveWay_data();
     void theFirstDigitsGiveWay();
     void greyDigitsCanBeRead_data();
@@ -214,6 +215,34 @@ void TestComparisonDigits::coordinatesOfASurveyCanBeReadAtAnyWidth()
             QCOMPARE(text(1, ComparisonModel::Certain), QStringLiteral("500000.457"));
             QCOMPARE(text(2, ComparisonModel::Certain), QStringLiteral("300.8"));
             QVERIFY(!text(0, ComparisonModel::MatrixInFloat).contains(u'e'));
+        }
+    }
+}
+
+/// As those of Chinese fonts: fourteen digits are then wider than fourteen times the whole pixels of one.
+void TestComparisonDigits::signsFitWhereDigitsAreNoWholeNumberOfPixels()
+{
+    const glm::dvec3 at(-3.93308627226, -0.56609392602, -15.5710586906);
+    const Pick pick = pickWith(at, at, at, 5e-9);
+    PanelOfPicks panel;
+    panel.show();
+    auto *table = panel.findChild<QTableView *>();
+    QFont font = table->font();
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.9);
+    table->setFont(font);
+    const QFontMetricsF metrics(table->font());
+    const int margin = table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, table) + 1;
+    for (const int width : {440, 460, 480, 500}) {
+        panel.resize(width, 760);
+        static_cast<void>(panel.grab()); // laid out
+        panel.setPick(pick);
+        for (const int column : {ComparisonModel::Certain, ComparisonModel::Formula, ComparisonModel::Matrix}) {
+            for (int row = 0; row < 3; ++row) {
+                const QString text = table->model()->index(row, column).data().toString();
+                QVERIFY2(text.startsWith(u'-'), qPrintable(text));
+                QVERIFY2(metrics.horizontalAdvance(text) + 2 * margin <= table->columnWidth(column),
+                         qPrintable(QStringLiteral("%1 at %2").arg(text).arg(width)));
+            }
         }
     }
 }
