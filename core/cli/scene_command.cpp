@@ -12,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace unprojector::cli {
 using namespace scene_file;
@@ -58,27 +59,33 @@ std::optional<Pasted> pasted(const std::vector<std::string> &words)
 }
 
 /// The window's size: asked for, or up to where the viewport reaches.
-bool setWindow(const SceneOptions &options, const Viewport &viewport, SceneFile &scene)
+/// @param viewport   in pixels from the bottom left; where they count from the top, from the window's top left corner with y up
+/// @return in pixels from the bottom left; nothing where there is no such window, which is said
+std::optional<Viewport> setWindow(const SceneOptions &options, Viewport viewport, bool isFromTop, SceneFile &scene)
 {
-    if (options.window.empty()) {
-        const double width = std::ceil(viewport.x + viewport.width), height = std::ceil(viewport.y + viewport.height);
+    const double bottomFromTop = -viewport.y;
+    if (!options.window.empty()) {
+        const std::optional<SizeGiven> size = sizeGiven("--window", options.window);
+        if (!size)
+            return std::nullopt;
+        scene.windowWidth = size->width;
+        scene.windowHeight = size->height;
+    } else {
+        const double width = std::ceil(viewport.x + viewport.width),
+                     height = std::ceil(isFromTop ? bottomFromTop : viewport.y + viewport.height);
         if (!(width >= 1.0 && height >= 1.0 && width <= kMostWindowPixels && height <= kMostWindowPixels)) {
             complain("viewport: it reaches beyond any window; give four numbers, x y width height, in pixels");
-            return false;
+            return std::nullopt;
         }
         scene.windowWidth = static_cast<int>(width);
         scene.windowHeight = static_cast<int>(height);
-        if (viewport.x > 0.0 || viewport.y > 0.0)
+        if (viewport.x > 0.0 || (isFromTop ? bottomFromTop - viewport.height : viewport.y) > 0.0)
             complain("the window is taken to end where the viewport does, at " + std::to_string(scene.windowWidth) + "x"
                      + std::to_string(scene.windowHeight) + "; py counts from its top: --window says its size");
-        return true;
     }
-    const std::optional<SizeGiven> size = sizeGiven("--window", options.window);
-    if (!size)
-        return false;
-    scene.windowWidth = size->width;
-    scene.windowHeight = size->height;
-    return true;
+    if (isFromTop)
+        viewport.y += scene.windowHeight;
+    return viewport;
 }
 
 /// What can be done about a finding, by an option or by hand.
@@ -104,6 +111,11 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order)
     return {};
 }
 
+bool isOriginTop(const SceneOptions &options)
+{
+    return conventionsOf(options.conventions.value_or(Api::OpenGl)).isOriginTop;
+}
+
 class Taker {
 public:
     Taker(const SceneOptions &options, const std::string &name) : m_options(options), m_name(name) {}
@@ -119,6 +131,23 @@ public:
         }
         // The eye between the two may look either way.
         return oursFromApi({given * viewFromOurs(glm::dmat4(1.0), api()), {}}, api()).clipFromEye;
+    }
+
+    /// What a matrix from NDC to the window says of viewport and depth range. Where pixels count from the top, y is 0 there.
+    ViewportAndDepths viewport(const PastedMatrix &pasted) const
+    {
+        // The window's height is not known yet: 0.
+        const ApiSpaces spaces = apiSpaces(Picture(), api());
+        AxisChange window = spaces.window;
+        window.scale.z = 1.0;
+        window.shift.z = 0.0;
+        const glm::dmat4 ours =
+            window.inverse().matrix() * matrixOf(pasted.numbers, order(pasted)) * spaces.clip.matrix();
+        ViewportAndDepths result =
+            viewportOf(ours, conventionsOf(api()).hasOnlyThatDepth ? NdcDepth::MinusOneToOne : m_options.depth);
+        if (conventionsOf(api()).isDepthReversed)
+            std::swap(result.depthRange.atNear, result.depthRange.atFar);
+        return result;
     }
 
     /// NDC depths that are known.
@@ -159,6 +188,25 @@ private:
     const SceneOptions &m_options;
     const std::string &m_name;
 };
+
+/// Viewport, depth range and window.
+/// @return whether there are such; what is wrong is said on stderr
+bool setViewport(const SceneOptions &options, const PastedScene &pasted, const std::string &name, SceneFile &scene)
+{
+    if (!pasted.viewportMatrix) {
+        scene.viewport = setWindow(options, *pasted.viewport, false, scene);
+        return scene.viewport.has_value();
+    }
+    const auto &[viewport, depthRange] = Taker(options, name).viewport(*pasted.viewportMatrix);
+    if (viewport.height < 0.0) {
+        complain(name + ": viewport: its matrix turns y round, as where pixels count "
+                 + (isOriginTop(options) ? "from the bottom" : "from the top") + ": --conventions says whose it is");
+        return false;
+    }
+    scene.depthRange = depthRange;
+    scene.viewport = setWindow(options, viewport, isOriginTop(options), scene);
+    return scene.viewport.has_value();
+}
 
 /// Projection and view as pasted; what options ask for is done to them, and what else is to be seen of them is said.
 void setMatrices(const SceneOptions &options, const PastedScene &pasted, const std::string &name, SceneFile &scene)
@@ -233,10 +281,7 @@ ExitCode runScene(const SceneOptions &options)
     }
 
     SceneFile scene;
-    scene.viewport = *numbers->viewport;
-    if (numbers->depthRange)
-        scene.depthRange = *numbers->depthRange;
-    if (!setWindow(options, *scene.viewport, scene))
+    if (!setViewport(options, *numbers, given->name, scene))
         return ExitCode::UnusableInput;
     setMatrices(options, *numbers, given->name, scene);
 

@@ -198,8 +198,10 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
     }
     if (determinant < 0.0)
         found.push_back({MatrixFault::Mirrored, MatrixRepair::TurnX});
-    if (const auto printedOff = roundedOff(m))
-        found = {{MatrixFault::Rounded, MatrixRepair::Orthonormal, *printedOff}};
+    if (const auto printedOff = roundedOff(m)) {
+        std::erase_if(found, [](const MatrixFinding &one) { return one.fault == MatrixFault::Scaled; });
+        found.insert(found.begin(), {MatrixFault::Rounded, MatrixRepair::Orthonormal, *printedOff});
+    }
     const dmat4 inverse = glm::inverse(m);
     constexpr double kInTheMiddle = 0.5;
     const auto otherOff = originOffMiddle(inverse, clipFromEye);

@@ -1,6 +1,7 @@
 #include "core/matrices/matrix_paste.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace unprojector::matrices {
 namespace {
@@ -82,6 +83,11 @@ std::optional<Viewport> MatrixPaste::viewport() const
     for (const Place &one : m_places) {
         if (one.parts.viewport)
             return one.parts.viewport;
+        if (const auto &given = one.parts.viewportMatrix) {
+            Viewport viewport = viewportOf(matrixOf(given->numbers, orderOf(given->form)), {}).viewport;
+            viewport.height = std::abs(viewport.height); // pixels may count from the top
+            return viewport;
+        }
     }
     return std::nullopt;
 }

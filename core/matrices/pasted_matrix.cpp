@@ -172,21 +172,6 @@ PasteError countError(const Part &part, std::size_t all)
     return error;
 }
 
-/// x, y, width and height, or what the matrix from NDC to the window says.
-void readViewport(const std::vector<PastedNumber> &numbers, PastedScene &scene)
-{
-    if (numbers.size() == 4) {
-        scene.viewport = {numbers[0].value, numbers[1].value, numbers[2].value, numbers[3].value};
-        return;
-    }
-    const PastedMatrix pasted = assembled(numbers);
-    const glm::dmat4 m = matrixOf(pasted.numbers, orderOf(pasted.form));
-    scene.viewport = {m[3][0] - m[0][0], m[3][1] - m[1][1], 2.0 * m[0][0], 2.0 * m[1][1]};
-    // By NDC depths in [-1, 1]; where that is no depth range of a window, by those in [0, 1].
-    const bool isUsual = std::abs(m[3][2] - 0.5) + std::abs(m[2][2]) <= 0.5;
-    scene.depthRange = {isUsual ? m[3][2] - m[2][2] : m[3][2], m[3][2] + m[2][2]};
-}
-
 } // namespace
 
 NumberOrder orderOf(MatrixForm form)
@@ -210,6 +195,16 @@ glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order)
         (order == NumberOrder::ByRows ? m[inner][outer] : m[outer][inner]) = numbers[std::size_t(i)];
     }
     return m;
+}
+
+ViewportAndDepths viewportOf(const glm::dmat4 &windowFromNdc, const std::optional<NdcDepth> &depth)
+{
+    const glm::dmat4 &m = windowFromNdc;
+    constexpr double kPrinted = 1e-6; // what single precision leaves
+    const bool isMinusOneToOne =
+        depth ? *depth == NdcDepth::MinusOneToOne : std::abs(m[3][2] - 0.5) + std::abs(m[2][2]) <= 0.5 + kPrinted;
+    return {{m[3][0] - m[0][0], m[3][1] - m[1][1], 2.0 * m[0][0], 2.0 * m[1][1]},
+            {isMinusOneToOne ? m[3][2] - m[2][2] : m[3][2], m[3][2] + m[2][2]}};
 }
 
 const char *nameOf(PastedPart part)
@@ -269,8 +264,11 @@ Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
     scene.model = matrix(PastedPart::Model);
     scene.projection = matrix(PastedPart::Projection);
     scene.product = matrix(PastedPart::Product);
-    if (parts.has(PastedPart::Viewport))
-        readViewport(parts[PastedPart::Viewport].numbers, scene);
+    const std::vector<PastedNumber> &viewport = parts[PastedPart::Viewport].numbers;
+    if (viewport.size() == 4)
+        scene.viewport = {viewport[0].value, viewport[1].value, viewport[2].value, viewport[3].value};
+    else
+        scene.viewportMatrix = matrix(PastedPart::Viewport);
     return scene;
 }
 

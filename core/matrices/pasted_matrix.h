@@ -41,6 +41,16 @@ NumberOrder orderOf(MatrixForm form);
 /// The matrix that sixteen numbers are in an order: column vectors.
 glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order);
 
+struct ViewportAndDepths {
+    Viewport viewport;
+    DepthRange depthRange;
+};
+
+/// What a matrix from NDC to the window stands for: column vectors, window positions in pixels from the bottom left.
+/// @param depth  the NDC depths it goes by; unknown, those in [-1, 1], unless that gives no depth range of a window
+/// @return width and height less than 0 where the matrix turns x or y round
+ViewportAndDepths viewportOf(const glm::dmat4 &windowFromNdc, const std::optional<NdcDepth> &depth);
+
 /// What a text may say of a scene's matrices. Those behind a name are that part's; model is world from object, product the
 /// projection times the view, or times the modelview. ToWindow, the viewport's matrix times that, and what else is said of a
 /// window, follows from the others.
@@ -50,7 +60,7 @@ const char *nameOf(PastedPart part);
 struct PastedScene {
     std::optional<PastedMatrix> modelView, view, model, projection, product;
     std::optional<Viewport> viewport;
-    std::optional<DepthRange> depthRange; ///< where the viewport is given as a matrix, window from NDC
+    std::optional<PastedMatrix> viewportMatrix; ///< window from NDC, where the viewport is given as that
     std::vector<PastedPart> more; ///< of which there are several, as of several objects: only the first is taken
 };
 
@@ -62,7 +72,8 @@ struct PasteError {
     std::size_t all = 0; ///< numbers in the text
 };
 
-/// One matrix. Brackets, commas, quotes and words are passed over, and so are subscripts (m[3], m(0,1), "3":).
+/// One matrix. Brackets, commas, quotes and words are passed over, and so are subscripts (m[3], m(0,1), "3":) and the
+/// numbers in comments, lines that begin with #, % or //.
 /// @return 16 numbers; what is wrong with them
 Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
 

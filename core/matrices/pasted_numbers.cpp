@@ -153,6 +153,11 @@ private:
     void readMark()
     {
         const char c = m_text[m_at];
+        // A name may have one bracket of two.
+        if (c != '\n' && isComment(m_at)) {
+            ++m_at;
+            return;
+        }
         if (c == '[' || c == '(') {
             const bool isBehindName = m_at > 0 && (isWordCharacter(m_text[m_at - 1]) || m_text[m_at - 1] == ']');
             std::size_t end = 0;
@@ -214,6 +219,14 @@ private:
                && (isDigit(before[last]) || std::string_view("[({,;.").find(before[last]) != before.npos);
     }
 
+    /// Whether the line is a comment: its numbers are said of a matrix, they are none of it. Its words may name one.
+    bool isComment(std::size_t at) const
+    {
+        std::string_view before = m_text.substr(m_lineStart, at - m_lineStart);
+        before.remove_prefix(std::min(before.find_first_not_of(" \t"), before.size()));
+        return before.starts_with('#') || before.starts_with('%') || before.starts_with("//");
+    }
+
     PasteError wordError(const std::string &word, std::size_t start) const
     {
         PasteError error;
@@ -233,6 +246,11 @@ private:
             m_at += isSign ? kMinusSign.size() : 1;
         }
         const std::optional<double> value = numberOf(word);
+        if (isComment(start)) {
+            if (!value)
+                name(word, start);
+            return std::nullopt;
+        }
         // Qt prints the size of a rectangle as 300x200.
         if (const std::size_t cross = word.find('x'); m_part == PastedPart::Viewport && cross != word.npos) {
             const auto width = numberOf(word.substr(0, cross)), height = numberOf(word.substr(cross + 1));

@@ -84,7 +84,7 @@ std::optional<TakenApart> boxTakenApart(const dmat4 &clipFromWorld)
     const dmat4 m = clipFromWorld / result.w;
     const dvec3 x = axesOfRow(m, 0), y = axesOfRow(m, 1), z = axesOfRow(m, 2);
     const double xScale = glm::length(x), height = glm::length(y), depth = glm::length(z);
-    const double rounding = 4.0 * printedUnit(m);
+    const double rounding = 4.0 * printedUnit(clipFromWorld) / std::abs(result.w);
     const auto arePerpendicular = [rounding](const dvec3 &a, double lengthOfA, const dvec3 &b, double lengthOfB) {
         return std::abs(glm::dot(a, b))
                <= std::max(10.0 * kPrinted * lengthOfA * lengthOfB, rounding * (lengthOfA + lengthOfB));

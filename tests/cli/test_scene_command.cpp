@@ -23,6 +23,7 @@ private slots:
     void matricesComeBackAsTheyWere();
     void whatMatricesPrintsIsTaken_data();
     void whatMatricesPrintsIsTaken();
+    void aViewportFromTheTopIsTurned();
     void viewportsAreReadAsTheyArePrinted_data();
     void viewportsAreReadAsTheyArePrinted();
     void fileAndWindow();
@@ -105,29 +106,84 @@ void TestSceneCommand::matricesComeBackAsTheyWere()
 void TestSceneCommand::whatMatricesPrintsIsTaken_data()
 {
     QTest::addColumn<QString>("format");
-    for (const char *format : {"text", "c", "numpy", "json", "latex"})
-        QTest::newRow(format) << format;
+    QTest::addColumn<QString>("conventions");
+    const auto add = [](const char *format, const char *conventions) {
+        QTest::addRow("%s, %s", format, conventions) << format << conventions;
+    };
+    for (const char *format : {"text", "c", "numpy", "json", "latex"}) {
+        add(format, "opengl");
+        add(format, "direct3d");
+    }
+    // But OpenCV's, which are R, t and K.
+    for (const char *conventions : {"vulkan", "metal", "webgpu", "threejs", "unity", "opencascade"})
+        add("text", conventions);
 }
 
 void TestSceneCommand::whatMatricesPrintsIsTaken()
 {
     QFETCH(QString, format);
+    QFETCH(QString, conventions);
+    // Depths from 0.3 to 1.
     const QByteArray numbers = "modelview 0.8 0 0.6 0  0 1 0 0  -0.6 0 0.8 0  1e-9 0 -5 1 projection " + kProjection
-                               + " viewport 10 20 400 300";
-    const QByteArray none = R"("objects": [])",
-                     two = R"("objects": [{"name": "a", "bundled": "cube"}, {"name": "b", "bundled": "cube"}])";
+                               + " viewport 200 0 0 0  0 150 0 0  0 0 0.35 0  210 170 0.65 1";
+    const QByteArray
+        none = R"("objects": [])",
+        two =
+            R"x("objects": [{"name": "a", "bundled": "cube"}, {"name": "face (2)", "bundled": "cube"}, {"name": "[3 f", "bundled": "cube"}])x";
     const Run scene = runCommand({"scene", "--window", "500x400", "--from-matrices", "-"}, numbers);
     QCOMPARE(scene.exitCode, 0);
     QByteArray withObjects = scene.output;
     QVERIFY(withObjects.contains(none));
     withObjects.replace(none, two);
+    const QString points = "px,py,depth\n20,90,0.3\n400,300,0.75\n";
+    const auto unprojected = [&](const QByteArray &text) {
+        QList<double> world;
+        for (const QByteArray &line :
+             runCommand({"points", m_folder.write("taken.json", text)}, points.toUtf8()).lines().mid(1)) {
+            for (const QByteArray &cell : line.split(',').mid(0, 9))
+                world << cell.toDouble();
+        }
+        return world;
+    };
+    const QList<double> expected = unprojected(scene.output);
+    QCOMPARE(expected.size(), 18);
     for (const QByteArray &text : {scene.output, withObjects}) {
-        const Run matrices = runCommand({"matrices", "--format", format, m_folder.write("printed.json", text)});
+        const Run matrices = runCommand(
+            {"matrices", "--format", format, "--conventions", conventions, m_folder.write("printed.json", text)});
         QCOMPARE(matrices.exitCode, 0);
-        const Run again = runCommand({"scene", "--window", "500x400", "--from-matrices", "-"}, matrices.output);
+        const Run again = runCommand(
+            {"scene", "--conventions", conventions, "--window", "500x400", "--from-matrices", "-"}, matrices.output);
         QVERIFY2(again.errors.contains("product: left out"), again.errors.constData());
-        QCOMPARE(again.output, scene.output);
+        const QList<double> found = unprojected(again.output);
+        QCOMPARE(found.size(), expected.size());
+        for (qsizetype i = 0; i < found.size(); ++i)
+            QVERIFY2(std::abs(found[i] - expected[i]) <= 1e-12, again.output.constData());
+        QVERIFY(again.output.contains("\"viewport\": {\"x\": 10, \"y\": 20, \"width\": 400, \"height\": 300}"));
     }
+    // Without conventions, to the last digit.
+    const Run plain = runCommand({"matrices", "--format", format, m_folder.write("plain.json", withObjects)});
+    QCOMPARE(runCommand({"scene", "--window", "500x400", "--from-matrices", "-"}, plain.output).output, scene.output);
+}
+
+void TestSceneCommand::aViewportFromTheTopIsTurned()
+{
+    // x 10, y 30 from the top, 400 x 300.
+    const QByteArray viewport = "viewport 200 0 0 0  0 -150 0 0  0 0 1 0  210 180 0 1 ";
+    const QByteArray text = viewport + "view " + kModelview + " projection 1 0 0 0  0 1 0 0  0 0 -1.5 -1  0 0 -1.5 0";
+    const Run alone = runCommand({"scene", "--conventions", "metal", "--from-matrices", "-"}, text);
+    QVERIFY(alone.errors.contains("the window is taken to end where the viewport does, at 410x330"));
+    const Run scene =
+        runCommand({"scene", "--conventions", "metal", "--window", "500x400", "--from-matrices", "-"}, text);
+    QCOMPARE(scene.errors, QByteArray());
+    // The near plane's top left corner, 30 pixels from the top.
+    for (const Run &run : {alone, scene}) {
+        const Run points = runCommand({"points", "--method", "formula", m_folder.write("top.json", run.output)},
+                                      "px,py,depth\n10,30,0\n");
+        QVERIFY2(points.output.endsWith("\n10,30,0,-1,1,4\n"), points.output.constData());
+    }
+    const Run unsaid = runCommand({"scene", "--from-matrices", "-"}, text);
+    QCOMPARE(unsaid.exitCode, 2);
+    QVERIFY2(unsaid.errors.contains("where pixels count from the top: --conventions says whose it is"), unsaid.errors);
 }
 
 void TestSceneCommand::viewportsAreReadAsTheyArePrinted_data()
@@ -207,6 +263,10 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
         << "projection " + kProjection + " modelview 0.7071 0 0.7071 0  0 1 0 0  -0.7071 0 0.7071 0  0 0 -5 1 viewport "
                + kViewport
         << QStringList{"--orthonormal"} << none;
+    QTest::newRow("four decimals, mended, mirrored")
+        << "projection " + kProjection + " modelview -0.7071 0 0.7071 0  0 1 0 0  0.7071 0 0.7071 0  0 0 -5 1 viewport "
+               + kViewport
+        << QStringList{"--orthonormal"} << QByteArray("stdin: modelview: is mirrored: its axes are left-handed\n");
     QTest::newRow("negated") << "MVP -1 0 0 0  0 -1 0 0  0 0 2 1  0 0 -7 -5 viewport " + kViewport << QStringList()
                              << QByteArray(
                                     "stdin: product: has every entry with the other sign: the same points, but w < "
