@@ -22,6 +22,12 @@ Picture framed(const Picture &picture, const std::vector<SceneObject> &objects)
     return framing.picture();
 }
 
+bool isReversed(const std::optional<GivenProjection> &given)
+{
+    const auto form = given ? recognised(given->matrix) : Error{};
+    return form && form->reversed;
+}
+
 } // namespace
 
 SceneDocument::Telling::Telling(SceneDocument &document) : m_document(document)
@@ -268,9 +274,8 @@ Check SceneDocument::editMatrices(const std::optional<MatrixProjection> &project
     Picture picture = geometry();
     picture.depthRange = settings.depthRange;
     if (projection) {
-        // A reversed matrix has turned the depth range round; with it that goes.
-        const MatrixProjection *before = givenProjection();
-        if (const auto form = before ? recognised(*before) : Error{}; form && form->reversed)
+        // A reversed matrix has turned the depth range round, whatever became of the projection since; with it that goes.
+        if (isReversed(settings.given))
             std::swap(picture.depthRange.atNear, picture.depthRange.atFar);
         picture.lens = *projection;
     }
@@ -296,6 +301,9 @@ Check SceneDocument::editViewport(const ViewportRule &rule, const DepthRange &ra
 {
     SceneSettings settings = m_state.settings;
     settings.viewport = rule;
+    // A depth range that the user has set is not the one that a reversed matrix had turned round.
+    if (settings.depthRange != range && isReversed(settings.given) && !givenProjection())
+        settings.given.reset();
     settings.depthRange = range;
     return edit(std::move(settings), deed);
 }

@@ -217,7 +217,10 @@ QWidget *PipelinePanel::createSwitches()
     auto *paste = new QPushButton(tr("P&aste…"));
     paste->setToolTip(tr("Take the camera from matrices that another program prints (Ctrl+V here)"));
     paste->setAccessibleName(tr("Paste matrices"));
-    connect(paste, &QPushButton::clicked, this, [this] { PasteMatricesDialog::open(m_document, window()); });
+    connect(paste, &QPushButton::clicked, this, [this] {
+        emit aboutToPaste();
+        PasteMatricesDialog::open(m_document, window());
+    });
     third->addWidget(m_digitsSwitch);
     third->addStretch();
     third->addWidget(paste);
@@ -518,6 +521,7 @@ void PipelinePanel::keyPressEvent(QKeyEvent *event)
         role = MatrixRole::View;
     else if (hasFocus(m_sections[std::size_t(PipelineStage::WholeMatrix)]))
         role = MatrixRole::Product;
+    emit aboutToPaste();
     PasteMatricesDialog::open(m_document, window(), role, QGuiApplication::clipboard()->text());
 }
 

@@ -41,6 +41,10 @@ public:
 
     QSize sizeHint() const override;
 
+signals:
+    /// Matrices are about to be pasted: what is being typed anywhere counts first, it was meant for this camera.
+    void aboutToPaste();
+
 protected:
     void showEvent(QShowEvent *event) override;
     /// Paste: sixteen numbers and more are matrices of another program, those on a section its own.

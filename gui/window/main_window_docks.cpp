@@ -98,6 +98,7 @@ void MainWindow::createPanels()
     m_seriesPanel = new SeriesPanel(*m_series);
     auto *pipeline = new PipelinePanel(*m_document);
     connect(m_session, &Session::typedToCount, pipeline, &PipelinePanel::applyTyped);
+    connect(pipeline, &PipelinePanel::aboutToPaste, m_session, &Session::typedToCount);
     pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself
     m_doctor = new DoctorPanel(*m_document);
     const auto scrolled = [](QWidget *panel) { return new PanelScroll(panel); };

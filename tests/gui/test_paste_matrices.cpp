@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -166,6 +167,7 @@ private slots:
     void whatIsNoMatrixIsSaid_data();
     void whatIsNoMatrixIsSaid();
     void oneStepIsUndone();
+    void theSameTextGivesTheSameDepths();
     void theFileKeepsThemAsGiven();
     void whatStillHoldsIsSaidInThePipeline();
     void pasteInThePipelineOpensTheDialog();
@@ -381,6 +383,33 @@ void TestPasteMatrices::oneStepIsUndone()
     QCOMPARE(document.givenProjection()->clipFromEye, reversed);
 }
 
+void TestPasteMatrices::theSameTextGivesTheSameDepths()
+{
+    Pasting pasting;
+    SceneDocument &document = pasting.document;
+    glm::dmat4 reversed = lens();
+    reversed[2][2] = 0.0;
+    reversed[3][2] = 2.0;
+    const auto paste = [&document](const glm::dmat4 &matrix) {
+        return document.editMatrices(MatrixProjection{matrix, std::nullopt}, std::nullopt, {"Paste"}).hasValue();
+    };
+    const auto changeProjection = [&document] {
+        const Projection other = Ortho{-1.0, 1.0, -1.0, 1.0, 1.0, 9.0};
+        return document.editProjection({other, false, false}, {"Projection"}).hasValue();
+    };
+    for (int time = 0; time < 2; ++time) {
+        QVERIFY(paste(reversed) && changeProjection());
+        QCOMPARE(document.geometry().depthRange, (DepthRange{1.0, 0.0}));
+    }
+    QVERIFY(paste(lens()));
+    QCOMPARE(document.geometry().depthRange, DepthRange{});
+    // A range that was set since stays.
+    QVERIFY(paste(reversed) && changeProjection());
+    QVERIFY(document.editViewport(document.scene().viewport, {0.25, 0.75}, {"Depth range"}));
+    QVERIFY(paste(lens()));
+    QCOMPARE(document.geometry().depthRange, (DepthRange{0.25, 0.75}));
+}
+
 void TestPasteMatrices::theFileKeepsThemAsGiven()
 {
     Pasting pasting;
@@ -441,12 +470,14 @@ void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
     panel.show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
     QGuiApplication::clipboard()->setText(printed(view(), "Eigen"));
+    const QSignalSpy typedCounts(&panel, &PipelinePanel::aboutToPaste);
     for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
         if (grid->model() != panel.model().matrix(PipelineStage::ViewMatrix))
             continue;
         grid->setFocus();
         QTest::keySequence(grid, QKeySequence::Paste);
     }
+    QCOMPARE(typedCounts.size(), 1);
     auto *dialog = panel.findChild<PasteMatricesDialog *>();
     QVERIFY(dialog && dialog->isVisible());
     QCOMPARE(dialog->findChildren<PastedMatrixBox *>().at(1)->text(), printed(view(), "Eigen"));
