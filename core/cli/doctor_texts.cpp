@@ -139,7 +139,10 @@ std::string landingText(const Diagnosis &diagnosis)
     std::string text = "  lands        on pixel " + shortText(at.x, 7) + ' ' + shortText(at.y, 7) + ", depth "
                        + shortText(at.z, 7) + ", by the right matrices: ";
     switch (diagnosis.landing) {
-    case Landing::Right: return text + (isByRay ? "the pixel is right\n" : "pixel and depth are right\n");
+    case Landing::Right:
+        return text
+               + (isByRay ? "as far as the digits given tell, the pixel is right\n"
+                          : "as far as the digits given tell, pixel and depth are right\n");
     case Landing::Pixel: return text + "the depth is right, the pixel is not: pixel, viewport or lens\n";
     case Landing::Depth: return text + "the pixel is right, the depth is not\n";
     case Landing::Matrix:

@@ -74,7 +74,8 @@ QString landingText(const Diagnosis &diagnosis)
     QString what;
     switch (diagnosis.landing) {
     case Landing::Right:
-        what = isByRay ? DoctorText::tr("the pixel is right") : DoctorText::tr("pixel and depth are right");
+        what = isByRay ? DoctorText::tr("as far as the digits given tell, the pixel is right")
+                       : DoctorText::tr("as far as the digits given tell, pixel and depth are right");
         break;
     case Landing::Pixel: what = DoctorText::tr("the depth is right, the pixel is not: pixel, viewport or lens"); break;
     case Landing::Depth: what = DoctorText::tr("the pixel is right, the depth is not"); break;
@@ -90,7 +91,7 @@ QString chanceText(double chance)
 {
     constexpr double kLeast = 1e-6;
     return chance < kLeast ? DoctorText::tr("less than 0.0001 %")
-                           : DoctorText::tr("%1 %").arg(significantText(100.0 * chance, 2));
+                           : DoctorText::tr("%1 %").arg(significantText(100.0 * chance, chance < 0.1 ? 2 : 3));
 }
 
 QString coordinateText(double value, double lastDigit)

@@ -1923,12 +1923,12 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>落在像素 %1, %2，深度 %3</translation>
     </message>
     <message>
-        <source>the pixel is right</source>
-        <translation>像素正确</translation>
+        <source>as far as the digits given tell, the pixel is right</source>
+        <translation>就所给的位数而言，像素正确</translation>
     </message>
     <message>
-        <source>pixel and depth are right</source>
-        <translation>像素和深度都正确</translation>
+        <source>as far as the digits given tell, pixel and depth are right</source>
+        <translation>就所给的位数而言，像素和深度都正确</translation>
     </message>
     <message>
         <source>the depth is right, the pixel is not: pixel, viewport or lens</source>
