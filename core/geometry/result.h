@@ -41,6 +41,7 @@ enum class ErrorCode {
     ObjectTooFar,   ///< value: the coordinate that its transform gives it, an infinity or NaN where that overflows
     ObjectTooSmall, ///< value: the size that its transform leaves of it
     ViewNotRigid,   ///< value: how far the axes are from orthonormal; with other, the entry at that place
+    ViewMirrored,   ///< its axes are left-handed: no eye, center and up give it
 };
 
 struct Error {

@@ -101,7 +101,7 @@ Result<LookAt> lookAtFrom(const glm::dmat4 &eyeFromWorld, double distance)
         return eye.error();
     const glm::dmat3 rows = glm::transpose(glm::dmat3(eyeFromWorld)) / eyeFromWorld[3][3];
     if (glm::determinant(rows) < 0.0)
-        return Error{ErrorCode::ViewNotRigid, 2.0};
+        return Error{ErrorCode::ViewMirrored};
     return LookAt{*eye, *eye - WorldVector(rows[2]) * distance, WorldVector(rows[1])};
 }
 

@@ -36,7 +36,7 @@ Result<WorldPoint> worldFromEye(const glm::dmat4 &eyeFromWorld, const EyePoint &
 
 /// The arguments of gluLookAt that give this view: the eye, a center so far in front of it, and the matrix's own up.
 /// @param distance  > 0, world units
-/// @return the errors of axesOff; ViewNotRigid for a mirrored view (value: 2), which no gluLookAt gives
+/// @return the errors of axesOff; ViewMirrored, which no gluLookAt gives
 Result<LookAt> lookAtFrom(const glm::dmat4 &eyeFromWorld, double distance);
 
 } // namespace unprojector::geometry

@@ -82,6 +82,7 @@ std::string causeText(const Error &error)
     case ErrorCode::ScaleIsZero: return "a factor is 0; it must differ from 0";
     case ErrorCode::MatrixNotAProjection: return "the entry " + value + " fits no projection of a known form";
     case ErrorCode::ViewNotRigid: return viewFault(error);
+    case ErrorCode::ViewMirrored: return "the axes are left-handed; negate one of the first three rows";
     case ErrorCode::ClipPlaneHasNoNormal: return "the first three numbers are all 0; one of them must differ from 0";
     }
     return {};

@@ -53,6 +53,8 @@ std::string errorText(const Error &error)
     case ErrorCode::ObjectTooSmall:
         return "an object measures " + value + ", less than can be computed; look at its scales";
     case ErrorCode::ViewNotRigid: return "the view matrix does more than turn and move: " + viewFault(error);
+    case ErrorCode::ViewMirrored:
+        return "the view matrix is mirrored: its axes are left-handed; negate one of its first three rows";
     }
     return {};
 }

@@ -127,6 +127,8 @@ QString errorText(const Error &error)
     case ErrorCode::ObjectTooSmall:
         return Errors::tr("An object measures %1, less than can be computed. Look at its scales.").arg(value);
     case ErrorCode::ViewNotRigid: return viewFault(error);
+    case ErrorCode::ViewMirrored:
+        return Errors::tr("The view matrix is mirrored: its axes are left-handed. Negate one of its first three rows.");
     case ErrorCode::ClipPlaneHasNoNormal:
         return Errors::tr("A, B and C of the clip plane are all 0; one of them must differ.");
     }

@@ -361,6 +361,10 @@
         <source>%1 cannot be shown: %2</source>
         <translation>无法显示 %1：%2</translation>
     </message>
+    <message>
+        <source>The view matrix is mirrored: its axes are left-handed. Negate one of its first three rows.</source>
+        <translation>视图矩阵是镜像的：它的轴构成左手系。请将前三行中的一行变号。</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

@@ -395,7 +395,7 @@ void TestMatrixProjection::viewsAreReadBackFromTheirMatrix()
     }
     glm::dmat4 mirrored(1.0);
     mirrored[0][0] = -1.0;
-    QVERIFY(lookAtFrom(mirrored, 1.0).error().code == ErrorCode::ViewNotRigid);
+    QVERIFY(lookAtFrom(mirrored, 1.0).error().code == ErrorCode::ViewMirrored);
     QVERIFY(worldFromEye(mirrored, EyePoint(1, 2, 3)).value().coordinates() == glm::dvec3(-1, 2, 3));
 }
 

@@ -287,7 +287,8 @@ void TestComparisonTexts::everyErrorHasItsSentence_data()
     row("object too far", ErrorCode::ObjectTooFar, {value});
     row("object too small", ErrorCode::ObjectTooSmall, {value});
     row("view not rigid", ErrorCode::ViewNotRigid);
-    QCOMPARE(codes.size(), std::size_t(ErrorCode::ViewNotRigid) + 1); // none is left out
+    row("view mirrored", ErrorCode::ViewMirrored);
+    QCOMPARE(codes.size(), std::size_t(ErrorCode::ViewMirrored) + 1); // none is left out
 }
 
 void TestComparisonTexts::everyErrorHasItsSentence()
