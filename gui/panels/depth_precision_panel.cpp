@@ -167,7 +167,7 @@ void DepthPrecisionPanel::refresh()
                          + tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
                                .arg(name, writtenText(scale.nearDistance, 4), timesText(now / then), errorText(then));
             }
-        } else {
+        } else if (nearestDistance(picture, boxes)) {
             words += u' ' + tr("Near is about as far away as the objects let it be.");
         }
         DepthScale reversed = scale;

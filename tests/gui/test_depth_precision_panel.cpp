@@ -63,11 +63,14 @@ void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
 {
     setPerspective(3.5);
     QVERIFY2(!m_panel->text().contains(QStringLiteral("instead of")), qPrintable(m_panel->text()));
+    const QString fits = QStringLiteral("Near is about as far away as the objects let it be");
+    QVERIFY2(m_panel->text().contains(fits), qPrintable(m_panel->text()));
     LookAt inside = m_document->geometry().camera();
     inside.eye = WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 0.5));
     m_document->setCamera(inside);
     setPerspective(0.001);
     QVERIFY2(!m_panel->text().contains(QStringLiteral("instead of")), qPrintable(m_panel->text()));
+    QVERIFY2(!m_panel->text().contains(fits), qPrintable(m_panel->text())); // the eye is within it
 }
 
 void TestDepthPrecisionPanel::aBoxHasOneErrorEverywhere()
