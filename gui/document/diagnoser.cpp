@@ -20,14 +20,12 @@ Diagnoser::~Diagnoser()
 void Diagnoser::cancel()
 {
     ++*m_latest;
-    m_isAsked = false;
     m_pool.clear();
 }
 
 void Diagnoser::ask(Case scene, std::vector<WrongPoint> points)
 {
     cancel();
-    m_isAsked = true;
     const int number = *m_latest;
     m_pool.start([this, number, latest = m_latest, scene = std::move(scene), points = std::move(points)] {
         if (*latest != number)
@@ -43,7 +41,6 @@ void Diagnoser::ask(Case scene, std::vector<WrongPoint> points)
             [this, number, answer] {
                 if (*m_latest != number)
                     return;
-                m_isAsked = false;
                 if (answer)
                     emit answered(*answer);
                 else

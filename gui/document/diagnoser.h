@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace unprojector::gui {
@@ -24,7 +23,6 @@ public:
     void ask(doctor::Case scene, std::vector<doctor::WrongPoint> points);
     /// Nothing is wanted any more.
     void cancel();
-    bool isAsked() const { return m_isAsked; }
 
 signals:
     /// The answer to the last question.
@@ -34,7 +32,6 @@ signals:
 private:
     QThreadPool m_pool;
     std::shared_ptr<std::atomic<int>> m_latest; ///< the number of the last question
-    bool m_isAsked = false;
 };
 
 } // namespace unprojector::gui

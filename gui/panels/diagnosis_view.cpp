@@ -5,11 +5,10 @@
 #include "gui/text/number_text.h"
 
 #include <QEvent>
+#include <QFontInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
-
-#include <array>
 
 namespace unprojector::gui {
 using namespace doctor;
@@ -17,10 +16,6 @@ using namespace doctor;
 DiagnosisView::DiagnosisView(QWidget *parent)
     : QWidget(parent), m_verdict(new QLabel), m_facts(new QLabel), m_click(new QPushButton)
 {
-    constexpr double kVerdictScale = 1.25;
-    m_large = font();
-    m_large.setPointSizeF(m_large.pointSizeF() * kVerdictScale);
-    m_large.setBold(true);
     m_verdict->setWordWrap(true);
     m_verdict->setTextFormat(Qt::PlainText);
     m_verdict->setAccessibleName(tr("Verdict"));
@@ -49,7 +44,7 @@ void DiagnosisView::setMessage(const QString &text)
     m_shown.reset();
     m_text = text;
     m_verdict->setText(text);
-    m_verdict->setFont(font());
+    m_verdict->setFont(QFont()); // that of the window
     m_facts->hide();
     m_click->hide();
 }
@@ -57,8 +52,18 @@ void DiagnosisView::setMessage(const QString &text)
 void DiagnosisView::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint &first)
 {
     m_shown = {diagnosis, first};
-    m_verdict->setFont(m_large);
+    enlargeVerdict();
     showAnswer(*m_shown);
+}
+
+void DiagnosisView::enlargeVerdict()
+{
+    constexpr double kVerdictScale = 1.25;
+    QFont large = font();
+    // The font's own size is −1 where it is set in pixels.
+    large.setPointSizeF(QFontInfo(large).pointSizeF() * kVerdictScale);
+    large.setBold(true);
+    m_verdict->setFont(large);
 }
 
 QString DiagnosisView::text() const
@@ -135,6 +140,8 @@ void DiagnosisView::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange && m_shown)
         showAnswer(*m_shown);
+    else if (event->type() == QEvent::FontChange && m_shown)
+        enlargeVerdict();
 }
 
 } // namespace unprojector::gui

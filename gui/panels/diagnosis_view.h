@@ -2,7 +2,6 @@
 
 #include "core/doctor/diagnosis.h"
 
-#include <QFont>
 #include <QWidget>
 
 #include <optional>
@@ -39,11 +38,11 @@ private:
     };
 
     void showAnswer(const Shown &shown);
+    void enlargeVerdict();
     /// The point that was got, what is explained of it in the text's colour and the rest in grey.
     QString gotMarkup(const Shown &shown) const;
 
     std::optional<Shown> m_shown;
-    QFont m_large; ///< of a verdict
     QLabel *m_verdict;
     QLabel *m_facts;
     QPushButton *m_click;

@@ -126,10 +126,10 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
         if (answer)
             showDiagnosis(*answer);
         else
-            m_answer->setMessage(errorText(answer.error()));
+            showNothing(errorText(answer.error()));
     });
     connect(m_diagnoser, &Diagnoser::outOfMemory, this,
-            [this] { m_answer->setMessage(tr("There is not enough memory to try all mistakes.")); });
+            [this] { showNothing(tr("There is not enough memory to try all mistakes.")); });
     connect(&document, &SceneDocument::opened, this, [this] {
         m_picture.reset();
         m_taken.reset();
@@ -140,7 +140,12 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
             return;
         if (changes & Change::Pick)
             takePick();
-        if (changes & (kSeen | Change::Names))
+        if (!(changes & (kSeen | Change::Names)))
+            return;
+        // Points with a picture of their own are not asked for again while the view turns: a chosen candidate stays.
+        if (m_picture && !(changes & ((kSeen & ~Changes(Change::Picture)) | Change::Names)))
+            showPicture();
+        else
             refresh();
     });
     connect(&document.rayCasters(), &RayCasters::built, this, [this] {
@@ -217,9 +222,10 @@ QWidget *DoctorPanel::createProgram()
 
 std::optional<Picture> DoctorPanel::pictureNow() const
 {
-    const std::optional<Surface> own = sizeOf(m_window->text());
+    std::optional<Surface> own = sizeOf(m_window->text());
     if (!own)
         return m_document.geometry();
+    own->devicePixelRatio = m_document.geometry().surface.devicePixelRatio; // a window on the same screen
     const Result<Picture> picture = pictureOf(m_document.scene(), *own, m_document.ground());
     return picture ? std::optional(*picture) : std::nullopt;
 }
@@ -247,20 +253,23 @@ void DoctorPanel::takePick()
         return;
     if (taken == m_takenBefore) {
         m_taken = taken;
-        m_picture = m_pictureBefore;
-        m_form->takeBackClick();
+        const std::optional<Picture> since = std::exchange(m_picture, m_pictureBefore);
+        if (!m_form->takeBackClick())
+            m_picture = since;
+        showPicture();
         return;
     }
     if (!taken)
         return;
     m_takenBefore = std::exchange(m_taken, taken);
     m_pictureBefore = m_picture;
-    if (m_form->points().empty())
-        m_picture = sizeOf(m_window->text()) ? pictureNow() : pick->geometry;
-    const std::optional<Picture> own = picture();
+    m_form->forgetClick(); // of the pick before: this one may fill nothing in
+    const bool isOfView = !sizeOf(m_window->text());
+    const std::optional<Picture> own = !m_form->points().empty() ? picture() : isOfView ? pick->geometry : pictureNow();
     if (!own)
-        return;
+        return; // showPicture says why
     if (*own == pick->geometry) {
+        m_picture = own;
         constexpr int kDepthDecimals = 7; // finer than the steps of 24 bits
         const double depth = pick->window.z;
         m_form->addClick(pixelCenter(pick->devicePixel),
@@ -269,10 +278,16 @@ void DoctorPanel::takePick()
     }
     // Where the clicked point is in the program's own picture.
     const std::optional<WorldPoint> world = m_document.pickedPoint();
-    const Result<WindowPoint> window =
-        world ? windowFromWorld(*own, *world) : Result<WindowPoint>(Error{ErrorCode::PointAtInfinity});
-    if (!window)
+    if (!world) {
+        m_pictureText->setText(tr("Not taken: the background is at no pixel of another picture."));
         return;
+    }
+    const Result<WindowPoint> window = windowFromWorld(*own, *world);
+    if (!window) {
+        m_pictureText->setText(tr("Not taken: %1").arg(errorText(window.error())));
+        return;
+    }
+    m_picture = own;
     const DevicePoint at = deviceFromWindow(own->surface, *window);
     m_form->addClick(DevicePoint(std::floor(at.x) + kHalfPixel, std::floor(at.y) + kHalfPixel), {});
 }
@@ -361,14 +376,9 @@ void DoctorPanel::ask()
     const std::optional<Picture> own = picture();
     if (m_asked.empty() || !own) {
         m_diagnoser->cancel();
-        m_diagnosis.reset();
-        m_answer->setMessage(m_form->isEmpty()
-                                 ? tr("Click the pixel in the view that your program was asked for, and type the wrong "
-                                      "coordinate that it got.")
-                                 : tr("Give the pixel, and the three coordinates that your program got for it."));
-        m_code->setMistake({});
-        m_candidates->hide();
-        mark();
+        showNothing(m_form->isEmpty() ? tr("Click the pixel in the view that your program was asked for, and type the "
+                                           "wrong coordinate that it got.")
+                                      : tr("Give the pixel, and the three coordinates that your program got for it."));
         return;
     }
     Case scene;
@@ -389,6 +399,15 @@ void DoctorPanel::showDiagnosis(const Diagnosis &diagnosis)
     m_candidates->show();
     const bool isMistake = diagnosis.verdict != "right" && diagnosis.verdict != "unknown";
     m_code->setMistake(isMistake ? diagnosis.verdict : std::string());
+    mark();
+}
+
+void DoctorPanel::showNothing(const QString &why)
+{
+    m_diagnosis.reset();
+    m_answer->setMessage(why);
+    m_code->setMistake({});
+    m_candidates->hide();
     mark();
 }
 

@@ -61,6 +61,8 @@ private:
     /// Asks what the points that are there tell.
     void ask();
     void showDiagnosis(const doctor::Diagnosis &diagnosis);
+    /// Takes away what the last answer has shown, and says why there is none.
+    void showNothing(const QString &why);
     void mark();
 
     SceneDocument &m_document;

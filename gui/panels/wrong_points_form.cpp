@@ -5,11 +5,15 @@
 #include "gui/text/number_text.h"
 
 #include <QClipboard>
+#include <QContextMenuEvent>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -23,6 +27,9 @@ namespace unprojector::gui {
 using namespace doctor;
 namespace {
 
+// Qt's own text in the menu of a field, which Qt translates; in Qt 6.4 the entry has no name.
+constexpr const char *kPaste = "&Paste";
+
 /// A field that offers what is pasted to somebody else first: line breaks would be lost in it.
 class PasteField : public QLineEdit {
 public:
@@ -31,9 +38,40 @@ public:
 protected:
     void keyPressEvent(QKeyEvent *event) override
     {
-        if (event->matches(QKeySequence::Paste) && takes && takes(QGuiApplication::clipboard()->text()))
+        if (event->matches(QKeySequence::Paste) && offers(QClipboard::Clipboard))
             return;
         QLineEdit::keyPressEvent(event);
+    }
+    void contextMenuEvent(QContextMenuEvent *event) override
+    {
+        QMenu *menu = createStandardContextMenu();
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        for (QAction *action : menu->actions()) {
+            if (!action->text().startsWith(QCoreApplication::translate("QLineEdit", kPaste)))
+                continue;
+            auto *own = new QAction(action->icon(), action->text(), menu);
+            own->setEnabled(action->isEnabled());
+            connect(own, &QAction::triggered, this, [this] {
+                if (!offers(QClipboard::Clipboard))
+                    paste();
+            });
+            menu->insertAction(action, own);
+            action->setVisible(false);
+        }
+        menu->popup(event->globalPos());
+    }
+    void mouseReleaseEvent(QMouseEvent *event) override
+    {
+        if (event->button() == Qt::MiddleButton && offers(QClipboard::Selection))
+            return;
+        QLineEdit::mouseReleaseEvent(event);
+    }
+
+private:
+    bool offers(QClipboard::Mode mode) const
+    {
+        const QString text = QGuiApplication::clipboard()->text(mode);
+        return !text.isEmpty() && takes && takes(text);
     }
 };
 
@@ -354,20 +392,21 @@ void WrongPointsForm::addClick(const DevicePoint &pixel, const QString &depth)
     emit changed();
 }
 
-void WrongPointsForm::takeBackClick()
+bool WrongPointsForm::takeBackClick()
 {
     const std::optional<BeforeClick> before = std::exchange(m_beforeClick, std::nullopt);
     if (!before)
-        return;
+        return false;
     if (before->isNew) {
         removeRow(before->row);
-        return;
+        return true;
     }
     before->row->pixel->setText(before->pixel);
     before->row->depth->setText(before->depth);
     arrange();
     markFaults();
     emit changed();
+    return true;
 }
 
 void WrongPointsForm::focusWaiting()

@@ -35,7 +35,10 @@ public:
     /// @param depth  empty: not known
     void addClick(const DevicePoint &pixel, const QString &depth);
     /// The last click was none: what it has filled is as it was before, unless something was typed since.
-    void takeBackClick();
+    /// @return whether anything was taken back
+    bool takeBackClick();
+    /// Leaves what the last click has filled as it is: it cannot be taken back any more.
+    void forgetClick() { m_beforeClick.reset(); }
     /// To the field of the row that waits for what the program got.
     void focusWaiting();
 

@@ -1879,6 +1879,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>Give the pixel, and the three coordinates that your program got for it.</source>
         <translation>请给出像素，以及您的程序为它得到的三个坐标。</translation>
     </message>
+    <message>
+        <source>Not taken: the background is at no pixel of another picture.</source>
+        <translation>未采用：背景在另一幅画面中没有对应的像素。</translation>
+    </message>
+    <message>
+        <source>Not taken: %1</source>
+        <translation>未采用：%1</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::DoctorText</name>

@@ -4,6 +4,7 @@
 
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/remedies.h"
+#include "gui/document/diagnoser.h"
 #include "gui/panels/candidates_table.h"
 #include "gui/panels/code_changes_view.h"
 #include "gui/panels/diagnosis_view.h"
@@ -20,7 +21,9 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include <glm/matrix.hpp>
@@ -75,13 +78,27 @@ void type(QLineEdit *field, const QString &text)
     QTest::keyClick(field, Qt::Key_Return);
 }
 
+QLabel *labelOf(MainWindow &window, const QString &name)
+{
+    for (QLabel *label : panelOf(window).findChildren<QLabel *>()) {
+        if (label->accessibleName() == name)
+            return label;
+    }
+    return nullptr;
+}
+
 QString verdictOf(MainWindow &window)
 {
-    for (const QLabel *label : panelOf(window).findChildren<QLabel *>()) {
-        if (label->accessibleName() == QStringLiteral("Verdict"))
-            return label->text();
+    return labelOf(window, QStringLiteral("Verdict"))->text();
+}
+
+void typeOwnWindow(MainWindow &window, const QString &size)
+{
+    for (QToolButton *button : panelOf(window).findChildren<QToolButton *>()) {
+        if (button->text() == QStringLiteral("More about your program"))
+            button->setChecked(true);
     }
-    return {};
+    type(fieldsOf(window, QStringLiteral("Its window")).value(0), size);
 }
 
 QString pointText(const glm::dvec3 &point)
@@ -125,9 +142,15 @@ private slots:
     void theCodeIsThatOfTheLibrary();
     void aSecondClickMakesASecondRow();
     void aDragIsNoClick();
+    void aDragOnTheBackgroundTakesNothingBack();
+    void aWindowOfOnesOwnHasTheRatioOfTheScreen();
+    void withoutAnAnswerTheLastOneGoes();
+    void theVerdictIsLargeInEveryFont();
     void theClickThatTellsIsPicked();
+    void rowsCanBePasted_data();
     void rowsCanBePasted();
     void thePictureStaysThatOfTheClick();
+    void theChosenCandidateStaysWhileTheViewTurns();
     void theMarksGoWithThePlace();
     void theWrongPointIsFoundFromOutside();
     void everyMistakeIsWorded();
@@ -268,6 +291,75 @@ void TestDoctorPlace::aDragIsNoClick()
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(), pixel);
 }
 
+void TestDoctorPlace::aDragOnTheBackgroundTakesNothingBack()
+{
+    const auto window = doctorWindow();
+    const QPointF background(12.0, 12.0);
+    typeOwnWindow(*window, QStringLiteral("500 x 300"));
+    const auto pixel = [&] { return fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(); };
+    click(window->view(), background);
+    QVERIFY(window->document().pick() && !window->document().pick()->hit());
+    QVERIFY(pixel().isEmpty());
+    const QLabel *said = labelOf(*window, QStringLiteral("The picture of the pixels"));
+    QVERIFY2(said->text().startsWith(QStringLiteral("Not taken: the background")), qPrintable(said->text()));
+    click(window->view(), localOf(*window, kCubeCenter + glm::dvec3(0.4, 0.6, 1.0)));
+    const QString clicked = pixel();
+    QVERIFY(!clicked.isEmpty());
+    drag(window->view(), background + QPointF(5.0, 0.0), background + QPointF(60.0, 10.0), Qt::LeftButton);
+    QCOMPARE(pixel(), clicked);
+    QVERIFY2(!said->text().startsWith(QStringLiteral("Not taken")), qPrintable(said->text()));
+    // The pixel is still of the view in which it was clicked.
+    QVERIFY2(said->text().contains(QStringLiteral("as it was")), qPrintable(said->text()));
+}
+
+/// No usual ratio: only by the screen is it tried.
+void TestDoctorPlace::aWindowOfOnesOwnHasTheRatioOfTheScreen()
+{
+    const auto window = doctorWindow();
+    constexpr double kRatio = 2.625;
+    Surface surface = window->document().geometry().surface;
+    surface.devicePixelRatio = kRatio;
+    window->document().setSurface(surface);
+    typeOwnWindow(*window, QStringLiteral("%1 x %2").arg(surface.widthPixels).arg(surface.heightPixels));
+    const double height = surface.heightPixels, depth = 0.9;
+    const glm::dvec2 at(300.5, 200.5);
+    type(fieldsOf(*window, QStringLiteral("Pixel")).value(0), QStringLiteral("300.5, 200.5"));
+    type(fieldsOf(*window, QStringLiteral("Depth")).value(0), QStringLiteral("0.9"));
+    type(gotOf(*window), pointText(unprojected(*window, {at.x / kRatio, height - at.y / kRatio, depth})));
+    QTRY_COMPARE(verdictOf(*window), mistakeSentence("ratio-logical-in-device"));
+}
+
+void TestDoctorPlace::withoutAnAnswerTheLastOneGoes()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+    emit panelOf(*window).findChild<Diagnoser *>()->outOfMemory();
+    QVERIFY2(verdictOf(*window).startsWith(QStringLiteral("There is not enough memory")),
+             qPrintable(verdictOf(*window)));
+    QVERIFY(!panelOf(*window).code().isVisible());
+    QVERIFY(!panelOf(*window).findChild<CandidatesTable *>()->isVisible());
+    QVERIFY(window->document().wrongPoints().empty());
+}
+
+void TestDoctorPlace::theVerdictIsLargeInEveryFont()
+{
+    const auto window = doctorWindow();
+    QFont font = panelOf(*window).font();
+    font.setPixelSize(16); // its size in points is then -1
+    panelOf(*window).setFont(font);
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_VERIFY(panelOf(*window).code().isVisible());
+    const QLabel *verdict = labelOf(*window, QStringLiteral("Verdict"));
+    QVERIFY(verdict->fontInfo().pixelSize() > 16);
+    font.setPixelSize(24);
+    panelOf(*window).setFont(font);
+    QVERIFY(verdict->fontInfo().pixelSize() > 24);
+    gotOf(*window)->selectAll();
+    QTest::keyClick(gotOf(*window), Qt::Key_Delete);
+    QTRY_COMPARE(verdict->fontInfo().pixelSize(), 24);
+}
+
 void TestDoctorPlace::theClickThatTellsIsPicked()
 {
     const auto window = doctorWindow();
@@ -284,13 +376,33 @@ void TestDoctorPlace::theClickThatTellsIsPicked()
     QCOMPARE(window->focusWidget(), gotOf(*window, 1)); // whether or not the window is active
 }
 
+void TestDoctorPlace::rowsCanBePasted_data()
+{
+    QTest::addColumn<bool>("byMenu");
+    QTest::newRow("by key") << false;
+    QTest::newRow("by menu") << true;
+}
+
 void TestDoctorPlace::rowsCanBePasted()
 {
+    QFETCH(bool, byMenu);
     const auto window = doctorWindow();
     QApplication::clipboard()->setText(QStringLiteral("px,py,depth,x,y,z\n100.5,200.5,0.5,1.2,3.4,5.6\n"
                                                       "200.5,100.5,,\"2.2\",oops,5.6\n300.5,90.5,,7.25,8,9\n"));
     gotOf(*window)->setFocus();
-    QTest::keySequence(gotOf(*window), QKeySequence::Paste);
+    if (byMenu) {
+        QContextMenuEvent asks(QContextMenuEvent::Keyboard, QPoint(5, 5), gotOf(*window)->mapToGlobal(QPoint(5, 5)));
+        QApplication::sendEvent(gotOf(*window), &asks);
+        auto *menu = gotOf(*window)->findChild<QMenu *>();
+        QVERIFY(menu);
+        for (QAction *action : menu->actions()) {
+            if (action->isVisible() && action->text().startsWith(QStringLiteral("&Paste")))
+                action->trigger();
+        }
+        menu->close();
+    } else {
+        QTest::keySequence(gotOf(*window), QKeySequence::Paste);
+    }
     const auto texts = [&](const QString &name) {
         QStringList result;
         for (const QLineEdit *field : fieldsOf(*window, name))
@@ -322,6 +434,22 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
     QTest::mouseClick(now, Qt::LeftButton);
     QTRY_VERIFY(!verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
     QVERIFY(!now->isVisible());
+}
+
+void TestDoctorPlace::theChosenCandidateStaysWhileTheViewTurns()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    QTRY_VERIFY(panelOf(*window).code().isVisible());
+    auto *candidates = panelOf(*window).findChild<CandidatesTable *>();
+    candidates->setCurrentCell(2, 0);
+    const QString code = panelOf(*window).code().text();
+    const QSignalSpy answers(panelOf(*window).findChild<Diagnoser *>(), &Diagnoser::answered);
+    window->document().setCamera({WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
+    QTest::qWait(100);
+    QCOMPARE(answers.size(), 0);
+    QCOMPARE(candidates->currentRow(), 2);
+    QCOMPARE(panelOf(*window).code().text(), code);
 }
 
 void TestDoctorPlace::theMarksGoWithThePlace()
