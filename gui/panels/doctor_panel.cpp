@@ -9,7 +9,6 @@
 #include "gui/panels/diagnosis_view.h"
 #include "gui/panels/wrong_points_form.h"
 #include "gui/text/error_text.h"
-#include "gui/text/number_text.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -270,10 +269,7 @@ void DoctorPanel::takePick()
         return; // showPicture says why
     if (*own == pick->geometry) {
         m_picture = own;
-        constexpr int kDepthDecimals = 7; // finer than the steps of 24 bits
-        const double depth = pick->window.z;
-        m_form->addClick(pixelCenter(pick->devicePixel),
-                         depth == std::floor(depth) ? shortestText(depth) : fixedText(depth, kDepthDecimals));
+        m_form->addClick(pixelCenter(pick->devicePixel), pick->window.z);
         return;
     }
     // Where the clicked point is in the program's own picture.

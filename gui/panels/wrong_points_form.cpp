@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -85,6 +86,13 @@ std::optional<std::vector<WrittenNumber>> numbersOf(const QLineEdit &field, std:
     return writtenNumbers(field.text().toStdString(), count);
 }
 
+/// A depth that a click gave, as long as a field has room for.
+QString clickedText(double depth)
+{
+    constexpr int kDecimals = 7; // finer than the steps of 24 bits
+    return depth == std::floor(depth) ? shortestText(depth) : fixedText(depth, kDecimals);
+}
+
 QString quoted(const QLineEdit &field)
 {
     return QStringLiteral("“%1”").arg(field.text().trimmed());
@@ -97,22 +105,41 @@ struct WrongPointsForm::Row {
     QLineEdit *depth = nullptr;
     PasteField *got = nullptr;
     QToolButton *remove = nullptr;
+    /// What the depth's text is short for, as long as it is that text.
+    std::optional<double> clickedDepth;
     /// The field that was last left as it is.
     QLineEdit *left = nullptr;
 
     std::array<QLineEdit *, 3> fields() const { return {pixel, depth, got}; }
     bool isEmpty() const { return !isFilled(*pixel) && !isFilled(*depth) && !isFilled(*got); }
+    void setClickedDepth(const std::optional<double> &value)
+    {
+        clickedDepth = value;
+        depth->setText(value ? clickedText(*value) : QString());
+        depth->setCursorPosition(0);
+    }
+    /// A click's own, with the last digit that is shown of it.
+    std::optional<WrittenNumber> givenDepth() const
+    {
+        const auto numbers = numbersOf(*depth, 1);
+        if (!numbers)
+            return std::nullopt;
+        WrittenNumber given = numbers->front();
+        if (clickedDepth && depth->text() == clickedText(*clickedDepth))
+            given.value = *clickedDepth;
+        return given;
+    }
     std::optional<WrongPoint> point() const
     {
         const auto position = numbersOf(*pixel, 2), coordinates = numbersOf(*got, 3);
-        const auto given = isFilled(*depth) ? numbersOf(*depth, 1) : std::vector<WrittenNumber>();
-        if (!position || !coordinates || !given)
+        const auto given = givenDepth();
+        if (!position || !coordinates || (isFilled(*depth) && !given))
             return std::nullopt;
         WrongPoint result;
         result.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
-        if (!given->empty()) {
-            result.depth = given->front().value;
-            result.depthLastDigit = depthLastDigit(given->front());
+        if (given) {
+            result.depth = given->value;
+            result.depthLastDigit = depthLastDigit(*given);
         }
         for (int axis = 0; axis < 3; ++axis) {
             result.got[axis] = (*coordinates)[std::size_t(axis)].value;
@@ -174,7 +201,7 @@ WrongPointsForm::Row &WrongPointsForm::addRow()
     row.depth->setAccessibleName(tr("Depth"));
     row.depth->setToolTip(
         tr("The right depth there, in the depth range of the view. Empty: that of the mesh under the pixel; where "
-           "there is none, any depth is allowed for"));
+           "there is none, any depth is allowed for. That of a click is used with all its digits"));
     row.got = new PasteField;
     row.got->setPlaceholderText(tr("0.7051 -0.4122 0.0918"));
     row.got->setAccessibleName(tr("What your program got"));
@@ -266,6 +293,7 @@ bool WrongPointsForm::takeTable(Row &row, const QString &text)
             place = &addRow();
         const auto cell = [&each](std::size_t column) { return QString::fromStdString(each.cells[column]).trimmed(); };
         place->pixel->setText(cell(0) + QStringLiteral(", ") + cell(1));
+        place->clickedDepth.reset();
         place->depth->setText(cell(2));
         place->got->setText(cell(3) + u' ' + cell(4) + u' ' + cell(5));
         place->got->setCursorPosition(0);
@@ -307,10 +335,10 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
                                         .arg(m_picture->surface.heightPixels)};
     }
     if (isFilled(*row.depth)) {
-        const auto depth = numbersOf(*row.depth, 1);
+        const auto depth = row.givenDepth();
         if (!depth)
             return Fault{row.depth, tr("%1 is no depth: type one number, or leave it empty.").arg(quoted(*row.depth))};
-        if (m_picture && !unitDepth(m_picture->depthRange, depth->front().value))
+        if (m_picture && !unitDepth(m_picture->depthRange, depth->value))
             return Fault{row.depth,
                          tr("Depth %1 lies outside the depth range, which goes from %2 to %3. A distance is no "
                             "depth: leave it empty.")
@@ -377,16 +405,15 @@ WrongPointsForm::Row *WrongPointsForm::waitingRow() const
     return waiting == m_rows.end() ? nullptr : waiting->get();
 }
 
-void WrongPointsForm::addClick(const DevicePoint &pixel, const QString &depth)
+void WrongPointsForm::addClick(const DevicePoint &pixel, const std::optional<double> &depth)
 {
     Row *const waiting = waitingRow();
     Row &row = waiting ? *waiting : addRow();
-    m_beforeClick = {&row, !waiting, row.pixel->text(), row.depth->text()};
+    m_beforeClick = {&row, !waiting, row.pixel->text(), row.depth->text(), row.clickedDepth};
     row.left = nullptr;
     row.pixel->setText(writtenText(pixel.x, 12) + QStringLiteral(", ") + writtenText(pixel.y, 12));
     row.pixel->setCursorPosition(0);
-    row.depth->setText(depth);
-    row.depth->setCursorPosition(0);
+    row.setClickedDepth(depth);
     arrange();
     markFaults();
     emit changed();
@@ -401,8 +428,10 @@ bool WrongPointsForm::takeBackClick()
         removeRow(before->row);
         return true;
     }
-    before->row->pixel->setText(before->pixel);
-    before->row->depth->setText(before->depth);
+    Row &row = *before->row;
+    row.pixel->setText(before->pixel);
+    row.depth->setText(before->depth);
+    row.clickedDepth = before->clickedDepth;
     arrange();
     markFaults();
     emit changed();

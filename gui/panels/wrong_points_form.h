@@ -32,8 +32,8 @@ public:
     void setPicture(const Picture &picture);
 
     /// Puts a click into the row that still waits for what the program got, or else into a new one.
-    /// @param depth  empty: not known
-    void addClick(const DevicePoint &pixel, const QString &depth);
+    /// @param depth  nothing: not known. It is shown with few digits and used whole
+    void addClick(const DevicePoint &pixel, const std::optional<double> &depth);
     /// The last click was none: what it has filled is as it was before, unless something was typed since.
     /// @return whether anything was taken back
     bool takeBackClick();
@@ -65,9 +65,10 @@ private:
     Row *waitingRow() const;
 
     struct BeforeClick {
-        const Row *row;
+        Row *row;
         bool isNew; ///< the click has added it
         QString pixel, depth;
+        std::optional<double> clickedDepth;
     };
 
     std::vector<std::unique_ptr<Row>> m_rows;

@@ -135,6 +135,7 @@ private slots:
 
     void theMistakeIsNamed();
     void aRightPointIsRight();
+    void theDepthOfAClickIsItsOwn();
     void garbageIsUnknown();
     void nonsenseIsNamedAndStays();
     void pointsAsProgramsPrintThem_data();
@@ -189,6 +190,22 @@ void TestDoctorPlace::aRightPointIsRight()
     type(gotOf(*window), pointText(window->document().pick()->point.world[Method::Formula]->coordinates()));
     QTRY_COMPARE(verdictOf(*window), QStringLiteral("The point is right, to the digits given."));
     QVERIFY(!panelOf(*window).code().isVisible());
+}
+
+void TestDoctorPlace::theDepthOfAClickIsItsOwn()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    const double depth = window->document().pick()->window.z;
+    const QString shown = QString::number(depth, 'f', 7);
+    QVERIFY(shown.toDouble() != depth);
+    QLineEdit *field = fieldsOf(*window, QStringLiteral("Depth")).value(0);
+    QCOMPARE(field->text(), shown);
+    const auto *form = panelOf(*window).findChild<WrongPointsForm *>();
+    QCOMPARE(form->points().at(0).depth, std::optional(depth));
+    // What is typed is what was typed.
+    type(field, QStringLiteral("0.987654"));
+    QCOMPARE(form->points().at(0).depth, std::optional(0.987654));
 }
 
 void TestDoctorPlace::garbageIsUnknown()
