@@ -29,8 +29,9 @@ std::string pasteErrorText(const PasteError &error, const std::string &name)
     if (!error.word.empty())
         return name + ':' + std::to_string(error.line) + ':' + std::to_string(error.column) + ": \"" + error.word
                + "\" is not a finite number";
-    return name + ": " + nameOf(error.part) + ": " + std::to_string(error.found) + " numbers found, "
-           + std::to_string(error.wanted) + " are needed";
+    return name + ": " + nameOf(error.part) + ": " + std::to_string(error.found)
+           + (error.found == 1 ? " number" : " numbers") + " found, " + std::to_string(error.wanted) + " are needed"
+           + (error.part == PastedPart::Viewport ? ": x y width height" : "");
 }
 
 /// What was pasted: the words themselves, or a file's text. What is wrong is said on stderr.

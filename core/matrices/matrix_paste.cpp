@@ -103,6 +103,13 @@ void MatrixPaste::setOrder(MatrixRole role, NumberOrder order)
     place(role).order = order;
 }
 
+void MatrixPaste::setNdcDepth(MatrixRole role, const std::optional<NdcDepth> &depth)
+{
+    place(role).ndcDepth = depth;
+    std::erase_if(place(role).repairs,
+                  [](const MatrixFinding &done) { return done.repair == MatrixRepair::DepthZeroToOne; });
+}
+
 void MatrixPaste::repair(MatrixRole role, const MatrixFinding &finding)
 {
     if (finding.repair == MatrixRepair::OtherOrder)

@@ -29,6 +29,8 @@ public:
 
     NumberOrder order(MatrixRole role) const;
     void setOrder(MatrixRole role, NumberOrder order);
+    /// Says what the numbers of a projection or a product leave open; none: as they tell.
+    void setNdcDepth(MatrixRole role, const std::optional<NdcDepth> &depth);
     /// Does what a finding offers, but Exchange, which is one of the texts.
     void repair(MatrixRole role, const MatrixFinding &finding);
     /// As it was pasted.

@@ -48,6 +48,10 @@ PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *paren
             m_paste.setOrder(role, order);
             refresh();
         });
+        connect(one, &PastedMatrixBox::ndcDepthChosen, this, [this, role](const std::optional<NdcDepth> &depth) {
+            m_paste.setNdcDepth(role, depth);
+            refresh();
+        });
         connect(one, &PastedMatrixBox::asPastedWanted, this, [this, role] {
             m_paste.takeBack(role);
             refresh();

@@ -14,10 +14,16 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <array>
+
 namespace unprojector::gui {
 namespace {
 
 constexpr int kTextLines = 5;
+
+/// In the order of the switch.
+constexpr std::array<std::optional<NdcDepth>, 3> kNdcDepths{std::nullopt, NdcDepth::MinusOneToOne, NdcDepth::ZeroToOne};
 
 QString variableName(MatrixRole role)
 {
@@ -57,6 +63,22 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     m_order = new SegmentedSwitch(tr("Order of the numbers"),
                                   {{tr("By columns"), tr("Column-major: the first four numbers are the first column")},
                                    {tr("By rows"), tr("Row-major: the first four numbers are the first row")}});
+    m_ndcDepth = new SegmentedSwitch(
+        tr("NDC depths"),
+        {{tr("As found"), tr("By −1 to 1, but where the numbers can only be by 0 to 1")},
+         {tr("−1 to 1"), tr("The depths of NDC go from −1 at near to 1 at far: OpenGL")},
+         {tr("0 to 1"), tr("The depths of NDC go from 0 to 1: Vulkan, Direct3D, Metal, WebGPU, glClipControl")}});
+    auto *depths = new QWidget;
+    auto *depthLine = new QHBoxLayout(depths);
+    depthLine->setContentsMargins(0, 0, 0, 0);
+    depthLine->addWidget(new QLabel(tr("NDC depths:")));
+    depthLine->addWidget(m_ndcDepth);
+    depthLine->addStretch();
+    // A view has none; its grid stays beside that of the projection.
+    QSizePolicy keepsLine = depths->sizePolicy();
+    keepsLine.setRetainSizeWhenHidden(true);
+    depths->setSizePolicy(keepsLine);
+    depths->setHidden(role == MatrixRole::View);
     m_asPasted = new QToolButton;
     m_asPasted->setText(tr("As Pasted"));
     m_asPasted->setToolTip(tr("Take back what was done to the matrix"));
@@ -80,6 +102,7 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     layout->addWidget(m_text);
     layout->addWidget(m_said);
     layout->addLayout(how);
+    layout->addWidget(depths);
     layout->addWidget(m_grid);
     layout->addWidget(m_findings);
     layout->addStretch();
@@ -87,6 +110,8 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     connect(m_text, &QPlainTextEdit::textChanged, this, [this] { emit textChanged(text()); });
     connect(m_order, &SegmentedSwitch::chosen, this,
             [this](int index) { emit orderChosen(index == 0 ? NumberOrder::ByColumns : NumberOrder::ByRows); });
+    connect(m_ndcDepth, &SegmentedSwitch::chosen, this,
+            [this](int index) { emit ndcDepthChosen(kNdcDepths.at(std::size_t(index))); });
     connect(m_asPasted, &QToolButton::clicked, this, &PastedMatrixBox::asPastedWanted);
     connect(m_findings, &MatrixFindingsView::repairWanted, this, &PastedMatrixBox::repairWanted);
 }
@@ -110,6 +135,12 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
         m_order->setChoice(paste.order(m_role) == NumberOrder::ByColumns ? 0 : 1);
     }
     m_order->setEnabled(pasted != nullptr);
+    {
+        const QSignalBlocker blocker(m_ndcDepth);
+        const auto *chosen = std::find(kNdcDepths.begin(), kNdcDepths.end(), paste.ndcDepth(m_role));
+        m_ndcDepth->setChoice(static_cast<int>(chosen - kNdcDepths.begin()));
+    }
+    m_ndcDepth->setEnabled(pasted != nullptr);
     if (const auto &error = paste.error(m_role))
         m_said->setText(errorText(*error, m_role));
     else if (!pasted)

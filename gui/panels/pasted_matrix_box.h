@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QLabel;
 class QPlainTextEdit;
 class QToolButton;
@@ -30,6 +32,7 @@ public:
 signals:
     void textChanged(const QString &text);
     void orderChosen(unprojector::matrices::NumberOrder order);
+    void ndcDepthChosen(const std::optional<unprojector::geometry::NdcDepth> &depth);
     void repairWanted(const unprojector::matrices::MatrixFinding &finding);
     /// All repairs are to be forgotten.
     void asPastedWanted();
@@ -39,6 +42,7 @@ private:
     QPlainTextEdit *m_text;
     QLabel *m_said;
     SegmentedSwitch *m_order;
+    SegmentedSwitch *m_ndcDepth;
     QToolButton *m_asPasted;
     MatrixModel *m_model;
     NumberGrid *m_grid;

@@ -161,10 +161,16 @@ QString errorText(const PasteError &error, MatrixRole role)
             .arg(error.all)
             .arg(roleName(role));
     if (error.part == PastedPart::Viewport)
-        return MatrixText::tr("%1 numbers: a viewport has 4, a matrix 16.").arg(error.all);
+        return error.found == 1 ? MatrixText::tr("Viewport: 1 number; it has 4, x y width height, or as a matrix 16.")
+                                : MatrixText::tr("Viewport: %1 numbers; it has 4, x y width height, or as a matrix 16.")
+                                      .arg(error.found);
     if (error.all > error.found) // of several
-        return MatrixText::tr("%1: %2 numbers; a matrix has 16.").arg(partName(error.part)).arg(error.found);
-    return error.found == 0 ? MatrixText::tr("There is no number in it; a matrix has 16.")
+        return (error.found == 1
+                    ? MatrixText::tr("%1: 1 number; a matrix has 16.").arg(partName(error.part))
+                    : MatrixText::tr("%1: %2 numbers; a matrix has 16.").arg(partName(error.part)).arg(error.found));
+    if (error.found == 0)
+        return MatrixText::tr("There is no number in it; a matrix has 16.");
+    return error.found == 1 ? MatrixText::tr("1 number; a matrix has 16.")
                             : MatrixText::tr("%1 numbers; a matrix has 16.").arg(error.found);
 }
 

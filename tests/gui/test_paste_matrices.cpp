@@ -163,6 +163,7 @@ private slots:
     void theProductAloneIsTakenApart();
     void everyFindingHasItsButton_data();
     void everyFindingHasItsButton();
+    void theDepthsCanBeSaid();
     void theScenesOwnStaysWithoutOne();
     void whatIsNoMatrixIsSaid_data();
     void whatIsNoMatrixIsSaid();
@@ -311,6 +312,40 @@ void TestPasteMatrices::everyFindingHasItsButton()
         QVERIFY(std::abs(projectionWindow(pasting.document.geometry().projection()).nearDistance - 2.0) <= 1e-12);
 }
 
+void TestPasteMatrices::theDepthsCanBeSaid()
+{
+    // Near has many digits by either: nothing tells the two apart but the one who pastes.
+    constexpr double kNear = 1.23457, kFar = 87.6543;
+    glm::dmat4 zeroToOne = glm::frustum(-1.0, 1.0, -0.75, 0.75, kNear, kFar);
+    zeroToOne[2][2] = -kFar / (kFar - kNear);
+    zeroToOne[3][2] = -kFar * kNear / (kFar - kNear);
+    const auto nearOf = [](const Pasting &pasting) {
+        return projectionWindow(pasting.document.geometry().projection()).nearDistance;
+    };
+    Pasting pasting;
+    QVERIFY(!pasting.button("0 to 1")->isEnabled());
+    pasting.paste(MatrixRole::Projection, printed(zeroToOne, "JSON"));
+    QVERIFY(!pasting.button("Read as 0 to 1"));
+    QVERIFY(pasting.button("As found")->isChecked());
+    pasting.button("0 to 1")->click();
+    QVERIFY(pasting.says("near 1.2346, far 87.654"));
+    pasting.ok()->click();
+    QVERIFY(std::abs(nearOf(pasting) - kNear) <= 1e-12);
+    QCOMPARE(pasting.document.givenProjection()->ndcDepth, std::optional(NdcDepth::ZeroToOne));
+    // What was offered and done is undone by the switch as well.
+    Pasting offered;
+    glm::dmat4 round = zeroToOne;
+    round[2][2] = -50.0 / 48.0;
+    round[3][2] = -100.0 / 48.0;
+    offered.paste(MatrixRole::Projection, printed(round, "JSON"));
+    offered.button("Read as 0 to 1")->click();
+    QVERIFY(offered.button("0 to 1")->isChecked());
+    offered.button("−1 to 1")->click();
+    QVERIFY(!offered.button("As Pasted"));
+    offered.ok()->click();
+    QCOMPARE(offered.document.givenProjection()->ndcDepth, std::optional(NdcDepth::MinusOneToOne));
+}
+
 void TestPasteMatrices::theScenesOwnStaysWithoutOne()
 {
     Pasting pasting;
@@ -334,6 +369,10 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
                            << "There is no number in it";
     QTest::newRow("one short") << View << "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0"
                                << "15 numbers; a matrix has 16.";
+    QTest::newRow("one number") << View << "7"
+                                << "\n1 number; a matrix has 16.";
+    QTest::newRow("half a viewport") << Projection << "projection " + zeros + " viewport 100 100"
+                                     << "Viewport: 2 numbers; it has 4";
     QTest::newRow("NaN") << Projection << "1 0 0 0\n0 nan 0 0\n"
                          << "Line 2, column 3: “nan” is not a finite number.";
     QTest::newRow("no projection among them")
