@@ -38,6 +38,12 @@ QString timesText(double times)
     return writtenText(std::round(times / unit) * unit, 2);
 }
 
+/// Of the words before any click.
+QString assumedText()
+{
+    return DepthPrecisionPanel::tr("24 bits are assumed: the first click tells what the depth buffer has.");
+}
+
 /// Where the words and the mark are about.
 struct Place {
     double distance;
@@ -72,7 +78,8 @@ DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget 
                          + tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that "
                               "has 1 at near, would make it %1 "
                               "times better (±%2).")
-                               .arg(timesText(12e6), error)});
+                               .arg(timesText(12e6), error)
+                         + u' ' + assumedText()});
     m_layout = new QBoxLayout(QBoxLayout::TopToBottom, this);
     m_layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     m_layout->setSpacing(kMargin);
@@ -135,11 +142,12 @@ void DepthPrecisionPanel::refresh()
 {
     const Picture &picture = m_document.geometry();
     const DepthScale scale = depthScaleOf(picture);
-    // Which format the driver has given is told by the first click.
+    // Which format the driver has given is told by a click.
     const DepthFormat format = m_document.pick() ? m_document.pick()->sample.format : DepthFormat();
     const Place place = placeOf(m_document, scale);
     const double now = halfDepthStepAt(scale, format, place.distance);
-    std::vector<DepthPrecisionPlot::Curve> curves{{tr("as drawn: %1").arg(formatName(format)), scale, format}};
+    const QString drawn = m_document.pick() ? tr("as drawn: %1") : tr("as drawn: %1, assumed");
+    std::vector<DepthPrecisionPlot::Curve> curves{{drawn.arg(formatName(format)), scale, format}};
 
     QString words =
         (place.isPoint
@@ -174,15 +182,22 @@ void DepthPrecisionPanel::refresh()
         reversed.range = {1.0, 0.0};
         const DepthFormat floats = DepthFormat::floatingPoint();
         const double then = halfDepthStepAt(reversed, floats, place.distance);
-        if (now / then >= kWorthwhile) {
+        // At another place they may be better than here: the curve stays.
+        if (!(format == floats && scale == reversed))
             curves.push_back({tr("floats, reversed"), reversed, floats});
+        if (now / then >= kWorthwhile) {
             words += u' '
                      + tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that has 1 "
                           "at near, would make it "
                           "%1 times better (±%2).")
                            .arg(timesText(now / then), errorText(then));
+        } else if (curves.size() > 1 && curves.back().format == floats) {
+            words +=
+                u' ' + tr("A buffer of floats with 1 at near would change little here (±%1).").arg(errorText(then));
         }
     }
+    if (!m_document.pick())
+        words += u' ' + assumedText();
     m_words->setPlain(words);
     m_plot->setAccessibleDescription(words);
     m_plot->show(std::move(curves), place.isPoint ? std::optional(place.distance) : std::nullopt);

@@ -19,6 +19,7 @@ private slots:
     void aNearThatFitsIsLeftAlone();
     void aBoxHasOneErrorEverywhere();
     void theClickedPointIsMarked();
+    void aCurveStaysWhereItGainsNothing();
 
 private:
     void setPerspective(double nearDistance)
@@ -57,6 +58,9 @@ void TestDepthPrecisionPanel::aFartherNearIsComputed()
     QCOMPARE(m_panel->plot().curves().size(), std::size_t(3));
     QCOMPARE(m_panel->plot().curves()[1].scale.nearDistance, 3.0);
     QVERIFY(!m_panel->plot().marked());
+    // No click has told it yet.
+    QVERIFY2(m_panel->text().contains(QStringLiteral("24 bits are assumed")), qPrintable(m_panel->text()));
+    QCOMPARE(m_panel->plot().curves()[0].name, QStringLiteral("as drawn: 24 bits, assumed"));
 }
 
 void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
@@ -100,6 +104,20 @@ void TestDepthPrecisionPanel::theClickedPointIsMarked()
     const DepthFormat format(16);
     QCOMPARE(halfDepthStepAt(m_panel->plot().curves()[0].scale, format, 4.0),
              m_document->pick()->certainty.halfDepthStep);
+}
+
+void TestDepthPrecisionPanel::aCurveStaysWhereItGainsNothing()
+{
+    setPerspective(3.5);
+    QCOMPARE(m_panel->plot().curves().back().name, QStringLiteral("floats, reversed"));
+    DepthSample sample; // just behind the near plane, where floats have no finer steps than 24 bits
+    sample.depth = unitDepthAt(depthScaleOf(m_document->geometry()), 4.0);
+    sample.object = 0;
+    m_document->pickAt(WidgetPoint(400.0, 300.0), sample);
+    QVERIFY2(m_panel->text().contains(QStringLiteral("A buffer of floats with 1 at near would change little here (±")),
+             qPrintable(m_panel->text()));
+    QVERIFY2(!m_panel->text().contains(QStringLiteral("assumed")), qPrintable(m_panel->text()));
+    QCOMPARE(m_panel->plot().curves().back().name, QStringLiteral("floats, reversed"));
 }
 
 QTEST_MAIN(TestDepthPrecisionPanel)
