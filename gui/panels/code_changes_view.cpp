@@ -36,7 +36,7 @@ QString lineOf(const QString &sign, std::string_view code, const QColor &color, 
 } // namespace
 
 CodeChangesView::CodeChangesView(QWidget *parent)
-    : QWidget(parent), m_title(new QLabel), m_copy(new QPushButton(tr("Copy t&hese lines"))), m_lines(new QLabel)
+    : QWidget(parent), m_title(new QLabel), m_copy(new QPushButton(tr("Copy these &lines"))), m_lines(new QLabel)
 {
     QList<SegmentedSwitch::Choice> choices;
     for (const char *library : kLibraries)

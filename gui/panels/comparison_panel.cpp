@@ -118,7 +118,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     m_table = new ComparisonTable(m_model);
     m_table->setAccessibleName(tr("Coordinates by both methods"));
 
-    m_showsFloat = new QCheckBox(tr("Show what &float would give"));
+    m_showsFloat = new QCheckBox(tr("Show &what float would give"));
     m_showsFloat->setToolTip(
         tr("The matrix inverse done in single precision, as most programs do it, in the place of the "
            "difference between the two methods in double"));

@@ -127,7 +127,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
         addPlain(
             tr("Tell apart"),
             tr("at pixel %1 the answers are %2 or more apart").arg(pixel, significantText(diagnosis.nextApart, 3)));
-        m_click->setText(tr("Click t&here: %1").arg(pixel));
+        m_click->setText(tr("Click &there: %1").arg(pixel));
     }
     m_click->setVisible(asks);
     m_verdict->setText(verdictText(diagnosis));

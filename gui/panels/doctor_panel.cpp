@@ -7,6 +7,7 @@
 #include "gui/panels/code_changes_view.h"
 #include "gui/panels/contrast.h"
 #include "gui/panels/diagnosis_view.h"
+#include "gui/panels/typing_pause.h"
 #include "gui/panels/wrong_points_form.h"
 #include "gui/text/error_text.h"
 
@@ -16,6 +17,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -205,6 +207,12 @@ QWidget *DoctorPanel::createProgram()
         m_sizeFault->setText(fault);
         m_sizeFault->setVisible(!fault.isEmpty());
     };
+    auto *pause = new QTimer(whole);
+    pause->setSingleShot(true);
+    pause->setInterval(kTypingPause);
+    connect(pause, &QTimer::timeout, this, finish);
+    for (const QLineEdit *field : {m_window, m_otherSize})
+        connect(field, &QLineEdit::textEdited, pause, qOverload<>(&QTimer::start));
     connect(m_window, &QLineEdit::editingFinished, this, [this, finish] {
         finish();
         if (m_window->isModified() && !m_form->isEmpty())

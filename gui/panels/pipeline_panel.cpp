@@ -186,7 +186,7 @@ QWidget *PipelinePanel::createSwitches()
         m_conventions->addItem(QString::fromUtf8(conventionsOf(api).name));
         m_conventions->setItemData(static_cast<int>(api), apiText(api), Qt::ToolTipRole);
     }
-    auto *conventionsLabel = new QLabel(tr("Con&ventions:"));
+    auto *conventionsLabel = new QLabel(tr("Conve&ntions:"));
     conventionsLabel->setBuddy(m_conventions);
     m_apiNote = new QLabel;
     m_apiNote->setWordWrap(true);

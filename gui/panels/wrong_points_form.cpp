@@ -2,6 +2,7 @@
 
 #include "core/doctor/written_points.h"
 #include "gui/panels/contrast.h"
+#include "gui/panels/typing_pause.h"
 #include "gui/text/number_text.h"
 
 #include <QClipboard>
@@ -15,6 +16,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -150,8 +152,20 @@ struct WrongPointsForm::Row {
 };
 
 WrongPointsForm::WrongPointsForm(QWidget *parent)
-    : QWidget(parent), m_grid(new QGridLayout), m_fault(new QLabel), m_add(new QPushButton(tr("&Another wrong point")))
+    : QWidget(parent), m_grid(new QGridLayout), m_fault(new QLabel), m_add(new QPushButton(tr("&Another wrong point"))),
+      m_pause(new QTimer(this))
 {
+    m_pause->setSingleShot(true);
+    m_pause->setInterval(kTypingPause);
+    connect(m_pause, &QTimer::timeout, this, [this] {
+        for (const auto &row : m_rows) {
+            for (QLineEdit *field : row->fields()) {
+                if (field->hasFocus())
+                    row->left = field;
+            }
+        }
+        markFaults();
+    });
     m_grid->setVerticalSpacing(3);
     m_grid->setHorizontalSpacing(4);
     m_grid->setColumnStretch(0, 9);
@@ -312,6 +326,7 @@ bool WrongPointsForm::takeTable(Row &row, const QString &text)
 void WrongPointsForm::edited(Row &row)
 {
     row.left = nullptr;
+    m_pause->start();
     m_beforeClick.reset();
     m_tableFault.clear();
     arrange();

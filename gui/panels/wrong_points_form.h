@@ -12,6 +12,7 @@ class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QTimer;
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -78,6 +79,7 @@ private:
     QGridLayout *m_grid;
     QLabel *m_fault;
     QPushButton *m_add;
+    QTimer *m_pause; ///< in typing: what is wrong then is said
 };
 
 } // namespace unprojector::gui

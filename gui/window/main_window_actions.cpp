@@ -228,7 +228,10 @@ void MainWindow::createEditMenu(QToolBar &bar)
     QAction *undo = m_document->undoStack().createUndoAction(this, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
     QAction *redo = m_document->undoStack().createRedoAction(this, tr("&Redo"));
-    redo->setShortcut(QKeySequence::Redo);
+    QList<QKeySequence> redoKeys = QKeySequence::keyBindings(QKeySequence::Redo);
+    if (const QKeySequence key(Qt::CTRL | Qt::Key_Y); !redoKeys.contains(key))
+        redoKeys << key; // not every desktop has it
+    redo->setShortcuts(redoKeys);
     menu->addActions({undo, redo});
     onBar(bar, undo, Drawing::Undo);
     onBar(bar, redo, Drawing::Redo);

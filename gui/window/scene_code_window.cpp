@@ -11,6 +11,8 @@
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -57,7 +59,13 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(m_dialects, 0, Qt::AlignLeft);
     layout->addWidget(m_text, 1);
-    layout->addWidget(buttons);
+    m_said = new QLabel;
+    m_said->setTextFormat(Qt::PlainText);
+    m_said->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto *below = new QHBoxLayout;
+    below->addWidget(m_said, 1);
+    below->addWidget(buttons);
+    layout->addLayout(below);
 
     connect(m_dialects, &SegmentedSwitch::chosen, this, [this] {
         refresh();
@@ -100,6 +108,7 @@ void SceneCodeWindow::refresh()
     if (text == m_text->toPlainText())
         return;
     const int line = m_text->verticalScrollBar()->value(), column = m_text->horizontalScrollBar()->value();
+    m_said->clear(); // what was saved is another one
     m_text->setPlainText(text);
     m_text->verticalScrollBar()->setValue(line);
     m_text->horizontalScrollBar()->setValue(column);
@@ -121,12 +130,16 @@ void SceneCodeWindow::save()
         QMessageBox::warning(this, tr("Save Code"), problem);
 }
 
-QString SceneCodeWindow::exportTo(const std::filesystem::path &file) const
+QString SceneCodeWindow::exportTo(const std::filesystem::path &file)
 {
+    m_said->clear();
     const files::Written written = files::replaceFile(file, code().toStdString());
-    return written ? QString()
-                   : QStringLiteral("%1: %2").arg(pathText(file),
-                                                  QString::fromStdString(files::fileErrorText(written.error())));
+    if (!written)
+        return QStringLiteral("%1: %2").arg(pathText(file),
+                                            QString::fromStdString(files::fileErrorText(written.error())));
+    m_said->setText(tr("Saved: %1").arg(pathText(file.filename())));
+    m_said->setToolTip(pathText(file));
+    return {};
 }
 
 void SceneCodeWindow::showEvent(QShowEvent *event)

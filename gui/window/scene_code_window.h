@@ -4,6 +4,7 @@
 
 #include <QDialog>
 
+class QLabel;
 class QPlainTextEdit;
 
 namespace unprojector::gui {
@@ -25,7 +26,7 @@ public:
 
     /// Writes the code to a file.
     /// @return what went wrong, in words; empty where nothing did
-    QString exportTo(const std::filesystem::path &file) const;
+    QString exportTo(const std::filesystem::path &file);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -38,6 +39,7 @@ private:
     const Session &m_session;
     SegmentedSwitch *m_dialects;
     QPlainTextEdit *m_text;
+    QLabel *m_said; ///< that the code is saved
 };
 
 } // namespace unprojector::gui

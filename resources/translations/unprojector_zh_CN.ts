@@ -1119,10 +1119,6 @@
 <context>
     <name>unprojector::gui::CodeChangesView</name>
     <message>
-        <source>Copy t&amp;hese lines</source>
-        <translation>复制这几行(&amp;H)</translation>
-    </message>
-    <message>
         <source>Lines for %1</source>
         <translation>%1 的代码</translation>
     </message>
@@ -1145,6 +1141,10 @@
     <message>
         <source>To change: %1</source>
         <translation>要改的：%1</translation>
+    </message>
+    <message>
+        <source>Copy these &amp;lines</source>
+        <translation>复制这几行(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -1314,10 +1314,6 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <translation>两种方法求出的坐标</translation>
     </message>
     <message>
-        <source>Show what &amp;float would give</source>
-        <translation>显示 &amp;float 的结果</translation>
-    </message>
-    <message>
         <source>&amp;Copy all</source>
         <translation>全部复制(&amp;C)</translation>
     </message>
@@ -1428,6 +1424,10 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>the surface</source>
         <translation>表面</translation>
+    </message>
+    <message>
+        <source>Show &amp;what float would give</source>
+        <translation>显示单精度的结果(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -1665,6 +1665,18 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>In a box, as of glOrtho, that is so at every distance; only less room between near and far makes it less.</source>
         <translation>在 glOrtho 这样的长方体中，任何距离都是如此；只有缩短近、远平面之间的距离才能减小它。</translation>
     </message>
+    <message>
+        <source>24 bits are assumed: the first click tells what the depth buffer has.</source>
+        <translation>假定深度缓冲为 24 位：第一次点击后才知道实际位数。</translation>
+    </message>
+    <message>
+        <source>as drawn: %1, assumed</source>
+        <translation>按所绘：%1（假定）</translation>
+    </message>
+    <message>
+        <source>A buffer of floats with 1 at near would change little here (±%1).</source>
+        <translation>用近处为 1 的浮点深度缓冲，在这里几乎没有差别（±%1）。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::DepthPrecisionPlot</name>
@@ -1765,8 +1777,8 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>在像素 %1 处，各结果至少相差 %2</translation>
     </message>
     <message>
-        <source>Click t&amp;here: %1</source>
-        <translation>点击那里(&amp;H)：%1</translation>
+        <source>Click &amp;there: %1</source>
+        <translation>点击那里(&amp;T)：%1</translation>
     </message>
 </context>
 <context>
@@ -3704,10 +3716,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>这 %1 个数中没有这种矩阵：%2。</translation>
     </message>
     <message>
-        <source>%1 numbers: a viewport has 4, a matrix 16.</source>
-        <translation>有 %1 个数：视口有 4 个，矩阵有 16 个。</translation>
-    </message>
-    <message>
         <source>%1: %2 numbers; a matrix has 16.</source>
         <translation>%1：有 %2 个数；矩阵有 16 个。</translation>
     </message>
@@ -3742,6 +3750,22 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Right-handed eye space, NDC depths from −1 to 1.</source>
         <translation>眼坐标系为右手系，NDC 深度从 −1 到 1。</translation>
+    </message>
+    <message>
+        <source>Viewport: 1 number; it has 4, x y width height, or as a matrix 16.</source>
+        <translation>视口：只有 1 个数；应有 4 个：x y 宽 高，写成矩阵则为 16 个。</translation>
+    </message>
+    <message>
+        <source>Viewport: %1 numbers; it has 4, x y width height, or as a matrix 16.</source>
+        <translation>视口：有 %1 个数；应有 4 个：x y 宽 高，写成矩阵则为 16 个。</translation>
+    </message>
+    <message>
+        <source>%1: 1 number; a matrix has 16.</source>
+        <translation>%1：只有 1 个数；矩阵有 16 个。</translation>
+    </message>
+    <message>
+        <source>1 number; a matrix has 16.</source>
+        <translation>只有 1 个数；矩阵有 16 个。</translation>
     </message>
 </context>
 <context>
@@ -5306,6 +5330,38 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <source>Done: %1.</source>
         <translation>已做：%1。</translation>
     </message>
+    <message>
+        <source>NDC depths</source>
+        <translation>NDC 深度</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>按识别结果</translation>
+    </message>
+    <message>
+        <source>By −1 to 1, but where the numbers can only be by 0 to 1</source>
+        <translation>按 −1 到 1；数值只可能是 0 到 1 时除外</translation>
+    </message>
+    <message>
+        <source>−1 to 1</source>
+        <translation>−1 到 1</translation>
+    </message>
+    <message>
+        <source>The depths of NDC go from −1 at near to 1 at far: OpenGL</source>
+        <translation>NDC 深度从近处的 −1 到远处的 1：OpenGL</translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation>0 到 1</translation>
+    </message>
+    <message>
+        <source>The depths of NDC go from 0 to 1: Vulkan, Direct3D, Metal, WebGPU, glClipControl</source>
+        <translation>NDC 深度从 0 到 1：Vulkan、Direct3D、Metal、WebGPU、glClipControl</translation>
+    </message>
+    <message>
+        <source>NDC depths:</source>
+        <translation>NDC 深度：</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PictureNote</name>
@@ -5588,10 +5644,6 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>约定</translation>
     </message>
     <message>
-        <source>Con&amp;ventions:</source>
-        <translation>约定(&amp;V)：</translation>
-    </message>
-    <message>
         <source>What is otherwise than in OpenGL</source>
         <translation>与 OpenGL 的不同之处</translation>
     </message>
@@ -5622,6 +5674,10 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <message>
         <source>As it was given.</source>
         <translation>原样保留。</translation>
+    </message>
+    <message>
+        <source>Conve&amp;ntions:</source>
+        <translation>约定(&amp;N)：</translation>
     </message>
 </context>
 <context>
@@ -6630,6 +6686,10 @@ of a point that needs no division</source>
         <source>Save Code</source>
         <translation>保存代码</translation>
     </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SceneCurves</name>
@@ -7606,10 +7666,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>按网格</translation>
     </message>
     <message>
-        <source>The right depth there, in the depth range of the view. Empty: that of the mesh under the pixel; where there is none, any depth is allowed for</source>
-        <translation>那里的正确深度，在视图的深度范围内。留空：取像素下的网格的深度；没有网格时允许任何深度</translation>
-    </message>
-    <message>
         <source>0.7051 -0.4122 0.0918</source>
         <translation>0.7051 -0.4122 0.0918</translation>
     </message>
@@ -7652,6 +7708,10 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>%1 is no point: type three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918.</source>
         <translation>%1 不是点：请按程序打印的样子键入三个坐标，例如 0.7051 -0.4122 0.0918。</translation>
+    </message>
+    <message>
+        <source>The right depth there, in the depth range of the view. Empty: that of the mesh under the pixel; where there is none, any depth is allowed for. That of a click is used with all its digits</source>
+        <translation>此处的正确深度，以视图的深度范围计。留空：取像素下网格的深度；没有网格时任何深度都可以。点击得到的深度按全部位数使用</translation>
     </message>
 </context>
 </TS>

@@ -239,6 +239,15 @@ void TestDoctorPlace::nonsenseIsNamedAndStays()
     QVERIFY2(fault().isEmpty(), qPrintable(fault()));
     type(fieldsOf(*window, QStringLiteral("Depth")).value(0), QStringLiteral("5.88"));
     QVERIFY2(fault().startsWith(QStringLiteral("Depth 5.88 lies outside the depth range")), qPrintable(fault()));
+    type(fieldsOf(*window, QStringLiteral("Depth")).value(0), {});
+    // Without Enter too, once the typing pauses.
+    window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    pixel->setFocus();
+    pixel->selectAll();
+    QTest::keyClicks(pixel, QStringLiteral("abc"));
+    QVERIFY2(fault().isEmpty(), qPrintable(fault()));
+    QTRY_VERIFY(fault().startsWith(QStringLiteral("“abc” is no pixel")));
 }
 
 void TestDoctorPlace::pointsAsProgramsPrintThem_data()

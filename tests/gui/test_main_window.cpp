@@ -9,10 +9,14 @@
 #include "gui/window/appearance.h"
 #include "gui/window/first_steps.h"
 #include "gui/window/key_sheet.h"
+#include "gui/window/place_ids.h"
 
+#include <QAbstractButton>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
+#include <QSlider>
 #include <QTest>
 #include <QTextBrowser>
 #include <QTextTable>
@@ -48,6 +52,8 @@ private slots:
     void everyExampleOpensWithItsNote();
     void theViewFromOutsideLeavesTheViewAlone();
     void theViewFromOutsideCanBeAPanel();
+    void theMorphHasRoomInACorner();
+    void noPanelTakesAMenusLetter();
     void aDarkWindowHasADarkView();
     void theKeySheetNamesEveryKey();
     void newcomersSeeThreeStepsUntilTheyClick();
@@ -298,6 +304,29 @@ void TestMainWindow::theViewFromOutsideCanBeAPanel()
     QVERIFY(!dockOf(*window, "observer")->isAncestorOf(panel));
 }
 
+void TestMainWindow::theMorphHasRoomInACorner()
+{
+    const auto window = windowOfSize({1280, 800});
+    window->places().enter(kPipelinePlace);
+    actionOf(*window, QStringLiteral("View from Outside"))->setChecked(true);
+    const auto *slider = window->findChild<ObserverPanel *>()->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible() && slider->width() >= 3 * slider->height());
+}
+
+void TestMainWindow::noPanelTakesAMenusLetter()
+{
+    const auto window = windowOfSize({1280, 800});
+    const auto letterOf = [](const QString &text) { return QKeySequence::mnemonic(text); };
+    QList<QKeySequence> menus;
+    for (const QAction *action : window->menuBar()->actions())
+        menus << letterOf(action->text());
+    QVERIFY(menus.size() >= 4);
+    for (const QAbstractButton *button : window->findChildren<QAbstractButton *>())
+        QVERIFY2(!menus.contains(letterOf(button->text())), qPrintable(button->text()));
+    for (const QLabel *label : window->findChildren<QLabel *>())
+        QVERIFY2(!label->buddy() || !menus.contains(letterOf(label->text())), qPrintable(label->text()));
+}
+
 void TestMainWindow::aDarkWindowHasADarkView()
 {
     const auto window = windowOfSize({700, 500});
@@ -418,6 +447,11 @@ void TestMainWindow::aChangeIsUndoneFromTheMenu()
     QVERIFY(undo && undo->isEnabled());
     undo->trigger();
     QVERIFY(window->document().scene().camera.eye.coordinates() == eye);
+    // Hands from every desktop find its key.
+    const QAction *redo = actionOf(*window, QStringLiteral("Redo Camera"));
+    QVERIFY(redo && redo->isEnabled());
+    QVERIFY(redo->shortcuts().contains(QKeySequence(QKeySequence::Redo)));
+    QVERIFY(redo->shortcuts().contains(QKeySequence(Qt::CTRL | Qt::Key_Y)));
 }
 
 QTEST_MAIN(TestMainWindow)

@@ -6,10 +6,13 @@
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTemporaryDir>
+
+#include <algorithm>
 
 using namespace guitest;
 
@@ -87,6 +90,9 @@ void TestSceneCodeWindow::everyDialectIsCopiedAndSaved()
         QFile saved(file);
         QVERIFY(saved.open(QIODevice::ReadOnly));
         QCOMPARE(QString::fromUtf8(saved.readAll()), shown());
+        const QList<QLabel *> labels = m_code->findChildren<QLabel *>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(),
+                            [](const QLabel *label) { return label->text() == QStringLiteral("Saved: code"); }));
     }
     QVERIFY(m_code->exportTo(std::filesystem::path(folder.path().toStdU16String())).startsWith(folder.path()));
 }
