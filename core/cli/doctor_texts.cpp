@@ -97,11 +97,15 @@ std::string sentenceOf(const std::string &id)
     return sentence;
 }
 
-std::string digitsText(const Candidate &candidate, int given)
+/// Digits that rounding leaves nothing of are given, and explained by nobody.
+std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis)
 {
-    if (candidate.digits == given)
-        return "all " + std::to_string(given) + " digits given";
-    return std::to_string(candidate.digits) + " of the " + std::to_string(given) + " digits given";
+    const int counted = diagnosis.digitsGiven;
+    const bool countAll = counted == diagnosis.digitsWritten;
+    const std::string which = std::to_string(counted) + (countAll ? " digits given" : " digits that count")
+                              + (countAll ? "" : " of the " + std::to_string(diagnosis.digitsWritten) + " given");
+    return (candidate.digits == counted ? "all " : std::to_string(candidate.digits) + " of the ") + which
+           + (candidate.isCutOff ? ", the last not rounded but cut off" : "");
 }
 
 std::string percent(double share)
@@ -153,9 +157,8 @@ std::string landingText(const Diagnosis &diagnosis)
 
 std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis, const WrongPoint &first)
 {
-    return nameOf(candidate) + ": " + pointText(candidate.point, first) + ", "
-           + digitsText(candidate, diagnosis.digitsGiven) + ", off by " + shortText(candidate.distance, 3)
-           + " units of the last digit\n";
+    return nameOf(candidate) + ": " + pointText(candidate.point, first) + ", " + digitsText(candidate, diagnosis)
+           + ", off by " + shortText(candidate.distance, 3) + " units of the last digit\n";
 }
 
 std::string codeText(const std::string &id)
@@ -197,6 +200,7 @@ std::string doctorJson(const Diagnosis &diagnosis)
                         {"apart", jsonNumber(diagnosis.nextApart)}};
     json["right"] = diagnosis.right ? jsonOf(*diagnosis.right) : Json();
     json["digitsGiven"] = diagnosis.digitsGiven;
+    json["digitsWritten"] = diagnosis.digitsWritten;
     json["wrong"] = landingName(diagnosis.landing);
     json["depth"] = depthName(diagnosis.depthKnown);
     json["tried"] = diagnosis.tried;

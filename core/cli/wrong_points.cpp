@@ -2,6 +2,7 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/doctor/written_points.h"
+#include "core/landmark_files/lines.h"
 
 #include <array>
 #include <cstddef>
@@ -43,14 +44,32 @@ std::string rowErrorText(const PointRow &row, std::size_t place)
     return std::string(kPointColumns[place]) + ": \"" + row.cells[place] + "\" is no number";
 }
 
+/// What is wrong with numbers that were given, and what to do.
+std::string faultText(const NumbersFault &fault, const std::string &wanted)
+{
+    if (!fault.word.empty()) {
+        const std::string small = landmark_files::lowerCase(fault.word);
+        const bool isNoPoint =
+            small.find("nan") != small.npos || small.find("inf") != small.npos || small.find("ind") != small.npos;
+        return '"' + fault.word
+               + (isNoPoint ? "\" is no finite number: nothing can be told from it; give a click for which the program "
+                              "has a point"
+                            : "\" is no number; give " + wanted);
+    }
+    if (fault.areCommasMixed)
+        return "commas stand between some of its numbers and not between others; for decimals give a point, " + wanted;
+    return "it has " + std::to_string(fault.found) + (fault.found == 1 ? " number" : " numbers") + "; give " + wanted;
+}
+
 } // namespace
 
 std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string &depth, const std::string &got)
 {
     WrongPoint point;
-    const auto position = writtenNumbers(pixel, 2);
+    const auto position = numbersOrFault(pixel, 2);
     if (!position) {
-        complain("--pixel " + pixel + ": give device pixels from the top left corner, as in 400.5,300.5");
+        complain("--pixel " + pixel + ": "
+                 + faultText(position.error(), "device pixels from the top left corner, as in 400.5,300.5"));
         return std::nullopt;
     }
     point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
@@ -63,11 +82,11 @@ std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string
         point.depth = number->value;
         point.depthLastDigit = depthLastDigit(*number);
     }
-    const auto coordinates = writtenNumbers(got, 3);
+    const auto coordinates = numbersOrFault(got, 3);
     if (!coordinates) {
-        complain("--got " + got
-                 + ": give the three coordinates as the program has printed them, as in "
-                   "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)");
+        complain("--got " + got + ": "
+                 + faultText(coordinates.error(), "the three coordinates as the program has printed them, as in "
+                                                  "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)"));
         return std::nullopt;
     }
     for (int axis = 0; axis < 3; ++axis) {

@@ -222,6 +222,7 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
     candidate.point = hypothesis.point;
     candidate.distance = hypothesis.distance;
     candidate.explains = hypothesis.worst <= kCutOff;
+    candidate.isCutOff = candidate.explains && hypothesis.worst > kRounded;
     for (const Prepared &point : points) {
         const Sought &sought = hypothesis.count == 0 ? point.right : point.sought;
         const std::optional<Nearest> found = hypothesis.nearest(given, sought);
@@ -303,6 +304,10 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         diagnosis.depthKnown = std::max(diagnosis.depthKnown, point.depthKnown);
         for (int axis = 0; axis < 3; ++axis)
             diagnosis.digitsGiven += digitsOf(point.sought.got[axis], point.sought.lastDigit[axis]);
+    }
+    for (const WrongPoint &point : given) {
+        for (int axis = 0; axis < 3; ++axis)
+            diagnosis.digitsWritten += digitsOf(point.got[axis], point.lastDigit[axis]);
     }
     // Of those that say where on the ray, when the best one does; the others go through every point of it.
     if (points.front().sought.isLine && best.front().count > 0 && saysDepth(best.front(), *picture, points.front()))

@@ -57,8 +57,9 @@ struct Candidate {
     glm::dvec3 point{0.0}; ///< its answer to the first point, in that point's space
     double distance =
         0.0;        ///< the greatest difference of a coordinate, in units of its last digit; mean over the points
-    int digits = 0; ///< how many of the digits given it explains, all coordinates of all points
-    bool explains = false; ///< all digits given, of all points; the last of them may be cut off instead of rounded
+    int digits = 0; ///< how many of the digits that count it explains, all coordinates of all points
+    bool explains = false; ///< all digits that count, of all points; the last of them may be cut off instead of rounded
+    bool isCutOff = false; ///< explains, and some of the last ones are
 };
 
 /// Where the wrong point lands with the right matrices: what is wrong there sorts the mistakes.
@@ -85,7 +86,8 @@ struct Diagnosis {
     Landing landing = Landing::Right;
     DepthKnown depthKnown = DepthKnown::Given;
     std::optional<glm::dvec3> right; ///< what the first click gives, in its space; of an unknown depth, the nearest
-    int digitsGiven = 0;             ///< what Candidate::digits is at most
+    int digitsGiven = 0;             ///< what Candidate::digits is at most: those that count
+    int digitsWritten = 0;           ///< all that were given, those that say nothing too
     std::optional<DevicePoint> next; ///< the pixel whose answers tell the first candidates apart best
     double nextApart = 0.0;          ///< how far apart those of the first two are there, units of the space
     std::size_t tried = 0;           ///< mistakes and pairs, with all their variants

@@ -109,7 +109,7 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text)
     return number;
 }
 
-std::optional<std::vector<WrittenNumber>> writtenNumbers(std::string_view given, std::size_t count)
+Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view given, std::size_t count)
 {
     constexpr std::string_view kBetween = " \t\r\n,;()[]{}<>=:\"'|";
     const std::string text = inAscii(given);
@@ -129,20 +129,26 @@ std::optional<std::vector<WrittenNumber>> writtenNumbers(std::string_view given,
             continue;
         const std::optional<WrittenNumber> number = writtenNumber(word);
         if (!number)
-            return std::nullopt;
+            return NumbersFault{std::string(word), numbers.size(), false};
         if (!numbers.empty() && isBehindComma)
             ++commas;
         isBehindComma = false;
         numbers.push_back(*number);
     }
     // 1,500.5 2 3 are no four numbers.
-    if (numbers.empty() || (commas != 0 && commas + 1 != numbers.size()))
-        return std::nullopt;
+    if (commas != 0 && commas + 1 != numbers.size())
+        return NumbersFault{{}, numbers.size(), true};
     if (count == 3 && numbers.size() == 4 && numbers.back().value == 1.0)
         numbers.pop_back();
-    if (numbers.size() != count)
-        return std::nullopt;
+    if (numbers.size() != count || numbers.empty())
+        return NumbersFault{{}, numbers.size(), false};
     return numbers;
+}
+
+std::optional<std::vector<WrittenNumber>> writtenNumbers(std::string_view text, std::size_t count)
+{
+    auto numbers = numbersOrFault(text, count);
+    return numbers ? std::optional(std::move(numbers).value()) : std::nullopt;
 }
 
 double depthLastDigit(const WrittenNumber &depth)

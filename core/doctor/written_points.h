@@ -27,6 +27,15 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text);
 /// @return nothing where there are others, or anything that is no number
 std::optional<std::vector<WrittenNumber>> writtenNumbers(std::string_view text, std::size_t count);
 
+/// Why a text is not so many numbers.
+struct NumbersFault {
+    std::string word;            ///< the first that is no finite number; empty: their count or their commas are wrong
+    std::size_t found = 0;       ///< numbers
+    bool areCommasMixed = false; ///< between some of them and not between others, as decimal commas make it
+};
+/// As writtenNumbers.
+Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view text, std::size_t count);
+
 /// The unit of a depth's last digit, see WrongPoint. One of fewer than four decimals is taken for exact, as 0.5 is; one of
 /// more for rounded.
 double depthLastDigit(const WrittenNumber &depth);

@@ -113,7 +113,14 @@ void TestDoctorCommand::theAnswerInWords()
     const Run run = doctor(kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"});
     VERIFY_SUCCEEDED(run);
     QVERIFY(run.output.startsWith("y-not-flipped\n  y is not turned over"));
-    QVERIFY(run.output.contains("all 11 digits given"));
+    QVERIFY(run.output.contains("all 11 digits given, off by"));
+    // The last digits are cut off, and not said to be explained as they stand.
+    const Run cutOff = doctor(kClick + QStringList{"--got", "0.7051,-0.4121,0.0918"});
+    QVERIFY2(cutOff.output.contains("digits given, the last not rounded but cut off, off by"), cutOff.output);
+    // More digits than a double answers count for nothing.
+    const Run longer =
+        doctor(kClick + QStringList{"--got", "0.50000000000000000,0.7500000000000000,-0.2500000000000000"});
+    QVERIFY2(longer.output.contains("digits that count of the "), longer.output);
     QVERIFY(run.output.contains("next best"));
     QVERIFY(run.output.contains("by a click at"));
     QVERIFY(run.output.contains("the depth is right, the pixel is not"));
@@ -269,6 +276,14 @@ void TestDoctorCommand::unusable_data()
     QTest::newRow("outside the picture") << QStringList{"--pixel", "1001,5"} + got
                                          << QByteArray("--pixel: 1001,5 lies");
     QTest::newRow("a sign apart") << kClick + QStringList{"--got", "1 - 2 3"} << QByteArray("--got 1 - 2 3");
+    QTest::newRow("NaN") << kClick + QStringList{"--got", "nan nan nan"}
+                         << QByteArray("\"nan\" is no finite number: nothing can be told from it; give a click");
+    QTest::newRow("decimal commas") << kClick + QStringList{"--got", "1,5 2 3"}
+                                    << QByteArray("for decimals give a point");
+    QTest::newRow("a rectangle") << kClick + QStringList{"--got", "QRect(0,0 0x0)"}
+                                 << QByteArray("\"0x0\" is no number; give the three coordinates");
+    QTest::newRow("one coordinate") << kClick + QStringList{"--got", "7"}
+                                    << QByteArray("it has 1 number; give the three");
     QTest::newRow("thousands") << kClick + QStringList{"--got", "1,500.5 2 1"} << QByteArray("--got 1,500.5");
     QTest::newRow("no rows") << QStringList{"--points", "-"} << QByteArray("stdin");
 }
