@@ -1,6 +1,8 @@
+#include "core/cli/console.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/text/translation.h"
+#include "gui/view/opengl_check.h"
 #include "gui/window/appearance.h"
 #include "gui/window/main_window.h"
 #include "gui/window/place_ids.h"
@@ -9,6 +11,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QMessageBox>
 #include <QSettings>
 
 #include <cstdio>
@@ -48,14 +51,14 @@ std::optional<WidgetPoint> parsedPosition(const QString &text)
 
 int usageError(const QString &reason)
 {
-    std::fprintf(stderr, "unprojector: %s\n", reason.toLocal8Bit().constData());
+    std::fprintf(stderr, "unprojector: %s\n", printed(reason).constData());
     return 2;
 }
 
 /// Prints what was asked for; a full disk is an error, not an answer.
-[[maybe_unused]] int told(const QString &text)
+int told(const QString &text)
 {
-    const std::string problem = print(text.toLocal8Bit().toStdString());
+    const std::string problem = print(printed(text).toStdString());
     return problem.empty()
                ? 0
                : usageError(
@@ -80,6 +83,7 @@ int main(int argc, char **argv)
     QCoreApplication::setOrganizationName(QStringLiteral("Unprojector"));
     QCoreApplication::setApplicationVersion(QStringLiteral(UNPROJECTOR_VERSION));
 
+    std::optional<cli::ParentConsole> console(std::in_place);
     // The words are judged before there is a window, so that --help and mistakes need no display.
     std::optional<QCoreApplication> words(std::in_place, argc, argv);
     std::optional<Translation> translation(std::in_place);
@@ -132,18 +136,10 @@ int main(int argc, char **argv)
 
     if (!parser.parse(words->arguments()))
         return usageError(CommandLine::tr("%1 See --help.").arg(parser.errorText()));
-#ifdef Q_OS_WIN
-    // A program with windows has no standard output there: Qt shows a box.
-    if (parser.isSet(help))
-        parser.showHelp(0);
-    if (parser.isSet(version))
-        parser.showVersion();
-#else
     if (parser.isSet(help))
         return told(parser.helpText());
     if (parser.isSet(version))
         return told(QCoreApplication::applicationName() + u' ' + QCoreApplication::applicationVersion() + u'\n');
-#endif
     const auto sizeError = [](const QString &option, const QString &value) {
         return usageError(
             CommandLine::tr("--%1 is %2; give width x height in pixels, such as 1280x800, from %3x%4 to %5x%6.")
@@ -196,8 +192,27 @@ int main(int argc, char **argv)
 
     translation.reset();
     words.reset();
-    QApplication application(argc, argv);
+    std::optional<QApplication> application(std::in_place, argc, argv);
     translation.emplace();
+    QString problem = openGLProblem();
+#ifdef Q_OS_WIN
+    if (!problem.isEmpty() && hasSoftwareOpenGL()) {
+        // Only a new application chooses its OpenGL anew.
+        translation.reset();
+        application.reset();
+        QCoreApplication::setAttribute(Qt::AA_UseSoftwareOpenGL);
+        application.emplace(argc, argv);
+        translation.emplace();
+        problem = openGLProblem();
+    }
+#endif
+    if (!problem.isEmpty()) {
+        if (parser.isSet(screenshot))
+            return usageError(problem);
+        console.reset();
+        QMessageBox::critical(nullptr, QCoreApplication::applicationName(), problem);
+        return 2;
+    }
     if (colors)
         setAppearance(*colors);
     else if (!parser.isSet(screenshot))
@@ -207,11 +222,12 @@ int main(int argc, char **argv)
     if (parser.isSet(screenshot)) {
         ScreenshotRun run({parser.value(screenshot), *windowSize, sizeOfView, parser.value(place),
                            !parser.isSet(noPanels), std::move(clicks), std::move(files), smoothEdges});
-        QObject::connect(&run, &ScreenshotRun::ended, &application, &QCoreApplication::exit, Qt::QueuedConnection);
+        QObject::connect(&run, &ScreenshotRun::ended, &*application, &QCoreApplication::exit, Qt::QueuedConnection);
         run.start();
-        return application.exec();
+        return application->exec();
     }
 
+    console.reset(); // whoever started the program goes on with it
     MainWindow::Options options;
     options.smoothEdges = smoothEdges;
     MainWindow window(options);
@@ -229,5 +245,5 @@ int main(int argc, char **argv)
     window.show();
     if (sizeOfView)
         window.setViewSize(*sizeOfView);
-    return application.exec();
+    return application->exec();
 }

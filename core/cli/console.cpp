@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
+#include <tuple>
 
 #include <sys/stat.h>
 
@@ -44,6 +45,13 @@ std::string utf8(const wchar_t *text)
 HANDLE handleOf(std::FILE *stream)
 {
     return reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(stream)));
+}
+
+/// What a standard stream leads to: FILE_TYPE_DISK, _PIPE, _CHAR (a console or a device) or, for nothing, _UNKNOWN.
+DWORD kindOf(DWORD stream)
+{
+    const HANDLE handle = GetStdHandle(stream);
+    return handle == nullptr || handle == INVALID_HANDLE_VALUE ? FILE_TYPE_UNKNOWN : GetFileType(handle);
 }
 #endif
 
@@ -115,6 +123,33 @@ Utf8Console::~Utf8Console()
 #ifdef _WIN32
     if (m_before != 0)
         SetConsoleOutputCP(m_before);
+#endif
+}
+
+ParentConsole::ParentConsole()
+{
+#ifdef _WIN32
+    const auto isRedirected = [](DWORD kind) { return kind == FILE_TYPE_DISK || kind == FILE_TYPE_PIPE; };
+    // Attaching may give the process standard handles of the console's: what it was started with is asked before.
+    const DWORD output = kindOf(STD_OUTPUT_HANDLE), errors = kindOf(STD_ERROR_HANDLE);
+    m_isAttached = !(isRedirected(output) && isRedirected(errors)) && AttachConsole(ATTACH_PARENT_PROCESS) != 0;
+    if (m_isAttached && output == FILE_TYPE_UNKNOWN)
+        std::ignore = std::freopen("CONOUT$", "w", stdout);
+    if (m_isAttached && errors == FILE_TYPE_UNKNOWN)
+        std::ignore = std::freopen("CONOUT$", "w", stderr);
+    m_utf8.emplace();
+#endif
+}
+
+ParentConsole::~ParentConsole()
+{
+#ifdef _WIN32
+    if (!m_isAttached)
+        return;
+    std::fflush(stdout);
+    std::fflush(stderr);
+    m_utf8.reset();
+    FreeConsole();
 #endif
 }
 

@@ -32,6 +32,20 @@ private:
     unsigned m_before = 0; ///< 0: nothing to put back
 };
 
+/// While it lives, a program with windows writes into the console that it was started from, in UTF-8. Windows gives such a
+/// program no console; streams that go to a file or a pipe stay as they are. Elsewhere they all do.
+class ParentConsole {
+public:
+    ParentConsole();
+    ~ParentConsole();
+    ParentConsole(const ParentConsole &) = delete;
+    ParentConsole &operator=(const ParentConsole &) = delete;
+
+private:
+    bool m_isAttached = false;
+    std::optional<Utf8Console> m_utf8;
+};
+
 /// While it lives, a file goes away when somebody ends the program: with Ctrl+C, with kill, by closing its terminal. One at
 /// a time.
 class RemovedWhenInterrupted {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <QByteArray>
+#include <QString>
+
 #include <cerrno>
 #include <cstdio>
 #include <string>
@@ -7,6 +10,16 @@
 #include <system_error>
 
 namespace unprojector::gui {
+
+/// A text as the standard streams take it: in the locale's letters, on Windows in UTF-8, as `unproject` writes there.
+inline QByteArray printed(const QString &text)
+{
+#ifdef Q_OS_WIN
+    return text.toUtf8();
+#else
+    return text.toLocal8Bit();
+#endif
+}
 
 /// Writes to standard output at once.
 /// @return what went wrong, in the system's words, as where the disk is full; empty when all is written

@@ -1,5 +1,7 @@
 #include "gui/view/frame_view.h"
 
+#include "gui/view/opengl_check.h"
+
 #include <QEvent>
 #include <QOpenGLContext>
 #include <QScopedValueRollback>
@@ -75,11 +77,8 @@ bool FrameView::awaitPicture()
 bool FrameView::createFrame()
 {
     initializeOpenGLFunctions();
-    const QSurfaceFormat actual = context()->format();
-    if (actual.version() < qMakePair(3, 3)) {
-        emit failed(tr("OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.")
-                        .arg(actual.majorVersion())
-                        .arg(actual.minorVersion()));
+    if (const QString problem = openGLProblem(*context()); !problem.isEmpty()) {
+        emit failed(problem);
         return false;
     }
     const auto text = [this](GLenum name) {

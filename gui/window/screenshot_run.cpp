@@ -78,7 +78,7 @@ void ScreenshotRun::fail(const QString &reason)
     if (m_hasEnded)
         return;
     m_hasEnded = true;
-    std::fprintf(stderr, "unprojector: %s\n", reason.toLocal8Bit().constData());
+    std::fprintf(stderr, "unprojector: %s\n", printed(reason).constData());
     emit ended(2);
 }
 

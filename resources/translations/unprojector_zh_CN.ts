@@ -669,6 +669,29 @@
     </message>
 </context>
 <context>
+    <name>OpenGLCheck</name>
+    <message>
+        <source>Update the graphics driver. The opengl32sw.dll in the program&apos;s folder does not help; take a newer one of Mesa&apos;s.</source>
+        <translation>请更新显卡驱动程序。程序文件夹中的 opengl32sw.dll 无济于事，请换用较新的 Mesa 版本。</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver. On a remote desktop or in a virtual machine, put Mesa&apos;s opengl32sw.dll into the program&apos;s folder.</source>
+        <translation>请更新显卡驱动程序。若在远程桌面或虚拟机中，请把 Mesa 的 opengl32sw.dll 放入程序所在的文件夹。</translation>
+    </message>
+    <message>
+        <source>Install or update the graphics driver. Without a graphics card Mesa draws (Debian, Ubuntu: libgl1-mesa-dri).</source>
+        <translation>请安装或更新显卡驱动程序。没有显卡时可由 Mesa 绘制（Debian、Ubuntu：libgl1-mesa-dri）。</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL here; the view needs 3.3. %1</source>
+        <translation>此处没有 OpenGL，而视图需要 OpenGL 3.3。%1</translation>
+    </message>
+    <message>
+        <source>OpenGL is %1.%2 here (%3); the view needs 3.3. %4</source>
+        <translation>此处的 OpenGL 版本为 %1.%2（%3），而视图需要 3.3。%4</translation>
+    </message>
+</context>
+<context>
     <name>ProportionTexts</name>
     <message>
         <source>A circle is drawn as a circle.</source>
@@ -2091,10 +2114,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
 </context>
 <context>
     <name>unprojector::gui::FrameView</name>
-    <message>
-        <source>OpenGL %1.%2 is too old: the view needs 3.3. Update the graphics driver.</source>
-        <translation>OpenGL %1.%2 太旧：视图需要 3.3。请更新显卡驱动程序。</translation>
-    </message>
     <message>
         <source>OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
         <translation>OpenGL 无法绘制 %1 × %2 像素的画面。请缩小窗口，或更新显卡驱动。</translation>

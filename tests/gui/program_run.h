@@ -48,4 +48,14 @@ inline Run run(const QStringList &arguments, const QStringList &environment = {}
     return result;
 }
 
+/// What the program wrote: on Windows UTF-8 whatever the code page, elsewhere in the locale's letters.
+inline QString textOf(const QByteArray &written)
+{
+#ifdef Q_OS_WIN
+    return QString::fromUtf8(written);
+#else
+    return QString::fromLocal8Bit(written);
+#endif
+}
+
 } // namespace program_run

@@ -47,6 +47,9 @@ private slots:
     void whatCannotBePrintedIsTold();
     void helpAndVersionNeedNoDisplay_data();
     void helpAndVersionNeedNoDisplay();
+    void anOldOpenGLIsRefusedInWords();
+    void withoutOpenGLItEndsInWords();
+    void aNameInAnyLettersIsPrinted();
 
 private:
     QString path(const QString &name) const { return m_folder.filePath(name); }
@@ -258,7 +261,7 @@ void TestScreenshot::aMistakeIsToldOnStderr()
     const Run result = run(arguments);
     QVERIFY(result.hasExited);
     QCOMPARE(result.exitCode, 2);
-    const QString errors = QString::fromLocal8Bit(result.errors);
+    const QString errors = textOf(result.errors);
     QVERIFY2(errors.startsWith(QStringLiteral("unprojector: ")) || errors.contains(QStringLiteral("\nunprojector: ")),
              qPrintable(errors));
     QVERIFY2(errors.contains(words), qPrintable(errors));
@@ -312,6 +315,40 @@ void TestScreenshot::helpAndVersionNeedNoDisplay()
     QCOMPARE(picture.exitCode, 2);
     QVERIFY2(picture.errors.contains("display"), picture.errors.constData());
 #endif
+}
+
+void TestScreenshot::anOldOpenGLIsRefusedInWords()
+{
+    const Run result = run({"--screenshot", path("old.png"), "--click", "10,10"}, {"MESA_GL_VERSION_OVERRIDE=2.1"});
+    QVERIFY(result.hasExited);
+    if (result.exitCode == 0)
+        QSKIP("only Mesa's OpenGL can be made old");
+    QCOMPARE(result.exitCode, 2);
+    QVERIFY2(result.errors.contains("unprojector: OpenGL is 2.1 here ("), result.errors.constData());
+    QVERIFY2(result.errors.contains("; the view needs 3.3. "), result.errors.constData());
+    QVERIFY(!QFile::exists(path("old.png")));
+}
+
+void TestScreenshot::withoutOpenGLItEndsInWords()
+{
+#ifdef Q_OS_LINUX
+    const Run result = run({"--screenshot", path("never.png")}, {"DISPLAY", "QT_QPA_PLATFORM=offscreen"});
+    QVERIFY(result.hasExited);
+    QCOMPARE(result.exitCode, 2);
+    QVERIFY2(result.errors.contains("unprojector: There is no OpenGL here; the view needs 3.3. "),
+             result.errors.constData());
+    QVERIFY(!QFile::exists(path("never.png")));
+#else
+    QSKIP("no platform without OpenGL");
+#endif
+}
+
+void TestScreenshot::aNameInAnyLettersIsPrinted()
+{
+    const Run result = run({"--screenshot", path("never.png"), path(QStringLiteral("茶壶 é.obj"))});
+    QVERIFY(result.hasExited);
+    QCOMPARE(result.exitCode, 2);
+    QVERIFY2(textOf(result.errors).contains(QStringLiteral("茶壶 é.obj")), result.errors.constData());
 }
 
 QTEST_GUILESS_MAIN(TestScreenshot)
