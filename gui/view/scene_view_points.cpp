@@ -68,10 +68,10 @@ const std::vector<PointMark> &SceneView::marks()
 namespace {
 
 /// What a QPainter leaves switched on, what is drawn next does not expect.
-void switchOff()
+void switchOff(QOpenGLExtraFunctions &gl)
 {
     for (const GLenum what : {GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_TEST})
-        glDisable(what);
+        gl.glDisable(what);
 }
 
 } // namespace
@@ -86,7 +86,7 @@ void SceneView::drawMap()
         QPainter painter(&device);
         painter.drawImage(0, 0, m_map); // pixel on pixel
     }
-    switchOff();
+    switchOff(*this);
 }
 
 void SceneView::drawMarks()
@@ -136,7 +136,7 @@ void SceneView::drawMarks()
                       rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
         }
     }
-    switchOff();
+    switchOff(*this);
 }
 
 void SceneView::aimLoupe(const std::optional<DevicePoint> &at)
