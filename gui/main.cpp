@@ -192,6 +192,8 @@ int main(int argc, char **argv)
 
     translation.reset();
     words.reset();
+    // By this the desktop knows the window's menu entry and icon.
+    QGuiApplication::setDesktopFileName(QStringLiteral("io.github.unprojector.unprojector"));
     std::optional<QApplication> application(std::in_place, argc, argv);
     translation.emplace();
     QString problem = openGLProblem();

@@ -194,34 +194,6 @@ private:
     Drawing m_drawing;
 };
 
-QPixmap programPixmap(int size)
-{
-    QPixmap pixmap(size, size);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.scale(size / kSheet, size / kSheet);
-    const QColor edge(0x24, 0x33, 0x44);
-    const auto face = [&](std::initializer_list<QPointF> corners, const QColor &color) {
-        painter.setBrush(color);
-        painter.setPen(QPen(edge, 1.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPath(polyline(corners, true));
-    };
-    face({{12, 1.5}, {21.5, 6.5}, {12, 11.5}, {2.5, 6.5}}, QColor(0xe8, 0xee, 0xf4));
-    face({{2.5, 6.5}, {12, 11.5}, {12, 22.5}, {2.5, 17.5}}, QColor(0x8f, 0xb3, 0xd4));
-    face({{12, 11.5}, {21.5, 6.5}, {21.5, 17.5}, {12, 22.5}}, QColor(0x4f, 0x81, 0xb0));
-    const QColor clicked(0xd4, 0x1e, 0x4b);
-    painter.setPen(QPen(Qt::white, 3.6));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(QPointF(16.5, 14.5), 4.2, 4.2);
-    painter.setPen(QPen(clicked, 2.0));
-    painter.drawEllipse(QPointF(16.5, 14.5), 4.2, 4.2);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(clicked);
-    painter.drawEllipse(QPointF(16.5, 14.5), 1.4, 1.4);
-    return pixmap;
-}
-
 } // namespace
 
 QIcon drawnIcon(Drawing drawing)
@@ -233,7 +205,7 @@ QIcon programIcon()
 {
     QIcon icon;
     for (const int size : std::array{16, 24, 32, 48, 64, 128, 256})
-        icon.addPixmap(programPixmap(size));
+        icon.addFile(QStringLiteral(":/icons/unprojector-%1.png").arg(size));
     return icon;
 }
 

@@ -26,7 +26,7 @@ enum class Drawing {
 
 QIcon drawnIcon(Drawing drawing);
 
-/// The program's own sign: a cube and the pixel that is clicked on it.
+/// The program's own sign: a view volume, the pixel that is clicked and the point that its ray meets.
 QIcon programIcon();
 
 } // namespace unprojector::gui
