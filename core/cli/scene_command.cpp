@@ -9,10 +9,13 @@
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace unprojector::cli {
 using namespace scene_file;
@@ -90,7 +93,8 @@ std::optional<Viewport> setWindow(const SceneOptions &options, Viewport viewport
 }
 
 /// What can be done about a finding, by an option or by hand.
-std::string adviceFor(const MatrixFinding &finding, NumberOrder order)
+/// @param hasConventions  whose matrices they are is said: then depths and y are not
+std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasConventions)
 {
     switch (finding.fault) {
     case MatrixFault::Transposed:
@@ -98,9 +102,13 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order)
                                                : "; read by rows, --order column reads it by columns";
     case MatrixFault::Inverse: return "; if it is, give its inverse";
     case MatrixFault::Exchanged: return "; give each behind its name, modelview and projection";
-    case MatrixFault::DepthZeroToOne: return "; --depth zero-to-one takes it so, --depth minus-one-to-one does not";
+    case MatrixFault::DepthZeroToOne:
+        return hasConventions ? "; --conventions of an API with such depths takes it so"
+                              : "; --depth zero-to-one takes it so, --depth minus-one-to-one does not";
     case MatrixFault::DepthReversed: return "; --reversed says that they are";
-    case MatrixFault::YDown: return "; --y down turns it back, --y up leaves it so";
+    case MatrixFault::YDown:
+        return hasConventions ? "; it stays so: if it is not meant, give --conventions of the API that it is for"
+                              : "; --y down turns it back, --y up leaves it so";
     case MatrixFault::Rounded: return "; --orthonormal takes the nearest that are, more decimals are better";
     case MatrixFault::Negated: return "; its signs are turned round";
     case MatrixFault::Mirrored:
@@ -124,7 +132,7 @@ public:
     /// The matrix in the order that is asked for, or in that of its form; OpenGL's, whosever it was.
     glm::dmat4 matrix(const PastedMatrix &pasted, MatrixRole role) const
     {
-        const glm::dmat4 given = matrixOf(pasted.numbers, order(pasted));
+        const glm::dmat4 given = meantMatrix(pasted, order(pasted));
         switch (role) {
         case MatrixRole::View: return oursFromView(given, api());
         case MatrixRole::Projection: return oursFromApi({given, {}}, api()).clipFromEye;
@@ -142,8 +150,7 @@ public:
         AxisChange window = spaces.window;
         window.scale.z = 1.0;
         window.shift.z = 0.0;
-        const glm::dmat4 ours =
-            window.inverse().matrix() * matrixOf(pasted.numbers, order(pasted)) * spaces.clip.matrix();
+        const glm::dmat4 ours = window.inverse().matrix() * meantMatrix(pasted, order(pasted)) * spaces.clip.matrix();
         ViewportAndDepths result =
             viewportOf(ours, conventionsOf(api()).hasOnlyThatDepth ? NdcDepth::MinusOneToOne : m_options.depth);
         if (conventionsOf(api()).isDepthReversed)
@@ -165,6 +172,8 @@ public:
                 const std::optional<glm::dmat4> &clipFromEye = std::nullopt) const
     {
         bool isReversed = false;
+        if (pasted.isInverse)
+            say(part, "by its name it is an inverse: its own inverse is taken");
         for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depth(), clipFromEye)) {
             const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
             isReversed = isReversed || isAboutDepth;
@@ -172,12 +181,26 @@ public:
                 continue;
             if (finding.fault == MatrixFault::Rounded && m_options.isOrthonormal)
                 continue;
-            say(part, findingText(finding, role) + adviceFor(finding, order(pasted)));
+            say(part, taken() + findingText(finding, role)
+                          + adviceFor(finding, order(pasted), m_options.conventions.has_value()));
+            if (finding.fault == MatrixFault::Scaled && m_options.isOrthonormal)
+                say(part, finding.repair == MatrixRepair::None
+                              ? "--orthonormal is for axes that were rounded: of these it makes another camera's; give "
+                                "the view without the model's scale"
+                              : "--orthonormal takes that scale out; near, far and the eye stay as they are, so what "
+                                "comes out is in units of the eye");
         }
         return isReversed;
     }
 
 private:
+    /// What is to be seen is that of the matrix in OpenGL's conventions.
+    std::string taken() const
+    {
+        return api() == Api::OpenGl
+                   ? ""
+                   : "taken from " + std::string(conventionsOf(api()).name) + "'s conventions to OpenGL's, it ";
+    }
     Api api() const { return m_options.conventions.value_or(Api::OpenGl); }
     /// Rows of row vectors are columns.
     NumberOrder order(const PastedMatrix &pasted) const
@@ -204,9 +227,68 @@ bool setViewport(const SceneOptions &options, const PastedScene &pasted, const s
                  + (isOriginTop(options) ? "from the bottom" : "from the top") + ": --conventions says whose it is");
         return false;
     }
+    if (!isWindowsOwn(depthRange))
+        complain(name + ": viewport: its depths go from " + numberText(depthRange.atNear, Digits::Double, 5) + " to "
+                 + numberText(depthRange.atFar, Digits::Double, 5) + ", beyond the 0 to 1 of a window; "
+                 + (options.depth || options.conventions ? "the depths of clicks must be such ones"
+                                                         : "--depth says by which NDC depths they are to be read"));
     scene.depthRange = depthRange;
     scene.viewport = setWindow(options, viewport, isOriginTop(options), scene);
     return scene.viewport.has_value();
+}
+
+/// How far a matrix is from another one times any number, over its largest entry.
+double offUpToScale(const glm::dmat4 &a, const glm::dmat4 &b)
+{
+    double ab = 0.0, bb = 0.0, largest = 0.0, off = 0.0;
+    for (int i = 0; i < 16; ++i) {
+        ab += a[i / 4][i % 4] * b[i / 4][i % 4];
+        bb += b[i / 4][i % 4] * b[i / 4][i % 4];
+        largest = std::max(largest, std::abs(a[i / 4][i % 4]));
+    }
+    for (int i = 0; i < 16; ++i)
+        off = std::max(off, std::abs(a[i / 4][i % 4] - ab / bb * b[i / 4][i % 4]));
+    return off / largest;
+}
+
+constexpr double kSame = 1e-3; // as three printed digits leave it
+
+/// What of a product beside a projection and a view does not go with them; empty where it does.
+std::string contradiction(const Taker &taker, const PastedScene &pasted)
+{
+    const glm::dmat4 product = taker.matrix(*pasted.product, MatrixRole::Product),
+                     clipFromEye = taker.matrix(*pasted.projection, MatrixRole::Projection);
+    std::vector<glm::dmat4> others;
+    for (const auto &view : {pasted.view, pasted.modelView}) {
+        if (!view)
+            continue;
+        others.push_back(clipFromEye * taker.matrix(*view, MatrixRole::View));
+        if (pasted.model)
+            others.push_back(others.back() * meantMatrix(*pasted.model, orderOf(pasted.model->form)));
+    }
+    double off = std::numeric_limits<double>::infinity();
+    for (const glm::dmat4 &other : others)
+        off = std::min(off, offUpToScale(product, other));
+    return off <= kSame ? ""
+                        : ", and it is not their product, but off by " + numberText(off, Digits::Double, 2)
+                              + " of its largest entry: one of them is of another picture, or has an object's own "
+                                "matrix in it";
+}
+
+/// Says that a matrix beside a product counts for nothing, and whether it goes with it.
+void sayLeftOut(const Taker &taker, const PastedScene &pasted, PastedPart part, const std::optional<TakenApart> &apart)
+{
+    const bool isProjection = part == PastedPart::Projection;
+    const auto &given = isProjection ? pasted.projection : part == PastedPart::View ? pasted.view : pasted.modelView;
+    if (!given)
+        return;
+    const bool isSame = apart
+                        && offUpToScale(isProjection ? apart->clipFromEye : apart->eyeFromWorld,
+                                        taker.matrix(*given, isProjection ? MatrixRole::Projection : MatrixRole::View))
+                               <= kSame;
+    taker.say(part, std::string("left out, since ") + (isProjection ? "no view" : "no projection")
+                        + " is beside it: the product alone counts"
+                        + (isSame || !apart ? "" : ", and the product's own is another one"));
 }
 
 /// Projection and view as pasted; what options ask for is done to them, and what else is to be seen of them is said.
@@ -221,6 +303,8 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
         const PastedMatrix &view = pasted.view ? *pasted.view : *pasted.modelView;
         const PastedPart viewPart = pasted.view ? PastedPart::View : PastedPart::ModelView;
         glm::dmat4 eyeFromWorld = taker.matrix(view, MatrixRole::View);
+        if (eyeFromWorld[3][3] < 0.0)
+            eyeFromWorld = repaired(eyeFromWorld, {MatrixFault::Negated, MatrixRepair::Negate});
         if (options.isOrthonormal && eyeFromWorld[3][3] != 0.0)
             eyeFromWorld = repaired(eyeFromWorld, {MatrixFault::Rounded, MatrixRepair::Orthonormal});
         scene.view = eyeFromWorld;
@@ -231,13 +315,15 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
                 clipFromEye = repaired(clipFromEye, finding);
         }
         if (pasted.product)
-            taker.say(PastedPart::Product,
-                      "left out, since the projection and the " + std::string(nameOf(viewPart)) + " are there");
+            taker.say(PastedPart::Product, "left out, since the projection and the " + std::string(nameOf(viewPart))
+                                               + " are there" + contradiction(taker, pasted));
         if (pasted.view && pasted.modelView)
             taker.say(PastedPart::ModelView, "left out, since the view is there");
     } else {
         isReversed = taker.lookAt(lens, PastedPart::Product, MatrixRole::Product);
         const auto apart = takenApart(clipFromEye);
+        for (const PastedPart part : {PastedPart::Projection, PastedPart::View, PastedPart::ModelView})
+            sayLeftOut(taker, pasted, part, apart);
         scene.view = apart ? apart->eyeFromWorld : glm::dmat4(1.0);
         clipFromEye = apart ? apart->clipFromEye : clipFromEye;
         taker.say(PastedPart::Product,
@@ -250,6 +336,8 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
                         : "lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
                           "projection and view");
     }
+    for (const PastedPart part : pasted.inversesLeft)
+        taker.say(part, "its inverse is left out, since the matrices that are needed are there themselves");
     for (const PastedPart part : pasted.more)
         taker.say(part, "there are several, of which the first counts");
     if (pasted.model)

@@ -198,6 +198,8 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
     }
     if (determinant < 0.0)
         found.push_back({MatrixFault::Mirrored, MatrixRepair::TurnX});
+    if (m[3][3] < 0.0)
+        found.push_back({MatrixFault::Negated, MatrixRepair::Negate});
     if (const auto printedOff = roundedOff(m)) {
         std::erase_if(found, [](const MatrixFinding &one) { return one.fault == MatrixFault::Scaled; });
         found.insert(found.begin(), {MatrixFault::Rounded, MatrixRepair::Orthonormal, *printedOff});

@@ -84,7 +84,7 @@ std::optional<Viewport> MatrixPaste::viewport() const
         if (one.parts.viewport)
             return one.parts.viewport;
         if (const auto &given = one.parts.viewportMatrix) {
-            Viewport viewport = viewportOf(matrixOf(given->numbers, orderOf(given->form)), {}).viewport;
+            Viewport viewport = viewportOf(meantMatrix(*given, orderOf(given->form)), {}).viewport;
             viewport.height = std::abs(viewport.height); // pixels may count from the top
             return viewport;
         }
@@ -139,7 +139,7 @@ std::optional<glm::dmat4> MatrixPaste::unturned(MatrixRole role) const
     const PastedMatrix *given = pasted(role);
     if (!given)
         return std::nullopt;
-    glm::dmat4 matrix = matrixOf(given->numbers, order(role));
+    glm::dmat4 matrix = meantMatrix(*given, order(role));
     for (const MatrixFinding &done : place(role).repairs) {
         if (done.repair != MatrixRepair::OtherOrder && done.repair != MatrixRepair::TurnEye)
             matrix = repaired(matrix, done);

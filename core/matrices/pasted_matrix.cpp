@@ -1,11 +1,15 @@
 #include "core/matrices/pasted_matrix.h"
 
+#include "core/geometry/condition_number.h"
 #include "core/matrices/pasted_numbers.h"
+
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <span>
+#include <utility>
 
 namespace unprojector::matrices {
 namespace {
@@ -66,6 +70,7 @@ PastedMatrix assembled(Numbers numbers)
 {
     PastedMatrix matrix;
     matrix.form = formOf(numbers);
+    matrix.isInverse = numbers.front().isInverse;
     for (std::size_t i = 0; i < kEntries; ++i)
         matrix.numbers[i] = numbers[i].value;
     if (matrix.form != MatrixForm::Indexed && matrix.form != MatrixForm::IndexPairs)
@@ -91,6 +96,7 @@ PastedMatrix assembled(Numbers numbers)
 struct Part {
     PastedPart part;
     std::vector<PastedNumber> numbers{};
+    std::vector<PastedNumber> inverse{}; ///< of what has the name of its inverse
     /// A viewport may be given as its matrix.
     bool isMatrix() const { return part != PastedPart::Viewport || numbers.size() == kEntries; }
     std::size_t wanted() const { return isMatrix() ? kEntries : 4; }
@@ -139,6 +145,16 @@ private:
     std::array<Part, kParts.size()> m_parts;
 };
 
+/// Numbers behind the name of an inverse are the part's where it has no others; of the view, where it has no modelview either.
+void sortInverses(Parts &parts)
+{
+    for (const PastedPart part : kParts) {
+        const bool isTaken = parts.has(part) || (part == PastedPart::View && parts.has(PastedPart::ModelView));
+        if (!isTaken)
+            parts[part].numbers = std::exchange(parts[part].inverse, {});
+    }
+}
+
 /// Numbers behind no name go to the first part that is needed and not yet full.
 void sort(std::vector<PastedNumber> &numbers, Parts &parts)
 {
@@ -146,11 +162,14 @@ void sort(std::vector<PastedNumber> &numbers, Parts &parts)
     const bool isUnnamed = std::none_of(numbers.begin(), numbers.end(), [](const auto &n) { return bool(n.part); });
     std::vector<PastedNumber> unnamed;
     for (PastedNumber &number : numbers) {
-        if (number.part)
+        if (number.part && number.isInverse)
+            parts[*number.part].inverse.push_back(std::move(number));
+        else if (number.part)
             parts[*number.part].numbers.push_back(std::move(number));
         else
             unnamed.push_back(std::move(number));
     }
+    sortInverses(parts);
     std::vector<PastedPart> needed = parts.needed();
     if (isUnnamed && unnamed.size() == kProductAndViewport)
         needed = {PastedPart::Product, PastedPart::Viewport};
@@ -197,14 +216,25 @@ glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order)
     return m;
 }
 
+glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order)
+{
+    const glm::dmat4 m = matrixOf(matrix.numbers, order);
+    return matrix.isInverse && !isSingular(m) ? glm::inverse(m) : m;
+}
+
+bool isWindowsOwn(const DepthRange &range)
+{
+    constexpr double kPrinted = 1e-6; // what single precision leaves
+    return std::abs(range.atNear - 0.5) <= 0.5 + kPrinted && std::abs(range.atFar - 0.5) <= 0.5 + kPrinted;
+}
+
 ViewportAndDepths viewportOf(const glm::dmat4 &windowFromNdc, const std::optional<NdcDepth> &depth)
 {
     const glm::dmat4 &m = windowFromNdc;
-    constexpr double kPrinted = 1e-6; // what single precision leaves
-    const bool isMinusOneToOne =
-        depth ? *depth == NdcDepth::MinusOneToOne : std::abs(m[3][2] - 0.5) + std::abs(m[2][2]) <= 0.5 + kPrinted;
-    return {{m[3][0] - m[0][0], m[3][1] - m[1][1], 2.0 * m[0][0], 2.0 * m[1][1]},
-            {isMinusOneToOne ? m[3][2] - m[2][2] : m[3][2], m[3][2] + m[2][2]}};
+    const DepthRange fromMinusOne{m[3][2] - m[2][2], m[3][2] + m[2][2]}, fromZero{m[3][2], m[3][2] + m[2][2]};
+    const bool isFromZero =
+        depth ? *depth == NdcDepth::ZeroToOne : !isWindowsOwn(fromMinusOne) && isWindowsOwn(fromZero);
+    return {{m[3][0] - m[0][0], m[3][1] - m[1][1], 2.0 * m[0][0], 2.0 * m[1][1]}, isFromZero ? fromZero : fromMinusOne};
 }
 
 const char *nameOf(PastedPart part)
@@ -250,6 +280,8 @@ Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
     for (const PastedPart part : kParts) {
         if (parts[part].keepFirst())
             scene.more.push_back(part);
+        if (!parts[part].inverse.empty())
+            scene.inversesLeft.push_back(part);
         const bool isNeeded = std::find(needed.begin(), needed.end(), part) != needed.end();
         if ((isNeeded || parts.has(part)) && !parts[part].isWhole())
             return countError(parts[part], count);

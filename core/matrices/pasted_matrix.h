@@ -32,6 +32,7 @@ enum class MatrixForm {
 struct PastedMatrix {
     std::array<double, 16> numbers{}; ///< as they stand in the text; those with indices, by these
     MatrixForm form = MatrixForm::Flat;
+    bool isInverse = false; ///< it has the name of an inverse, as projectionMatrixInverse
     friend bool operator==(const PastedMatrix &, const PastedMatrix &) = default;
 };
 
@@ -41,13 +42,20 @@ NumberOrder orderOf(MatrixForm form);
 /// The matrix that sixteen numbers are in an order: column vectors.
 glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order);
 
+/// What a matrix stands for, in an order: one with the name of an inverse, its own inverse. One that has none stays as it is.
+glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order);
+
 struct ViewportAndDepths {
     Viewport viewport;
     DepthRange depthRange;
 };
 
+/// Whether a window may have it: within [0, 1], but for what single precision leaves.
+bool isWindowsOwn(const DepthRange &range);
+
 /// What a matrix from NDC to the window stands for: column vectors, window positions in pixels from the bottom left.
-/// @param depth  the NDC depths it goes by; unknown, those in [-1, 1], unless that gives no depth range of a window
+/// @param depth  the NDC depths it goes by; unknown, those in [-1, 1], unless only those in [0, 1] make its depth range one
+///               within [0, 1]
 /// @return width and height less than 0 where the matrix turns x or y round
 ViewportAndDepths viewportOf(const glm::dmat4 &windowFromNdc, const std::optional<NdcDepth> &depth);
 
@@ -62,6 +70,7 @@ struct PastedScene {
     std::optional<Viewport> viewport;
     std::optional<PastedMatrix> viewportMatrix; ///< window from NDC, where the viewport is given as that
     std::vector<PastedPart> more; ///< of which there are several, as of several objects: only the first is taken
+    std::vector<PastedPart> inversesLeft; ///< whose inverse stands beside them, and is left out
 };
 
 struct PasteError {
@@ -78,7 +87,8 @@ struct PasteError {
 Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
 
 /// The matrices and the viewport of a scene: numbers behind a name (modelview, view, model, projection, MVP, viewport)
-/// are that part's, whatever their order; those behind none are modelview, projection and viewport, in this order, or,
+/// are that part's, whatever their order; behind that of an inverse (viewInverse,
+/// cameraToWorld) too, where the part itself is not there; those behind none are modelview, projection and viewport, in this order, or,
 /// where there are twenty altogether, the product and the viewport.
 /// @return the viewport, the projection and the modelview or the view; or the product; whatever else was there
 Result<PastedScene, PasteError> pastedScene(std::string_view text);

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <system_error>
 
 namespace unprojector::matrices {
@@ -59,14 +60,9 @@ bool isMeantAsNumber(std::string_view word)
            || word.find_first_not_of("0123456789.eEdD+-") == word.npos;
 }
 
-/// The part that words say: "gl_ModelViewMatrix", "model view", "P*V", "mvp".
-std::optional<PastedPart> partOf(std::string_view words)
+/// The part that words say, in small letters and nothing else: "glmodelviewmatrix", "modelview", "pv", "mvp".
+std::optional<PastedPart> partOf(const std::string &letters)
 {
-    std::string letters;
-    for (const char c : inSmallLetters(words)) {
-        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
-            letters += c;
-    }
     const auto has = [&letters](const char *name) { return letters.find(name) != std::string::npos; };
     if (has("viewport") || letters == "windowfromndc" || letters == "qrect" || letters == "qrectf")
         return PastedPart::Viewport;
@@ -81,11 +77,52 @@ std::optional<PastedPart> partOf(std::string_view words)
         return PastedPart::Projection;
     if (has("modelview") || letters == "mv")
         return PastedPart::ModelView;
-    if (has("view") || letters == "v" || letters == "eyefromworld" || has("matrixworldinverse"))
+    if (has("view") || letters == "v" || letters == "eyefromworld" || has("worldtocamera"))
         return PastedPart::View;
-    if (has("model"))
+    // three.js's object.matrixWorld, Blender's matrix_world
+    if (has("model") || has("matrixworld"))
         return PastedPart::Model;
     return std::nullopt;
+}
+
+struct Named {
+    PastedPart part;
+    bool isInverse = false;
+};
+
+/// The part that words say: "gl_ModelViewMatrix", "model view", "P*V", "projectionMatrixInverse", "cameraToWorld".
+std::optional<Named> namedBy(std::string_view words)
+{
+    std::string letters;
+    for (const char c : inSmallLetters(words)) {
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+            letters += c;
+    }
+    const auto hasAny = [&letters](std::initializer_list<std::string_view> names) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](std::string_view name) { return letters.find(name) != std::string::npos; });
+    };
+    if (hasAny({"matrixworldinverse"})) // three.js's camera
+        return Named{PastedPart::View};
+    if (letters == "matrixworld" || (hasAny({"matrixworld"}) && hasAny({"camera"}))
+        || hasAny({"worldfromeye", "worldfromcamera", "worldfromview", "cameratoworld", "viewtoworld", "eyetoworld"}))
+        return Named{PastedPart::View, true};
+    if (hasAny({"eyefromclip", "viewfromclip", "cliptoeye", "cliptoview", "cliptocamera"}))
+        return Named{PastedPart::Projection, true};
+    if (hasAny({"worldfromclip", "cliptoworld"}))
+        return Named{PastedPart::Product, true};
+    constexpr std::string_view kWhole = "inverse", kShort = "inv";
+    bool isInverse = true;
+    if (const std::size_t at = letters.find(kWhole); at != letters.npos)
+        letters.erase(at, kWhole.size());
+    else if (letters.starts_with(kShort))
+        letters.erase(0, kShort.size());
+    else if (letters.ends_with(kShort))
+        letters.erase(letters.size() - kShort.size());
+    else
+        isInverse = false;
+    const std::optional<PastedPart> part = partOf(letters);
+    return part ? std::optional(Named{*part, isInverse}) : std::nullopt;
 }
 
 /// One or two whole numbers in the brackets that open at `at`, as in m[3] and m(0, 1), or nothing. A single number in round
@@ -252,7 +289,8 @@ private:
             return std::nullopt;
         }
         // Qt prints the size of a rectangle as 300x200.
-        if (const std::size_t cross = word.find('x'); m_part == PastedPart::Viewport && cross != word.npos) {
+        const bool isOfViewport = m_named && m_named->part == PastedPart::Viewport;
+        if (const std::size_t cross = word.find('x'); isOfViewport && cross != word.npos) {
             const auto width = numberOf(word.substr(0, cross)), height = numberOf(word.substr(cross + 1));
             if (width && height && *width > 0.0 && std::isfinite(*width) && std::isfinite(*height)) {
                 add(*width, start, word);
@@ -289,7 +327,10 @@ private:
         number.isBehindSemicolon = m_isBehindSemicolon;
         number.subscripts = std::move(m_subscripts);
         number.words = std::move(m_words);
-        number.part = m_part;
+        if (m_named) {
+            number.part = m_named->part;
+            number.isInverse = m_named->isInverse;
+        }
         m_numbers.push_back(std::move(number));
         m_subscripts.clear();
         m_words.clear();
@@ -298,17 +339,19 @@ private:
         m_lastWord = word;
     }
 
-    /// Words that stand side by side are one name: "model view", "projection * view".
+    /// Words that stand side by side are one name: "model view", "projection * view"; and so are "inverse(view)".
     void name(const std::string &word, std::size_t start)
     {
-        const bool isJoined =
-            !m_name.empty() && m_text.substr(m_nameEnd, start - m_nameEnd).find_first_not_of(" *\t") == m_text.npos;
+        const std::string_view between = m_text.substr(m_nameEnd, start - m_nameEnd);
+        const bool isJoined = !m_name.empty()
+                              && (between.find_first_not_of(" *\t") == between.npos
+                                  || (between == "(" && inSmallLetters(m_name).ends_with("inverse")));
         m_name = isJoined ? m_name + ' ' + word : word;
         m_nameEnd = m_at;
         m_words.push_back(inSmallLetters(word));
         m_subscripts = subscriptsOfName(m_words.back());
-        if (const auto part = partOf(m_name))
-            m_part = part;
+        if (const auto named = namedBy(m_name))
+            m_named = named;
     }
 
     std::string_view m_text;
@@ -321,7 +364,7 @@ private:
     std::string m_lastWord; ///< that is a number
     std::string m_name;
     std::size_t m_nameEnd = 0;
-    std::optional<PastedPart> m_part;
+    std::optional<Named> m_named;
     std::vector<PastedNumber> m_numbers;
 };
 

@@ -19,6 +19,7 @@ struct PastedNumber {
     std::vector<int> subscripts{};    ///< m[3] = 1: {3}; m(0,1) = 1 and m01 = 1: {0, 1}
     std::vector<std::string> words{}; ///< between it and the number before, in small letters
     std::optional<PastedPart> part{}; ///< whose name was the last
+    bool isInverse = false;           ///< that name is of the part's inverse
 };
 
 /// @return NotFinite's word, line and column

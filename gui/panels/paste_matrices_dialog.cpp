@@ -122,7 +122,7 @@ void PasteMatricesDialog::repair(MatrixRole role, const MatrixFinding &finding)
         const PastedMatrix *pasted = m_paste.pasted(one);
         if (!pasted || !box(one)->text().trimmed().isEmpty())
             return box(one)->text();
-        return QString::fromStdString(formatted(matrixOf(pasted->numbers, m_paste.order(one)), {}, {}));
+        return QString::fromStdString(formatted(meantMatrix(*pasted, m_paste.order(one)), {}, {}));
     };
     const QString projection = textOf(MatrixRole::Projection), view = textOf(MatrixRole::View);
     box(MatrixRole::Projection)->setText(view);

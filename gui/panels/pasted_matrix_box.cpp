@@ -150,6 +150,8 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
         m_said->setText(tr("From the other text: %1.").arg(formName(pasted->form)));
     else
         m_said->setText(tr("Read as %1.").arg(formName(pasted->form)));
+    if (pasted && pasted->isInverse)
+        m_said->setText(m_said->text() + u' ' + tr("By its name it is an inverse: its own inverse is taken."));
     QStringList done;
     for (const MatrixFinding &finding : paste.repairs(m_role))
         done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows

@@ -5381,6 +5381,10 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <source>NDC depths:</source>
         <translation>NDC 深度：</translation>
     </message>
+    <message>
+        <source>By its name it is an inverse: its own inverse is taken.</source>
+        <translation>按名称这是逆矩阵：已取其逆。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PictureNote</name>

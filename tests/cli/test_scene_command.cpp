@@ -276,6 +276,51 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
     QTest::newRow("reversed, asked for")
         << reversed + rest << QStringList{"--reversed", "--depth", "zero-to-one"}
         << QByteArray("stdin: projection: has its far plane at infinity: depths there have no point\n");
+    const QByteArray view = "view " + kModelview, viewport = " viewport " + kViewport;
+    QTest::newRow("an inverse by its name")
+        << rest + " projectionMatrixInverse 1 0 0 0  0 1 0 0  0 0 0 -0.333333333333333333  0 0 -1 0.66666666666666667"
+        << QStringList() << QByteArray("stdin: projection: by its name it is an inverse: its own inverse is taken\n");
+    QTest::newRow("an inverse too many")
+        << rest + " projection " + kProjection + " matrixWorld " + kModelview << QStringList()
+        << QByteArray(
+               "stdin: view: its inverse is left out, since the matrices that are needed are there themselves\n");
+    QTest::newRow("a product that goes with them")
+        << view + " projection " + kProjection + " mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5" + viewport << QStringList()
+        << QByteArray("stdin: product: left out, since the projection and the view are there\n");
+    QTest::newRow("a product that does not")
+        << view + " projection " + kProjection + " mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 6 5" + viewport << QStringList()
+        << QByteArray("stdin: product: left out, since the projection and the view are there, and it is not their "
+                      "product, but off by 0.072 of its largest entry: one of them is of another picture, or has an "
+                      "object's own matrix in it\n");
+    QTest::newRow("a view beside a product")
+        << "view 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -4 1 mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5" + viewport
+        << QStringList()
+        << QByteArray("stdin: view: left out, since no projection is beside it: the product alone counts, and the "
+                      "product's own is another one\n"
+                      "stdin: product: taken apart into projection and view, which make it again up to 0 of its "
+                      "largest entry\n");
+    QTest::newRow("a negated view")
+        << "view -1 0 0 0  0 -1 0 0  0 0 -1 0  0 0 5 -1 projection " + kProjection + viewport << QStringList()
+        << QByteArray("stdin: view: has every entry with the other sign: the same points, but w < 0 in front of the "
+                      "eye, which OpenGL cuts off; its signs are turned round\n");
+    QTest::newRow("a sheared view, made orthonormal")
+        << "view 2 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 projection " + kProjection + viewport
+        << QStringList{"--orthonormal"}
+        << QByteArray("stdin: view: has axes of unlike lengths or not at right angles, the longest 2: what comes out "
+                      "are the object's coordinates, not the world's\n"
+                      "stdin: view: --orthonormal is for axes that were rounded: of these it makes another camera's; "
+                      "give the view without the model's scale\n");
+    QTest::newRow("depths beyond a window's")
+        << view + " projection " + kProjection + " viewport 200 0 0 0  0 150 0 0  0 0 1.5 0  200 150 0.5 1"
+        << QStringList()
+        << QByteArray("stdin: viewport: its depths go from -1 to 2, beyond the 0 to 1 of a window; --depth says by "
+                      "which NDC depths they are to be read\n");
+    QTest::newRow("y up for Vulkan")
+        << view + " projection 1 0 0 0  0 1 0 0  0 0 -1.01010101 -1  0 0 -1.01010101 0 " + viewport
+        << QStringList{"--conventions", "vulkan"}
+        << QByteArray("stdin: projection: taken from Vulkan's conventions to OpenGL's, it turns y round, as is done "
+                      "for Vulkan: the picture is upside down for OpenGL; it stays so: if it is not meant, give "
+                      "--conventions of the API that it is for\n");
     QTest::newRow("a model beside it") << "model " + kModelview + ' ' + rest + " projection " + kProjection
                                        << QStringList()
                                        << QByteArray("stdin: model: left out: world coordinates have no need of it\n");

@@ -104,6 +104,9 @@ private slots:
     void whatIsNoMatrixIsRefused();
     void aSceneIsSortedByNames_data();
     void aSceneIsSortedByNames();
+    void inversesAreReadAsSuch_data();
+    void inversesAreReadAsSuch();
+    void rangesAreThoseOfAWindow();
     void faultsAreFound_data();
     void faultsAreFound();
     void rightMatricesHaveNone_data();
@@ -261,6 +264,67 @@ void TestPastedMatrices::aSceneIsSortedByNames()
     QVERIFY(scene->viewport == (Viewport{0.0, 0.0, 400.0, 300.0}));
 }
 
+void TestPastedMatrices::inversesAreReadAsSuch_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<MatrixRole>("role");
+    QTest::addColumn<bool>("isInverse");
+    using enum MatrixRole;
+    for (const char *name : {"projectionMatrixInverse", "gl_ProjectionMatrixInverse", "inverse(projection)", "invProj",
+                             "proj_inv", "eyeFromClip"})
+        QTest::newRow(name) << QString::fromLatin1(name) << Projection << true;
+    for (const char *name : {"viewInverse", "inverseView", "View_Inv", "camera.matrixWorld", "matrixWorld",
+                             "Camera.matrix_world", "cameraToWorldMatrix", "worldFromEye"})
+        QTest::newRow(name) << QString::fromLatin1(name) << View << true;
+    for (const char *name : {"viewProjectionInverse", "inverse MVP", "worldFromClip"})
+        QTest::newRow(name) << QString::fromLatin1(name) << Product << true;
+    for (const char *name : {"camera.matrixWorldInverse", "worldToCameraMatrix", "viewMatrix"})
+        QTest::newRow(name) << QString::fromLatin1(name) << View << false;
+}
+
+void TestPastedMatrices::inversesAreReadAsSuch()
+{
+    QFETCH(QString, name);
+    QFETCH(MatrixRole, role);
+    QFETCH(bool, isInverse);
+    const QString shift = QStringLiteral(" 1 0 0 0 0 1 0 0 0 0 1 0 0 0 7 1\n");
+    const auto parts = pastedParts((name + shift).toStdString());
+    QVERIFY(parts);
+    const auto &matrix = role == MatrixRole::View         ? parts->view
+                         : role == MatrixRole::Projection ? parts->projection
+                                                          : parts->product;
+    QVERIFY(matrix);
+    QCOMPARE(matrix->isInverse, isInverse);
+    QCOMPARE(meantMatrix(*matrix, NumberOrder::ByColumns)[3][2], isInverse ? -7.0 : 7.0);
+    // The matrix itself is taken before its inverse, wherever it stands.
+    const QString own = role == MatrixRole::View         ? QStringLiteral("view")
+                        : role == MatrixRole::Projection ? QStringLiteral("projection")
+                                                         : QStringLiteral("mvp");
+    if (!isInverse)
+        return;
+    const auto both = pastedParts((name + shift + own + QString(shift).replace('7', '9')).toStdString());
+    QVERIFY(both);
+    const auto &first = role == MatrixRole::View         ? both->view
+                        : role == MatrixRole::Projection ? both->projection
+                                                         : both->product;
+    QVERIFY(first && !first->isInverse);
+    QCOMPARE(first->numbers[14], 9.0);
+    QCOMPARE(both->inversesLeft.size(), std::size_t(1));
+}
+
+void TestPastedMatrices::rangesAreThoseOfAWindow()
+{
+    const auto rangeOf = [](double scale, double shift) {
+        glm::dmat4 m(1.0);
+        m[2][2] = scale;
+        m[3][2] = shift;
+        return viewportOf(m, {}).depthRange;
+    };
+    QVERIFY(rangeOf(0.25, 0.75) == (DepthRange{0.5, 1.0}));
+    QVERIFY(rangeOf(0.8, 0.2) == (DepthRange{0.2, 1.0}));  // by [0, 1]: by [-1, 1] it would begin at -0.6
+    QVERIFY(rangeOf(1.5, 0.5) == (DepthRange{-1.0, 2.0})); // no window's by either: OpenGL's way
+}
+
 void TestPastedMatrices::faultsAreFound_data()
 {
     QTest::addColumn<glm::dmat4>("matrix");
@@ -309,6 +373,7 @@ void TestPastedMatrices::faultsAreFound_data()
     QTest::newRow("a scale of 1.01 is no rounding")
         << glm::scale(glm::dmat4(1.0), glm::dvec3(1.01)) << View << "scaled";
     QTest::newRow("a negated projection") << -p << Projection << "negated";
+    QTest::newRow("a negated view") << -v << View << "negated";
     QTest::newRow("a negated product") << -(p * v) << Product << "negated";
     QTest::newRow("a box's product") << box * v << Product << "";
     QTest::newRow("a product in four decimals") << rounded(p * v, 4) << Product << "";
