@@ -2,6 +2,12 @@
 
 #include "core/text/number_text.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
 namespace unprojector::scene_code {
 using namespace text;
 
@@ -13,6 +19,34 @@ std::string literal(double value, NumberStyle style)
     if (digits.find_first_of(".e") == std::string::npos)
         digits += ".0";
     return style == NumberStyle::Float ? digits + 'f' : digits;
+}
+
+std::string beyondFloat(const std::string &code)
+{
+    constexpr const char *kOfNumbers = "0123456789.e+-";
+    std::vector<std::string> tooLarge, tooSmall;
+    for (std::size_t at = 0; (at = code.find_first_of("0123456789", at)) != code.npos;) {
+        const std::size_t end = std::min(code.find_first_not_of(kOfNumbers, at), code.size());
+        const std::string digits = code.substr(at, end - at);
+        at = end;
+        double value = 0.0;
+        const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (end == code.size() || code[end] != 'f' || read.ptr != digits.data() + digits.size())
+            continue;
+        auto *kept = value > double(std::numeric_limits<float>::max())                          ? &tooLarge
+                     : value != 0.0 && value < double(std::numeric_limits<float>::denorm_min()) ? &tooSmall
+                                                                                                : nullptr;
+        if (kept && std::find(kept->begin(), kept->end(), digits) == kept->end())
+            kept->push_back(digits);
+    }
+    const auto said = [](const std::vector<std::string> &numbers, const std::string &become) {
+        std::string text;
+        for (const std::string &number : numbers)
+            text += (text.empty() ? "" : ", ") + number;
+        return numbers.empty() ? text : " No float holds " + text + ": here that is " + become + '.';
+    };
+    const std::string text = said(tooLarge, "infinite") + said(tooSmall, "0");
+    return text.empty() ? text : text + " What is computed with it is wrong.";
 }
 
 std::string list(std::initializer_list<double> values, NumberStyle style)

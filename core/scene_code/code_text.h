@@ -19,6 +19,9 @@ enum class NumberStyle {
 
 /// The fewest digits that read back to the same double.
 std::string literal(double value, NumberStyle style);
+/// Of the numbers that a code has written as floats, those that no float holds: "4e+300", and what becomes of them.
+/// @return a sentence of a comment; empty where there are none
+std::string beyondFloat(const std::string &code);
 /// "1.0, 2.0, 3.0"
 std::string list(std::initializer_list<double> values, NumberStyle style);
 std::string list(const glm::dvec3 &v, NumberStyle style);

@@ -137,6 +137,11 @@ std::string qtCode(const CodeScene &scene)
     if (rounding > 0.0 && std::isfinite(rounding))
         text += ": the eye's place alone is rounded by up to " + boundText(rounding);
     text += ".\n";
+    const std::string matrices = matrixFunction("clipFromEye", projectionCalls(scene)) + '\n'
+                                 + matrixFunction("eyeFromWorld", cameraCalls(p)) + objectFunctions(scene)
+                                 + clipPlanes(scene);
+    if (const std::string lost = beyondFloat(matrices); !lost.empty())
+        text += "//" + lost + '\n';
     if (scene.isDepthZeroToOne)
         text += "// The projection's depths go from 0 to 1: glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE), Vulkan or "
                 "Direct3D.\n";
@@ -153,9 +158,7 @@ std::string qtCode(const CodeScene &scene)
             + ", viewportHeight = " + literal(p.viewport.height, NumberStyle::Double) + ";\n// glDepthRange"
             + (scene.isNearGreater ? "; near has the greater depths: glDepthFunc(GL_GREATER), glClearDepthf(0)" : "")
             + "\nconst double depthAtNear = " + literal(p.depthRange.atNear, NumberStyle::Double)
-            + ", depthAtFar = " + literal(p.depthRange.atFar, NumberStyle::Double) + ";\n\n"
-            + matrixFunction("clipFromEye", projectionCalls(scene)) + '\n'
-            + matrixFunction("eyeFromWorld", cameraCalls(p)) + objectFunctions(scene) + clipPlanes(scene);
+            + ", depthAtFar = " + literal(p.depthRange.atFar, NumberStyle::Double) + ";\n\n" + matrices;
     text += "\n"
             "// The world coordinate of a pixel's centre, for the depth that is read there. i counts device pixels "
             "from the window's "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,17 +32,38 @@ inline std::string newIdentifier(std::string_view name, std::vector<std::string>
     return result;
 }
 
-/// A name as a comment of one line can hold it, in every language that has such: what ends a line there, and the backslash
-/// that would continue it, are underscores.
-inline std::string onOneLine(std::string name)
+/// How many bytes at a place of UTF-8 text are one character that shows nothing, ends a line or turns the direction of what follows:
+/// the controls of ASCII and of C1, U+2028, U+2029, marks, embeddings and isolates of bidirectional text, zero-width ones, tags.
+/// The joiners U+200C and U+200D, which belong to the spelling of names, are none.
+inline std::size_t controlAt(std::string_view text, std::size_t at)
 {
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\\'; }, '_');
-    for (const std::string_view separator : {"\xe2\x80\xa8", "\xe2\x80\xa9"}) { // U+2028, U+2029: JavaScript's
-        for (std::size_t at = 0; (at = name.find(separator, at)) != std::string::npos;)
-            name.replace(at, separator.size(), "_");
+    const auto byte = [&](std::size_t i) {
+        return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : static_cast<unsigned char>(0);
+    };
+    const unsigned char a = byte(0), b = byte(1), c = byte(2);
+    if (a < 0x20 || a == 0x7f)
+        return 1;
+    if ((a == 0xc2 && b >= 0x80 && b <= 0x9f) || (a == 0xd8 && b == 0x9c)) // U+061C
+        return 2;
+    const bool isInGeneral =
+        a == 0xe2 && b == 0x80 && (c == 0x8b || c == 0x8e || c == 0x8f || (c >= 0xa8 && c <= 0xae)); // U+200B to U+202E
+    const bool isInvisible = a == 0xe2 && b == 0x81 && c >= 0xa0 && c <= 0xaf;                       // U+2060 to U+206F
+    if (isInGeneral || isInvisible || (a == 0xef && b == 0xbb && c == 0xbf))
+        return 3;
+    return a == 0xf3 && b == 0xa0 ? 4 : 0; // U+E0000 and on
+}
+
+/// A name as a comment of one line can hold it, in every language that has such, and as it reads in every editor: controls, and
+/// the backslash that would continue the line, are underscores.
+inline std::string onOneLine(std::string_view name)
+{
+    std::string line;
+    for (std::size_t at = 0; at < name.size();) {
+        const std::size_t control = controlAt(name, at);
+        line += control > 0 || name[at] == '\\' ? '_' : name[at];
+        at += std::max<std::size_t>(control, 1);
     }
-    return name;
+    return line;
 }
 
 } // namespace unprojector::text

@@ -209,13 +209,17 @@ void TestSceneCode::namesStayInTheirComments()
     for (const char *name : {"a\nevil1", "a\revil2",
                              "a\xe2\x80\xa8"
                              "evil3",
-                             "a\\", "", "_", "a", "A b", "\xe5\xa4\xb4"}) {
+                             "a\\", "", "_", "a", "A b", "\xe5\xa4\xb4", "b\xe2\x80\xaelive", "b\xe2\x81\xa6live",
+                             "b\xc2\x85live", "b\x7flive", "b\xd8\x9clive"}) {
         scene.objects.emplace_back();
         scene.objects.back().name = name;
         scene.objects.back().file = "evil.obj";
     }
     for (const CodeDialect dialect : {CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt, CodeDialect::ThreeJs}) {
         QString text = QString::fromStdString(sceneCode(scene, dialect));
+        for (const QChar c : text) // bidirectional controls turn code round to the eye
+            QVERIFY2(c == QLatin1Char('\n') || c.category() == QChar::Other_Surrogate || c.isPrint(), qPrintable(text));
+        QVERIFY(text.contains(QStringLiteral("\u5934")));
         text.replace(QChar::LineSeparator, QLatin1Char('\n')).replace(QLatin1Char('\r'), QLatin1Char('\n'));
         for (const QString &line : text.split(QLatin1Char('\n'))) {
             QVERIFY2(!line.startsWith(QLatin1String("evil")), qPrintable(line));
@@ -238,6 +242,12 @@ void TestSceneCode::whatADialectCannotSayIsSaid()
     QVERIFY(glu.find("OpenGL cuts a depth range") != std::string::npos);
     scene.view = LookAt{{1e6, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
     QVERIFY(sceneCode(scene, CodeDialect::Qt).find("rounded by up to 0.06") != std::string::npos);
+    QVERIFY(sceneCode(scene, CodeDialect::Qt).find("No float holds") == std::string::npos);
+    scene.projection = Perspective{radiansFromDegrees(33.3), 1.5, 1e-300, 4e300};
+    const std::string beyond = sceneCode(scene, CodeDialect::Qt);
+    QVERIFY2(beyond.find("// No float holds 4e+300: here that is infinite. No float holds 1e-300: here that is 0.")
+                 != std::string::npos,
+             beyond.c_str());
     scene.projection = MatrixProjection{glm::dmat4(1.0), NdcDepth::ZeroToOne};
     for (const CodeDialect dialect : {CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt})
         QVERIFY(sceneCode(scene, dialect).find("glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)") != std::string::npos);
