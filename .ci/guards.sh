@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# bash .ci/guards.sh [format] [tidy] [asan] [tsan] [fuzz]: the guards beside the tests; without names, all of them.
+# bash .ci/guards.sh [format] [package] [asan] [tidy] [tsan] [fuzz]: the guards beside the tests; without names, all of them.
 #
 #   format  clang-format has nothing to change
+#   package the Debian package of the preset ci's programs: what lintian says of it, whether both programs work from where it
+#           puts them, and whether anything is left when it is removed. In a root folder of its own: nothing is installed here
 #   asan    everything compiles with Clang without a warning; all tests under the address and undefined behaviour
 #           sanitizers, with all assertions
 #   tidy    clang-tidy finds nothing in what changed lately
@@ -15,7 +17,8 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 export LC_ALL=C.UTF-8
 cd -- "$root" # Presets are looked for in the current folder.
-bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev lld llvm ccache ||
+bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev lld llvm ccache \
+    dpkg-dev lintian desktop-file-utils appstream ||
     echo "The guards' tools could not be installed: those that need them are passed over."
 if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
@@ -100,12 +103,44 @@ fuzz() {
     buildWithClang --target unprojector_fuzzers && bash .ci/fuzz.sh 60
 }
 
+# Files that are in a root folder, but for dpkg's own.
+filesIn() { find "$1" -path "$1/var" -prune -o ! -type d -print; }
+
+package() {
+    isThere dpkg-shlibdeps || return 0
+    [ "$(id -u)" -eq 0 ] || { echo "Only root unpacks packages: passed over"; return 0; }
+    local work=$root/build/ci/package lib=var/lib/dpkg tree share
+    rm -rf "$work" && mkdir -p "$work/root/$lib/info" "$work/root/$lib/updates" && touch "$work/root/$lib/status"
+    cmake --preset ci >/dev/null && cmake --build --preset ci --target unproject unprojector unprojector_manual &&
+        cpack --config build/ci/CPackConfig.cmake -B "$work" || return
+    ! command -v lintian >/dev/null || lintian --allow-root --fail-on error,warning "$work"/*.deb || return
+    tree=$work/root share=$work/root/usr/share
+    # What it depends on is here, since it was built here.
+    dpkg --root="$tree" --force-depends -i "$work"/*.deb 2>"$work/dpkg.log" || { cat "$work/dpkg.log"; return 1; }
+    ! command -v desktop-file-validate >/dev/null || desktop-file-validate "$share"/applications/*.desktop || return
+    ! command -v appstreamcli >/dev/null || appstreamcli validate --no-net "$share"/metainfo/*.xml || return
+    # The middle of the window, halfway through the depths of near 1 and far 3, seen from (0, 0, 5): 1.5 before the eye.
+    if ! "$tree/usr/bin/unproject" scene -o "$work/scene.json" --from-matrices \
+        'modelview 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 projection 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 viewport 0 0 800 600' ||
+        ! printf 'px,py,depth\n400,300,0.5\n' | "$tree/usr/bin/unproject" points "$work/scene.json" >"$work/points.csv" ||
+        ! grep -q '^400,300,0.5,0,0,3.5,' "$work/points.csv"; then
+        echo "unproject does not work from $tree"
+        return 1
+    fi
+    onVirtualDisplay "$tree/usr/bin/unprojector" --screenshot "$work/window.png" --view-size 600x500 --click 300,250 |
+        grep -q '"world"' || { echo "unprojector does not work from $tree"; return 1; }
+    [ -s "$work/window.png" ] || { echo "There is no picture of the window"; return 1; }
+    dpkg --root="$tree" --purge unprojector || return
+    [ -z "$(filesIn "$tree")" ] || { echo "The package leaves behind:"; filesIn "$tree"; return 1; }
+    echo "$(du -h "$work"/*.deb | cut -f 1) package: installed, both programs ran, removed without a trace"
+}
+
 guards=("$@")
-[ ${#guards[@]} -gt 0 ] || guards=(format asan tidy tsan fuzz)
+[ ${#guards[@]} -gt 0 ] || guards=(format package asan tidy tsan fuzz)
 failed=()
 for guard in "${guards[@]}"; do
     case $guard in
-    format | tidy | asan | tsan | fuzz) ;;
+    format | package | tidy | asan | tsan | fuzz) ;;
     *) echo "There is no guard $guard" >&2; exit 2 ;;
     esac
     echo "== $guard"
