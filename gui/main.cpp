@@ -11,6 +11,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFile>
 #include <QMessageBox>
 #include <QSettings>
 
@@ -87,6 +88,12 @@ int main(int argc, char **argv)
     // The words are judged before there is a window, so that --help and mistakes need no display.
     std::optional<QCoreApplication> words(std::in_place, argc, argv);
     std::optional<Translation> translation(std::in_place);
+    const QString folder = QCoreApplication::applicationDirPath();
+    if (QFile::exists(folder + QStringLiteral("/portable"))) {
+        // The program is carried about, on a stick for one, and its settings with it.
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
+    }
 
     QCommandLineParser parser;
     parser.setApplicationDescription(
