@@ -47,6 +47,13 @@ PointTemplates::PointTemplates()
                   pointsOf(Templates::tr("facial"))}};
 }
 
+bool PointTemplates::isChosen(const QString &name) const
+{
+    const std::string wanted = landmarks::nameKey(name.toStdString());
+    return std::any_of(m_chosen.begin(), m_chosen.end(),
+                       [&](const landmarks::Landmark &each) { return landmarks::nameKey(each.name) == wanted; });
+}
+
 QString PointTemplates::hintFor(const QString &name) const
 {
     const std::string wanted = name.toStdString();

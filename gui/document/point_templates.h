@@ -35,6 +35,8 @@ public:
         m_chosen = std::move(points);
         m_folder = folder;
     }
+    /// Whether the template that was chosen last has this name.
+    bool isChosen(const QString &name) const;
     /// Where a point of this name is; empty: nobody says.
     QString hintFor(const QString &name) const;
     /// The picture that the chosen template has of a point of this name; empty: none.

@@ -12,14 +12,16 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace unprojector::gui {
 
-NextPointBar::NextPointBar(SceneDocument &document, Hint hint, Picture picture, QWidget *parent)
-    : QWidget(parent), m_document(document), m_hint(std::move(hint)), m_picture(std::move(picture)), m_name(new QLabel),
-      m_how(new QLabel), m_where(new QLabel), m_drawing(new QLabel), m_count(new QLabel), m_skip(new QToolButton)
+NextPointBar::NextPointBar(SceneDocument &document, Hint hint, Picture picture, IsOfTemplate isOfTemplate,
+                           QWidget *parent)
+    : QWidget(parent), m_document(document), m_hint(std::move(hint)), m_picture(std::move(picture)),
+      m_isOfTemplate(std::move(isOfTemplate)), m_name(new QLabel), m_how(new QLabel), m_where(new QLabel),
+      m_drawing(new QLabel), m_count(new QLabel), m_skip(new QToolButton)
 {
     for (QLabel *label : {m_name, m_how, m_where, m_drawing, m_count}) {
         label->setTextFormat(Qt::PlainText); // names come from files
@@ -60,7 +62,8 @@ NextPointBar::NextPointBar(SceneDocument &document, Hint hint, Picture picture, 
 
 void NextPointBar::setPlacing(bool isPlacing)
 {
-    m_how->setText(isPlacing ? tr("Click where it is.") : tr("Press P, then click where it is."));
+    m_how->setText(isPlacing ? tr("Click where it is; P or Esc ends placing.")
+                             : tr("Press P, then click where it is."));
 }
 
 void NextPointBar::useFonts()
@@ -119,9 +122,18 @@ void NextPointBar::refresh()
     const QString hint = m_hint(QString::fromStdString(points[*waiting].name));
     m_where->setText(hint);
     m_where->setVisible(!hint.isEmpty());
-    const auto placed =
-        std::count_if(points.begin(), points.end(), [](const auto &point) { return !point.isMissing(); });
-    m_count->setText(tr("%1 of %2").arg(placed).arg(points.size()));
+    // Points of other names are none of the template's; where the one that waits is such, all of them count.
+    const auto isOfTemplate = [&](const landmarks::Landmark &point) {
+        return m_isOfTemplate(QString::fromStdString(point.name));
+    };
+    const bool countsAll = !isOfTemplate(points[*waiting]);
+    std::size_t all = 0, placed = 0;
+    for (const landmarks::Landmark &point : points) {
+        const bool counts = countsAll || isOfTemplate(point);
+        all += counts ? 1U : 0U;
+        placed += counts && !point.isMissing() ? 1U : 0U;
+    }
+    m_count->setText(tr("%1 of %2").arg(placed).arg(all));
 }
 
 } // namespace unprojector::gui

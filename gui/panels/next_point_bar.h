@@ -22,7 +22,11 @@ public:
     /// The file of a picture of a point of a name; empty: none.
     using Picture = std::function<std::filesystem::path(const QString &name)>;
 
-    NextPointBar(SceneDocument &document, Hint hint, Picture picture, QWidget *parent = nullptr);
+    /// Whether a point of a name is of the template that is gone through.
+    using IsOfTemplate = std::function<bool(const QString &name)>;
+
+    NextPointBar(SceneDocument &document, Hint hint, Picture picture, IsOfTemplate isOfTemplate,
+                 QWidget *parent = nullptr);
 
     /// Whether a click in the view places it; else it is said how.
     void setPlacing(bool isPlacing);
@@ -39,6 +43,7 @@ private:
     SceneDocument &m_document;
     Hint m_hint;
     Picture m_picture;
+    IsOfTemplate m_isOfTemplate;
     std::filesystem::path m_shownPicture;
     QLabel *m_name;
     QLabel *m_how;

@@ -52,7 +52,8 @@ PointsPanel::PointsPanel(SceneDocument &document, PointTemplates &templates, QWi
       m_table(new PointsTable(document, m_model)),
       m_next(new NextPointBar(
           document, [this](const QString &name) { return m_templates.hintFor(name); },
-          [this](const QString &name) { return m_templates.pictureFor(name); })),
+          [this](const QString &name) { return m_templates.pictureFor(name); },
+          [this](const QString &name) { return m_templates.isChosen(name); })),
       m_empty(new QLabel), m_reason(new QLabel), m_template(new QToolButton), m_up(new QToolButton),
       m_down(new QToolButton), m_remove(new QToolButton), m_curves(new CurvesView(document)),
       m_parts(new QSplitter(Qt::Vertical))

@@ -190,13 +190,19 @@ void PointsTable::showSelection()
             selection.select(rowOf(place), rowOf(place));
     }
     selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
-    if (!points.current() || static_cast<int>(*points.current()) >= count)
-        return;
-    const QModelIndex current = rowOf(*points.current());
-    if (currentIndex().row() != current.row() || !currentIndex().isValid()) {
-        selectionModel()->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
-        scrollTo(current);
+    const bool isNew = !currentIndex().isValid();
+    if (points.current() && static_cast<int>(*points.current()) < count) {
+        const QModelIndex current = rowOf(*points.current());
+        if (currentIndex().row() != current.row() || isNew) {
+            selectionModel()->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
+            scrollTo(current);
+        }
     }
+    // The one that is placed next stays in sight, unless another one was gone to since.
+    const std::optional<std::size_t> waiting = points.waiting();
+    if (waiting && static_cast<int>(*waiting) < count && (isNew || waiting != m_shownWaiting))
+        scrollTo(rowOf(*waiting));
+    m_shownWaiting = waiting;
 }
 
 void PointsTable::tellSelection()

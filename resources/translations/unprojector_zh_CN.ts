@@ -4858,12 +4858,12 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>如何放置</translation>
     </message>
     <message>
-        <source>Click where it is.</source>
-        <translation>点击它所在之处。</translation>
-    </message>
-    <message>
         <source>Press P, then click where it is.</source>
         <translation>按 P，再点击它所在之处。</translation>
+    </message>
+    <message>
+        <source>Click where it is; P or Esc ends placing.</source>
+        <translation>点击它所在的位置；按 P 或 Esc 结束放置。</translation>
     </message>
 </context>
 <context>

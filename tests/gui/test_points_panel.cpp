@@ -72,6 +72,7 @@ private slots:
     void theCheckBoxHides();
     void copiedAsATable();
     void aTemplateIsPlacedOneAfterTheOther();
+    void theNextOfATemplateIsCountedAndInSight();
     void skippedOnesStayMissing();
     void withoutATemplateNothingIsMissing();
     void bundledTemplatesHaveHints();
@@ -271,7 +272,7 @@ void TestPointsPanel::whoPlacesIsNotToldToPressP()
     QVERIFY(how->isVisible());
     QCOMPARE(how->text(), QStringLiteral("Press P, then click where it is."));
     m_panel->setPlacing(true);
-    QCOMPARE(how->text(), QStringLiteral("Click where it is."));
+    QCOMPARE(how->text(), QStringLiteral("Click where it is; P or Esc ends placing."));
 }
 
 void TestPointsPanel::aDoubleClickOnTheNumberGoesThere()
@@ -464,6 +465,29 @@ void TestPointsPanel::aTemplateIsPlacedOneAfterTheOther()
     QVERIFY(!next->isVisible());
     QCOMPARE(names().size(), 5);
     QCOMPARE(m_document->landmarks()[4].world->x, 3.0);
+}
+
+void TestPointsPanel::theNextOfATemplateIsCountedAndInSight()
+{
+    // Of those that are there already two are none of the template's; the last of them is selected.
+    std::vector<Landmark> mine;
+    for (int i = 0; i < 60; ++i)
+        mine.push_back(point(("p" + std::to_string(i)).c_str(), {}));
+    m_document->points().selectOnly(2);
+    m_templates->choose(mine);
+    fillFromTemplate(*m_document, mine, QStringLiteral("Mine"));
+    const auto isInSight = [&](int row) {
+        return m_table->viewport()->rect().contains(m_table->visualRect(at(row, PointsModel::Name)).center());
+    };
+    QVERIFY(isInSight(0));
+    place(1.0);
+    QCOMPARE(named<QLabel>(QStringLiteral("How many points are placed"))->text(), QStringLiteral("1 of 60"));
+    for (int i = 1; i < 40; ++i)
+        place(1.0 + i);
+    QVERIFY(isInSight(40));
+    // What is gone to is seen.
+    m_document->points().selectOnly(0);
+    QVERIFY(isInSight(0));
 }
 
 void TestPointsPanel::skippedOnesStayMissing()
