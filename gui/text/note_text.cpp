@@ -1,6 +1,7 @@
 #include "gui/text/note_text.h"
 
 #include <QCoreApplication>
+#include <QImageReader>
 #include <QStringList>
 
 namespace unprojector::gui {
@@ -21,6 +22,12 @@ QString noteText(const ModelNote &note)
         return NoteTexts::tr("The picture %1 is not there or cannot be read: its surfaces are shown without it.")
             .arg(detail);
     case ModelNote::Kind::TextureUnusable:
+        if (!QImageReader::supportedImageFormats().contains("jpeg"))
+            return NoteTexts::tr(
+                       "The picture %1 is damaged, too large or of a kind that is not known (JPEG is not known "
+                       "here: Qt's plugin for it is missing): its surfaces are shown without it. Convert it "
+                       "to PNG, or make it smaller.")
+                .arg(detail);
         return NoteTexts::tr(
                    "The picture %1 is damaged, too large or of a kind that is not known: its surfaces are shown "
                    "without it. Convert it to PNG or JPEG, or make it smaller.")

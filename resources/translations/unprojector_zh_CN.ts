@@ -4924,6 +4924,10 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>Not used: %1.</source>
         <translation>未使用：%1。</translation>
     </message>
+    <message>
+        <source>The picture %1 is damaged, too large or of a kind that is not known (JPEG is not known here: Qt&apos;s plugin for it is missing): its surfaces are shown without it. Convert it to PNG, or make it smaller.</source>
+        <translation>图片 %1 已损坏、过大或格式未知（此处连 JPEG 也无法读取：缺少 Qt 的相应插件）：其表面不带图片显示。请将其转换为 PNG，或将其缩小。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::NumberGrid</name>
