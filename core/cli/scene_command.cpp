@@ -129,10 +129,13 @@ class Taker {
 public:
     Taker(const SceneOptions &options, const std::string &name) : m_options(options), m_name(name) {}
 
-    /// The matrix in the order that is asked for, or in that of its form; OpenGL's, whosever it was.
+    /// The matrix in the order that is asked for, or in that of its form.
+    glm::dmat4 matrixAsGiven(const PastedMatrix &pasted) const { return meantMatrix(pasted, order(pasted)); }
+
+    /// The same in OpenGL's conventions, whosever it was.
     glm::dmat4 matrix(const PastedMatrix &pasted, MatrixRole role) const
     {
-        const glm::dmat4 given = meantMatrix(pasted, order(pasted));
+        const glm::dmat4 given = matrixAsGiven(pasted);
         switch (role) {
         case MatrixRole::View: return oursFromView(given, api());
         case MatrixRole::Projection: return oursFromApi({given, {}}, api()).clipFromEye;
@@ -256,15 +259,17 @@ constexpr double kSame = 1e-3; // as three printed digits leave it
 /// What of a product beside a projection and a view does not go with them; empty where it does.
 std::string contradiction(const Taker &taker, const PastedScene &pasted)
 {
-    const glm::dmat4 product = taker.matrix(*pasted.product, MatrixRole::Product),
-                     clipFromEye = taker.matrix(*pasted.projection, MatrixRole::Projection);
+    const glm::dmat4 product = taker.matrixAsGiven(*pasted.product),
+                     clipFromEye = taker.matrixAsGiven(*pasted.projection);
     std::vector<glm::dmat4> others;
     for (const auto &view : {pasted.view, pasted.modelView}) {
         if (!view)
             continue;
-        others.push_back(clipFromEye * taker.matrix(*view, MatrixRole::View));
-        if (pasted.model)
-            others.push_back(others.back() * meantMatrix(*pasted.model, orderOf(pasted.model->form)));
+        const glm::dmat4 eyeFromWorld = taker.matrixAsGiven(*view);
+        const glm::dmat4 model = pasted.model ? taker.matrixAsGiven(*pasted.model) : glm::dmat4(1.0);
+        // All of them may be read in the wrong order, which is said of each.
+        others.insert(others.end(), {clipFromEye * eyeFromWorld, eyeFromWorld * clipFromEye,
+                                     clipFromEye * eyeFromWorld * model, model * eyeFromWorld * clipFromEye});
     }
     double off = std::numeric_limits<double>::infinity();
     for (const glm::dmat4 &other : others)

@@ -292,6 +292,12 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
         << QByteArray("stdin: product: left out, since the projection and the view are there, and it is not their "
                       "product, but off by 0.072 of its largest entry: one of them is of another picture, or has an "
                       "object's own matrix in it\n");
+    QTest::newRow("a product that goes with them, by rows")
+        << "view 1 0 0 0  0 1 0 0  0 0 1 -5  0 0 0 1 projection 1 0 0 0  0 1 0 0  0 0 -2 -3  0 0 -1 0 mvp 1 0 0 0  0 1 "
+           "0 0  0 0 -2 7  0 0 -1 5"
+               + viewport
+        << QStringList{"--order", "row"}
+        << QByteArray("stdin: product: left out, since the projection and the view are there\n");
     QTest::newRow("a view beside a product")
         << "view 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -4 1 mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5" + viewport
         << QStringList()
