@@ -1,6 +1,6 @@
 ; Installs Unprojector for one user, without an administrator. /S asks nothing; /D=FOLDER (last, without quotes) chooses where.
-; Given: VERSION, TREE (the files), REMOVAL (the lines that delete them), ICON, OUT.
-Target amd64-unicode
+; Given: TARGET (the kind of installer), VERSION, TREE (the files), REMOVAL (the lines that delete them), ICON, OUT.
+Target ${TARGET}
 Unicode true
 SetCompressor /SOLID lzma
 ManifestDPIAware true
