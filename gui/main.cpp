@@ -1,4 +1,4 @@
-#include "core/cli/console.h"
+#include "core/files/standard_streams.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/text/translation.h"
@@ -84,7 +84,7 @@ int main(int argc, char **argv)
     QCoreApplication::setOrganizationName(QStringLiteral("Unprojector"));
     QCoreApplication::setApplicationVersion(QStringLiteral(UNPROJECTOR_VERSION));
 
-    std::optional<cli::ParentConsole> console(std::in_place);
+    std::optional<files::ParentConsole> console(std::in_place);
     // The words are judged before there is a window, so that --help and mistakes need no display.
     std::optional<QCoreApplication> words(std::in_place, argc, argv);
     std::optional<Translation> translation(std::in_place);

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
-#include <tuple>
 
 #include <sys/stat.h>
 
@@ -45,13 +44,6 @@ std::string utf8(const wchar_t *text)
 HANDLE handleOf(std::FILE *stream)
 {
     return reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(stream)));
-}
-
-/// What a standard stream leads to: FILE_TYPE_DISK, _PIPE, _CHAR (a console or a device) or, for nothing, _UNKNOWN.
-DWORD kindOf(DWORD stream)
-{
-    const HANDLE handle = GetStdHandle(stream);
-    return handle == nullptr || handle == INVALID_HANDLE_VALUE ? FILE_TYPE_UNKNOWN : GetFileType(handle);
 }
 #endif
 
@@ -107,50 +99,6 @@ std::vector<std::string> utf8Arguments(int argc, char **argv)
     }
 #endif
     return std::vector<std::string>(argv, argv + argc);
-}
-
-Utf8Console::Utf8Console()
-{
-#ifdef _WIN32
-    m_before = GetConsoleOutputCP();
-    if (m_before != 0)
-        SetConsoleOutputCP(CP_UTF8);
-#endif
-}
-
-Utf8Console::~Utf8Console()
-{
-#ifdef _WIN32
-    if (m_before != 0)
-        SetConsoleOutputCP(m_before);
-#endif
-}
-
-ParentConsole::ParentConsole()
-{
-#ifdef _WIN32
-    const auto isRedirected = [](DWORD kind) { return kind == FILE_TYPE_DISK || kind == FILE_TYPE_PIPE; };
-    // Attaching may give the process standard handles of the console's: what it was started with is asked before.
-    const DWORD output = kindOf(STD_OUTPUT_HANDLE), errors = kindOf(STD_ERROR_HANDLE);
-    m_isAttached = !(isRedirected(output) && isRedirected(errors)) && AttachConsole(ATTACH_PARENT_PROCESS) != 0;
-    if (m_isAttached && output == FILE_TYPE_UNKNOWN)
-        std::ignore = std::freopen("CONOUT$", "w", stdout);
-    if (m_isAttached && errors == FILE_TYPE_UNKNOWN)
-        std::ignore = std::freopen("CONOUT$", "w", stderr);
-    m_utf8.emplace();
-#endif
-}
-
-ParentConsole::~ParentConsole()
-{
-#ifdef _WIN32
-    if (!m_isAttached)
-        return;
-    std::fflush(stdout);
-    std::fflush(stderr);
-    m_utf8.reset();
-    FreeConsole();
-#endif
 }
 
 RemovedWhenInterrupted::RemovedWhenInterrupted(const std::filesystem::path &file)

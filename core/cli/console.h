@@ -12,39 +12,13 @@
 #include <vector>
 
 // What the command asks of the system beyond standard C++; the only place where systems differ, besides the opening of
-// streams in byte_stream.
+// streams (byte_stream) and what is printed (files/standard_streams).
 
 namespace unprojector::cli {
 
 /// The program's arguments in UTF-8, its own name first. Windows hands main() those that its code page has letters for;
 /// there the command line is asked for instead.
 std::vector<std::string> utf8Arguments(int argc, char **argv);
-
-/// While it lives, what the program writes to a Windows console is taken for UTF-8. Elsewhere it is anyway.
-class Utf8Console {
-public:
-    Utf8Console();
-    ~Utf8Console();
-    Utf8Console(const Utf8Console &) = delete;
-    Utf8Console &operator=(const Utf8Console &) = delete;
-
-private:
-    unsigned m_before = 0; ///< 0: nothing to put back
-};
-
-/// While it lives, a program with windows writes into the console that it was started from, in UTF-8. Windows gives such a
-/// program no console; streams that go to a file or a pipe stay as they are. Elsewhere they all do.
-class ParentConsole {
-public:
-    ParentConsole();
-    ~ParentConsole();
-    ParentConsole(const ParentConsole &) = delete;
-    ParentConsole &operator=(const ParentConsole &) = delete;
-
-private:
-    bool m_isAttached = false;
-    std::optional<Utf8Console> m_utf8;
-};
 
 /// While it lives, a file goes away when somebody ends the program: with Ctrl+C, with kill, by closing its terminal. One at
 /// a time.

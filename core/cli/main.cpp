@@ -1,5 +1,6 @@
 #include "core/cli/command_line.h"
 #include "core/cli/console.h"
+#include "core/files/standard_streams.h"
 
 #include <cstdio>
 #include <exception>
@@ -7,7 +8,7 @@
 
 int main(int argc, char **argv)
 {
-    const unprojector::cli::Utf8Console console;
+    const unprojector::files::Utf8Console console;
     try {
         return static_cast<int>(unprojector::cli::runCommandLine(unprojector::cli::utf8Arguments(argc, argv)));
     } catch (const std::bad_alloc &) {
