@@ -50,7 +50,7 @@ struct SceneFileUi {
 /// What a scene file says, independent of any loaded model: the picture's numbers and where its objects are.
 ///
 /// JSON; angles in degrees as in gluPerspective and glRotate, `window` in logical pixels, `viewport` in device pixels
-/// from the bottom-left corner. "viewport", "depthRange", "objects", "clipPlanes", "landmarks", "point", "ui", the window's
+/// from the bottom-left corner. "generator" says which program wrote it, and is ours as soon as we write it. "viewport", "depthRange", "objects", "clipPlanes", "landmarks", "point", "ui", the window's
 /// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
 /// written again after those it knows, numbers with all the digits that they have in the file.
 /// "landmarks" are {"points": [{"name", "position": [x, y, z] or null where it is missing, "object", "held", …}], …}, in world

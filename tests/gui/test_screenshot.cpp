@@ -103,8 +103,8 @@ void TestScreenshot::theJsonHasItsContractedShape()
         if (click["hit"] == true)
             keys.insert(6, "uncertainty");
         QCOMPARE(keysOf(click), keys);
-        QCOMPARE(keysOf(click["scene"]), (QStringList{"unprojector", "window", "viewport", "depthRange", "projection",
-                                                      "view", "objects", "clipPlanes"}));
+        QCOMPARE(keysOf(click["scene"]), (QStringList{"unprojector", "generator", "window", "viewport", "depthRange",
+                                                      "projection", "view", "objects", "clipPlanes"}));
         QCOMPARE(keysOf(click["scene"]["window"]), (QStringList{"width", "height", "devicePixelRatio"}));
         QCOMPARE(keysOf(click["scene"]["viewport"]), (QStringList{"x", "y", "width", "height"}));
         QCOMPARE(keysOf(click["scene"]["projection"]), (QStringList{"type", "fovy", "aspect", "near", "far"}));

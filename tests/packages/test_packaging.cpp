@@ -1,5 +1,6 @@
 // What is installed beside the programs: one version, the manual and the completions that name what there is, the icon.
 
+#include "core/scene_file/scene_file.h"
 #include "gui/panels/icons.h"
 #include "gui/window/about_dialog.h"
 
@@ -132,6 +133,15 @@ void TestPackaging::everythingSaysTheSameVersion_data()
     const QString vcpkg = textOf(QStringLiteral(UNPROJECTOR_SOURCES "/vcpkg.json"));
     row("vcpkg", vcpkg.mid(vcpkg.indexOf(QStringLiteral("\"version\""))), QStringLiteral("\"version\": \"%1\""));
     const QString page = textOf(manualFile(QStringLiteral("unproject.1")));
+    // Whatever wrote it before.
+    const auto scene = unprojector::scene_file::parseScene(R"({"unprojector": 1, "generator": "Other 7",
+        "window": {"width": 9, "height": 9},
+        "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
+        "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}})",
+                                                           "x.json");
+    const QString written = QString::fromStdString(unprojector::scene_file::sceneText(scene.value()).value());
+    row("scene file", written.mid(written.indexOf(QStringLiteral("\"Unprojector"))),
+        QStringLiteral("\"Unprojector %1\""));
     row("manual", page.mid(page.indexOf(QStringLiteral("\"Unprojector"))), QStringLiteral("\"Unprojector %1\""));
 }
 
