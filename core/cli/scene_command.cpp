@@ -176,7 +176,9 @@ public:
     {
         bool isReversed = false;
         if (pasted.isInverse)
-            say(part, "by its name it is an inverse: its own inverse is taken");
+            say(part, lacksInverse(pasted)
+                          ? "by its name it is an inverse, but it has none itself: it is taken as it stands"
+                          : "by its name it is an inverse: its own inverse is taken");
         for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depth(), clipFromEye)) {
             const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
             isReversed = isReversed || isAboutDepth;
@@ -240,18 +242,29 @@ bool setViewport(const SceneOptions &options, const PastedScene &pasted, const s
     return scene.viewport.has_value();
 }
 
-/// How far a matrix is from another one times any number, over its largest entry.
-double offUpToScale(const glm::dmat4 &a, const glm::dmat4 &b)
+double largestEntry(const glm::dmat4 &m)
 {
-    double ab = 0.0, bb = 0.0, largest = 0.0, off = 0.0;
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
+    return largest;
+}
+
+/// How far a matrix is from another one times any number, over its largest entry; 1 where either is 0 or beyond doubles.
+double offUpToScale(const glm::dmat4 &given, const glm::dmat4 &other)
+{
+    const double ofGiven = largestEntry(given), ofOther = largestEntry(other);
+    if (!(ofGiven > 0.0 && ofOther > 0.0 && std::isfinite(ofGiven) && std::isfinite(ofOther)))
+        return 1.0;
+    const glm::dmat4 a = given / ofGiven, b = other / ofOther;
+    double ab = 0.0, bb = 0.0, off = 0.0;
     for (int i = 0; i < 16; ++i) {
         ab += a[i / 4][i % 4] * b[i / 4][i % 4];
         bb += b[i / 4][i % 4] * b[i / 4][i % 4];
-        largest = std::max(largest, std::abs(a[i / 4][i % 4]));
     }
     for (int i = 0; i < 16; ++i)
         off = std::max(off, std::abs(a[i / 4][i % 4] - ab / bb * b[i / 4][i % 4]));
-    return off / largest;
+    return off;
 }
 
 constexpr double kSame = 1e-3; // as three printed digits leave it
@@ -261,6 +274,8 @@ std::string contradiction(const Taker &taker, const PastedScene &pasted)
 {
     const glm::dmat4 product = taker.matrixAsGiven(*pasted.product),
                      clipFromEye = taker.matrixAsGiven(*pasted.projection);
+    if (largestEntry(product) == 0.0)
+        return ", and it is not their product, but all zeros";
     std::vector<glm::dmat4> others;
     for (const auto &view : {pasted.view, pasted.modelView}) {
         if (!view)

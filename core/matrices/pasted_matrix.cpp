@@ -222,6 +222,11 @@ glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order)
     return matrix.isInverse && !isSingular(m) ? glm::inverse(m) : m;
 }
 
+bool lacksInverse(const PastedMatrix &matrix)
+{
+    return matrix.isInverse && isSingular(matrixOf(matrix.numbers, orderOf(matrix.form)));
+}
+
 bool isWindowsOwn(const DepthRange &range)
 {
     constexpr double kPrinted = 1e-6; // what single precision leaves

@@ -45,6 +45,9 @@ glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order);
 /// What a matrix stands for, in an order: one with the name of an inverse, its own inverse. One that has none stays as it is.
 glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order);
 
+/// Whether it has the name of an inverse, and is singular.
+bool lacksInverse(const PastedMatrix &matrix);
+
 struct ViewportAndDepths {
     Viewport viewport;
     DepthRange depthRange;

@@ -68,8 +68,12 @@ std::optional<PastedPart> partOf(const std::string &letters)
         return PastedPart::Viewport;
     if (has("window") || has("mvpw"))
         return PastedPart::ToWindow;
-    const bool isProjection =
-        has("projection") || letters == "proj" || letters == "p" || has("projmat") || letters == "clipfromeye";
+    for (const char *name :
+         {"clipfromeye", "clipfromview", "clipfromcamera", "eyetoclip", "viewtoclip", "cameratoclip"}) {
+        if (has(name))
+            return has("fromworld") || has("worldto") ? PastedPart::Product : PastedPart::Projection;
+    }
+    const bool isProjection = has("projection") || letters == "proj" || letters == "p" || has("projmat");
     if (has("mvp") || has("product") || (isProjection && has("view")) || letters == "vp" || letters == "pv"
         || letters == "clipfromworld" || letters == "viewproj")
         return PastedPart::Product;
@@ -79,7 +83,7 @@ std::optional<PastedPart> partOf(const std::string &letters)
         return PastedPart::ModelView;
     if (has("view") || letters == "v" || letters == "eyefromworld" || has("worldtocamera"))
         return PastedPart::View;
-    // three.js's object.matrixWorld, Blender's matrix_world
+    // three.js's object.matrixWorld, Blender's object.matrix_world; with no object named it is the camera's, see namedBy
     if (has("model") || has("matrixworld"))
         return PastedPart::Model;
     return std::nullopt;
@@ -90,37 +94,78 @@ struct Named {
     bool isInverse = false;
 };
 
-/// The part that words say: "gl_ModelViewMatrix", "model view", "P*V", "projectionMatrixInverse", "cameraToWorld".
-std::optional<Named> namedBy(std::string_view words)
+/// The words of names, in small letters: "inv_viewMatrix" has "inv", "view" and "matrix".
+std::vector<std::string> wordsOf(std::string_view names)
 {
-    std::string letters;
-    for (const char c : inSmallLetters(words)) {
-        if (std::isalpha(static_cast<unsigned char>(c)) != 0)
-            letters += c;
+    std::vector<std::string> words;
+    char before = ' ';
+    for (const char c : names) {
+        const auto is = [](int (*kind)(int), char one) { return kind(static_cast<unsigned char>(one)) != 0; };
+        if (is(std::isalpha, c)) {
+            if (!is(std::isalpha, before) || (is(std::islower, before) && is(std::isupper, c)))
+                words.emplace_back();
+            words.back() += inSmallLetters({&c, 1});
+        }
+        before = c;
     }
-    const auto hasAny = [&letters](std::initializer_list<std::string_view> names) {
-        return std::any_of(names.begin(), names.end(),
+    return words;
+}
+
+/// What a word says besides "inverse": "view" of "viewinverse" and of "invview", nothing of "inv". None where it does not say that,
+/// as "involved".
+std::optional<std::string> withoutInverse(std::string word)
+{
+    for (const std::string_view whole : {"inverse", "inverted"}) {
+        if (const std::size_t at = word.find(whole); at != word.npos)
+            return word.erase(at, whole.size());
+    }
+    constexpr std::string_view kShort = "inv";
+    if (word.ends_with(kShort)) {
+        const std::string name = word.substr(0, word.size() - kShort.size());
+        return name.empty() || partOf(name) ? std::optional(name) : std::nullopt;
+    }
+    if (!word.starts_with(kShort))
+        return std::nullopt;
+    const std::string name = word.substr(kShort.size());
+    const bool beginsWithName = name.starts_with("view") || name.starts_with("proj") || name.starts_with("model")
+                                || name.starts_with("mvp") || name.size() <= 2;
+    return beginsWithName && partOf(name) ? std::optional(name) : std::nullopt;
+}
+
+/// What is inverted without the matrix being an inverse: depths that are reversed, y that goes down.
+bool isAxis(const std::string &word)
+{
+    return word == "depth" || word == "z" || word == "y";
+}
+
+/// The part that words say: "gl_ModelViewMatrix", "model view", "P*V", "projectionMatrixInverse", "cameraToWorld".
+std::optional<Named> namedBy(std::string_view names)
+{
+    const std::vector<std::string> words = wordsOf(names);
+    std::string letters;
+    bool isInverse = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::optional<std::string> rest = withoutInverse(words[i]);
+        const bool isOfAxis =
+            rest
+            && (isAxis(*rest) || (i > 0 && isAxis(words[i - 1])) || (i + 1 < words.size() && isAxis(words[i + 1])));
+        isInverse = isInverse || (rest && !isOfAxis);
+        letters += rest.value_or(words[i]);
+    }
+    const auto hasAny = [&letters](std::initializer_list<std::string_view> some) {
+        return std::any_of(some.begin(), some.end(),
                            [&](std::string_view name) { return letters.find(name) != std::string::npos; });
     };
-    if (hasAny({"matrixworldinverse"})) // three.js's camera
+    if (hasAny({"matrixworld"}) && isInverse) // three.js's camera
         return Named{PastedPart::View};
+    // Of a camera, or of nothing that is named: worldFromEye, the inverse of the view.
     if (letters == "matrixworld" || (hasAny({"matrixworld"}) && hasAny({"camera"}))
         || hasAny({"worldfromeye", "worldfromcamera", "worldfromview", "cameratoworld", "viewtoworld", "eyetoworld"}))
-        return Named{PastedPart::View, true};
+        return Named{PastedPart::View, !isInverse};
     if (hasAny({"eyefromclip", "viewfromclip", "cliptoeye", "cliptoview", "cliptocamera"}))
-        return Named{PastedPart::Projection, true};
+        return Named{PastedPart::Projection, !isInverse};
     if (hasAny({"worldfromclip", "cliptoworld"}))
-        return Named{PastedPart::Product, true};
-    constexpr std::string_view kWhole = "inverse", kShort = "inv";
-    bool isInverse = true;
-    if (const std::size_t at = letters.find(kWhole); at != letters.npos)
-        letters.erase(at, kWhole.size());
-    else if (letters.starts_with(kShort))
-        letters.erase(0, kShort.size());
-    else if (letters.ends_with(kShort))
-        letters.erase(letters.size() - kShort.size());
-    else
-        isInverse = false;
+        return Named{PastedPart::Product, !isInverse};
     const std::optional<PastedPart> part = partOf(letters);
     return part ? std::optional(Named{*part, isInverse}) : std::nullopt;
 }

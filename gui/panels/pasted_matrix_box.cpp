@@ -137,8 +137,8 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
     m_order->setEnabled(pasted != nullptr);
     {
         const QSignalBlocker blocker(m_ndcDepth);
-        const auto *chosen = std::find(kNdcDepths.begin(), kNdcDepths.end(), paste.ndcDepth(m_role));
-        m_ndcDepth->setChoice(static_cast<int>(chosen - kNdcDepths.begin()));
+        const auto chosen = std::find(kNdcDepths.cbegin(), kNdcDepths.cend(), paste.ndcDepth(m_role));
+        m_ndcDepth->setChoice(static_cast<int>(chosen - kNdcDepths.cbegin()));
     }
     m_ndcDepth->setEnabled(pasted != nullptr);
     if (const auto &error = paste.error(m_role))
@@ -151,7 +151,10 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
     else
         m_said->setText(tr("Read as %1.").arg(formName(pasted->form)));
     if (pasted && pasted->isInverse)
-        m_said->setText(m_said->text() + u' ' + tr("By its name it is an inverse: its own inverse is taken."));
+        m_said->setText(m_said->text() + u' '
+                        + (lacksInverse(*pasted)
+                               ? tr("By its name it is an inverse, but it has none itself: it is taken as it stands.")
+                               : tr("By its name it is an inverse: its own inverse is taken.")));
     QStringList done;
     for (const MatrixFinding &finding : paste.repairs(m_role))
         done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows

@@ -5389,6 +5389,10 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <source>By its name it is an inverse: its own inverse is taken.</source>
         <translation>按名称这是逆矩阵：已取其逆。</translation>
     </message>
+    <message>
+        <source>By its name it is an inverse, but it has none itself: it is taken as it stands.</source>
+        <translation>从名称看它是逆矩阵，但它本身不可逆：按原样采用。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PictureNote</name>

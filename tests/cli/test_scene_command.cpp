@@ -287,6 +287,10 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
     QTest::newRow("a product that goes with them")
         << view + " projection " + kProjection + " mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5" + viewport << QStringList()
         << QByteArray("stdin: product: left out, since the projection and the view are there\n");
+    QTest::newRow("a product of zeros")
+        << view + " projection " + kProjection + " mvp 0 0 0 0  0 0 0 0  0 0 0 0  0 0 0 0" + viewport << QStringList()
+        << QByteArray("stdin: product: left out, since the projection and the view are there, and it is not their "
+                      "product, but all zeros\n");
     QTest::newRow("a product that does not")
         << view + " projection " + kProjection + " mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 6 5" + viewport << QStringList()
         << QByteArray("stdin: product: left out, since the projection and the view are there, and it is not their "

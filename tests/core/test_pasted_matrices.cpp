@@ -271,15 +271,20 @@ void TestPastedMatrices::inversesAreReadAsSuch_data()
     QTest::addColumn<bool>("isInverse");
     using enum MatrixRole;
     for (const char *name : {"projectionMatrixInverse", "gl_ProjectionMatrixInverse", "inverse(projection)", "invProj",
-                             "proj_inv", "eyeFromClip"})
+                             "proj_inv", "eyeFromClip", "inverse(clipFromView)"})
         QTest::newRow(name) << QString::fromLatin1(name) << Projection << true;
-    for (const char *name : {"viewInverse", "inverseView", "View_Inv", "camera.matrixWorld", "matrixWorld",
-                             "Camera.matrix_world", "cameraToWorldMatrix", "worldFromEye"})
+    for (const char *name :
+         {"viewInverse", "inverseView", "View_Inv", "camera.matrixWorld", "matrixWorld", "Camera.matrix_world",
+          "cameraToWorldMatrix", "worldFromEye", "invview", "inv view", "view.inverted()"})
         QTest::newRow(name) << QString::fromLatin1(name) << View << true;
     for (const char *name : {"viewProjectionInverse", "inverse MVP", "worldFromClip"})
         QTest::newRow(name) << QString::fromLatin1(name) << Product << true;
-    for (const char *name : {"camera.matrixWorldInverse", "worldToCameraMatrix", "viewMatrix"})
+    for (const char *name : {"camera.matrixWorldInverse", "worldToCameraMatrix", "viewMatrix", "involved view",
+                             "inventor view", "inverse(worldFromEye)"})
         QTest::newRow(name) << QString::fromLatin1(name) << View << false;
+    for (const char *name : {"inverse depth projection", "inverse-z projection", "invDepthProjection", "clipFromView",
+                             "viewToClip", "clipFromEye", "eyeToClip"})
+        QTest::newRow(name) << QString::fromLatin1(name) << Projection << false;
 }
 
 void TestPastedMatrices::inversesAreReadAsSuch()
