@@ -84,6 +84,9 @@ public:
             keep(key, read(member, value, how));
     }
 
+    /// A member that is written, and whatever a file has in its place is passed over.
+    void written(const char *key, const char *) { m_known.add(key); }
+
     /// A member that may be missing and is written only where it has a value.
     template <class T, class How = Plain>
     void optional(const char *key, std::optional<T> &value, const How &how = {})
@@ -248,6 +251,11 @@ public:
     void optional(const char *key, const T &value, const How &how = {})
     {
         required(key, value, how);
+    }
+    void written(const char *key, const char *text)
+    {
+        m_known.add(key);
+        add(key, Json(text));
     }
     template <class T, class How = Plain>
     void optional(const char *key, const std::optional<T> &value, const How &how = {})

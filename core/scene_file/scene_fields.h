@@ -255,8 +255,7 @@ void describe(Fields &json, T &scene)
 {
     int version = kSceneVersion;
     json.required("unprojector", version, Version{kSceneVersion});
-    std::string generator = "Unprojector " UNPROJECTOR_VERSION; // who wrote it last: of no meaning to who reads it
-    json.optional("generator", generator);
+    json.written("generator", "Unprojector " UNPROJECTOR_VERSION); // who wrote it last: of no meaning to who reads it
     json.optional("conventions", scene.conventions, Words{apiWords()});
     json.object("window", [&](auto &window) {
         window.required("width", scene.windowWidth, Count{1, kMostWindowPixels});

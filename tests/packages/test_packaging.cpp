@@ -134,7 +134,7 @@ void TestPackaging::everythingSaysTheSameVersion_data()
     row("vcpkg", vcpkg.mid(vcpkg.indexOf(QStringLiteral("\"version\""))), QStringLiteral("\"version\": \"%1\""));
     const QString page = textOf(manualFile(QStringLiteral("unproject.1")));
     // Whatever wrote it before.
-    const auto scene = unprojector::scene_file::parseScene(R"({"unprojector": 1, "generator": "Other 7",
+    const auto scene = unprojector::scene_file::parseScene(R"({"unprojector": 1, "generator": ["Other", 7],
         "window": {"width": 9, "height": 9},
         "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
         "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}})",
