@@ -33,9 +33,9 @@ std::string beyondFloat(const std::string &code)
         const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (end == code.size() || code[end] != 'f' || read.ptr != digits.data() + digits.size())
             continue;
-        auto *kept = value > double(std::numeric_limits<float>::max())                          ? &tooLarge
-                     : value != 0.0 && value < double(std::numeric_limits<float>::denorm_min()) ? &tooSmall
-                                                                                                : nullptr;
+        auto *kept = value > double(std::numeric_limits<float>::max())                                 ? &tooLarge
+                     : value != 0.0 && value <= 0.5 * double(std::numeric_limits<float>::denorm_min()) ? &tooSmall
+                                                                                                       : nullptr;
         if (kept && std::find(kept->begin(), kept->end(), digits) == kept->end())
             kept->push_back(digits);
     }

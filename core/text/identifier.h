@@ -50,7 +50,8 @@ inline std::size_t controlAt(std::string_view text, std::size_t at)
     const bool isInvisible = a == 0xe2 && b == 0x81 && c >= 0xa0 && c <= 0xaf;                       // U+2060 to U+206F
     if (isInGeneral || isInvisible || (a == 0xef && b == 0xbb && c == 0xbf))
         return 3;
-    return a == 0xf3 && b == 0xa0 ? 4 : 0; // U+E0000 and on
+    // U+E0000 to U+E007F; the variants of ideographs behind them belong to names.
+    return a == 0xf3 && b == 0xa0 && (c == 0x80 || c == 0x81) ? 4 : 0;
 }
 
 /// A name as a comment of one line can hold it, in every language that has such, and as it reads in every editor: controls, and

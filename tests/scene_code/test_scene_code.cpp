@@ -206,11 +206,12 @@ void TestSceneCode::numbersKeepAllTheirDigits()
 void TestSceneCode::namesStayInTheirComments()
 {
     SceneFile scene;
-    for (const char *name : {"a\nevil1", "a\revil2",
-                             "a\xe2\x80\xa8"
-                             "evil3",
-                             "a\\", "", "_", "a", "A b", "\xe5\xa4\xb4", "b\xe2\x80\xaelive", "b\xe2\x81\xa6live",
-                             "b\xc2\x85live", "b\x7flive", "b\xd8\x9clive"}) {
+    for (const char *name :
+         {"a\nevil1", "a\revil2",
+          "a\xe2\x80\xa8"
+          "evil3",
+          "a\\", "", "_", "a", "A b", "\xe5\xa4\xb4", "b\xe2\x80\xaelive", "b\xe2\x81\xa6live", "b\xc2\x85live",
+          "b\x7flive", "b\xd8\x9clive", "b\xf3\xa0\x81\x81live", "\xe8\x91\x9b\xf3\xa0\x84\x80"}) {
         scene.objects.emplace_back();
         scene.objects.back().name = name;
         scene.objects.back().file = "evil.obj";
@@ -220,6 +221,8 @@ void TestSceneCode::namesStayInTheirComments()
         for (const QChar c : text) // bidirectional controls turn code round to the eye
             QVERIFY2(c == QLatin1Char('\n') || c.category() == QChar::Other_Surrogate || c.isPrint(), qPrintable(text));
         QVERIFY(text.contains(QStringLiteral("\u5934")));
+        QVERIFY(text.contains(QStringLiteral("\u845b\U000e0100"))); // a variant of an ideograph
+        QVERIFY(!text.contains(QStringLiteral("\U000e0041")));      // a tag
         text.replace(QChar::LineSeparator, QLatin1Char('\n')).replace(QLatin1Char('\r'), QLatin1Char('\n'));
         for (const QString &line : text.split(QLatin1Char('\n'))) {
             QVERIFY2(!line.startsWith(QLatin1String("evil")), qPrintable(line));
@@ -248,6 +251,11 @@ void TestSceneCode::whatADialectCannotSayIsSaid()
     QVERIFY2(beyond.find("// No float holds 4e+300: here that is infinite. No float holds 1e-300: here that is 0.")
                  != std::string::npos,
              beyond.c_str());
+    // A float's least is 1.4e-45; what is more than half of that becomes it.
+    scene.projection = Perspective{radiansFromDegrees(33.3), 1.5, 7.1e-46, 1.0};
+    QVERIFY(sceneCode(scene, CodeDialect::Qt).find("No float holds") == std::string::npos);
+    scene.projection = Perspective{radiansFromDegrees(33.3), 1.5, 6.9e-46, 1.0};
+    QVERIFY(sceneCode(scene, CodeDialect::Qt).find("No float holds 6.9e-46: here that is 0.") != std::string::npos);
     scene.projection = MatrixProjection{glm::dmat4(1.0), NdcDepth::ZeroToOne};
     for (const CodeDialect dialect : {CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt})
         QVERIFY(sceneCode(scene, dialect).find("glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)") != std::string::npos);
