@@ -15,7 +15,7 @@ public:
     Utf8Console &operator=(const Utf8Console &) = delete;
 
 private:
-    unsigned m_before = 0; ///< 0: nothing to put back
+    [[maybe_unused]] unsigned m_before = 0; ///< on Windows: 0, nothing to put back
 };
 
 /// While it lives, a program with windows writes into the console that it was started from, in UTF-8. Windows gives such a
@@ -28,7 +28,7 @@ public:
     ParentConsole &operator=(const ParentConsole &) = delete;
 
 private:
-    bool m_isAttached = false;
+    [[maybe_unused]] bool m_isAttached = false; ///< on Windows
     std::optional<Utf8Console> m_utf8;
 };
 
