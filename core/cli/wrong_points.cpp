@@ -2,7 +2,6 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/doctor/written_points.h"
-#include "core/landmark_files/lines.h"
 
 #include <array>
 #include <cstddef>
@@ -48,13 +47,11 @@ std::string rowErrorText(const PointRow &row, std::size_t place)
 std::string faultText(const NumbersFault &fault, const std::string &wanted)
 {
     if (!fault.word.empty()) {
-        const std::string small = landmark_files::lowerCase(fault.word);
-        const bool isNoPoint =
-            small.find("nan") != small.npos || small.find("inf") != small.npos || small.find("ind") != small.npos;
         return '"' + fault.word
-               + (isNoPoint ? "\" is no finite number: nothing can be told from it; give a click for which the program "
-                              "has a point"
-                            : "\" is no number; give " + wanted);
+               + (fault.isNotFinite()
+                      ? "\" is no finite number: nothing can be told from it; give a click for which the program "
+                        "has a point"
+                      : "\" is no number; give " + wanted);
     }
     if (fault.areCommasMixed)
         return "commas stand between some of its numbers and not between others; for decimals give a point, " + wanted;

@@ -109,6 +109,12 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text)
     return number;
 }
 
+bool NumbersFault::isNotFinite() const
+{
+    const std::string small = landmark_files::lowerCase(word);
+    return small.find("nan") != small.npos || small.find("inf") != small.npos || small.find("ind") != small.npos;
+}
+
 Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view given, std::size_t count)
 {
     constexpr std::string_view kBetween = " \t\r\n,;()[]{}<>=:\"'|";

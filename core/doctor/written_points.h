@@ -32,6 +32,8 @@ struct NumbersFault {
     std::string word;            ///< the first that is no finite number; empty: their count or their commas are wrong
     std::size_t found = 0;       ///< numbers
     bool areCommasMixed = false; ///< between some of them and not between others, as decimal commas make it
+    /// Whether the word is what programs print for no number or an infinite one: nan, -inf, 1.#IND.
+    bool isNotFinite() const;
 };
 /// As writtenNumbers.
 Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view text, std::size_t count);

@@ -78,6 +78,19 @@ const PastedMatrix *MatrixPaste::pasted(MatrixRole role) const
     return nullptr;
 }
 
+bool MatrixPaste::leavesInverseOut(MatrixRole role) const
+{
+    const auto isOfRole = [role](PastedPart part) {
+        return role == MatrixRole::View         ? part == PastedPart::View || part == PastedPart::ModelView
+               : role == MatrixRole::Projection ? part == PastedPart::Projection
+                                                : part == PastedPart::Product;
+    };
+    return pasted(role) && std::any_of(m_places.begin(), m_places.end(), [&](const Place &one) {
+               const bool isSource = &one == &place(role) || (place(role).isBlank && partOf(one.parts, role));
+               return isSource && std::any_of(one.parts.inversesLeft.begin(), one.parts.inversesLeft.end(), isOfRole);
+           });
+}
+
 std::optional<Viewport> MatrixPaste::viewport() const
 {
     for (const Place &one : m_places) {

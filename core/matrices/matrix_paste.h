@@ -24,6 +24,8 @@ public:
     const std::optional<PasteError> &error(MatrixRole role) const { return place(role).error; }
     /// As it was pasted, in its own text or in another one's.
     const PastedMatrix *pasted(MatrixRole role) const;
+    /// Whether the inverse stands beside it, and is left out.
+    bool leavesInverseOut(MatrixRole role) const;
     /// A viewport that stands beside the matrices: nothing is done with it.
     std::optional<Viewport> viewport() const;
 

@@ -65,7 +65,7 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
                                    {tr("By rows"), tr("Row-major: the first four numbers are the first row")}});
     m_ndcDepth = new SegmentedSwitch(
         tr("NDC depths"),
-        {{tr("As found"), tr("By −1 to 1, but where the numbers can only be by 0 to 1")},
+        {{tr("By default"), tr("By −1 to 1, but where the numbers can only be by 0 to 1")},
          {tr("−1 to 1"), tr("The depths of NDC go from −1 at near to 1 at far: OpenGL")},
          {tr("0 to 1"), tr("The depths of NDC go from 0 to 1: Vulkan, Direct3D, Metal, WebGPU, glClipControl")}});
     auto *depths = new QWidget;
@@ -155,6 +155,8 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
                         + (lacksInverse(*pasted)
                                ? tr("By its name it is an inverse, but it has none itself: it is taken as it stands.")
                                : tr("By its name it is an inverse: its own inverse is taken.")));
+    if (paste.leavesInverseOut(m_role))
+        m_said->setText(m_said->text() + u' ' + tr("Its inverse, beside it in the text, is left out."));
     QStringList done;
     for (const MatrixFinding &finding : paste.repairs(m_role))
         done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows

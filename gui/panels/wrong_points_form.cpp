@@ -334,13 +334,30 @@ void WrongPointsForm::edited(Row &row)
     emit changed();
 }
 
+QString WrongPointsForm::faultText(const NumbersFault &fault, const QString &wanted)
+{
+    const QString word = QString::fromStdString(fault.word);
+    if (!word.isEmpty() && fault.isNotFinite())
+        return tr("“%1” is no finite number, and nothing can be told from it. Take a click for which the program has a "
+                  "point.")
+            .arg(word);
+    if (!word.isEmpty())
+        return tr("“%1” is no number. Type %2.").arg(word, wanted);
+    if (fault.areCommasMixed)
+        return tr("commas stand between some of its numbers and not between others. For decimals type a point: %1.")
+            .arg(wanted);
+    return fault.found == 1 ? tr("it has 1 number. Type %1.").arg(wanted)
+                            : tr("it has %1 numbers. Type %2.").arg(fault.found).arg(wanted);
+}
+
 std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) const
 {
     if (isFilled(*row.pixel)) {
-        const auto position = numbersOf(*row.pixel, 2);
+        const auto position = numbersOrFault(row.pixel->text().toStdString(), 2);
         if (!position)
-            return Fault{row.pixel,
-                         tr("%1 is no pixel: type its x and y, such as 400.5, 300.5.").arg(quoted(*row.pixel))};
+            return Fault{row.pixel, tr("%1 is no pixel: %2", "the field's text, why")
+                                        .arg(quoted(*row.pixel),
+                                             faultText(position.error(), tr("its x and y, such as 400.5, 300.5")))};
         const double x = (*position)[0].value, y = (*position)[1].value;
         if (m_picture
             && !(x >= 0.0 && y >= 0.0 && x <= m_picture->surface.widthPixels && y <= m_picture->surface.heightPixels))
@@ -360,10 +377,13 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
                              .arg(row.depth->text().trimmed(), shortestText(m_picture->depthRange.atNear),
                                   shortestText(m_picture->depthRange.atFar))};
     }
-    if (isFilled(*row.got) && !numbersOf(*row.got, 3))
-        return Fault{row.got, tr("%1 is no point: type three coordinates as the program prints them, such as 0.7051 "
-                                 "-0.4122 0.0918.")
-                                  .arg(quoted(*row.got))};
+    if (!isFilled(*row.got))
+        return std::nullopt;
+    if (const auto got = numbersOrFault(row.got->text().toStdString(), 3); !got)
+        return Fault{row.got, tr("%1 is no point: %2", "the field's text, why")
+                                  .arg(quoted(*row.got),
+                                       faultText(got.error(), tr("three coordinates as the program prints them, "
+                                                                 "such as 0.7051 -0.4122 0.0918")))};
     return std::nullopt;
 }
 

@@ -56,9 +56,20 @@ QString candidateName(const Candidate &candidate)
 
 QString explainedText(const Candidate &candidate, const Diagnosis &diagnosis)
 {
-    return candidate.digits == diagnosis.digitsGiven
-               ? DoctorText::tr("all %1 digits").arg(diagnosis.digitsGiven)
-               : DoctorText::tr("%1 of %2 digits").arg(candidate.digits).arg(diagnosis.digitsGiven);
+    const int counted = diagnosis.digitsGiven, written = diagnosis.digitsWritten;
+    const bool explainsAll = candidate.digits == counted;
+    QString text;
+    if (counted == written)
+        text = explainsAll ? DoctorText::tr("all %1 digits").arg(counted)
+                           : DoctorText::tr("%1 of %2 digits").arg(candidate.digits).arg(counted);
+    else // digits that rounding leaves nothing of are given, and explained by nobody
+        text = explainsAll ? DoctorText::tr("all %1 digits that count of the %2 given").arg(counted).arg(written)
+                           : DoctorText::tr("%1 of the %2 digits that count of the %3 given")
+                                 .arg(candidate.digits)
+                                 .arg(counted)
+                                 .arg(written);
+    return candidate.isCutOff ? DoctorText::tr("%1, the last not rounded but cut off", "digits explained").arg(text)
+                              : text;
 }
 
 QString landingText(const Diagnosis &diagnosis)

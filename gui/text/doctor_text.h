@@ -12,7 +12,7 @@ namespace unprojector::gui {
 QString verdictText(const doctor::Diagnosis &diagnosis);
 /// "y not flipped", and which of several ways to make it: "pixel corner (x only)".
 QString candidateName(const doctor::Candidate &candidate);
-/// "all 11 digits" or "9 of 11 digits".
+/// "all 11 digits", "9 of 11 digits", "all 9 digits that count of the 12 given, the last not rounded but cut off".
 QString explainedText(const doctor::Candidate &candidate, const doctor::Diagnosis &diagnosis);
 /// Where the first point lies in the picture, by the right matrices, and what of that is wrong.
 QString landingText(const doctor::Diagnosis &diagnosis);

@@ -2006,6 +2006,19 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
+    <message>
+        <source>all %1 digits that count of the %2 given</source>
+        <translation>给出的 %2 位数字中有效的全部 %1 位</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 digits that count of the %3 given</source>
+        <translation>给出的 %3 位数字中有效的 %2 位里的 %1 位</translation>
+    </message>
+    <message>
+        <source>%1, the last not rounded but cut off</source>
+        <comment>digits explained</comment>
+        <translation>%1，末位是截断而非四舍五入</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ExampleNote</name>
@@ -5358,10 +5371,6 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>NDC 深度</translation>
     </message>
     <message>
-        <source>As found</source>
-        <translation>按识别结果</translation>
-    </message>
-    <message>
         <source>By −1 to 1, but where the numbers can only be by 0 to 1</source>
         <translation>按 −1 到 1；数值只可能是 0 到 1 时除外</translation>
     </message>
@@ -5392,6 +5401,14 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <message>
         <source>By its name it is an inverse, but it has none itself: it is taken as it stands.</source>
         <translation>从名称看它是逆矩阵，但它本身不可逆：按原样采用。</translation>
+    </message>
+    <message>
+        <source>By default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>Its inverse, beside it in the text, is left out.</source>
+        <translation>文本中与它并列的逆矩阵未采用。</translation>
     </message>
 </context>
 <context>
@@ -7721,10 +7738,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>粘贴的内容中以下各项不是数，没有采用：%1。</translation>
     </message>
     <message>
-        <source>%1 is no pixel: type its x and y, such as 400.5, 300.5.</source>
-        <translation>%1 不是像素：请键入 x 和 y，例如 400.5, 300.5。</translation>
-    </message>
-    <message>
         <source>Pixel %1 lies outside the picture of %2 × %3.</source>
         <translation>像素 %1 在 %2 × %3 的画面之外。</translation>
     </message>
@@ -7737,12 +7750,46 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>深度 %1 不在从 %2 到 %3 的深度范围内。距离不是深度：请留空。</translation>
     </message>
     <message>
-        <source>%1 is no point: type three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918.</source>
-        <translation>%1 不是点：请按程序打印的样子键入三个坐标，例如 0.7051 -0.4122 0.0918。</translation>
-    </message>
-    <message>
         <source>The right depth there, in the depth range of the view. Empty: that of the mesh under the pixel; where there is none, any depth is allowed for. That of a click is used with all its digits</source>
         <translation>此处的正确深度，以视图的深度范围计。留空：取像素下网格的深度；没有网格时任何深度都可以。点击得到的深度按全部位数使用</translation>
+    </message>
+    <message>
+        <source>“%1” is no finite number, and nothing can be told from it. Take a click for which the program has a point.</source>
+        <translation>“%1”不是有限的数，由它得不出任何结论。请取程序给出了点的一次点击。</translation>
+    </message>
+    <message>
+        <source>“%1” is no number. Type %2.</source>
+        <translation>“%1”不是数。请键入 %2。</translation>
+    </message>
+    <message>
+        <source>commas stand between some of its numbers and not between others. For decimals type a point: %1.</source>
+        <translation>有些数之间有逗号，有些没有。小数请用小数点：%1。</translation>
+    </message>
+    <message>
+        <source>it has 1 number. Type %1.</source>
+        <translation>其中有 1 个数。请键入 %1。</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers. Type %2.</source>
+        <translation>其中有 %1 个数。请键入 %2。</translation>
+    </message>
+    <message>
+        <source>%1 is no pixel: %2</source>
+        <comment>the field&apos;s text, why</comment>
+        <translation>%1 不是像素：%2</translation>
+    </message>
+    <message>
+        <source>its x and y, such as 400.5, 300.5</source>
+        <translation>x 和 y，例如 400.5, 300.5</translation>
+    </message>
+    <message>
+        <source>%1 is no point: %2</source>
+        <comment>the field&apos;s text, why</comment>
+        <translation>%1 不是点：%2</translation>
+    </message>
+    <message>
+        <source>three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918</source>
+        <translation>三个坐标，如程序所打印的样子，例如 0.7051 -0.4122 0.0918</translation>
     </message>
 </context>
 </TS>

@@ -12,6 +12,7 @@
 #include "gui/panels/observer_panel.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/wrong_points_form.h"
+#include "gui/text/doctor_text.h"
 #include "gui/text/mistake_text.h"
 #include "gui/view/observer_view.h"
 #include "gui/window/place_ids.h"
@@ -140,6 +141,7 @@ private slots:
     void nonsenseIsNamedAndStays();
     void pointsAsProgramsPrintThem_data();
     void pointsAsProgramsPrintThem();
+    void digitsAreSaidAsTheyCount();
     void theCodeIsThatOfTheLibrary();
     void aSecondClickMakesASecondRow();
     void aDragIsNoClick();
@@ -230,7 +232,14 @@ void TestDoctorPlace::nonsenseIsNamedAndStays()
     type(gotOf(*window), QStringLiteral("0.7051 -0.41x2 0.0918"));
     QCOMPARE(gotOf(*window)->text(), QStringLiteral("0.7051 -0.41x2 0.0918"));
     QVERIFY2(fault().contains(QStringLiteral("0.7051 -0.41x2 0.0918")), qPrintable(fault()));
+    QVERIFY2(fault().contains(QStringLiteral("“-0.41x2” is no number. Type three")), qPrintable(fault()));
     QVERIFY(window->document().wrongPoints().empty());
+    type(gotOf(*window), QStringLiteral("nan -0.41 0.0918"));
+    QVERIFY2(fault().contains(QStringLiteral("“nan” is no finite number")), qPrintable(fault()));
+    type(gotOf(*window), QStringLiteral("0,5 0,25 1,0"));
+    QVERIFY2(fault().contains(QStringLiteral("For decimals type a point")), qPrintable(fault()));
+    type(gotOf(*window), QStringLiteral("1 2"));
+    QVERIFY2(fault().contains(QStringLiteral("it has 2 numbers")), qPrintable(fault()));
     QLineEdit *pixel = fieldsOf(*window, QStringLiteral("Pixel")).value(0);
     type(gotOf(*window), QStringLiteral("1 2 3"));
     type(pixel, QStringLiteral("90000, 5"));
@@ -271,6 +280,20 @@ void TestDoctorPlace::pointsAsProgramsPrintThem()
         text = text.arg(QString::number(got[axis], 'f', 4).replace(u'-', QChar(0x2212)));
     type(gotOf(*window), text);
     QTRY_VERIFY2(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")), qPrintable(verdictOf(*window)));
+}
+
+void TestDoctorPlace::digitsAreSaidAsTheyCount()
+{
+    doctor::Candidate candidate;
+    doctor::Diagnosis diagnosis;
+    candidate.digits = diagnosis.digitsGiven = 9;
+    diagnosis.digitsWritten = 12;
+    QCOMPARE(explainedText(candidate, diagnosis), QStringLiteral("all 9 digits that count of the 12 given"));
+    candidate.digits = 7;
+    QCOMPARE(explainedText(candidate, diagnosis), QStringLiteral("7 of the 9 digits that count of the 12 given"));
+    candidate.digits = diagnosis.digitsWritten = 9;
+    candidate.isCutOff = true;
+    QCOMPARE(explainedText(candidate, diagnosis), QStringLiteral("all 9 digits, the last not rounded but cut off"));
 }
 
 void TestDoctorPlace::theCodeIsThatOfTheLibrary()

@@ -209,6 +209,9 @@ void TestPasteMatrices::oneTextMayHaveBoth_data()
         << MatrixRole::Projection << "view = " + view_ + "\nprojection = " + lens_;
     QTest::newRow("named, in the view's place") << MatrixRole::View << "projection: " + lens_ + "\nmodelview: " + view_;
     QTest::newRow("unnamed, as glGet gives them") << MatrixRole::View << view_ + "\n" + lens_;
+    QTest::newRow("with an inverse too many")
+        << MatrixRole::Projection
+        << "view = " + view_ + "\nprojection = " + lens_ + "\nviewInverse = " + printed(glm::inverse(view()), "NumPy");
     QTest::newRow("with a viewport") << MatrixRole::View << view_ + "\n" + lens_ + "\nviewport: QRect(0,0 300x200)";
 }
 
@@ -220,6 +223,7 @@ void TestPasteMatrices::oneTextMayHaveBoth()
     pasting.paste(role, text);
     if (text.contains("viewport"))
         QVERIFY(pasting.says("The viewport, 300 × 200, is left out"));
+    QCOMPARE(pasting.says("Its inverse, beside it in the text, is left out."), text.contains("viewInverse"));
     pasting.ok()->click();
     QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
 }
@@ -326,7 +330,7 @@ void TestPasteMatrices::theDepthsCanBeSaid()
     QVERIFY(!pasting.button("0 to 1")->isEnabled());
     pasting.paste(MatrixRole::Projection, printed(zeroToOne, "JSON"));
     QVERIFY(!pasting.button("Read as 0 to 1"));
-    QVERIFY(pasting.button("As found")->isChecked());
+    QVERIFY(pasting.button("By default")->isChecked());
     pasting.button("0 to 1")->click();
     QVERIFY(pasting.says("near 1.2346, far 87.654"));
     pasting.ok()->click();
@@ -378,6 +382,7 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
     QTest::newRow("no projection among them")
         << Projection << "view " + zeros + " model " + zeros << "no matrix of this kind";
     QTest::newRow("no inverse") << View << zeros << "No picture can be made of it";
+    QTest::newRow("an inverse without one") << View << "viewInverse " + zeros << "but it has none itself";
     QTest::newRow("a sheared box's product")
         << Product << printed(glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 9.0) * shear * view(), "JSON")
         << "cannot be taken apart";
