@@ -294,6 +294,9 @@ bool WrongPointsForm::takeTable(Row &row, const QString &text)
         if (each.isTooLong)
             return false;
     }
+    // One line that is no point stays in the field, which says what is wrong: 0,5 0,25 1,0.
+    if (rows->size() == 1 && !pointOf(rows->front()))
+        return false;
     m_beforeClick.reset();
     Row *place = row.isEmpty() ? &row : nullptr;
     QStringList refused;
