@@ -18,7 +18,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 export LC_ALL=C.UTF-8
 cd -- "$root" # Presets are looked for in the current folder.
 bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev lld llvm ccache \
-    dpkg-dev lintian desktop-file-utils appstream ||
+    dpkg-dev file lintian desktop-file-utils appstream ||
     echo "The guards' tools could not be installed: those that need them are passed over."
 if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
@@ -51,6 +51,14 @@ buildWithClang() {
     ! command -v ld.lld >/dev/null || linker=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld)
     cmake --preset asan -DUNPROJECTOR_WARNINGS_AS_ERRORS=$errors "${linker[@]}" >/dev/null &&
         cmake --build --preset asan "$@"
+}
+
+# The same for tools whose version says less than the release that they are of.
+isReleaseDebian12() {
+    isThere "$1" || return
+    [ "$(sed -n 's/^ID=//p' /etc/os-release)-$(sed -n 's/^VERSION_ID="\(.*\)"/\1/p' /etc/os-release)" = debian-12 ] && return
+    echo "$1 is not Debian 12's: passed over"
+    return 1
 }
 
 format() {
@@ -107,18 +115,18 @@ fuzz() {
 filesIn() { find "$1" -path "$1/var" -prune -o ! -type d -print; }
 
 package() {
-    isThere dpkg-shlibdeps || return 0
+    isThere dpkg-shlibdeps && isThere file || return 0
     [ "$(id -u)" -eq 0 ] || { echo "Only root unpacks packages: passed over"; return 0; }
     local work=$root/build/ci/package lib=var/lib/dpkg tree share
     rm -rf "$work" && mkdir -p "$work/root/$lib/info" "$work/root/$lib/updates" && touch "$work/root/$lib/status"
     cmake --preset ci >/dev/null && cmake --build --preset ci --target unproject unprojector unprojector_manual &&
         cpack --config build/ci/CPackConfig.cmake -B "$work" || return
-    ! command -v lintian >/dev/null || lintian --allow-root --fail-on error,warning "$work"/*.deb || return
+    ! isReleaseDebian12 lintian || lintian --allow-root --fail-on error,warning "$work"/*.deb || return
     tree=$work/root share=$work/root/usr/share
     # What it depends on is here, since it was built here.
     dpkg --root="$tree" --force-depends -i "$work"/*.deb 2>"$work/dpkg.log" || { cat "$work/dpkg.log"; return 1; }
     ! command -v desktop-file-validate >/dev/null || desktop-file-validate "$share"/applications/*.desktop || return
-    ! command -v appstreamcli >/dev/null || appstreamcli validate --no-net "$share"/metainfo/*.xml || return
+    ! isReleaseDebian12 appstreamcli || appstreamcli validate --no-net "$share"/metainfo/*.xml || return
     # The middle of the window, halfway through the depths of near 1 and far 3, seen from (0, 0, 5): 1.5 before the eye.
     if ! "$tree/usr/bin/unproject" scene -o "$work/scene.json" --from-matrices \
         'modelview 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 projection 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 viewport 0 0 800 600' ||
@@ -127,8 +135,11 @@ package() {
         echo "unproject does not work from $tree"
         return 1
     fi
-    onVirtualDisplay "$tree/usr/bin/unprojector" --screenshot "$work/window.png" --view-size 600x500 --click 300,250 |
-        grep -q '"world"' || { echo "unprojector does not work from $tree"; return 1; }
+    if ! onVirtualDisplay "$tree/usr/bin/unprojector" --screenshot "$work/window.png" --view-size 600x500 \
+        --click 300,250 >"$work/window.json" || ! grep -q '"world"' "$work/window.json"; then
+        echo "unprojector does not work from $tree"
+        return 1
+    fi
     [ -s "$work/window.png" ] || { echo "There is no picture of the window"; return 1; }
     dpkg --root="$tree" --purge unprojector || return
     [ -z "$(filesIn "$tree")" ] || { echo "The package leaves behind:"; filesIn "$tree"; return 1; }

@@ -3,5 +3,5 @@
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
-bash "$root/.ci/setup.sh" dpkg-dev
+bash "$root/.ci/setup.sh" dpkg-dev file
 cd -- "$root" && cmake --workflow --preset package # Presets are looked for in the current folder.

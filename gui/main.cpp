@@ -118,14 +118,16 @@ int main(int argc, char **argv)
     QStringList places;
     for (const char *id : kPlaceIds)
         places << QLatin1String(id);
-    const QCommandLineOption place(QStringLiteral("place"),
-                                   CommandLine::tr("Work place to start at: %1. Without it the first of them.")
-                                       .arg(places.join(QStringLiteral(", "))),
-                                   QStringLiteral("PLACE"));
+    const QCommandLineOption place(
+        QStringLiteral("place"),
+        CommandLine::tr(
+            "Work place to start at: %1. Without it that of the last time; for a picture the first of them.")
+            .arg(places.join(QStringLiteral(", "))),
+        QStringLiteral("PLACE"));
     const QCommandLineOption appearance(QStringLiteral("appearance"),
                                         CommandLine::tr("Colours of the window: desktop (as the desktop has them; "
                                                         "default), light or dark."),
-                                        QStringLiteral("NAME"));
+                                        QStringLiteral("DESKTOP|LIGHT|DARK"));
     const QCommandLineOption click(
         QStringLiteral("click"),
         CommandLine::tr("With --screenshot: press the left button at this position of the view, logical pixels from "
@@ -138,7 +140,9 @@ int main(int argc, char **argv)
     parser.addOptions({help, screenshot, size, viewSize, noPanels, place, appearance, click, smooth});
     parser.addPositionalArgument(
         QStringLiteral("MODEL"),
-        CommandLine::tr("A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene."),
+        CommandLine::tr(
+            "A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB; files of points beside them. Without any, the "
+            "bundled scene."),
         QStringLiteral("[SCENE | MODEL …]"));
 
     if (!parser.parse(words->arguments()))

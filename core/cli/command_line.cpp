@@ -135,7 +135,9 @@ void addProject(CLI::App &app, Run &run)
                   "world, eye or object:NAME");
     command->footer(
         "The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical pixels\n"
-        "from the top left corner); px,py,depth are what 'unproject points' takes.\n"
+        "from the top left corner); px,py,depth are what 'unproject points' takes. All of them are OpenGL's, with y "
+        "up,\n"
+        "whatever \"conventions\" the scene has; ndc_z goes by the depths of its projection, -1 to 1 or 0 to 1.\n"
         "\n"
         "Examples:\n"
         "  printf 'x,y,z\\n0,0,0\\n' | unproject project scene.json\n"

@@ -133,6 +133,8 @@ std::string setUpLines(const CodeScene &scene)
         text +=
             "    // The projection's depths go from 0 to 1, which WebGL has by the extension EXT_clip_control only:\n"
             "    const clipControl = renderer.getContext().getExtension('EXT_clip_control');\n"
+            "    if (clipControl === null)\n"
+            "        throw new Error('This browser has no EXT_clip_control');\n"
             "    clipControl.clipControlEXT(clipControl.LOWER_LEFT_EXT, clipControl.ZERO_TO_ONE_EXT);\n";
     if (!scene.clipPlanes.empty()) {
         text += "    renderer.clippingPlanes = [ // world space; three.js wants normals of length 1\n";

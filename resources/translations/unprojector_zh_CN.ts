@@ -20,10 +20,6 @@
         <translation>与 --screenshot 连用：在视图的这个位置按下左键，以逻辑像素计，原点在视图左上角。可以给出多次。</translation>
     </message>
     <message>
-        <source>A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB. Without any, the bundled scene.</source>
-        <translation>一个场景，或模型文件：OBJ、STL、PLY、OFF、glTF、GLB。不给出时打开自带场景。</translation>
-    </message>
-    <message>
         <source>Say how the program is called, and quit.</source>
         <translation>显示程序的用法并退出。</translation>
     </message>
@@ -80,12 +76,16 @@
         <translation>--appearance 是 %1；请给出 desktop、light 或 dark。</translation>
     </message>
     <message>
-        <source>Work place to start at: %1. Without it the first of them.</source>
-        <translation>启动时的工作区：%1。不给出时为其中第一个。</translation>
-    </message>
-    <message>
         <source>--%1 is %2; give width x height in pixels, such as 1280x800, from %3x%4 to %5x%6.</source>
         <translation>--%1 是 %2；请给出以像素为单位的宽 x 高，例如 1280x800，范围从 %3x%4 到 %5x%6。</translation>
+    </message>
+    <message>
+        <source>Work place to start at: %1. Without it that of the last time; for a picture the first of them.</source>
+        <translation>启动时的工作区：%1。不指定时为上次的工作区；截图时为第一个。</translation>
+    </message>
+    <message>
+        <source>A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB; files of points beside them. Without any, the bundled scene.</source>
+        <translation>一个场景，或模型文件：OBJ、STL、PLY、OFF、glTF、GLB；旁边可再给点文件。都不给时为自带的场景。</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@ RequestExecutionLevel user
 !include MUI2.nsh
 !include LogicLib.nsh
 !include WinVer.nsh
+!include x64.nsh
 !include FileFunc.nsh
 Name "Unprojector"
 OutFile "${OUT}"
@@ -73,6 +74,7 @@ LangString FileKind ${LANG_SIMPCHINESE} "Unprojector 场景或模型"
 
 Function .onInit
     ${IfNot} ${AtLeastWin10}
+    ${OrIfNot} ${RunningX64}
         MessageBox MB_OK|MB_ICONSTOP "$(Needs64)" /SD IDOK
         SetErrorLevel 2
         Abort
@@ -81,8 +83,12 @@ FunctionEnd
 
 Section
     !insertmacro StopWhereRunning
+    ; Libraries of an older version that this one has no more would stay, and might be loaded.
+    ${If} ${FileExists} "$INSTDIR\uninstall.exe"
+        ExecWait '"$INSTDIR\uninstall.exe" /S /KEEPSETTINGS _?=$INSTDIR'
+    ${EndIf}
     SetOutPath "$INSTDIR"
-    File /r "${TREE}/*"
+    File /r "${TREE}\*"
     WriteUninstaller "$INSTDIR\uninstall.exe"
     CreateShortcut "$SMPROGRAMS\Unprojector.lnk" "$INSTDIR\unprojector.exe"
     WriteRegStr HKCU "Software\Unprojector\Setup" "Folder" "$INSTDIR"
@@ -117,6 +123,11 @@ Section "Uninstall"
     DeleteRegKey HKCU "Software\Classes\Unprojector.File"
     DeleteRegKey HKCU "Software\Classes\Applications\unprojector.exe"
     DeleteRegKey HKCU "${UNINSTALL}"
-    DeleteRegKey HKCU "Software\Unprojector"
+    ${GetParameters} $0
+    ClearErrors
+    ${GetOptions} $0 "/KEEPSETTINGS" $1
+    ${If} ${Errors}
+        DeleteRegKey HKCU "Software\Unprojector"
+    ${EndIf}
     System::Call 'shell32::SHChangeNotify(i 0x08000000, i 0, i 0, i 0)'
 SectionEnd

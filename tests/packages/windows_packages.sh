@@ -14,10 +14,10 @@ trap cleanUp EXIT
 fail() { echo "FAIL: $*" >&2; exit 1; }
 windows() { "$emulator" "$@" 2>>"$work/errors.txt" || { cat "$work/errors.txt" >&2; fail "$*"; }; }
 
-# picks FOLDER PROGRAM: the coordinate that a click on a plane of z = 1.25 gives
 place="$work/空 格 folder"
 mkdir -p "$place"
 printf 'v -50 -50 1.25\nv 50 -50 1.25\nv 0 50 1.25\nf 1 2 3\n' >"$place/茶壶 1.obj"
+# picks PROGRAM…: the coordinates, by formula and by matrix, that it gives to a click on a plane of z = 1.25
 picks() {
     (cd "$place" && "$@" --screenshot 图.png --view-size 600x500 --click 300,250 "茶壶 1.obj") >"$work/picked.json"
     [ -s "$place/图.png" ] || fail "no picture by $*"
@@ -55,6 +55,10 @@ if [ -s "$setup" ]; then
     [[ $command == *'unprojector.exe" "%1"'* ]] || fail "files are opened by: $command"
     [ "$(picks windows "$installed/unprojector.exe")" = "$zipped" ] || fail "what is installed picks something else"
     touch "$installed/kept.txt" # what somebody put there stays
+    windows reg add 'HKCU\Software\Unprojector\Unprojector' /v chosen /d kept /f >/dev/null
+    windows "$setup" /S # over itself, as over an older version, where it was
+    windows reg query 'HKCU\Software\Unprojector\Unprojector' /v chosen >/dev/null
+    [ "$(picks windows "$installed/unprojector.exe")" = "$zipped" ] || fail "installed again, it picks something else"
     windows "$installed/uninstall.exe" /S
     for _ in $(seq 60); do
         [ -e "$installed/uninstall.exe" ] || break
@@ -70,4 +74,6 @@ if [ -s "$setup" ]; then
     rest=$(find "$WINEPREFIX/drive_c/users" -iname '*unprojector*')
     [ -z "$rest" ] || fail "left behind: $rest"
     echo "setup: installed, used, taken away"
+else
+    echo "setup: not made here, makensis is missing"
 fi
