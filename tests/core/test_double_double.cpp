@@ -44,6 +44,7 @@ class TestDoubleDouble : public QObject {
     Q_OBJECT
 
 private slots:
+    void productsAreRoundedBeforeTheyAreAdded();
     void operationsKeepThirtyDigits_data();
     void operationsKeepThirtyDigits();
     void tangentsKeepTheirDigits_data();
@@ -51,6 +52,15 @@ private slots:
     void whatCancelsIsStillThere();
     void beyondTheRangeNothingIsFinite();
 };
+
+void TestDoubleDouble::productsAreRoundedBeforeTheyAreAdded()
+{
+    // As volatile, they are multiplied by the processor and not by the compiler.
+    volatile double above = 1.0 + 0x1p-30, below = 1.0 - 0x1p-30, one = 1.0;
+    const double a = above, b = below, c = one;
+    QVERIFY(a * b - c == 0.0); // contracted into one rounding: -2^-60
+    QVERIFY(std::fma(a, b, -c) == -0x1p-60);
+}
 
 void TestDoubleDouble::operationsKeepThirtyDigits_data()
 {
