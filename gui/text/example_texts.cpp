@@ -139,7 +139,8 @@ constexpr std::array kEntries{
               "near a corner</b>: its NDC are ±4/9 = ±0.444 in x and y, −3/7 = −0.429 in z.</p>"
               "<p>The box is square and the window is not, so the square is stretched. Let the box follow the viewport "
               "(Parameters, Projection) and it is a square.</p>"
-              "<p><b>Correction:</b> const int SIZE = 4.5 is 4.</p>"),
+              "<p><b>Correction:</b> const int SIZE = 4.5 is 4. The integers n and f of its shader make "
+              "−(n + f)/(f − n) −1: there, z is <a href='formulas:error-parallel-integers'>+0.143</a>.</p>"),
           QT_TRANSLATE_NOOP("Examples", "parallel-projection, first program")},
     Entry{"parallel-oblique", QT_TRANSLATE_NOOP("Examples", "Parallel Projection 2: Oblique"),
           QT_TRANSLATE_NOOP(

@@ -438,7 +438,7 @@
     </message>
     <message>
         <source>projection-derivation, first program (the matrix in ReSize)</source>
-        <translation>《OpenGL 矩阵推导》，第一个程序（ReSize 中的矩阵）</translation>
+        <translation>《OpenGL矩阵推导——模型视图变化》，第一个程序（ReSize 中的矩阵）</translation>
     </message>
     <message>
         <source>Three Projections: gluPerspective, 90°</source>
@@ -450,7 +450,7 @@
     </message>
     <message>
         <source>projection-derivation, second program</source>
-        <translation>《OpenGL 矩阵推导》，第二个程序</translation>
+        <translation>《OpenGL矩阵推导——模型视图变化》，第二个程序</translation>
     </message>
     <message>
         <source>Three Projections: glFrustum</source>
@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>projection-derivation, third program</source>
-        <translation>《OpenGL 矩阵推导》，第三个程序</translation>
+        <translation>《OpenGL矩阵推导——模型视图变化》，第三个程序</translation>
     </message>
     <message>
         <source>Round Trip of Pixel (150, 150)</source>
@@ -477,12 +477,12 @@
         <translation>平行投影 1：正投影</translation>
     </message>
     <message>
-        <source>&lt;p&gt;glOrtho(−9, 9, −9, 9, 2, 9) and a square with red, green, blue and white corners at z = −4.&lt;/p&gt;&lt;p&gt;All of it lies outside the cube from −1 to 1, and the projection brings it inside. &lt;b&gt;Click near a corner&lt;/b&gt;: its NDC are ±4/9 = ±0.444 in x and y, −3/7 = −0.429 in z.&lt;/p&gt;&lt;p&gt;The box is square and the window is not, so the square is stretched. Let the box follow the viewport (Parameters, Projection) and it is a square.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; const int SIZE = 4.5 is 4.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glOrtho(−9, 9, −9, 9, 2, 9)，以及位于 z = −4、四角为红、绿、蓝、白的正方形。&lt;/p&gt;&lt;p&gt;它整个都在从 −1 到 1 的立方体之外，投影把它带到立方体之内。&lt;b&gt;在一个角附近点击&lt;/b&gt;：它的 NDC 的 x 和 y 为 ±4/9 = ±0.444，z 为 −3/7 = −0.429。&lt;/p&gt;&lt;p&gt;视景体的截面是正方形而窗口不是，所以正方形被拉伸。让视景体跟随视口（“参数”面板的“投影”），它就是正方形了。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;const int SIZE = 4.5 的值是 4。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;glOrtho(−9, 9, −9, 9, 2, 9) and a square with red, green, blue and white corners at z = −4.&lt;/p&gt;&lt;p&gt;All of it lies outside the cube from −1 to 1, and the projection brings it inside. &lt;b&gt;Click near a corner&lt;/b&gt;: its NDC are ±4/9 = ±0.444 in x and y, −3/7 = −0.429 in z.&lt;/p&gt;&lt;p&gt;The box is square and the window is not, so the square is stretched. Let the box follow the viewport (Parameters, Projection) and it is a square.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; const int SIZE = 4.5 is 4. The integers n and f of its shader make −(n + f)/(f − n) −1: there, z is &lt;a href=&apos;formulas:error-parallel-integers&apos;&gt;+0.143&lt;/a&gt;.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;glOrtho(−9, 9, −9, 9, 2, 9)，以及位于 z = −4、四角为红、绿、蓝、白的正方形。&lt;/p&gt;&lt;p&gt;它整个都在从 −1 到 1 的立方体之外，投影把它带到立方体之内。&lt;b&gt;在一个角附近点击&lt;/b&gt;：它的 NDC 的 x 和 y 为 ±4/9 = ±0.444，z 为 −3/7 = −0.429。&lt;/p&gt;&lt;p&gt;视景体的截面是正方形而窗口不是，所以正方形被拉伸。让视景体跟随视口（“参数”面板的“投影”），它就是正方形了。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;const int SIZE = 4.5 的值是 4。着色器中 n 和 f 是整数，−(n + f)/(f − n) 于是成为 −1：在那里 z 为 &lt;a href=&apos;formulas:error-parallel-integers&apos;&gt;+0.143&lt;/a&gt;。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>parallel-projection, first program</source>
-        <translation>《OpenGL 中的平行投影》，第一个程序</translation>
+        <translation>《OpenGL中的平行投影》，第一个程序</translation>
     </message>
     <message>
         <source>Parallel Projection 2: Oblique</source>
@@ -490,7 +490,7 @@
     </message>
     <message>
         <source>parallel-projection, second program</source>
-        <translation>《OpenGL 中的平行投影》，第二个程序</translation>
+        <translation>《OpenGL中的平行投影》，第二个程序</translation>
     </message>
     <message>
         <source>OpenGL Pipeline (Zhang Ci)</source>

@@ -1,12 +1,15 @@
 // The page of formulas in the other languages: the same page as the English one, and shown where the program speaks it.
 
+#include "gui/text/formula_markup.h"
 #include "gui/text/translation.h"
 #include "gui/window/formulas_window.h"
+#include "tests/support/errata.h"
 
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
 #include <QScrollBar>
+#include <QSet>
 #include <QTest>
 #include <QTextBrowser>
 
@@ -48,6 +51,8 @@ class TestHelpLanguages : public QObject {
 private slots:
     void aPageIsTheEnglishOne_data();
     void aPageIsTheEnglishOne();
+    void aLinkLeadsToOnePlace_data();
+    void aLinkLeadsToOnePlace();
     void everyParagraphIsChinese();
     void noChineseSentenceIsBroken();
     void theWindowShowsThePageOfItsLanguage_data();
@@ -81,6 +86,35 @@ void TestHelpLanguages::aPageIsTheEnglishOne()
     const QStringList expected = found(source(kEnglish), pattern);
     QVERIFY(!expected.isEmpty());
     QCOMPARE(found(source(name), pattern), expected);
+}
+
+void TestHelpLanguages::aLinkLeadsToOnePlace_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const QString &name : QDir(QStringLiteral(":/help")).entryList())
+        QTest::newRow(qPrintable(name)) << name;
+}
+
+void TestHelpLanguages::aLinkLeadsToOnePlace()
+{
+    QFETCH(QString, name);
+    const QString page = typeset(source(name));
+    const QStringList places = found(page, QStringLiteral("(?<=<a name=[\"'])[^\"']*"));
+    QCOMPARE(QSet<QString>(places.begin(), places.end()).size(), places.size());
+    const QStringList targets = found(page, QStringLiteral("(?<=<a href=\"#)[^\"]*"));
+    QVERIFY(targets.size() > 10);
+    for (const QString &target : targets)
+        QVERIFY2(places.contains(target), qPrintable(target));
+    FormulasWindow window; // and every place is found, a cell of a table's as well
+    window.page().setHtml(page);
+    window.show();
+    int last = -1;
+    for (const char *anchor : kErrata) {
+        window.showFormula(QString::fromLatin1(anchor));
+        const int at = window.page().verticalScrollBar()->value();
+        QVERIFY2(at > last || at == window.page().verticalScrollBar()->maximum(), anchor);
+        last = at;
+    }
 }
 
 void TestHelpLanguages::everyParagraphIsChinese()
