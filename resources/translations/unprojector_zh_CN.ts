@@ -267,15 +267,15 @@
     </message>
     <message>
         <source>The view matrix does more than turn and move: %1 stands in row 4, column %2.</source>
-        <translation>视图矩阵不只是旋转和平移：第 4 行第 %2 列为 %1。</translation>
+        <translation>观察矩阵不只是旋转和平移：第 4 行第 %2 列为 %1。</translation>
     </message>
     <message>
         <source>The view matrix does more than turn and move: row %1 has the length %2, not 1.</source>
-        <translation>视图矩阵不只是旋转和平移：第 %1 行的长度为 %2，不是 1。</translation>
+        <translation>观察矩阵不只是旋转和平移：第 %1 行的长度为 %2，不是 1。</translation>
     </message>
     <message>
         <source>The view matrix does more than turn and move: rows %1 and %2 are not perpendicular.</source>
-        <translation>视图矩阵不只是旋转和平移：第 %1 行与第 %2 行不垂直。</translation>
+        <translation>观察矩阵不只是旋转和平移：第 %1 行与第 %2 行不垂直。</translation>
     </message>
     <message>
         <source>There is no number; type one.</source>
@@ -363,7 +363,7 @@
     </message>
     <message>
         <source>The view matrix is mirrored: its axes are left-handed. Negate one of its first three rows.</source>
-        <translation>视图矩阵是镜像的：它的轴构成左手系。请将前三行中的一行变号。</translation>
+        <translation>观察矩阵是镜像的：它的轴构成左手系。请将前三行中的一行变号。</translation>
     </message>
 </context>
 <context>
@@ -514,11 +514,11 @@
     </message>
     <message>
         <source>&lt;p&gt;Three pairs of axes, x red and y green: &lt;b&gt;MC&lt;/b&gt; carries the yellow point, &lt;b&gt;WC&lt;/b&gt; is the world, &lt;b&gt;VC&lt;/b&gt; the camera, in the middle of the picture.&lt;/p&gt;&lt;p&gt;The Pipeline panel follows the tutorial’s point: (1, 1) in MC, (3, 4) in the world, (−2, −2) for the camera. &lt;b&gt;Type another one&lt;/b&gt; into any row, or click the yellow point.&lt;/p&gt;&lt;p&gt;MC is a mirror and a step: glTranslate(4, 3, 0), glScale(−1, 1, 1). VC has its y axis downwards, so the world hangs upside down. In the plane that is a mirror, in space a half turn: the camera looks along +z, and z changes its sign. See the &lt;a href=&apos;formulas:view&apos;&gt;view matrix&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;三对坐标轴，x 为红色，y 为绿色：&lt;b&gt;MC&lt;/b&gt; 带着黄点，&lt;b&gt;WC&lt;/b&gt; 是世界，&lt;b&gt;VC&lt;/b&gt; 是相机，在画面中央。&lt;/p&gt;&lt;p&gt;“流水线”面板跟踪的是教程自己的点：在 MC 中为 (1, 1)，在世界坐标中为 (3, 4)，相对相机为 (−2, −2)。&lt;b&gt;在任意一行键入别的点&lt;/b&gt;，或点击黄点。&lt;/p&gt;&lt;p&gt;MC 是一次镜像加一次平移：glTranslate(4, 3, 0)、glScale(−1, 1, 1)。VC 的 y 轴向下，所以世界是倒过来的。在平面中这是镜像，在空间中则是转半圈：相机沿 +z 方向看，z 变号。参见&lt;a href=&apos;formulas:view&apos;&gt;视图矩阵&lt;/a&gt;。&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;三对坐标轴，x 为红色，y 为绿色：&lt;b&gt;MC&lt;/b&gt; 带着黄点，&lt;b&gt;WC&lt;/b&gt; 是世界，&lt;b&gt;VC&lt;/b&gt; 是相机，在画面中央。&lt;/p&gt;&lt;p&gt;“流水线”面板跟踪的是教程自己的点：在 MC 中为 (1, 1)，在世界坐标中为 (3, 4)，相对相机为 (−2, −2)。&lt;b&gt;在任意一行键入别的点&lt;/b&gt;，或点击黄点。&lt;/p&gt;&lt;p&gt;MC 是一次镜像加一次平移：glTranslate(4, 3, 0)、glScale(−1, 1, 1)。VC 的 y 轴向下，所以世界是倒过来的。在平面中这是镜像，在空间中则是转半圈：相机沿 +z 方向看，z 变号。参见&lt;a href=&apos;formulas:view&apos;&gt;观察矩阵&lt;/a&gt;。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&lt;p&gt;The camera stands at (0, 0, 5), the object was moved by glTranslate(0, 0, −3).&lt;/p&gt;&lt;p&gt;&lt;b&gt;Open the Pipeline panel&lt;/b&gt;, choose m[0..15], and open Modelview: m[14] = −8, which is −5 of the view and −3 of the model.&lt;/p&gt;&lt;p&gt;The point (1, 1, 0) stands there already: its world z is −3, its eye z −8. A click on the yellow plate is followed instead.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the text of the figure prints M = VC⁻¹. The −8 is that of M = VC⁻¹ · MC.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;相机位于 (0, 0, 5)，物体由 glTranslate(0, 0, −3) 移动。&lt;/p&gt;&lt;p&gt;&lt;b&gt;打开“流水线”面板&lt;/b&gt;，选择 m[0..15]，展开“模型视图”：m[14] = −8，其中 −5 来自视图，−3 来自模型。&lt;/p&gt;&lt;p&gt;点 (1, 1, 0) 已在那里：它的世界坐标 z 为 −3，视点坐标 z 为 −8。点击黄色板后，改为跟踪所点击的点。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;该图的说明文字印的是 M = VC⁻¹。−8 是 M = VC⁻¹ · MC 的元素。&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;相机位于 (0, 0, 5)，物体由 glTranslate(0, 0, −3) 移动。&lt;/p&gt;&lt;p&gt;&lt;b&gt;打开“流水线”面板&lt;/b&gt;，选择 m[0..15]，展开“模型视图”：m[14] = −8，其中 −5 来自视图，−3 来自模型。&lt;/p&gt;&lt;p&gt;点 (1, 1, 0) 已在那里：它的世界坐标 z 为 −3，观察坐标 z 为 −8。点击黄色板后，改为跟踪所点击的点。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;该图的说明文字印的是 M = VC⁻¹。−8 是 M = VC⁻¹ · MC 的元素。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&lt;p&gt;glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is outside the viewport.&lt;/p&gt;&lt;p&gt;In the Pipeline panel the NDC (0, 0, 0.5) come to the window point (25, 25, 0.75). &lt;b&gt;Click the middle of the yellow plate&lt;/b&gt;, and the panel follows the centre of that pixel, half a pixel beside it: (25.5, 25.5), for example.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial says that the depth 0.5 does not change. Its own &lt;a href=&apos;formulas:viewport&apos;&gt;viewport matrix&lt;/a&gt; makes it (0.5 + 1) / 2 = 0.75.&lt;/p&gt;</source>
@@ -577,27 +577,27 @@
     </message>
     <message>
         <source>Left edge of the projection window, eye units</source>
-        <translation>投影窗口的左边，视点坐标单位</translation>
+        <translation>投影窗口的左边，观察坐标单位</translation>
     </message>
     <message>
         <source>Right edge of the projection window, eye units</source>
-        <translation>投影窗口的右边，视点坐标单位</translation>
+        <translation>投影窗口的右边，观察坐标单位</translation>
     </message>
     <message>
         <source>Lower edge of the projection window, eye units</source>
-        <translation>投影窗口的下边，视点坐标单位</translation>
+        <translation>投影窗口的下边，观察坐标单位</translation>
     </message>
     <message>
         <source>Upper edge of the projection window, eye units</source>
-        <translation>投影窗口的上边，视点坐标单位</translation>
+        <translation>投影窗口的上边，观察坐标单位</translation>
     </message>
     <message>
         <source>Distance of the near plane, eye units</source>
-        <translation>近裁剪面的距离，视点坐标单位</translation>
+        <translation>近裁剪面的距离，观察坐标单位</translation>
     </message>
     <message>
         <source>Distance of the far plane, eye units</source>
-        <translation>远裁剪面的距离，视点坐标单位</translation>
+        <translation>远裁剪面的距离，观察坐标单位</translation>
     </message>
     <message>
         <source>The depth that was read, 0 at the near and 1 at the far plane</source>
@@ -605,15 +605,15 @@
     </message>
     <message>
         <source>Distance of the point in front of the eye, eye units</source>
-        <translation>该点在视点前方的距离，视点坐标单位</translation>
+        <translation>该点在视点前方的距离，观察坐标单位</translation>
     </message>
     <message>
         <source>The point to the right of the eye, eye units</source>
-        <translation>该点在视点右方的距离，视点坐标单位</translation>
+        <translation>该点在视点右方的距离，观察坐标单位</translation>
     </message>
     <message>
         <source>The point above the eye, eye units</source>
-        <translation>该点在视点上方的距离，视点坐标单位</translation>
+        <translation>该点在视点上方的距离，观察坐标单位</translation>
     </message>
     <message>
         <source>Where the eye is, world units</source>
@@ -637,11 +637,11 @@
     </message>
     <message>
         <source>The point in the box, before the shear, eye units</source>
-        <translation>切变之前盒中的点，视点坐标单位</translation>
+        <translation>错切之前盒中的点，观察坐标单位</translation>
     </message>
     <message>
         <source>How far the shear moves a unit of z</source>
-        <translation>切变使每单位 z 移动的距离</translation>
+        <translation>错切使每单位 z 移动的距离</translation>
     </message>
     <message>
         <source>A point of the ray, world units</source>
@@ -971,7 +971,7 @@
     </message>
     <message>
         <source>Eye</source>
-        <translation>眼坐标</translation>
+        <translation>观察坐标</translation>
     </message>
     <message>
         <source>World</source>
@@ -990,7 +990,7 @@
     </message>
     <message>
         <source>Row vectors; the eye looks along +z (XMMatrixPerspectiveFovLH); z of NDC from 0 to 1; pixels from the top-left corner. The world stays as it is, so the view mirrors z. Direct3D 10 and later: 9 has the centres of pixels at whole numbers.</source>
-        <translation>行向量；视线沿 +z（XMMatrixPerspectiveFovLH）；NDC 的 z 从 0 到 1；像素从左上角起计。世界坐标保持不变，因此视图矩阵把 z 反向。指 Direct3D 10 及以后：Direct3D 9 的像素中心在整数处。</translation>
+        <translation>行向量；视线沿 +z（XMMatrixPerspectiveFovLH）；NDC 的 z 从 0 到 1；像素从左上角起计。世界坐标保持不变，因此观察矩阵把 z 反向。指 Direct3D 10 及以后：Direct3D 9 的像素中心在整数处。</translation>
     </message>
     <message>
         <source>z of NDC from 0 to 1; pixels from the top-left corner, y down.</source>
@@ -1197,7 +1197,7 @@
     </message>
     <message>
         <source>Eye</source>
-        <translation>视点</translation>
+        <translation>观察</translation>
     </message>
     <message>
         <source>Near</source>
@@ -1900,7 +1900,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>Eye</source>
-        <translation>眼</translation>
+        <translation>观察</translation>
     </message>
     <message>
         <source>Object: %1</source>
@@ -1963,7 +1963,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>in the plane of the eye</source>
-        <translation>落在眼所在的平面里</translation>
+        <translation>落在视点所在的平面里</translation>
     </message>
     <message>
         <source>on pixel %1, %2, depth %3</source>
@@ -3581,7 +3581,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>The axes have unlike lengths or no right angles, the longest %1: what comes out are the object&apos;s coordinates, not the world&apos;s. Paste the view alone.</source>
-        <translation>各轴长度不同或不成直角，最长为 %1：得到的是物体坐标，而不是世界坐标。请只粘贴视图矩阵。</translation>
+        <translation>各轴长度不同或不成直角，最长为 %1：得到的是物体坐标，而不是世界坐标。请只粘贴观察矩阵。</translation>
     </message>
     <message>
         <source>It scales by %1: a model&apos;s scale is in it, and what comes out are the object&apos;s coordinates, not the world&apos;s.</source>
@@ -3589,7 +3589,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>View or modelview</source>
-        <translation>视图或模型视图</translation>
+        <translation>观察或模型视图</translation>
     </message>
     <message>
         <source>Projection</source>
@@ -3633,7 +3633,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>It may be the camera&apos;s own matrix, world from eye: as a view it has the world&apos;s origin out of sight, its inverse has it in sight.</source>
-        <translation>它可能是相机自身的矩阵（从眼坐标到世界坐标）：当作视图矩阵时看不到世界原点，用它的逆则看得到。</translation>
+        <translation>它可能是相机自身的矩阵（从观察坐标到世界坐标）：当作观察矩阵时看不到世界原点，用它的逆则看得到。</translation>
     </message>
     <message>
         <source>It is an inverse: its own inverse has a projection&apos;s form.</source>
@@ -3641,11 +3641,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>It has a projection&apos;s form: view and projection seem to be exchanged.</source>
-        <translation>它具有投影矩阵的形式：视图与投影看来弄反了。</translation>
+        <translation>它具有投影矩阵的形式：观察矩阵与投影矩阵看来弄反了。</translation>
     </message>
     <message>
         <source>It has a view&apos;s form: view and projection seem to be exchanged.</source>
-        <translation>它具有视图矩阵的形式：视图与投影看来弄反了。</translation>
+        <translation>它具有观察矩阵的形式：观察矩阵与投影矩阵看来弄反了。</translation>
     </message>
     <message>
         <source>It has no form that formulas are known for, and no camera of this window&apos;s.</source>
@@ -3681,11 +3681,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>It is for an eye space that looks along +z (Direct3D, OpenCV).</source>
-        <translation>它用于朝 +z 方向观看的眼坐标系（Direct3D、OpenCV）。</translation>
+        <translation>它用于朝 +z 方向观看的观察坐标系（Direct3D、OpenCV）。</translation>
     </message>
     <message>
         <source>Every entry has the other sign: the same points, but w &lt; 0 in front of the eye, which OpenGL cuts off.</source>
-        <translation>每个元素的符号都相反：得到的点相同，但眼前的点 w &lt; 0，会被 OpenGL 裁掉。</translation>
+        <translation>每个元素的符号都相反：得到的点相同，但视点前方的点 w &lt; 0，会被 OpenGL 裁掉。</translation>
     </message>
     <message>
         <source>It is printed with few digits: its axes are %1 off being perpendicular and of length 1, as rounding leaves them. The formulas need them within 0.00001; more decimals are better.</source>
@@ -3761,7 +3761,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>Eye at %1, looking along %2.</source>
-        <translation>眼睛位于 %1，朝 %2 方向观看。</translation>
+        <translation>视点位于 %1，朝 %2 方向观看。</translation>
     </message>
     <message>
         <source>near %1, far %2</source>
@@ -3777,11 +3777,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>Right-handed eye space, NDC depths from 0 to 1.</source>
-        <translation>眼坐标系为右手系，NDC 深度从 0 到 1。</translation>
+        <translation>观察坐标系为右手系，NDC 深度从 0 到 1。</translation>
     </message>
     <message>
         <source>Right-handed eye space, NDC depths from −1 to 1.</source>
-        <translation>眼坐标系为右手系，NDC 深度从 −1 到 1。</translation>
+        <translation>观察坐标系为右手系，NDC 深度从 −1 到 1。</translation>
     </message>
     <message>
         <source>Viewport: 1 number; it has 4, x y width height, or as a matrix 16.</source>
@@ -4190,11 +4190,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>frustum taken for centred</source>
-        <translation>把视锥当作对称的</translation>
+        <translation>把视景体当作对称的</translation>
     </message>
     <message>
         <source>The frustum is taken for a centred one, though the view axis is not in its middle.</source>
-        <translation>把视锥当成了对称的，而视轴并不在它的正中。</translation>
+        <translation>把视景体当成了对称的，而视轴并不在它的正中。</translation>
     </message>
     <message>
         <source>depth not remapped</source>
@@ -4238,11 +4238,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>distance taken for depth</source>
-        <translation>把到眼的距离当作深度</translation>
+        <translation>把到视点的距离当作深度</translation>
     </message>
     <message>
         <source>A distance from the eye is confused with the depth.</source>
-        <translation>把到眼的距离和深度混淆了。</translation>
+        <translation>把到视点的距离和深度混淆了。</translation>
     </message>
     <message>
         <source>depth reversed</source>
@@ -4338,7 +4338,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>The formula of a perspective is used in an orthographic view, as if rays came from the eye.</source>
-        <translation>在正交视图里用了透视的公式，好像射线出自眼。</translation>
+        <translation>在正交视图里用了透视的公式，好像射线出自视点。</translation>
     </message>
     <message>
         <source>not divided by w</source>
@@ -4366,11 +4366,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>view transposed</source>
-        <translation>视图矩阵被转置</translation>
+        <translation>观察矩阵被转置</translation>
     </message>
     <message>
         <source>The view matrix is transposed: its rows are taken for columns.</source>
-        <translation>视图矩阵被转置了：把行当成了列。</translation>
+        <translation>观察矩阵被转置了：把行当成了列。</translation>
     </message>
     <message>
         <source>both transposed</source>
@@ -4378,7 +4378,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>Projection and view matrix are transposed: rows are taken for columns.</source>
-        <translation>投影矩阵和视图矩阵都被转置了：把行当成了列。</translation>
+        <translation>投影矩阵和观察矩阵都被转置了：把行当成了列。</translation>
     </message>
     <message>
         <source>product transposed</source>
@@ -4406,19 +4406,19 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>view&apos;s inverse taken for view</source>
-        <translation>把视图的逆当作视图</translation>
+        <translation>把观察矩阵的逆当作观察矩阵</translation>
     </message>
     <message>
         <source>The camera&apos;s own matrix, which is the view&apos;s inverse, is passed for the view.</source>
-        <translation>把相机自己的矩阵（视图的逆）当作视图矩阵传入了。</translation>
+        <translation>把相机自己的矩阵（观察矩阵的逆）当作观察矩阵传入了。</translation>
     </message>
     <message>
         <source>view left out</source>
-        <translation>漏了视图矩阵</translation>
+        <translation>漏了观察矩阵</translation>
     </message>
     <message>
         <source>The view matrix is left out: what comes is the point in eye space.</source>
-        <translation>漏了视图矩阵：得到的是眼空间里的点。</translation>
+        <translation>漏了观察矩阵：得到的是观察坐标系中的点。</translation>
     </message>
     <message>
         <source>projection left out</source>
@@ -4454,35 +4454,35 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>eye added</source>
-        <translation>多加了眼的位置</translation>
+        <translation>多加了视点的位置</translation>
     </message>
     <message>
         <source>The eye&apos;s position is added to a point that has it already.</source>
-        <translation>点里已经含有眼的位置，又加了一次。</translation>
+        <translation>点里已经含有视点的位置，又加了一次。</translation>
     </message>
     <message>
         <source>eye subtracted</source>
-        <translation>漏加了眼的位置</translation>
+        <translation>漏加了视点的位置</translation>
     </message>
     <message>
         <source>The eye&apos;s position is missing: the point is counted from the eye, along the world&apos;s axes.</source>
-        <translation>缺了眼的位置：点从眼数起，沿世界的轴。</translation>
+        <translation>缺了视点的位置：点从视点数起，沿世界的轴。</translation>
     </message>
     <message>
         <source>z of the eye point positive</source>
-        <translation>眼坐标的 z 变号</translation>
+        <translation>观察坐标的 z 变号</translation>
     </message>
     <message>
         <source>z of the eye point has the wrong sign: an eye looks down -z.</source>
-        <translation>眼空间点的 z 符号错了：眼朝 -z 看。</translation>
+        <translation>观察坐标的 z 符号错了：视线朝 -z。</translation>
     </message>
     <message>
         <source>eye point mirrored</source>
-        <translation>眼坐标的 x、y 镜像</translation>
+        <translation>观察坐标的 x、y 镜像</translation>
     </message>
     <message>
         <source>x and y of the eye point are mirrored: the formulas want z as a distance, above 0.</source>
-        <translation>眼空间点的 x 和 y 成了镜像：公式要的 z 是大于 0 的距离。</translation>
+        <translation>观察坐标的 x 和 y 成了镜像：公式要的 z 是大于 0 的距离。</translation>
     </message>
     <message>
         <source>axes swapped</source>
@@ -5027,13 +5027,13 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <name>unprojector::gui::ObserverPanel</name>
     <message>
         <source>From eye space to the canonical view volume</source>
-        <translation>从视点空间到规范视景体</translation>
+        <translation>从观察坐标系到规范视景体</translation>
     </message>
     <message>
         <source>Morph the picture from eye space (left, 0 %) into the canonical view volume (right, 100 %).
 The view volume becomes the cube [−1, 1]³ of NDC; straight lines stay straight.
 The cube&apos;s z axis points away from the eye, because NDC is left-handed.</source>
-        <translation>让画面从视点空间（左端，0 %）渐变到规范视景体（右端，100 %）。
+        <translation>让画面从观察坐标系（左端，0 %）渐变到规范视景体（右端，100 %）。
 视景体变为 NDC 的立方体 [−1, 1]³；直线仍是直线。
 立方体的 z 轴背离视点，因为 NDC 是左手系。</translation>
     </message>
@@ -5059,7 +5059,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>Eye space</source>
-        <translation>视点空间</translation>
+        <translation>观察坐标系</translation>
     </message>
     <message>
         <source>As the scene is: lengths and angles are true</source>
@@ -5208,7 +5208,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>eye units</source>
-        <translation>视点单位</translation>
+        <translation>观察坐标单位</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -5293,7 +5293,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>Of a box the eye may be anywhere along the view: it is put on the near plane.</source>
-        <translation>正交时眼睛可以在视线方向的任何位置：此处放在近平面上。</translation>
+        <translation>正交时视点可以在视线方向的任何位置：此处放在近平面上。</translation>
     </message>
     <message>
         <source>The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).</source>
@@ -5506,7 +5506,7 @@ m[0] … m[15]、JSON、C、three.js</translation>
     </message>
     <message>
         <source>Here clip, NDC and depth stay OpenGL&apos;s; the view&apos;s matrix is [R t].</source>
-        <translation>此处裁剪坐标、NDC 和深度仍为 OpenGL 的；视图矩阵为 [R t]。</translation>
+        <translation>此处裁剪坐标、NDC 和深度仍为 OpenGL 的；观察矩阵为 [R t]。</translation>
     </message>
     <message>
         <source>Without a perspective there is no camera matrix K.</source>
@@ -5525,7 +5525,7 @@ m[0] … m[15]、JSON、C、three.js</translation>
     </message>
     <message>
         <source>View</source>
-        <translation>视图</translation>
+        <translation>观察</translation>
     </message>
     <message>
         <source>Projection</source>
@@ -5904,7 +5904,7 @@ m[0] … m[15]、JSON、C、three.js</translation>
     </message>
     <message>
         <source>eye</source>
-        <translation>视点</translation>
+        <translation>观察</translation>
     </message>
     <message>
         <source>clip</source>
@@ -5984,7 +5984,7 @@ in logical pixels from the top-left corner, y down</source>
     </message>
     <message>
         <source>eye · w′</source>
-        <translation>视点 · w′</translation>
+        <translation>观察 · w′</translation>
     </message>
     <message>
         <source>%1 = %2
@@ -5996,7 +5996,7 @@ x′、y′、z′ 要除以的数</translation>
         <source>%1 = %2
 of the eye point before the division by its own w′</source>
         <translation>%1 = %2
-除以自己的 w′ 之前的视点坐标</translation>
+除以自己的 w′ 之前的观察坐标</translation>
     </message>
     <message>
         <source>w = %1
@@ -6346,7 +6346,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Frustum (glFrustum)</source>
-        <translation>视景体 (glFrustum)</translation>
+        <translation>透视投影 (glFrustum)</translation>
     </message>
     <message>
         <source>Perspective (gluPerspective)</source>
@@ -6382,7 +6382,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Left edge of the view volume, eye units; of a frustum on its near plane</source>
-        <translation>视景体的左边界，视点单位；对透视视景体，取在近裁剪面上</translation>
+        <translation>视景体的左边界，观察坐标单位；对透视投影，取在近裁剪面上</translation>
     </message>
     <message>
         <source>Right</source>
@@ -6390,7 +6390,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Right edge of the view volume, eye units; of a frustum on its near plane</source>
-        <translation>视景体的右边界，视点单位；对透视视景体，取在近裁剪面上</translation>
+        <translation>视景体的右边界，观察坐标单位；对透视投影，取在近裁剪面上</translation>
     </message>
     <message>
         <source>Bottom</source>
@@ -6398,7 +6398,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Lower edge of the view volume, eye units; of a frustum on its near plane</source>
-        <translation>视景体的下边界，视点单位；对透视视景体，取在近裁剪面上</translation>
+        <translation>视景体的下边界，观察坐标单位；对透视投影，取在近裁剪面上</translation>
     </message>
     <message>
         <source>Top</source>
@@ -6406,7 +6406,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Upper edge of the view volume, eye units; of a frustum on its near plane</source>
-        <translation>视景体的上边界，视点单位；对透视视景体，取在近裁剪面上</translation>
+        <translation>视景体的上边界，观察坐标单位；对透视投影，取在近裁剪面上</translation>
     </message>
     <message>
         <source>Near</source>
@@ -6414,7 +6414,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a perspective</source>
-        <translation>近裁剪面在视点前方的距离，视点单位；小于远裁剪面距离，透视投影中须大于 0</translation>
+        <translation>近裁剪面在视点前方的距离，观察坐标单位；小于远裁剪面距离，透视投影中须大于 0</translation>
     </message>
     <message>
         <source>Far</source>
@@ -6422,7 +6422,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Distance of the far plane in front of the eye, eye units; greater than near</source>
-        <translation>远裁剪面在视点前方的距离，视点单位；大于近裁剪面距离</translation>
+        <translation>远裁剪面在视点前方的距离，观察坐标单位；大于近裁剪面距离</translation>
     </message>
     <message>
         <source>θ</source>
@@ -7326,7 +7326,7 @@ of a point that needs no division</source>
 Right: the projection window, to scale in eye units, with the lines x = 0 and y = 0.
 The dot is the pointer; the circle of the projection window is drawn in the viewport as it comes out there.</source>
         <translation>左：窗口及其中的视口，按设备像素的比例。
-右：投影窗口，按视点单位的比例，带有直线 x = 0 和 y = 0。
+右：投影窗口，按观察坐标单位的比例，带有直线 x = 0 和 y = 0。
 圆点是指针；投影窗口中的圆，在视口中按它在那里的形状画出。</translation>
     </message>
     <message>
@@ -7547,7 +7547,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <source>x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane
 x_v, y_v: the centre of the pointer&apos;s pixel, device pixels from the window&apos;s bottom-left corner
 vx, vy, width, height: the viewport; left, right, bottom, top: the projection window</source>
-        <translation>x_w, y_w：投影窗口中的指针，视点单位，透视投影时在近裁剪面上
+        <translation>x_w, y_w：投影窗口中的指针，观察坐标单位，透视投影时在近裁剪面上
 x_v, y_v：指针所在像素的中心，设备像素，原点在窗口左下角
 vx, vy, width, height：视口；left, right, bottom, top：投影窗口</translation>
     </message>
