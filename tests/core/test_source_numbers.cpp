@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,19 @@ Picture pictureBy(const Projection &projection, const LookAt &camera = {})
 double element(const glm::dmat4 &m, int index)
 {
     return m[index / 4][index % 4];
+}
+
+/// What a click meets of a quadrilateral.
+std::optional<ray::SceneHit> hitOn(const std::vector<glm::vec3> &corners, const std::vector<TransformStep> &transform,
+                                   const Picture &picture, const DevicePoint &position,
+                                   const std::vector<glm::dvec4> &clipPlanes = {})
+{
+    scene::Mesh mesh;
+    mesh.positions = corners;
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    const std::array objects{SceneObject{"quadrilateral", {}, modelOf(std::move(mesh)), transform}};
+    const std::array casters{ray::RayCaster::build(objects[0].model, {})};
+    return ray::SceneRays(Unprojector::of(picture).value(), objects, casters, clipPlanes).at(position).value();
 }
 
 /// The eye of the originals' programs, which call no gluLookAt.
@@ -266,6 +280,23 @@ void parallelProjection()
                forward(pipelineOf("parallel-oblique"), PipelineStage::ProjectionMatrix));
 }
 
+/// What Help works out besides.
+void help()
+{
+    // projection-derivation: 90 degrees across at 800 x 600, right / near = 1, top / near = 3 / 4.
+    const Projection wide = Frustum{-5, 5, -3.75, 3.75, 5, 80000};
+    row("help, the vertical angle to 90 degrees across", "73.74",
+        degreesFromRadians(std::get<Perspective>(converted(wide, ProjectionKind::Perspective, 5)).verticalFovRadians));
+    // x + y = 1 under glScale(2, 1, 1): (1/2, 1, 0) of length 1, and not (2, 1, 0).
+    const LookAt camera{WorldPoint(8, 8, 0), WorldPoint(1, 0.5, 0), {0, 0, 1}};
+    const auto hit = hitOn({{0, 1, -5}, {1, 0, -5}, {1, 0, 5}, {0, 1, 5}}, {Scale{{2, 1, 1}}},
+                           pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, camera), DevicePoint(400, 300));
+    const WorldVector normal = hit->triangle->normal;
+    const double length = std::copysign(std::hypot(0.5, 1.0), normal.x); // either side of the surface
+    rows("help, the normal under glScale(2, 1, 1)", {"0.5", "1.0", "0.0"},
+         glm::dvec4(normal.coordinates() * length, 0.0));
+}
+
 // ---- the errors ----------------------------------------------------------------------------------------------------
 
 /// An error, by a number that comes out of it.
@@ -312,18 +343,13 @@ void errorsOfThePaper(Errata &errors)
     errors.add("error-weng-look-at", "z of the direction, from (0, 0, 5) to the origin", 1, -1,
                eyeFrame(kFromFive).value().forward.z);
 
-    // The plane y = 0, and a wall that faces the eye: clicked above its middle.
-    scene::Mesh wall;
-    wall.positions = {{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}};
-    wall.indices = {0, 1, 2, 0, 2, 3};
-    const std::array<SceneObject, 1> objects{SceneObject{"wall", {}, modelOf(std::move(wall)), {}}};
-    const std::array casters{ray::RayCaster::build(objects[0].model, {})};
-    const std::array plane{glm::dvec4(0, 1, 0, 0)};
-    const ray::SceneRays rays(Unprojector::of(before).value(), objects, casters, plane);
+    // A wall that faces the eye, cut at y = 0: clicked above its middle and below.
+    const std::vector<glm::vec3> wall{{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}};
+    const std::vector<glm::dvec4> plane{glm::dvec4(0, 1, 0, 0)};
     errors.add("error-weng-clip-plane", "surfaces met above y = 0", 0, 1,
-               rays.at(DevicePoint(400.5, 200.5)).value().has_value() ? 1 : 0);
+               hitOn(wall, {}, before, DevicePoint(400.5, 200.5), plane) ? 1 : 0);
     errors.add("error-weng-clip-plane", "surfaces met below y = 0", 1, 0,
-               rays.at(DevicePoint(400.5, 400.5)).value().has_value() ? 1 : 0);
+               hitOn(wall, {}, before, DevicePoint(400.5, 400.5), plane) ? 1 : 0);
     const glm::dmat4 view = eyeFromWorld(eyeFrame(kFromFive).value());
     errors.add("error-weng-clip-plane", "D of z = 0 as OpenGL keeps it, called behind gluLookAt", 0, 5,
                planeInSource(glm::dvec4(0, 0, 1, 0), glm::inverse(view)).w);
@@ -467,6 +493,7 @@ void TestSourceNumbers::whatIsPrintedIsComputed_data()
     projectionDerivation();
     openCascade();
     parallelProjection();
+    help();
 }
 
 void TestSourceNumbers::whatIsPrintedIsComputed()
