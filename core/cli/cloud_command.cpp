@@ -78,6 +78,9 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
                                                    : "single precision; --precision double reaches further"));
         return ExitCode::SomeRowsBad;
     }
+    if (options.output != "-") // in a pipe the next program has the word
+        complain(options.output + ": " + std::to_string(count) + (count == 1 ? " point" : " points") + " of "
+                 + std::to_string(pixelsOf(g)) + " pixels");
     return ExitCode::Done;
 }
 

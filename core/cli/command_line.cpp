@@ -16,11 +16,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace unprojector::cli {
 namespace {
@@ -453,7 +456,9 @@ void addMap(CLI::App &app, Run &run)
         if (isOfOther && options->convention.empty())
             throw CLI::RequiredError("--convention (with --what displacement)");
         if (!isOfOther && !options->convention.empty())
-            throw CLI::ExcludesError("--convention", "--what " + std::string(maps::keyOf(options->quantity)));
+            throw CLI::ValidationError("--convention " + options->convention,
+                                       "is for --what displacement, not for --what "
+                                           + std::string(maps::keyOf(options->quantity)) + "; leave one of them out");
         options->isDepthGiven = command->get_option("--depth")->count() > 0;
         run = [options] { return runMap(*options); };
     });
@@ -621,6 +626,54 @@ void addDoctor(CLI::App &app, Run &run)
     });
 }
 
+/// An option or positional as it was given: "--at 1,2".
+std::string asGiven(const CLI::App &command, const std::string &name)
+{
+    std::string words = name;
+    if (const CLI::Option *option = command.get_option_no_throw(name)) {
+        for (const std::string &word : option->results())
+            words += ' ' + word;
+    }
+    return words;
+}
+
+/// What is wrong with the words, where the library's own sentence does not name the value or what to do.
+std::optional<std::string> mistakeText(const CLI::App &app, const CLI::ParseError &error)
+{
+    const std::vector<const CLI::App *> given = app.get_subcommands([](const CLI::App *) { return true; });
+    const auto parsed =
+        std::find_if(given.begin(), given.end(), [](const CLI::App *command) { return command->parsed(); });
+    const CLI::App &command = parsed == given.end() ? app : **parsed;
+    const std::string called = parsed == given.end() ? "unproject" : "unproject " + command.get_name();
+    const std::string help = "'" + called + " --help' ";
+    // A word that is an option's by its looks may be why something else is missing.
+    const std::vector<std::string> left = command.remaining();
+    const auto unknown = std::find_if(left.begin(), left.end(),
+                                      [](const std::string &word) { return word.size() > 1 && word.front() == '-'; });
+    if (unknown != left.end())
+        return *unknown + " is no option of '" + called + "'; " + help + "names them";
+    if (dynamic_cast<const CLI::ExtrasError *>(&error) != nullptr && !left.empty())
+        return '"' + left.back() + "\" is one word too many for '" + called + "'; " + help + "says what it takes";
+
+    const std::string what = error.what();
+    constexpr std::string_view kExcludes = " excludes ", kNoNumber = "Could not convert: ";
+    if (const std::size_t at = what.find(kExcludes);
+        at != what.npos && dynamic_cast<const CLI::ExcludesError *>(&error) != nullptr)
+        return asGiven(command, what.substr(0, at)) + " and " + asGiven(command, what.substr(at + kExcludes.size()))
+               + " exclude each other; leave one of them out";
+    if (what.starts_with(kNoNumber))
+        return asGiven(command, what.substr(kNoNumber.size(), what.find(" = ") - kNoNumber.size())) + ": give a number";
+    const CLI::Option *option = command.get_option_no_throw(what.substr(0, what.find(':')));
+    if (option == nullptr || dynamic_cast<const CLI::ArgumentMismatch *>(&error) == nullptr)
+        return std::nullopt;
+    const int needed = option->get_items_expected_min();
+    return asGiven(command, option->get_name()) + ": "
+           + (needed > 1 ? std::to_string(needed) + " or more are needed behind it, and "
+                               + std::to_string(option->results().size()) + " is given"
+                         : option->get_type_name() + " is missing behind it")
+           + "; " + help + "says what it takes";
+}
+
 std::string withoutLineEnd(std::string text)
 {
     if (text.ends_with('\n'))
@@ -674,7 +727,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
         std::ostringstream output, errors;
         const bool isDone = app.exit(error, output, errors) == 0; // help and version come this way too
         if (!errors.str().empty())
-            complain(withoutLineEnd(errors.str()));
+            complain(mistakeText(app, error).value_or(withoutLineEnd(errors.str())));
         ByteSink sink;
         sink.write(output.str());
         const ExitCode written = sink.finish();

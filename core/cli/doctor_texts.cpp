@@ -78,10 +78,10 @@ std::string coordinateText(double value, double lastDigit)
     return result;
 }
 
-std::string pointText(const glm::dvec3 &point, const WrongPoint &like)
+std::string pointText(const glm::dvec3 &point, const glm::dvec3 &lastDigit)
 {
-    return coordinateText(point.x, like.lastDigit.x) + ' ' + coordinateText(point.y, like.lastDigit.y) + ' '
-           + coordinateText(point.z, like.lastDigit.z);
+    return coordinateText(point.x, lastDigit.x) + ' ' + coordinateText(point.y, lastDigit.y) + ' '
+           + coordinateText(point.z, lastDigit.z);
 }
 
 std::string nameOf(const Candidate &candidate)
@@ -157,14 +157,19 @@ std::string landingText(const Diagnosis &diagnosis)
 
 std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis, const WrongPoint &first)
 {
-    return nameOf(candidate) + ": " + pointText(candidate.point, first) + ", " + digitsText(candidate, diagnosis)
-           + ", off by " + shortText(candidate.distance, 3) + " units of the last digit\n";
+    return nameOf(candidate) + ": " + pointText(candidate.point, first.lastDigit) + ", "
+           + digitsText(candidate, diagnosis) + ", off by " + shortText(candidate.distance, 3)
+           + " units of the last digit\n";
 }
 
 std::string codeText(const std::string &id)
 {
+    const std::vector<std::string> parts = partsOf(id);
     std::string text;
-    for (const std::string &part : partsOf(id)) {
+    if (parts.size() == 2)
+        text = "\nTwo changes: first that for " + parts[0] + ", then that for " + parts[1]
+               + " in what it leaves; each is written here as if it were the only one.\n";
+    for (const std::string &part : parts) {
         text += "\nTo change for " + part + ":\n";
         for (const CodeChange &change : remedyOf(part).code) {
             std::string name(change.library);
@@ -231,7 +236,7 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
                 + " or more apart there\n";
     text += landingText(diagnosis);
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
-        text += "  right is     " + pointText(*diagnosis.right, first) + '\n';
+        text += "  right is     " + pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)) + '\n';
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         text += "  depth        from the scene's mesh\n";
     if (best.explains && best.id != "right")

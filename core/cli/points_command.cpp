@@ -16,6 +16,17 @@ using namespace unproject;
 using namespace text;
 namespace {
 
+/// Why a method does not hold for the scene, and what to do.
+std::string noMethodText(Method method, const Error &error)
+{
+    const std::string text = std::string(keyOf(method)) + ": " + errorText(error);
+    return text
+           + (error.code == ErrorCode::ViewNotRigid ? ". Its cells stay empty; 'unproject scene --from-matrices ... "
+                                                      "--orthonormal' takes the nearest view "
+                                                      "that only turns and moves"
+                                                    : ". Its cells stay empty");
+}
+
 /// Where the formulas and the matrix are among the methods, if both are: their difference is told.
 std::optional<std::pair<std::size_t, std::size_t>> comparedPlaces(const std::vector<Method> &methods)
 {
@@ -230,7 +241,7 @@ ExitCode runPoints(const PointsOptions &options)
         // The cells of a method that does not hold for the scene stay empty.
         task.batches.push_back(batch ? std::optional(*batch) : std::nullopt);
         if (!batch)
-            complain(options.rows.scene + ": " + keyOf(method) + ": " + errorText(batch.error()));
+            complain(options.rows.scene + ": " + noMethodText(method, batch.error()));
     }
     if (!isUsable)
         return ExitCode::UnusableInput;

@@ -10,9 +10,11 @@
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -35,6 +37,26 @@ std::string pasteErrorText(const PasteError &error, const std::string &name)
     return name + ": " + nameOf(error.part) + ": " + std::to_string(error.found)
            + (error.found == 1 ? " number" : " numbers") + " found, " + std::to_string(error.wanted) + " are needed"
            + (error.part == PastedPart::Viewport ? ": x y width height" : "");
+}
+
+/// Whether a text has OpenCV's camera: K, R and t, by these names or those of its functions.
+bool namesOpenCv(const std::string &text)
+{
+    std::set<std::string> names;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto isLetter = [&](std::size_t i) {
+            return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+        };
+        std::size_t end = at;
+        while (isLetter(end))
+            ++end;
+        if (end > at)
+            names.insert(text.substr(at, end - at));
+        at = end + 1;
+    }
+    const bool hasTurn = names.contains("R") || names.contains("t") || names.contains("T");
+    return (names.contains("K") && hasTurn) || names.contains("cameraMatrix") || names.contains("rvec")
+           || names.contains("tvec");
 }
 
 /// What was pasted: the words themselves, or a file's text. What is wrong is said on stderr.
@@ -385,7 +407,11 @@ ExitCode runScene(const SceneOptions &options)
         const bool isFileMeant =
             error.word.empty() && error.all == 0 && !given->isFile && options.fromMatrices.size() == 1;
         complain(isFileMeant ? options.fromMatrices[0] + ": there is no such file"
-                             : pasteErrorText(error, given->name));
+                             : pasteErrorText(error, given->name)
+                                   + (namesOpenCv(given->text)
+                                          ? ". K, R and t are not read: give a 4 x 4 view and projection instead; the "
+                                            "README says under Conventions how they are made of these"
+                                          : ""));
         return ExitCode::UnusableInput;
     }
 

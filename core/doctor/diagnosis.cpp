@@ -155,6 +155,24 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     return result;
 }
 
+double greatestOf(const glm::dvec3 &v)
+{
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// See Diagnosis::rightLastDigit.
+double rightLastDigit(const Given &given, const Prepared &point, const glm::dvec3 &right,
+                      const glm::dvec3 &lastDigitGiven)
+{
+    constexpr double kSevenDigits = 1e-6;
+    double unsure = greatestOf(roundingOf(given, point.click, std::numeric_limits<double>::epsilon()));
+    const auto a = answer(given, point.right.clicks.front(), {}), b = answer(given, point.right.clicks.back(), {});
+    if (a && b)
+        unsure = std::max(unsure, greatestOf(*b - *a));
+    const double least = std::max(unsure, std::min(greatestOf(lastDigitGiven), kSevenDigits * greatestOf(right)));
+    return least > 0.0 ? std::pow(10.0, std::ceil(std::log10(least) - 1e-9)) : 1.0; // 1e-4 stays itself
+}
+
 Hypothesis rightHypothesis(const Given &given, std::span<const Prepared> points)
 {
     Hypothesis right;
@@ -296,8 +314,10 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
 
     Diagnosis diagnosis;
     diagnosis.projected = points.front().projected;
-    if (const auto right = Hypothesis().nearest(*picture, points.front().right))
+    if (const auto right = Hypothesis().nearest(*picture, points.front().right)) {
         diagnosis.right = right->point;
+        diagnosis.rightLastDigit = rightLastDigit(*picture, points.front(), right->point, given.front().lastDigit);
+    }
     diagnosis.landing = landings.front();
     diagnosis.tried = all.size();
     for (const Prepared &point : points) {

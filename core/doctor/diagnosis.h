@@ -86,6 +86,9 @@ struct Diagnosis {
     Landing landing = Landing::Right;
     DepthKnown depthKnown = DepthKnown::Given;
     std::optional<glm::dvec3> right; ///< what the first click gives, in its space; of an unknown depth, the nearest
+    /// The unit of the last digit that `right` has, a power of ten: what rounding and the depth's last digit leave to the click,
+    /// and of that seven digits of the greatest coordinate, or as many as were given.
+    double rightLastDigit = 1.0;
     int digitsGiven = 0;             ///< what Candidate::digits is at most: those that count
     int digitsWritten = 0;           ///< all that were given, those that say nothing too
     std::optional<DevicePoint> next; ///< the pixel whose answers tell the first candidates apart best

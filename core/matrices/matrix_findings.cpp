@@ -203,6 +203,12 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
     if (const auto printedOff = roundedOff(m)) {
         std::erase_if(found, [](const MatrixFinding &one) { return one.fault == MatrixFault::Scaled; });
         found.insert(found.begin(), {MatrixFault::Rounded, MatrixRepair::Orthonormal, *printedOff});
+    } else if (found.empty() && m[3][3] > 0.0 && !geometry::axesOff(m)) { // too askew for the formulas all the same
+        const glm::dmat3 fromRight = axes * glm::transpose(axes) - glm::dmat3(1.0);
+        double largest = 0.0;
+        for (int i = 0; i < 9; ++i)
+            largest = std::max(largest, std::abs(fromRight[i / 3][i % 3]));
+        found.push_back({MatrixFault::Rounded, MatrixRepair::Orthonormal, largest});
     }
     const dmat4 inverse = glm::inverse(m);
     constexpr double kInTheMiddle = 0.5;
@@ -368,9 +374,9 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
         return "has every entry with the other sign: the same points, but w < 0 in front of the eye, which OpenGL cuts "
                "off";
     case MatrixFault::Rounded:
-        return "is printed with few digits: its axes are " + numberText(finding.value, Digits::Double, 2)
-               + " off being perpendicular and of length 1, as rounding leaves them; the formulas need them within "
-                 "0.00001";
+        return "has axes that are " + numberText(finding.value, Digits::Double, 2)
+               + " off being perpendicular and of length 1, as few digits or many turns leave them; the formulas need "
+                 "them within 0.00001";
     case MatrixFault::Scaled: break;
     }
     return finding.repair == MatrixRepair::None

@@ -34,8 +34,8 @@ enum class MatrixFault {
     Mirrored,       ///< x is turned round, or the axes are left-handed ones
     LeftHanded,     ///< eye space looks along +z
     Negated,        ///< every entry has the other sign: the same points, with w < 0 in front of the eye
-    Rounded,        ///< printed with few digits; value: how far the axes are from orthonormal, as axesOff counts
-    Scaled          ///< value: how many times as long an axis is
+    Rounded, ///< nearly rigid, as few digits leave it; value: how far the axes are from orthonormal, as axesOff counts
+    Scaled   ///< value: how many times as long an axis is
 };
 
 /// What can be done about it.

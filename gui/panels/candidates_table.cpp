@@ -58,7 +58,7 @@ void CandidatesTable::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint 
             setItem(row, column, item);
         };
         put(Name, candidateName(candidate), Qt::AlignLeft);
-        put(Answer, pointText(candidate.point, first), Qt::AlignRight);
+        put(Answer, pointText(candidate.point, first.lastDigit), Qt::AlignRight);
         put(Digits, QString::number(candidate.digits), Qt::AlignRight);
         put(Off, significantText(candidate.distance, 3), Qt::AlignRight);
     }

@@ -43,6 +43,7 @@ CodeChangesView::CodeChangesView(QWidget *parent)
         choices << SegmentedSwitch::Choice{QLatin1String(library), tr("Lines for %1").arg(QLatin1String(library))};
     m_library = new SegmentedSwitch(tr("Library"), choices);
     m_title->setWordWrap(true);
+    m_title->setTextFormat(Qt::PlainText);
     m_lines->setTextFormat(Qt::RichText);
     m_lines->setWordWrap(true);
     m_lines->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -99,7 +100,8 @@ void CodeChangesView::showLines()
 {
     m_text.clear();
     QString rows;
-    for (const QString &part : QString::fromStdString(m_id).split(u'+', Qt::SkipEmptyParts)) {
+    const QStringList parts = QString::fromStdString(m_id).split(u'+', Qt::SkipEmptyParts);
+    for (const QString &part : parts) {
         bool hasLine = false;
         for (const doctor::CodeChange &change : doctor::remedyOf(part.toStdString()).code) {
             if (library() != QLatin1String(change.library.data(), static_cast<qsizetype>(change.library.size())))
@@ -117,7 +119,12 @@ void CodeChangesView::showLines()
                                  .arg(mistakeName(part.toStdString()))
                                  .toHtmlEscaped());
     }
-    m_title->setText(tr("To change: %1").arg(mistakeName(m_id)));
+    QString title = tr("To change: %1").arg(mistakeName(m_id));
+    if (parts.size() == 2)
+        title += u'\n'
+                 + tr("First “%1”, then “%2” in what that leaves; each is written here as if it were the only one.")
+                       .arg(mistakeName(parts[0].toStdString()), mistakeName(parts[1].toStdString()));
+    m_title->setText(title);
     m_lines->setText(QStringLiteral("<table width='100%' cellspacing='2'>%1</table>").arg(rows));
     m_copy->setEnabled(!m_text.isEmpty());
 }

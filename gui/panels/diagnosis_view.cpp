@@ -102,20 +102,20 @@ void DiagnosisView::showAnswer(const Shown &shown)
     const QString explained = explainedText(best, diagnosis);
     add(best.explains ? tr("Explains") : tr("Closest"),
         QStringLiteral("%1<br>%2: %3").arg(gotMarkup(shown), candidateName(best).toHtmlEscaped(), explained),
-        pointText(shown.first.got, shown.first) + QStringLiteral(", ") + candidateName(best) + QStringLiteral(": ")
-            + explained);
+        pointText(shown.first.got, shown.first.lastDigit) + QStringLiteral(", ") + candidateName(best)
+            + QStringLiteral(": ") + explained);
     if (diagnosis.candidates.size() > 1) {
         const Candidate &next = diagnosis.candidates[1];
-        addPlain(tr("Runner-up"),
-                 tr("%1: %2, %3", "runner-up: its answer, how many digits it explains")
-                     .arg(candidateName(next), pointText(next.point, shown.first), explainedText(next, diagnosis)));
+        addPlain(tr("Runner-up"), tr("%1: %2, %3", "runner-up: its answer, how many digits it explains")
+                                      .arg(candidateName(next), pointText(next.point, shown.first.lastDigit),
+                                           explainedText(next, diagnosis)));
     }
     if (best.explains && best.id != "right")
         addPlain(tr("Chance"),
                  tr("%1 that a point of other making is explained as well").arg(chanceText(diagnosis.chance)));
     addPlain(tr("Lands"), tr("by the right matrices %1").arg(landingText(diagnosis)));
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
-        addPlain(tr("Right is"), pointText(*diagnosis.right, shown.first));
+        addPlain(tr("Right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         addPlain(tr("Depth"), tr("that of the mesh under the pixel"));
     if (diagnosis.isSinglePrecision)

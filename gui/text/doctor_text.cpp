@@ -111,11 +111,11 @@ QString coordinateText(double value, double lastDigit)
     return fixedText(value, std::clamp(int(std::lround(-std::log10(lastDigit))), 0, kMostDecimals));
 }
 
-QString pointText(const glm::dvec3 &point, const WrongPoint &like)
+QString pointText(const glm::dvec3 &point, const glm::dvec3 &lastDigit)
 {
     QStringList coordinates;
     for (int axis = 0; axis < 3; ++axis)
-        coordinates << coordinateText(point[axis], like.lastDigit[axis]);
+        coordinates << coordinateText(point[axis], lastDigit[axis]);
     return coordinates.join(QStringLiteral("  "));
 }
 

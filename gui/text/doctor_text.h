@@ -21,7 +21,8 @@ QString chanceText(double chance);
 
 /// With the decimals that the last digit allows.
 QString coordinateText(double value, double lastDigit);
-QString pointText(const glm::dvec3 &point, const doctor::WrongPoint &like);
+/// @param lastDigit  units of the last digits, of each coordinate
+QString pointText(const glm::dvec3 &point, const glm::dvec3 &lastDigit);
 /// How much of coordinateText(coordinate, lastDigit) an answer explains: characters from its beginning.
 qsizetype explainedLength(double coordinate, double lastDigit, double answer);
 

@@ -120,8 +120,8 @@ QString findingSentence(const MatrixFinding &finding, MatrixRole role)
                               "OpenGL cuts off.");
     case MatrixFault::Rounded:
         return MatrixText::tr(
-                   "It is printed with few digits: its axes are %1 off being perpendicular and of length 1, as "
-                   "rounding leaves them. The formulas need them within 0.00001; more decimals are better.")
+                   "Its axes are %1 off being perpendicular and of length 1, as few digits or many turns leave them. "
+                   "The formulas need them within 0.00001; more decimals are better.")
             .arg(readableText(finding.value));
     case MatrixFault::Scaled: break;
     }

@@ -1169,6 +1169,10 @@
         <source>Copy these &amp;lines</source>
         <translation>复制这几行(&amp;L)</translation>
     </message>
+    <message>
+        <source>First “%1”, then “%2” in what that leaves; each is written here as if it were the only one.</source>
+        <translation>先改“%1”，再在改好的代码上改“%2”；此处各按只有这一处错误来写。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ColorScale</name>
@@ -3179,6 +3183,18 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>Take the camera from projection and view, or their product, as another program prints them</source>
         <translation>让相机取自其他程序打印的投影和视图，或它们的乘积</translation>
     </message>
+    <message>
+        <source>Select a placed point first: its mark in the view, or its row under Points.</source>
+        <translation>请先选择一个已放置的点：点击视图中的标记，或“点”面板中的那一行。</translation>
+    </message>
+    <message>
+        <source>Select placed points first: their marks in the view, or their rows under Points.</source>
+        <translation>请先选择已放置的点：点击视图中的标记，或“点”面板中的各行。</translation>
+    </message>
+    <message>
+        <source>Select two points or more first: their rows under Points, with Ctrl.</source>
+        <translation>请先选择两个或更多的点：按住 Ctrl 点击“点”面板中的各行。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MapOverlay</name>
@@ -3688,10 +3704,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>每个元素的符号都相反：得到的点相同，但视点前方的点 w &lt; 0，会被 OpenGL 裁掉。</translation>
     </message>
     <message>
-        <source>It is printed with few digits: its axes are %1 off being perpendicular and of length 1, as rounding leaves them. The formulas need them within 0.00001; more decimals are better.</source>
-        <translation>它打印的位数很少：坐标轴与相互垂直且长度为 1 相差 %1，这是舍入造成的。公式要求在 0.00001 以内；位数更多更好。</translation>
-    </message>
-    <message>
         <source>Read as Row-major</source>
         <translation>按行优先读取</translation>
     </message>
@@ -3798,6 +3810,10 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>1 number; a matrix has 16.</source>
         <translation>只有 1 个数；矩阵有 16 个。</translation>
+    </message>
+    <message>
+        <source>Its axes are %1 off being perpendicular and of length 1, as few digits or many turns leave them. The formulas need them within 0.00001; more decimals are better.</source>
+        <translation>坐标轴与相互垂直且长度为 1 相差 %1，这是位数太少或多次旋转累积造成的。公式要求在 0.00001 以内；位数更多更好。</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,9 @@ private slots:
     void theVerdictInJson_data();
     void theVerdictInJson();
     void theAnswerInWords();
+    void theRightPointHasItsOwnDigits_data();
+    void theRightPointHasItsOwnDigits();
+    void ofTwoChangesOneIsFirst();
     void digitsAreReadAsWritten();
     void noZeroIsBelowZero();
     void aTableIsOneProgram();
@@ -124,7 +127,7 @@ void TestDoctorCommand::theAnswerInWords()
     QVERIFY(run.output.contains("next best"));
     QVERIFY(run.output.contains("by a click at"));
     QVERIFY(run.output.contains("the depth is right, the pixel is not"));
-    QVERIFY(run.output.contains("right is     0.5000 0.7500 -0.2500"));
+    QVERIFY2(run.output.contains("right is     0.500000 0.750000 -0.250000\n"), run.output);
     for (const char *library : {"GLU", "GLM", "Qt", "three.js", "NumPy"})
         QVERIFY2(run.output.contains(library), library);
     const Run right = doctor(kClick + QStringList{"--got", "0.5000,0.7500,-0.2500"});
@@ -135,6 +138,39 @@ void TestDoctorCommand::theAnswerInWords()
     VERIFY_SUCCEEDED(unknown);
     QVERIFY(unknown.output.startsWith("unknown\n  Nothing that is known explains this point"));
     QVERIFY(unknown.output.contains("lands        on pixel"));
+}
+
+void TestDoctorCommand::theRightPointHasItsOwnDigits_data()
+{
+    QTest::addColumn<QString>("depth");
+    QTest::addColumn<QString>("got");
+    QTest::addColumn<QByteArray>("right");
+    QTest::newRow("few given") << "0.838330516"
+                               << "12,2,3" << QByteArray("0.500000 0.750000 -0.250000");
+    QTest::newRow("more given than the depth leaves")
+        << "0.838331"
+        << "1.123456789,2.123456789,3.123456789" << QByteArray("0.5000 0.7500 -0.2500");
+    QTest::newRow("a depth of few digits") << "0.8383"
+                                           << "1.1234,2.1234,3.1234" << QByteArray("0.50 0.75 -0.25");
+}
+
+void TestDoctorCommand::theRightPointHasItsOwnDigits()
+{
+    QFETCH(QString, depth);
+    QFETCH(QString, got);
+    QFETCH(QByteArray, right);
+    const Run run = doctor({"--pixel", "568.6475,274.3378", "--depth", depth, "--got", got});
+    VERIFY_SUCCEEDED(run);
+    QVERIFY2(run.output.contains("right is     " + right + '\n'), run.output);
+}
+
+void TestDoctorCommand::ofTwoChangesOneIsFirst()
+{
+    const Run run = doctor(kClick + QStringList{"--got", "0.651062,-0.335494,0.093560"});
+    VERIFY_SUCCEEDED(run);
+    QVERIFY2(run.output.contains("Two changes: first that for ratio-logical-in-device, then that for xy-swapped in"),
+             run.output);
+    QVERIFY(!doctor(kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"}).output.contains("Two changes"));
 }
 
 /// 0.50 has two decimals, 0.5000 four: a pixel's corner is 0.4972 0.7462 -0.2468.

@@ -259,7 +259,7 @@ void TestLandmarksCommand::refused_data()
     QTest::newRow("one placing") << QStringList{"--repeats", input, "-o", "-"} << "--repeats";
     QTest::newRow("repeats to nowhere") << QStringList{"--repeats", input, input} << "-o,--output is required";
     QTest::newRow("repeats and a file") << QStringList{"--repeats", input, input, "--to", "csv", "-o", "-"}
-                                        << "excludes";
+                                        << "exclude each other; leave one of them out";
     QTest::newRow("repeats over a placing") << QStringList{"--repeats", input, input, "-o", input} << "in.pp";
     QTest::newRow("an output without a table") << QStringList{input, "-", "-o", "a.csv"} << "--table or --repeats";
     QTest::newRow("an empty folder") << QStringList{"--table", m_folder.path("empty"), "-o", "-"}

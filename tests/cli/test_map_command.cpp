@@ -140,7 +140,7 @@ void TestMapCommand::unusable_data()
                              << QByteArray("\"blender\" is none of\npaper, screen2world, meshlab");
     QTest::newRow("convention of nothing")
         << QStringList{m_scene, "--what", "formula-ray", "--convention", "paper", "-o", m_map}
-        << QByteArray("--convention excludes --what formula-ray");
+        << QByteArray("--convention paper: is for --what displacement, not for --what formula-ray");
     QTest::newRow("picture") << QStringList{m_scene, "--what", "formula-ray", "-o", m_folder.path("map.PNG")}
                              << QByteArray("give a name that ends in .pfm");
     QTest::newRow("both to stdout") << QStringList{m_scene, "--what", "formula-ray", "--json", "-o", "-"}

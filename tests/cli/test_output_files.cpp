@@ -56,6 +56,12 @@ private:
         return {"cloud", "--size", "800x600", m_scene, m_depth, "-o", output};
     }
 
+    /// Whether all is written, and that is all that was said.
+    static bool hasWritten(const Run &cloud, const QString &output)
+    {
+        return cloud.exitCode == 0 && cloud.errors == output.toUtf8() + ": 480000 points of 480000 pixels\n";
+    }
+
     std::unique_ptr<Folder> m_folder;
     QString m_scene, m_depth;
 };
@@ -84,8 +90,7 @@ void TestOutputFiles::namesAreTaken()
     const QString output = path(name);
     for (int i = 0; i < 2; ++i) { // new, and over the one before
         const Run cloud = runCommand(cloudTo(output));
-        QCOMPARE(cloud.errors, QByteArray());
-        QCOMPARE(cloud.exitCode, 0);
+        QVERIFY(hasWritten(cloud, output));
         QVERIFY(read(name).startsWith("ply\n") && read(name).size() > kCloudBytes);
         const Run scene = runCommand({"scene", "--from-matrices", kNumbers, "-o", output});
         QCOMPARE(scene.errors, QByteArray());
@@ -253,11 +258,9 @@ void TestOutputFiles::anInterruptionLeavesWhatWasThere()
 void TestOutputFiles::devicesAreWrittenTo()
 {
 #ifdef Q_OS_WIN
-    const Run run = runCommand(cloudTo("NUL"));
-    VERIFY_SUCCEEDED(run);
+    QVERIFY(hasWritten(runCommand(cloudTo("NUL")), "NUL"));
 #else
-    const Run run = runCommand(cloudTo("/dev/null"));
-    VERIFY_SUCCEEDED(run);
+    QVERIFY(hasWritten(runCommand(cloudTo("/dev/null")), "/dev/null"));
     struct stat status {};
     QVERIFY(stat("/dev/null", &status) == 0 && S_ISCHR(status.st_mode));
     if (QFile::exists("/dev/full")) {
@@ -296,8 +299,7 @@ void TestOutputFiles::aNamedPipeIsWrittenTo()
     reader.setStandardOutputFile(m_folder->path("read"));
     reader.start("cat", {path("pipe")});
     QVERIFY(reader.waitForStarted());
-    const Run run = runCommand(cloudTo(path("pipe")));
-    VERIFY_SUCCEEDED(run);
+    QVERIFY(hasWritten(runCommand(cloudTo(path("pipe"))), path("pipe")));
     QVERIFY(reader.waitForFinished());
     QFile file(m_folder->path("read"));
     QVERIFY(file.open(QIODevice::ReadOnly));

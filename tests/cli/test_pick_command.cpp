@@ -289,8 +289,9 @@ void TestPickCommand::unusable_data()
     row("a size that is none", {"SCENE", "--at", "1,2", "--size", "800"}, "--size 800: give width and height");
     row("a size of nothing", {"SCENE", "--at", "1,2", "--size", "0x5"}, "--size 0x5");
     row("a snap that is none", {"SCENE", "--at", "1,2", "--snap", "corner"}, "\"corner\" is none of");
-    row("both ways", {"SCENE", "rows.csv", "--at", "1,2"}, "PIXELS excludes --at");
-    row("rows' format for a position", {"SCENE", "--at", "1,2", "--format", "jsonl"}, "--at excludes --format");
+    row("both ways", {"SCENE", "rows.csv", "--at", "1,2"}, "PIXELS rows.csv and --at 1,2 exclude each other");
+    row("rows' format for a position", {"SCENE", "--at", "1,2", "--format", "jsonl"},
+        "--at 1,2 and --format jsonl exclude each other");
     row("an object farther away than can be computed", {"far.json", "--at", "1,2"},
         "far.json: face: an object reaches to -1e+300, farther than can be computed");
     row("an object smaller than can be computed", {"small.json", "--at", "1,2"},

@@ -33,6 +33,7 @@ private slots:
     void badRowsAreNamedAndTheRestGoesOn();
     void methodsLeaveColumnsOut_data();
     void methodsLeaveColumnsOut();
+    void aMethodThatDoesNotHoldIsSaid();
     void jsonLines();
     void pixelsMeanTheirCentres();
     void unusableInput_data();
@@ -193,6 +194,22 @@ void TestPointsCommand::methodsLeaveColumnsOut()
     QCOMPARE(run.lines().at(0), header);
     for (const QByteArray &line : run.lines())
         QCOMPARE(line.count(','), header.count(','));
+}
+
+/// A view that is not quite rigid: the matrix answers, the formulas' cells are empty, and why and what to do is said.
+void TestPointsCommand::aMethodThatDoesNotHoldIsSaid()
+{
+    QByteArray scene = kFrustumScene;
+    scene.replace(R"({"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})",
+                  R"({"matrix": [1.0001, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -5, 1]})");
+    const QString file = m_folder.write("askew.json", scene);
+    const Run run = runCommand({"points", file, "-"}, "px,py,depth\n400,300,1\n");
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(run.output.contains("\n400,300,1,,,,0,0,1"), run.output);
+    QCOMPARE(run.errors.count('\n'), 1);
+    QVERIFY2(run.errors.startsWith(file.toUtf8() + ": formula: the view matrix does more than turn and move: row 1 ")
+                 && run.errors.contains(". Its cells stay empty; 'unproject scene --from-matrices ... --orthonormal' "),
+             run.errors);
 }
 
 void TestPointsCommand::jsonLines()

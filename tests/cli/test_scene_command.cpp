@@ -255,10 +255,21 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
         << "projection " + kProjection + " modelview 0.7071 0 0.7071 0  0 1 0 0  -0.7071 0 0.7071 0  0 0 -5 1 viewport "
                + kViewport
         << QStringList()
-        << QByteArray("stdin: modelview: is printed with few digits: its axes are 1.9e-05 off "
-                      "being perpendicular and of length 1, as rounding leaves them; the "
+        << QByteArray("stdin: modelview: has axes that are 1.9e-05 off "
+                      "being perpendicular and of length 1, as few digits or many turns leave them; the "
                       "formulas need them within 0.00001; --orthonormal takes the nearest that "
                       "are, more decimals are better\n");
+    QTest::newRow("full digits, yet not quite rigid")
+        << "projection " + kProjection + " modelview 1.0000123456789 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 viewport "
+               + kViewport
+        << QStringList()
+        << QByteArray("stdin: modelview: has axes that are 2.5e-05 off being perpendicular and of length 1, as few "
+                      "digits or many turns leave them; the formulas need them within 0.00001; --orthonormal takes "
+                      "the nearest that are, more decimals are better\n");
+    QTest::newRow("full digits, mended")
+        << "projection " + kProjection + " modelview 1.0000123456789 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 viewport "
+               + kViewport
+        << QStringList("--orthonormal") << QByteArray();
     QTest::newRow("four decimals, mended")
         << "projection " + kProjection + " modelview 0.7071 0 0.7071 0  0 1 0 0  -0.7071 0 0.7071 0  0 0 -5 1 viewport "
                + kViewport
@@ -465,6 +476,8 @@ void TestSceneCommand::badMatricesAreRefused_data()
     QTest::newRow("infinity on another line")
         << QByteArray(kModelview).replace(" 0 0 1 0", "\n  inf 0 1 0") + kProjection
         << QByteArray("stdin:2:3: \"inf\" is not a finite number");
+    QTest::newRow("OpenCV's") << QByteArray("K = 800 0 400\n0 800 300\n0 0 1\nR = 1 0 0\n0 1 0\n0 0 1\nt = 0 0 5\n")
+                              << QByteArray(". K, R and t are not read: give a 4 x 4 view and projection instead; ");
     QTest::newRow("empty viewport") << kModelview + ' ' + kProjection + " 0 0 0 300" << QByteArray("viewport");
     QTest::newRow("enormous viewport") << kModelview + ' ' + kProjection + " 0 0 1e300 300" << QByteArray("viewport");
 }

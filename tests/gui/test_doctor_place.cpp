@@ -308,6 +308,16 @@ void TestDoctorPlace::theCodeIsThatOfTheLibrary()
         QVERIFY2(code.text().startsWith(u'-') && code.text().contains(QStringLiteral("\n+ ")), library);
     }
     QVERIFY(code.text().contains(QStringLiteral("y_n = 2 * (H - y - vy) / h - 1")));
+    // Two changes are made one after the other.
+    const auto saysFirst = [&code] {
+        const QList<QLabel *> labels = code.findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel *label) {
+            return label->text().contains(QStringLiteral("First “x and y swapped”, then “y not flipped”"));
+        });
+    };
+    QVERIFY(!saysFirst());
+    code.setMistake("xy-swapped+y-not-flipped");
+    QVERIFY(saysFirst());
 }
 
 void TestDoctorPlace::aSecondClickMakesASecondRow()
