@@ -14,11 +14,11 @@
 namespace unprojector::gui {
 using namespace geometry;
 
-/// The marks of points, of constant size: of the picked one a ring with a dot at the point itself, of the given one a square
-/// on its corner, of a wrong one a cross, of the right one to that a square.
+/// The marks of points, of constant size: of the picked one a ring with a dot at the point itself, of a click on the background
+/// the ring alone, of the given one a square on its corner, of a wrong one a cross, of the right one to that a square.
 class PickPainter : protected QOpenGLExtraFunctions {
 public:
-    enum class Mark { Picked, Given, Wrong, Right };
+    enum class Mark { Picked, Given, Wrong, Right, Background };
 
     void initialize();
     void release();

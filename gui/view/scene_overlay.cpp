@@ -106,6 +106,12 @@ void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &cli
     }
     glDisable(GL_DEPTH_TEST);
     drawWrongPoints(document.wrongPoints(), clipFromWorld, viewportPixels(g), pixelRatio(g), m_lines, m_pick);
+    const std::optional<Pick> &pick = document.pick();
+    if (pick && !pick->hit()) { // no surface there, but a ray: its far end lies under the click
+        if (const Result<WorldPoint> &end = pick->rayFar.world[Method::Formula])
+            m_pick.draw(*end, clipFromWorld, viewportPixels(g), pixelRatio(g), PickPainter::Mark::Background);
+        return;
+    }
     const std::optional<WorldPoint> point = document.pickedPoint();
     if (!point)
         return;

@@ -37,6 +37,8 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include <algorithm>
+
 namespace unprojector::gui {
 
 QAction *MainWindow::addAction(QMenu *menu, const QString &text, const QKeySequence &key, const QString &tip,
@@ -261,10 +263,16 @@ void MainWindow::createPlacingActions(QMenu &menu, QToolBar &bar)
     });
     onBar(bar, m_placingAction, Drawing::Points);
     bar.addSeparator();
-    const auto withCurrent = [this](auto deed) {
-        return [this, deed] {
-            if (const std::optional<std::size_t> place = m_document->points().current())
+    const auto isPlaced = [this](std::size_t place) { return !m_document->landmarks()[place].isMissing(); };
+    const auto withCurrent = [this, isPlaced](auto deed) {
+        return [this, deed, isPlaced] {
+            const std::optional<std::size_t> place = m_document->points().current();
+            if (place && isPlaced(*place))
                 deed(*m_document, *place);
+            else
+                statusBar()->showMessage(
+                    tr("Select a placed point first: its mark in the view, or its row under Points."),
+                    kNoticeMilliseconds);
         };
     };
     addAction(&menu, tr("&Go to Point"), Qt::Key_G, tr("Turn the camera to face the surface at the selected point"),
@@ -276,10 +284,22 @@ void MainWindow::createPlacingActions(QMenu &menu, QToolBar &bar)
                   zoomToPoint(document, place, kHalf);
               }));
     addAction(&menu, tr("Put &Back on the Surface"), Qt::Key_B,
-              tr("Put the selected points onto the surface, where it is closest to them"),
-              [this] { static_cast<void>(putOnSurface(*m_document, m_document->points().selection())); });
+              tr("Put the selected points onto the surface, where it is closest to them"), [this, isPlaced] {
+                  const std::vector<std::size_t> &selected = m_document->points().selection();
+                  if (std::any_of(selected.begin(), selected.end(), isPlaced))
+                      static_cast<void>(putOnSurface(*m_document, selected));
+                  else
+                      statusBar()->showMessage(
+                          tr("Select placed points first: their marks in the view, or their rows under Points."),
+                          kNoticeMilliseconds);
+              });
     const auto join = [this](landmarks::CurveKind kind) {
         return [this, kind] {
+            if (m_document->points().selection().size() < 2) {
+                statusBar()->showMessage(tr("Select two points or more first: their rows under Points, with Ctrl."),
+                                         kNoticeMilliseconds);
+                return;
+            }
             m_places->show("points"); // where the curve is listed, or why there is none
             m_pointsPanel->join(kind);
         };

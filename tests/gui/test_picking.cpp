@@ -40,8 +40,18 @@ void TestPicking::theBackgroundHasNoSurface()
     QCOMPARE(pick.window.z, 1.0);
     QCOMPARE(heading(*window), QStringLiteral("Background: no surface here"));
     QVERIFY(window->message().isEmpty());
-    // No marker: the picture is what it was.
-    QCOMPARE(view.grabFramebuffer(), empty);
+    // A ring about the pixel and nothing within it, since there is no point.
+    const QImage ring = view.grabFramebuffer();
+    const double ratio = ring.devicePixelRatio();
+    const auto isAsBefore = [&](const QPointF &at) {
+        const QPoint pixel = (at * ratio).toPoint();
+        return ring.pixelColor(pixel) == empty.pixelColor(pixel);
+    };
+    const QPointF middle(pick.window.x / ratio, view.height() - pick.window.y / ratio);
+    for (const double across : {-2.0, 0.0, 2.0})
+        QVERIFY(isAsBefore(middle + QPointF(across, 0.0)));
+    QVERIFY(!isAsBefore(middle - QPointF(7.0, 0.0)));
+    QVERIFY(!isAsBefore(middle + QPointF(0.0, 7.0)));
     // The ray is that of the pixel, by hand.
     const Ray ray = rayThrough(pick.geometry, centerUnder(view, position));
     for (const Result<WorldPoint> &end : {pick.rayNear.world[Method::Formula], pick.rayFar.world[Method::Formula]})
@@ -56,6 +66,9 @@ void TestPicking::theBackgroundHasNoSurface()
     // A surface pick does leave a marker.
     click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.0, 0.0)));
     QVERIFY(view.grabFramebuffer() != empty);
+    // The background is a click like any other: the surface's marker goes.
+    QTest::mouseClick(&view, Qt::LeftButton, {}, position);
+    QCOMPARE(view.grabFramebuffer(), ring);
 }
 
 void TestPicking::whatIsOnlyDrawnIsNeverPicked_data()

@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QImage>
+#include <QStatusBar>
 
 #include <glm/geometric.hpp>
 
@@ -97,6 +98,8 @@ private slots:
     void theCameraFacesThePoint();
     void theZoomIsAsCloseAsAsked();
     void pointsGoBackOntoTheSurface();
+    void keysForPointsSayThatThereIsNone_data();
+    void keysForPointsSayThatThereIsNone();
     void theLoupeShowsThePlace();
     void arrowsMoveOffTheSurface_data();
     void arrowsMoveOffTheSurface();
@@ -562,6 +565,39 @@ void TestPointView::pointsGoBackOntoTheSurface()
     QCOMPARE(document.undoStack().count(), steps + 1);
     QCOMPARE(document.undoStack().undoText(), QStringLiteral("Put a on the surface"));
     QVERIFY(std::holds_alternative<landmarks::Free>(document.landmarks()[1].hold)); // not selected
+}
+
+void TestPointView::keysForPointsSayThatThereIsNone_data()
+{
+    QTest::addColumn<QKeySequence>("key");
+    QTest::addColumn<bool>("isMissing");
+    QTest::newRow("go, nothing selected") << QKeySequence(Qt::Key_G) << false;
+    QTest::newRow("go, a missing point") << QKeySequence(Qt::Key_G) << true;
+    QTest::newRow("zoom") << QKeySequence(Qt::SHIFT | Qt::Key_G) << false;
+    QTest::newRow("back, nothing selected") << QKeySequence(Qt::Key_B) << false;
+    QTest::newRow("back, a missing point") << QKeySequence(Qt::Key_B) << true;
+    QTest::newRow("join") << QKeySequence(Qt::Key_J) << false;
+    QTest::newRow("join one point") << QKeySequence(Qt::SHIFT | Qt::Key_J) << true;
+}
+
+void TestPointView::keysForPointsSayThatThereIsNone()
+{
+    QFETCH(QKeySequence, key);
+    QFETCH(bool, isMissing);
+    const auto window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    if (isMissing) {
+        Landmark point;
+        point.name = "nasion";
+        QVERIFY(document.editLandmarks({point}, {QStringLiteral("put")}));
+        document.points().selectOnly(0);
+    }
+    const int steps = document.undoStack().count();
+    window->statusBar()->clearMessage();
+    trigger(*window, key);
+    QVERIFY2(window->statusBar()->currentMessage().startsWith(QStringLiteral("Select ")),
+             qPrintable(window->statusBar()->currentMessage()));
+    QCOMPARE(document.undoStack().count(), steps);
 }
 
 void TestPointView::theLoupeShowsThePlace()
