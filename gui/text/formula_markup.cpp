@@ -52,40 +52,40 @@ QString withItalics(const QString &text)
     return set + text.mid(end);
 }
 
-QString row(const QString &text);
+QString row(const QString &text, const QString &lines);
 
-QString fraction(const QStringList &parts)
+QString fraction(const QStringList &parts, const QString &lines)
 {
     return QStringLiteral("<table cellspacing='0' cellpadding='0'>"
-                          "<tr><td align='center' style='border-bottom: 1px solid #222; padding-left: 3px; "
-                          "padding-right: 3px'>%1</td></tr>"
-                          "<tr><td align='center' style='padding-left: 3px; padding-right: 3px'>%2</td></tr></table>")
-        .arg(row(parts.value(0).trimmed()), row(parts.value(1).trimmed()));
+                          "<tr><td align='center' style='border-bottom: 1px solid %1; padding-left: 3px; "
+                          "padding-right: 3px'>%2</td></tr>"
+                          "<tr><td align='center' style='padding-left: 3px; padding-right: 3px'>%3</td></tr></table>")
+        .arg(lines, row(parts.value(0).trimmed(), lines), row(parts.value(1).trimmed(), lines));
 }
 
-QString matrix(const QString &text)
+QString matrix(const QString &text, const QString &lines)
 {
     const QStringList rows = text.split(u';');
     const QString bracket =
-        QStringLiteral("<td rowspan='%1' width='5' style='border-%2: 1px solid #222; border-top: 1px solid #222; "
-                       "border-bottom: 1px solid #222'></td>");
+        QStringLiteral("<td rowspan='%1' width='5' style='border-%2: 1px solid %3; border-top: 1px solid %3; "
+                       "border-bottom: 1px solid %3'></td>");
     QString set = QStringLiteral("<table cellspacing='0' cellpadding='0'>");
     for (int r = 0; r < rows.size(); ++r) {
         set += QStringLiteral("<tr>");
         if (r == 0)
-            set += bracket.arg(rows.size()).arg(QLatin1String("left"));
+            set += bracket.arg(rows.size()).arg(QLatin1String("left"), lines);
         for (const QString &entry : splitOutsideBraces(rows[r], u','))
             set += QStringLiteral("<td align='center' valign='middle' style='padding: 2px 7px 2px 7px'>%1</td>")
-                       .arg(row(entry.trimmed()));
+                       .arg(row(entry.trimmed(), lines));
         if (r == 0)
-            set += bracket.arg(rows.size()).arg(QLatin1String("right"));
+            set += bracket.arg(rows.size()).arg(QLatin1String("right"), lines);
         set += QStringLiteral("</tr>");
     }
     return set + QStringLiteral("</table>");
 }
 
 /// Words, fractions and matrices side by side, on one axis.
-QString row(const QString &text)
+QString row(const QString &text, const QString &lines)
 {
     if (!text.contains(u'{'))
         return withItalics(text);
@@ -96,7 +96,7 @@ QString row(const QString &text)
         pieces << withItalics(text.mid(start, open - start).trimmed());
         const QString inner = text.mid(open + 1, close - open - 1);
         const QStringList parts = splitOutsideBraces(inner, u'|');
-        pieces << (parts.size() == 2 ? fraction(parts) : matrix(inner));
+        pieces << (parts.size() == 2 ? fraction(parts, lines) : matrix(inner, lines));
         start = close + 1;
     }
     pieces << withItalics(text.mid(start).trimmed());
@@ -112,7 +112,7 @@ QString row(const QString &text)
 
 } // namespace
 
-QString typeset(const QString &page)
+QString typeset(const QString &page, const QColor &lines)
 {
     static const QRegularExpression formula(
         QStringLiteral("<formula(?: no=\"([^\"]*)\")?(?: name=\"([^\"]*)\")?>(.*?)</formula>"),
@@ -128,7 +128,7 @@ QString typeset(const QString &page)
         set += QStringLiteral("<table width='100%' cellspacing='0' cellpadding='4'><tr><td width='24'></td><td "
                               "valign='middle'>%1</td>"
                               "<td align='right' valign='middle'>%2</td></tr></table>")
-                   .arg(row(match.captured(3).simplified()), number);
+                   .arg(row(match.captured(3).simplified(), lines.name()), number);
         end = match.capturedEnd();
     }
     return set + page.mid(end);

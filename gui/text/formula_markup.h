@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QColor>
 #include <QString>
 
 namespace unprojector::gui {
@@ -12,6 +13,7 @@ namespace unprojector::gui {
 /// `{a | b}` is a fraction, `{a, b; c, d}` a matrix with its rows separated by `;` (`{x; y}` a column); both may hold
 /// fractions. Single Latin letters are set in italics, except in <sub>, <sup> and <b>. `no` is printed at the right in parentheses, `name` is an anchor;
 /// both may be missing. Everything outside <formula> is passed on as it is.
-QString typeset(const QString &page);
+/// @param lines  of the fractions' bars and the matrices' brackets: as the text, which rich text does not take for lines
+QString typeset(const QString &page, const QColor &lines = Qt::black);
 
 } // namespace unprojector::gui

@@ -63,14 +63,15 @@ protected:
 
 /// The page with the colours that are not those of its text.
 /// @param name  in the folder of the help: "formulas.html"
-QString pageText(const QString &name, const QColor &heading, const QColor &link, const QColor &source)
+QString pageText(const QString &name, const QColor &lines, const QColor &heading, const QColor &link,
+                 const QColor &source)
 {
     QFile file(QStringLiteral(":/help/") + name);
     if (!file.open(QIODevice::ReadOnly))
         return {};
     const QString colors = QStringLiteral("h2 { color: %1; } a { color: %2; } p.source { color: %3; }\n</style>")
                                .arg(heading.name(), link.name(), source.name());
-    return typeset(QString::fromUtf8(file.readAll()).replace(QStringLiteral("</style>"), colors));
+    return typeset(QString::fromUtf8(file.readAll()).replace(QStringLiteral("</style>"), colors), lines);
 }
 
 } // namespace
@@ -136,7 +137,7 @@ void FormulasWindow::showPage()
     const QColor link = colors.color(QPalette::Link);
     //: The file of the page in this language, in resources/help.
     const QString name = tr("formulas.html");
-    m_page->setHtml(pageText(name, isDark ? link : QColor(0x1f, 0x3a, 0x5f), link,
+    m_page->setHtml(pageText(name, colors.color(QPalette::Text), isDark ? link : QColor(0x1f, 0x3a, 0x5f), link,
                              isDark ? QColor(0xa0, 0xa4, 0xaa) : QColor(0x66, 0x66, 0x66)));
     m_page->verticalScrollBar()->setValue(place);
 }

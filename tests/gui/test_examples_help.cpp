@@ -21,6 +21,7 @@
 #include <QTextBrowser>
 #include <QTextDocumentFragment>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace unprojector;
@@ -395,6 +396,21 @@ double lightShare(FormulasWindow &window)
     return static_cast<double>(light) / all;
 }
 
+/// How far a light line goes straight down, at most, where the page has a matrix at its top.
+int longestLightLine(FormulasWindow &window)
+{
+    window.showFormula(QStringLiteral("ortho"));
+    const QImage picture = window.page().viewport()->grab().toImage();
+    int longest = 0;
+    for (int x = 0; x < picture.width(); ++x) {
+        for (int y = 0, length = 0; y < picture.height(); ++y) {
+            length = qGray(picture.pixel(x, y)) > 150 ? length + 1 : 0;
+            longest = std::max(longest, length);
+        }
+    }
+    return longest;
+}
+
 void TestExamplesHelp::thePageIsDarkWhereTheWindowIs()
 {
     const Appearance before = currentAppearance();
@@ -403,6 +419,7 @@ void TestExamplesHelp::thePageIsDarkWhereTheWindowIs()
     QVERIFY(lightShare(window) > 0.8);
     setAppearance(Appearance::Dark);
     QTRY_VERIFY(lightShare(window) < 0.1);
+    QVERIFY(longestLightLine(window) > 30); // of a matrix
     setAppearance(before);
     QTRY_VERIFY(lightShare(window) > 0.8);
 }
