@@ -33,6 +33,8 @@ using unprojector::scene::SceneObject;
 
 namespace {
 
+/// A few roundings of numbers of order 1 to 100.
+constexpr double kRounding = 1e-12;
 /// Coordinates of order 100, taken forward and backward in double.
 constexpr double kRoundTrip = 1e-10;
 /// The numbers worked out by hand have seven decimals.
@@ -295,6 +297,12 @@ void help()
     const double length = std::copysign(std::hypot(0.5, 1.0), normal.x); // either side of the surface
     rows("help, the normal under glScale(2, 1, 1)", {"0.5", "1.0", "0.0"},
          glm::dvec4(normal.coordinates() * length, 0.0));
+    // How long an edge into the depth is drawn: cavalier, cabinet, and the program of parallel-projection.
+    for (const auto &[printed, angle] : {std::pair("1.00", radiansFromDegrees(54.74)),
+                                         std::pair("0.50", radiansFromDegrees(70.53)), std::pair("1.43", 0.78)}) {
+        const glm::dmat4 oblique = clipFromEye(Oblique{{-1, 1, -1, 1, 2, 9}, angle, angle}).value();
+        row(std::string("help, an oblique edge, ") + printed, printed, glm::length(glm::dvec2(oblique[2])));
+    }
 }
 
 // ---- the errors ----------------------------------------------------------------------------------------------------
@@ -476,6 +484,8 @@ private slots:
     void anErrorIsOne_data();
     void anErrorIsOne();
     void everyErrorOfHelpIsShown();
+    void glOrthoIsThreeSteps();
+    void theViewportWithYDownCountsFromTheTop();
     void theWorldOriginIsTheMiddleOfTheWidgetAndBack_data();
     void theWorldOriginIsTheMiddleOfTheWidgetAndBack();
     void threeProjectionsGiveOnePictureOnlyInASquareWindow_data();
@@ -530,6 +540,30 @@ void TestSourceNumbers::everyErrorOfHelpIsShown()
             shown.emplace_back(error.anchor);
     }
     QVERIFY(shown == std::vector<std::string>(kErrata.begin(), kErrata.end()));
+}
+
+/// parallel-projection: moved, scaled, turned round, of a box that is nowhere symmetric.
+void TestSourceNumbers::glOrthoIsThreeSteps()
+{
+    const Ortho box{-1, 3, -2, 1, 2, 10};
+    const glm::dmat4 steps = worldFromObject(
+        {Scale{{1, 1, -1}}, Scale{{2.0 / 4.0, 2.0 / 3.0, 2.0 / 8.0}}, Translate{{-2.0 / 2.0, 1.0 / 2.0, 12.0 / 2.0}}});
+    const glm::dmat4 ortho = clipFromEye(box).value();
+    for (int index = 0; index < 16; ++index)
+        QVERIFY2(isNear(element(steps, index), element(ortho, index), kRounding), qPrintable(QString::number(index)));
+}
+
+/// opencascade-transforms: BuildNorm2ViewportMatrix.
+void TestSourceNumbers::theViewportWithYDownCountsFromTheTop()
+{
+    const Surface surface{300, 200, 1.0};
+    const glm::dmat4 yDown{{150, 0, 0, 0}, {0, -100, 0, 0}, {0, 0, 0.5, 0}, {150, 100, 0.5, 1}};
+    for (const NdcPoint &ndc : {NdcPoint(0, 0, 0), NdcPoint(0.25, -0.75, 0.5), NdcPoint(-1, 1, -1)}) {
+        const glm::dvec4 byMatrix = yDown * glm::dvec4(ndc.coordinates(), 1.0);
+        const WindowPoint window = windowFromNdc(wholeSurface(surface), DepthRange{}, ndc);
+        const DevicePoint device = deviceFromWindow(surface, window);
+        QVERIFY(isNear(glm::dvec3(byMatrix), {device.x, device.y, window.z}, kRounding));
+    }
 }
 
 void TestSourceNumbers::theWorldOriginIsTheMiddleOfTheWidgetAndBack_data()
