@@ -430,6 +430,11 @@ void errorsOfOpenCascade(Errata &errors)
     const double y = 0.5, byTheCode = (0 - 300) / 2.0 * y + (300 + 0) / 2.0;
     errors.add("error-opencascade-viewport", "y in the window of the NDC 0.5", byTheCode, 225,
                windowFromNdc(Viewport{0, 0, 300, 300}, DepthRange{}, NdcPoint(0, y, 0)).y);
+    // A row vector times a matrix that is set for columns.
+    const glm::dmat4 viewport = windowFromNdc(Viewport{0, 0, 300, 300}, DepthRange{});
+    const glm::dvec4 middle(0, 0, 0, 1);
+    errors.add("error-opencascade-rows", "x in the window of NDC's middle", (middle * viewport).x, 150,
+               (middle * glm::transpose(viewport)).x);
 }
 
 void errorsOfParallelProjection(Errata &errors)

@@ -283,11 +283,12 @@ void TestExamplesHelp::everyErrorIsThere_data()
     row("error-zhangci-depth", "0.5 stays 0.5", "0.75");
     row("error-zhangci-object", "a world coordinate", "an object coordinate");
     row("error-derivation-three", "the same picture", "1.3333, the second 0.75");
-    row("error-derivation-translate", "glTranslatef between glBegin and glEnd", "translate before glBegin");
+    row("error-derivation-translate", "glTranslatef after glBegin", "translate before glBegin");
     row("error-opencascade-model-view", "−ex, −ey, −ez, 1", "−e · u, −e · v, −e · n, 1");
     row("error-opencascade-ortho", "+(max + min)/(max − min)", "−(max + min)/(max − min)");
     row("error-opencascade-perspective", "+2 znear zfar/(znear − zfar)", "−2 znear zfar/(znear − zfar)");
     row("error-opencascade-viewport", "downwards in BuildNorm2ViewportMatrix", "no flip shows");
+    row("error-opencascade-rows", "v · Mmodelview · Mprojection · Mviewport", "have to be transposed first");
     row("error-parallel-flip", "from the right", "from the left");
     row("error-parallel-way", "by cot θ", "by cot θ · z");
     row("error-parallel-size", "const int SIZE = 4.5", "truncates to 4");

@@ -23,6 +23,7 @@ inline constexpr std::array kErrata{
     "error-opencascade-ortho",
     "error-opencascade-perspective",
     "error-opencascade-viewport",
+    "error-opencascade-rows",
     "error-parallel-flip",
     "error-parallel-way",
     "error-parallel-size",
