@@ -1,4 +1,5 @@
 #include "core/files/standard_streams.h"
+#include "gui/document/portable.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/text/translation.h"
@@ -11,7 +12,6 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QFile>
 #include <QMessageBox>
 #include <QSettings>
 
@@ -89,8 +89,7 @@ int main(int argc, char **argv)
     std::optional<QCoreApplication> words(std::in_place, argc, argv);
     std::optional<Translation> translation(std::in_place);
     const QString folder = QCoreApplication::applicationDirPath();
-    if (QFile::exists(folder + QStringLiteral("/portable"))) {
-        // The program is carried about, on a stick for one, and its settings with it.
+    if (isPortable(folder)) {
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
     }

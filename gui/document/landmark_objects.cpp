@@ -5,6 +5,7 @@
 #include "gui/document/scene_points.h"
 #include "gui/text/number_text.h"
 #include "gui/text/point_text.h"
+#include "gui/text/sentences.h"
 
 #include <QCoreApplication>
 
@@ -113,7 +114,7 @@ QString letGo(std::vector<Landmark> &points, const std::vector<SceneObject> &obj
                     .arg(QString::number(elsewhere), firstElsewhere, readableText(farthest));
     if (!said.isEmpty())
         said << Texts::tr("They are free where they are; B puts selected points onto the surface.");
-    return said.join(u' ');
+    return inARow(said);
 }
 
 std::optional<WorldPoint> worldOf(const landmarks::Hold &hold, const SceneObject &object)

@@ -8,6 +8,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
 
 #include <QCursor>
 #include <QGuiApplication>
@@ -108,7 +109,7 @@ void tellUnmatched(const JoinedPoints &joined, const landmarks::LandmarkSet &aft
         sentences << PointFiles::tr("%1: points without a name, put behind the others: %2.").arg(file).arg(nameless);
     if (!waiting.isEmpty())
         sentences << PointFiles::tr("Still without a place: %1.").arg(namesText(waiting));
-    notes << sentences.join(u' ');
+    notes << inARow(sentences);
 }
 
 } // namespace
@@ -229,7 +230,7 @@ std::optional<QString> PointFiles::tieAll(std::vector<landmarks::Landmark> &poin
         said << tr("Free where they are, far from it: %1.").arg(free);
     if (missing > 0)
         said << tr("Without a place: %1.").arg(missing);
-    return said.join(u' ');
+    return inARow(said);
 }
 
 PointFileQuestions::Join PointFiles::howToJoin(const landmarks::LandmarkSet &coming) const
@@ -330,8 +331,7 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
         m_document.fit();
         said << tr("There is no object that they lie on: open their scan together with them.");
     }
-    said.removeAll(QString());
-    emit noticed(said.join(u' '));
+    emit noticed(inARow(said));
     return true;
 }
 

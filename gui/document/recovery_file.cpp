@@ -1,5 +1,7 @@
 #include "gui/document/recovery_file.h"
 
+#include "gui/document/portable.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -51,9 +53,12 @@ std::optional<files::FileStamp> stampFromText(const QString &text)
 
 } // namespace
 
-QString RecoveryFile::defaultFolder()
+QString RecoveryFile::defaultFolder(const QString &programFolder)
 {
-    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/recovery");
+    const QString kept = isPortable(programFolder)
+                             ? programFolder
+                             : QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+    return kept + QStringLiteral("/recovery");
 }
 
 RecoveryFile::RecoveryFile(const QString &folder, const QString &id)

@@ -36,8 +36,8 @@ struct RecoveryInfo {
 /// one file, so that they cannot come from different moments.
 class RecoveryFile {
 public:
-    /// The user's own folder for them.
-    static QString defaultFolder();
+    /// The folder for them: the user's own, or that of a program that isPortable.
+    static QString defaultFolder(const QString &programFolder);
     /// A file of a new name, not written yet; the folder is made where there is none.
     /// @return why there is none, in the system's words
     static Result<std::unique_ptr<RecoveryFile>, QString> create(const QString &folder);

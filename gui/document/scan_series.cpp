@@ -11,6 +11,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/text/error_text.h"
+#include "gui/text/sentences.h"
 
 #include <algorithm>
 #include <cmath>
@@ -554,7 +555,7 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
     if (!problems.isEmpty())
         emit warned(problems.join(u'\n'));
     if (table == Table::Repeats) {
-        emit noticed(tr("Repeats written to %1.").arg(pathText(file.filename())) + u' ' + ofRepeats);
+        emit noticed(inARow({tr("Repeats written to %1.").arg(pathText(file.filename())), ofRepeats}));
         return true;
     }
     const std::size_t without = m_scans.size() - sets.size();

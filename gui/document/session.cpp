@@ -5,6 +5,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 
+#include <QCoreApplication>
 #include <QDir>
 
 #include <algorithm>
@@ -171,7 +172,7 @@ void Session::createAutosave()
 {
     QString folder = m_options.recoveryFolder;
     if (folder.isEmpty() && m_options.remembers)
-        folder = RecoveryFile::defaultFolder();
+        folder = RecoveryFile::defaultFolder(QCoreApplication::applicationDirPath());
     if (folder.isEmpty())
         return;
     m_autosave = new Autosave(

@@ -4,6 +4,7 @@
 #include "gui/panels/depth_precision_plot.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
 
 #include <QBoxLayout>
 #include <QResizeEvent>
@@ -68,18 +69,16 @@ DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget 
     : QWidget(parent), m_document(document), m_plot(new DepthPrecisionPlot)
 {
     const QString error = errorText(1.2e-5), distance = writtenText(12345.6, 6);
-    m_words =
-        new SteadyLabel({tr("In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open.")
-                             .arg(distance, error)
-                         + u' '
-                         + tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
-                               .arg(distance, distance, timesText(1234.0), error)
-                         + u' '
-                         + tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that "
-                              "has 1 at near, would make it %1 "
-                              "times better (±%2).")
-                               .arg(timesText(12e6), error)
-                         + u' ' + assumedText()});
+    m_words = new SteadyLabel(
+        {inARow({tr("In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open.")
+                     .arg(distance, error),
+                 tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
+                     .arg(distance, distance, timesText(1234.0), error),
+                 tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that "
+                    "has 1 at near, would make it %1 "
+                    "times better (±%2).")
+                     .arg(timesText(12e6), error),
+                 assumedText()})});
     m_layout = new QBoxLayout(QBoxLayout::TopToBottom, this);
     m_layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     m_layout->setSpacing(kMargin);
@@ -149,15 +148,14 @@ void DepthPrecisionPanel::refresh()
     const QString drawn = m_document.pick() ? tr("as drawn: %1") : tr("as drawn: %1, assumed");
     std::vector<DepthPrecisionPlot::Curve> curves{{drawn.arg(formatName(format)), scale, format}};
 
-    QString words =
+    QStringList said{
         (place.isPoint
              ? tr("At the point, %1 in front of the eye, rounding the depth leaves ±%2 open.")
              : tr("In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open."))
-            .arg(writtenText(place.distance, 4), errorText(now));
+            .arg(writtenText(place.distance, 4), errorText(now))};
     if (!scale.isPerspective) {
-        words += u' '
-                 + tr("In a box, as of glOrtho, that is so at every distance; only less room between near and far "
-                      "makes it less.");
+        said << tr("In a box, as of glOrtho, that is so at every distance; only less room between near and far "
+                   "makes it less.");
     } else {
         std::vector<Box> boxes;
         for (const SceneObject &object : m_document.objects()) {
@@ -171,12 +169,11 @@ void DepthPrecisionPanel::refresh()
             if (now / then >= kWorthwhile) {
                 const QString name = writtenText(*better, 4);
                 curves.push_back({tr("with near %1").arg(name), nearer, format});
-                words += u' '
-                         + tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
-                               .arg(name, writtenText(scale.nearDistance, 4), timesText(now / then), errorText(then));
+                said << tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
+                            .arg(name, writtenText(scale.nearDistance, 4), timesText(now / then), errorText(then));
             }
         } else if (nearestDistance(picture, boxes)) {
-            words += u' ' + tr("Near is about as far away as the objects let it be.");
+            said << tr("Near is about as far away as the objects let it be.");
         }
         DepthScale reversed = scale;
         reversed.range = {1.0, 0.0};
@@ -186,18 +183,17 @@ void DepthPrecisionPanel::refresh()
         if (!(format == floats && scale == reversed))
             curves.push_back({tr("floats, reversed"), reversed, floats});
         if (now / then >= kWorthwhile) {
-            words += u' '
-                     + tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that has 1 "
-                          "at near, would make it "
-                          "%1 times better (±%2).")
-                           .arg(timesText(now / then), errorText(then));
+            said << tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that has 1 "
+                       "at near, would make it "
+                       "%1 times better (±%2).")
+                        .arg(timesText(now / then), errorText(then));
         } else if (curves.size() > 1 && curves.back().format == floats) {
-            words +=
-                u' ' + tr("A buffer of floats with 1 at near would change little here (±%1).").arg(errorText(then));
+            said << tr("A buffer of floats with 1 at near would change little here (±%1).").arg(errorText(then));
         }
     }
     if (!m_document.pick())
-        words += u' ' + assumedText();
+        said << assumedText();
+    const QString words = inARow(said);
     m_words->setPlain(words);
     m_plot->setAccessibleDescription(words);
     m_plot->show(std::move(curves), place.isPoint ? std::optional(place.distance) : std::nullopt);

@@ -7,6 +7,7 @@
 #include "gui/text/error_text.h"
 #include "gui/text/matrix_text.h"
 #include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -158,19 +159,16 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
     if (!shown)
         return tr("No picture can be made of it: %1").arg(errorText(shown.error()));
     isUsable = true;
-    QString text = cameraText(*shown, camera.projection);
+    QStringList said{cameraText(*shown, camera.projection)};
     if (isProduct())
-        text +=
-            u' '
-            + tr("Taken apart into projection and view, which make the product again up to %1 of its largest entry.")
-                  .arg(significantText(m_paste.apart()->off, 1));
+        said << tr("Taken apart into projection and view, which make the product again up to %1 of its largest entry.")
+                    .arg(significantText(m_paste.apart()->off, 1));
     if (isProduct() && m_paste.apart()->isBox)
-        text += u' ' + tr("Of a box the eye may be anywhere along the view: it is put on the near plane.");
+        said << tr("Of a box the eye may be anywhere along the view: it is put on the near plane.");
     if (const auto viewport = m_paste.viewport())
-        text += u' '
-                + tr("The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).")
-                      .arg(writtenText(viewport->width, 6), writtenText(viewport->height, 6));
-    return text;
+        said << tr("The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).")
+                    .arg(writtenText(viewport->width, 6), writtenText(viewport->height, 6));
+    return inARow(said);
 }
 
 void PasteMatricesDialog::refresh()

@@ -6,6 +6,7 @@
 #include "gui/panels/number_grid.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/text/matrix_text.h"
+#include "gui/text/sentences.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -141,28 +142,29 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
         m_ndcDepth->setChoice(static_cast<int>(chosen - kNdcDepths.cbegin()));
     }
     m_ndcDepth->setEnabled(pasted != nullptr);
+    QStringList said;
     if (const auto &error = paste.error(m_role))
-        m_said->setText(errorText(*error, m_role));
+        said << errorText(*error, m_role);
     else if (!pasted)
-        m_said->setText(m_role == MatrixRole::Product ? tr("Nothing yet.")
-                                                      : tr("Nothing yet: without it, that of the scene stays."));
+        said << (m_role == MatrixRole::Product ? tr("Nothing yet.")
+                                               : tr("Nothing yet: without it, that of the scene stays."));
     else if (text().trimmed().isEmpty())
-        m_said->setText(tr("From the other text: %1.").arg(formName(pasted->form)));
+        said << tr("From the other text: %1.").arg(formName(pasted->form));
     else
-        m_said->setText(tr("Read as %1.").arg(formName(pasted->form)));
+        said << tr("Read as %1.").arg(formName(pasted->form));
     if (pasted && pasted->isInverse)
-        m_said->setText(m_said->text() + u' '
-                        + (lacksInverse(*pasted)
-                               ? tr("By its name it is an inverse, but it has none itself: it is taken as it stands.")
-                               : tr("By its name it is an inverse: its own inverse is taken.")));
+        said << (lacksInverse(*pasted)
+                     ? tr("By its name it is an inverse, but it has none itself: it is taken as it stands.")
+                     : tr("By its name it is an inverse: its own inverse is taken."));
     if (paste.leavesInverseOut(m_role))
-        m_said->setText(m_said->text() + u' ' + tr("Its inverse, beside it in the text, is left out."));
+        said << tr("Its inverse, beside it in the text, is left out.");
     QStringList done;
     for (const MatrixFinding &finding : paste.repairs(m_role))
         done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows
                                                                                   : NumberOrder::ByColumns);
     if (!done.isEmpty())
-        m_said->setText(m_said->text() + u' ' + tr("Done: %1.").arg(done.join(QStringLiteral(", "))));
+        said << tr("Done: %1.").arg(done.join(QStringLiteral(", ")));
+    m_said->setText(inARow(said));
     m_asPasted->setVisible(!done.isEmpty());
     m_grid->setVisible(matrix.has_value());
     if (matrix)

@@ -9,6 +9,7 @@
 #include "gui/text/api_text.h"
 #include "gui/text/error_text.h"
 #include "gui/text/matrix_text.h"
+#include "gui/text/sentences.h"
 #include "gui/text/typed_numbers.h"
 
 #include <type_traits>
@@ -262,7 +263,7 @@ void PipelineModel::showApi()
         return;
     // Its own camera has no clip space and no buffer of depths: these rows are OpenGL's from OpenCV's eye.
     const auto camera = apiCamera(m_document.geometry(), m_api);
-    m_apiNote += u' ' + tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].") + u'\n';
+    m_apiNote = inARow({m_apiNote, tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].")}) + u'\n';
     m_apiNote += camera && camera->intrinsics ? intrinsicsText(*camera->intrinsics)
                                               : tr("Without a perspective there is no camera matrix K.");
 }

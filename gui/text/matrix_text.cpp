@@ -1,6 +1,7 @@
 #include "gui/text/matrix_text.h"
 
 #include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -196,7 +197,7 @@ QString cameraText(const Picture &picture, const std::optional<MatrixProjection>
         said << (form->ndcDepth == NdcDepth::ZeroToOne
                      ? MatrixText::tr("Right-handed eye space, NDC depths from 0 to 1.")
                      : MatrixText::tr("Right-handed eye space, NDC depths from −1 to 1."));
-    return said.join(u' ');
+    return inARow(said);
 }
 
 } // namespace unprojector::gui

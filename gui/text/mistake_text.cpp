@@ -1,5 +1,7 @@
 #include "gui/text/mistake_text.h"
 
+#include "gui/text/sentences.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -244,14 +246,14 @@ const Wording *wordingOf(std::string_view id)
 
 /// Of each mistake of an id, put together.
 template <class Of>
-QString joined(const std::string &id, const QString &between, Of of)
+QStringList ofEach(const std::string &id, Of of)
 {
     QStringList texts;
     for (const QString &part : QString::fromStdString(id).split(u'+')) {
         const Wording *wording = wordingOf(part.toStdString());
         texts << (wording ? of(*wording) : part);
     }
-    return texts.join(between);
+    return texts;
 }
 
 /// What of a text stands between a start and an end; nothing where it has others.
@@ -289,12 +291,12 @@ QString wayText(const QString &way)
 
 QString mistakeName(const std::string &id)
 {
-    return joined(id, QStringLiteral(" + "), [](const Wording &wording) { return MistakeText::tr(wording.name); });
+    return ofEach(id, [](const Wording &wording) { return MistakeText::tr(wording.name); }).join(QStringLiteral(" + "));
 }
 
 QString mistakeSentence(const std::string &id)
 {
-    return joined(id, QStringLiteral(" "), [](const Wording &wording) { return MistakeText::tr(wording.sentence); });
+    return inARow(ofEach(id, [](const Wording &wording) { return MistakeText::tr(wording.sentence); }));
 }
 
 QString variantText(const std::string &variant)

@@ -1,5 +1,7 @@
 #include "gui/text/note_text.h"
 
+#include "gui/text/sentences.h"
+
 #include <QCoreApplication>
 #include <QImageReader>
 #include <QStringList>
@@ -71,7 +73,7 @@ QString notesText(const QString &fileName, const std::vector<ModelNote> &notes)
     QStringList sentences;
     for (const ModelNote &note : notes)
         sentences << noteText(note);
-    return sentences.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(fileName, sentences.join(u' '));
+    return sentences.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(fileName, inARow(sentences));
 }
 
 } // namespace unprojector::gui

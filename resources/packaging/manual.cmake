@@ -1,6 +1,7 @@
 # Writes the manual pages and the completions of the shells out of what the programs say of themselves, so that all of
 # them name the same commands and options.
 #   cmake -DUNPROJECT=program [-DUNPROJECTOR=program] -DVERSION=… -DOUT=folder -P manual.cmake
+cmake_minimum_required(VERSION 3.22)
 
 # What a program says to the words given. OUT: help
 function(ask program)
@@ -68,10 +69,15 @@ function(flush_entry)
                     string(APPEND zsh_specs " \\\n        '${name}[${short_zsh}]:${value}:(${choices})'")
                 else()
                     set(files " ")
-                    if(value MATCHES "^(FILE|FOLDER|MODEL|TEXT|OUT.png)$")
+                    set(in_bash return) # files, unless something else stands in COMPREPLY
+                    if(value STREQUAL "FOLDER")
+                        set(files "_files -/")
+                        string(CONCAT in_bash "mapfile -t COMPREPLY < <(compgen -d -- \"$current\")\n"
+                               "        compopt -o filenames +o default 2>/dev/null\n        return")
+                    elseif(value MATCHES "^(FILE|MODEL|TEXT|OUT.png)$")
                         set(files "_files")
                     endif()
-                    string(APPEND bash_values "    ${command},${name}) return ;;\n")
+                    string(APPEND bash_values "    ${command},${name}) ${in_bash} ;;\n")
                     string(APPEND zsh_specs " \\\n        '${name}[${short_zsh}]:${value}:${files}'")
                 endif()
             else()
@@ -83,6 +89,8 @@ function(flush_entry)
         endforeach()
         if(NOT choices STREQUAL "")
             string(APPEND fish_names " -x -a '${choices}'")
+        elseif(value STREQUAL "FOLDER")
+            string(APPEND fish_names " -x -a '(__fish_complete_directories)'")
         elseif(NOT value STREQUAL "")
             string(APPEND fish_names " -r")
         endif()
@@ -220,7 +228,19 @@ foreach(command IN LISTS names)
     string(APPEND bash_cases "            ${command}) words='${bash_options}' ;;\n")
     string(APPEND zsh_cases "    ${command})\n        _arguments${zsh_specs} \\\n        '*:file:_files'\n        ;;\n")
 endforeach()
-string(APPEND page ".SH SEE ALSO\n.BR unprojector (1)\n")
+string(APPEND page ".SH EXIT STATUS
+.TP
+0
+All is done.
+.TP
+1
+Some rows or files were bad: they are empty or left out, and standard error names them.
+.TP
+2
+The input cannot be used at all, or the output not be written; standard error says why.
+.SH SEE ALSO
+.BR unprojector (1)
+")
 file(WRITE "${OUT}/unproject.1" "${page}")
 file(WRITE "${OUT}/unproject.bash" "# bash completion of unproject
 _unproject() {
@@ -277,7 +297,22 @@ string(REGEX MATCH "\n(  -h, --help +)" matched "${help}")
 string(LENGTH "${CMAKE_MATCH_1}" column)
 set(usage_line "")
 read_help(${column})
-string(APPEND page ".SH SEE ALSO\n.BR unproject (1)\n")
+string(APPEND page ".SH EXIT STATUS
+.TP
+0
+The window was closed, the picture saved, or what was asked for said.
+.TP
+2
+A word, a file, the display or OpenGL will not do; standard error says why.
+.SH EXAMPLES
+.PP
+.nf
+  unprojector scan.ply
+  unprojector scan.ply points.pp
+  unprojector \\-\\-place doctor scene.json
+  unprojector \\-\\-screenshot picture.png \\-\\-view\\-size 600x500 \\-\\-click 300,250 scene.json > clicks.json
+.fi
+.SH SEE ALSO\n.BR unproject (1)\n")
 file(WRITE "${OUT}/unprojector.1" "${page}")
 file(WRITE "${OUT}/unprojector.bash" "# bash completion of unprojector
 _unprojector() {

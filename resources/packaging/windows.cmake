@@ -25,10 +25,17 @@ set(library_folders ${compiler_folder})
 foreach(prefix IN LISTS CMAKE_PREFIX_PATH)
     list(APPEND library_folders ${prefix}/bin)
 endforeach()
+set(windows_imports)
+if(NOT CMAKE_HOST_WIN32) # there Windows' own libraries are not at hand to be found
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libkernel32.a OUTPUT_VARIABLE kernel32
+                    OUTPUT_STRIP_TRAILING_WHITESPACE)
+    cmake_path(GET kernel32 PARENT_PATH windows_imports)
+endif()
 install(CODE "
     set(programs \"$<TARGET_FILE:unproject>;${window_program}\")
     set(modules \"${modules}\")
     set(folders \"${library_folders}\")
+    set(windows_imports \"${windows_imports}\")
     set(objdump \"$<$<NOT:$<BOOL:${MSVC}>>:${CMAKE_OBJDUMP}>\")
 ")
 install(SCRIPT windows_libraries.cmake)

@@ -2,6 +2,8 @@
 
 #include "tests/gui/kept_scene.h"
 
+#include "gui/document/portable.h"
+#include "gui/document/recovery_file.h"
 #include "gui/document/scene_document.h"
 #include "gui/window/overlay_bars.h"
 
@@ -83,6 +85,7 @@ private slots:
     void initTestCase() { guitest::redirectSettings(); }
     void init() { m_folder = std::make_unique<Folder>(); }
 
+    void aProgramThatIsCarriedAboutKeepsThemBesideItself();
     void whatIsWrittenIsReadAgain();
     void aKilledProgramsChangesAreOfferedAndRecovered();
     void aRecoveredSceneIsKeptUntilItIsSaved();
@@ -111,6 +114,16 @@ void TestRecovery::leaveChanges(const QString &file, double d)
     QVERIFY(openAndWait(*window, file));
     edit(*window, d);
     QVERIFY(becomesKept(m_folder->recovery(), before + 1));
+}
+
+void TestRecovery::aProgramThatIsCarriedAboutKeepsThemBesideItself()
+{
+    const QString program = m_folder->path();
+    QVERIFY(!isPortable(program));
+    QVERIFY(!RecoveryFile::defaultFolder(program).startsWith(program));
+    write(m_folder->file(QStringLiteral("portable")), {});
+    QVERIFY(isPortable(program));
+    QCOMPARE(RecoveryFile::defaultFolder(program), program + QStringLiteral("/recovery"));
 }
 
 void TestRecovery::whatIsWrittenIsReadAgain()

@@ -1,4 +1,6 @@
 #include "gui/text/error_text.h"
+#include "gui/text/mistake_text.h"
+#include "gui/text/sentences.h"
 #include "gui/text/translation.h"
 #include "gui/window/main_window.h"
 
@@ -66,6 +68,7 @@ private slots:
     void theProgramFindsEveryTranslation();
     void theWindowSpeaksChinese();
     void theFirstLanguageCounts();
+    void chineseSentencesHaveNoBlankBetween();
 
 private:
     static bool isBuilt() { return QFile::exists(QStringLiteral(":/translations/unprojector_zh_CN.qm")); }
@@ -131,6 +134,23 @@ void TestTranslation::theFirstLanguageCounts()
     QCOMPARE(nameOfTools({QStringLiteral("C")}), QStringLiteral("Tools"));
     QCOMPARE(nameOfTools({QStringLiteral("fr-FR"), QStringLiteral("zh-Hans-CN")}), QStringLiteral("工具"));
     QCOMPARE(MainWindow::tr("Tools"), QStringLiteral("Tools"));
+}
+
+void TestTranslation::chineseSentencesHaveNoBlankBetween()
+{
+    QCOMPARE(inARow({QStringLiteral("One."), QString(), QStringLiteral("Two: three.")}),
+             QStringLiteral("One. Two: three."));
+    QCOMPARE(inARow({QStringLiteral("一。"), QStringLiteral("二。"), QStringLiteral("3 个")}),
+             QStringLiteral("一。二。3 个"));
+    QCOMPARE(inARow({}), QString());
+    static const QRegularExpression blank(QStringLiteral("[。！？；：，、] "));
+    for (const Message &m : messagesOfFile())
+        QVERIFY2(!m.translation.contains(blank), qPrintable(m.translation));
+#ifdef UNPROJECTOR_IS_TRANSLATED
+    const Translation translation(kChinese);
+    const QString two = mistakeSentence("y-not-flipped+xy-swapped");
+    QVERIFY2(two.contains(u'。') && !two.contains(blank), qPrintable(two));
+#endif
 }
 
 } // namespace unprojector::gui

@@ -247,6 +247,7 @@ void TestPackaging::bashCompletes_data()
     row("unproject scene --y ''", "down up");
     row("unproject points sc", "");
     row("unproject cloud -o --", "");
+    row("unproject landmarks --table /us", "/usr"); // a folder, and no file
     row("unprojector --pl", "--place");
     row("unprojector --place d", "doctor");
     row("unprojector --smooth-edges ''", "on off");
