@@ -39,11 +39,13 @@ QRectF loupeBox(const Surface &surface, const DevicePoint &at, double taken)
     constexpr double kMargin = 12.0;
     const double ratio = surface.devicePixelRatio;
     const double width = surface.widthPixels / ratio, height = surface.heightPixels / ratio;
-    const double left = std::max(kMargin, width - taken - kSide - kMargin);
-    QRectF box(left, kMargin, kSide, kSide);
+    const double beside = width - taken - kSide - kMargin, bottom = height - kSide - kMargin;
+    const bool hasRoom = taken <= 0.0 || beside >= kMargin;
+    // Where nothing fits beside what is taken, below: on the right, or on the left.
+    QRectF box(std::max(kMargin, hasRoom ? beside : width - kSide - kMargin), hasRoom ? kMargin : bottom, kSide, kSide);
     constexpr double kApart = 40.0;
     if (box.adjusted(-kApart, -kApart, kApart, kApart).contains(at.x / ratio, at.y / ratio))
-        box.moveTop(height - kSide - kMargin);
+        box.moveTopLeft(hasRoom ? QPointF(box.left(), bottom) : QPointF(kMargin, bottom));
     return box;
 }
 

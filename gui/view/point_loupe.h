@@ -24,7 +24,8 @@ constexpr int kLoupeZoom = 8;    ///< logical pixels for each of them
 QRect loupePixels(const DevicePoint &at);
 
 /// Where it stands: in a corner of the view on the right, out of the way of the position. Logical pixels.
-/// @param taken  how much of the view's width on the right something else takes, logical pixels
+/// @param taken  how much of the view's width at the top right something else takes, logical pixels: it stands beside that, and
+///     below where there is no room
 QRectF loupeBox(const Surface &surface, const DevicePoint &at, double taken = 0.0);
 
 /// The edges of the triangles in sight there, device pixels.

@@ -240,6 +240,13 @@ void TestMapOverlay::pointsAreOverTheMap()
     const Surface &surface = document.geometry().surface;
     const QRectF beside = loupeBox(surface, {10.0, 10.0}, 100.0), usual = loupeBox(surface, {10.0, 10.0});
     QCOMPARE(usual.left() - beside.left(), 100.0);
+    // Where there is no room beside it, below.
+    const double all = surface.widthPixels / surface.devicePixelRatio;
+    const QRectF below = loupeBox(surface, {10.0, 10.0}, all - 50.0);
+    QCOMPARE(below.left(), usual.left());
+    QVERIFY(below.top() > usual.bottom());
+    QVERIFY(loupeBox(surface, deviceFromWidget(surface, {below.center().x(), below.center().y()}), all - 50.0).right()
+            < below.left());
     window->map().setShown(false);
     QCOMPARE(view.grabFramebuffer().pixelColor(pixel->i, pixel->j) == shown.pixelColor(pixel->i, pixel->j), false);
 }
