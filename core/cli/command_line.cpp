@@ -688,6 +688,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
     CLI::App app(
         "The world coordinates under pixels, computed twice: by formulas in closed form and by the inverted matrix.",
         "unproject");
+    app.allow_windows_style_options(false); // on Windows too, /scans/face.json is a file
     app.require_subcommand(1);
     app.set_version_flag("--version", "unproject " UNPROJECTOR_VERSION);
     app.footer("unproject COMMAND --help says more.\n\nExit code: 0 done, 1 some rows bad, 2 unusable input.");

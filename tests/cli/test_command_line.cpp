@@ -11,6 +11,7 @@ private slots:
     void helpHasExamplesThatWork_data();
     void helpHasExamplesThatWork();
     void helpNamesAllCommandsAndExitCodes();
+    void aFileIsNamedFromTheRoot();
     void wordsAreChecked_data();
     void wordsAreChecked();
     void resultsThatCannotBeWritten_data();
@@ -88,6 +89,14 @@ void TestCommandLine::helpNamesAllCommandsAndExitCodes()
                              "doctor", "0 done", "1 some rows bad", "2 unusable input"})
         QVERIFY2(run.output.contains(word), word);
     QVERIFY(runCommand({"--version"}).output.startsWith("unproject "));
+}
+
+/// On Windows an option may begin with a slash; here none does, since a path may.
+void TestCommandLine::aFileIsNamedFromTheRoot()
+{
+    const Run run = runCommand({"info", "/there is none.json"});
+    QCOMPARE(run.exitCode, 2);
+    QVERIFY2(run.errors.contains("/there is none.json"), run.errors);
 }
 
 void TestCommandLine::wordsAreChecked_data()
