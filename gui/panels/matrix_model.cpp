@@ -41,6 +41,15 @@ int MatrixModel::memoryIndex(int row, int column) const
     return m_view.layout == MatrixLayout::Column ? column * 4 + row : row * 4 + column;
 }
 
+QModelIndex MatrixModel::indexOf(int mathRow, int mathColumn) const
+{
+    if (m_view.isMemoryOrder) {
+        const int place = mathColumn * 4 + mathRow;
+        return index(place % kMemoryRows, place / kMemoryRows);
+    }
+    return m_view.layout == MatrixLayout::Column ? index(mathRow, mathColumn) : index(mathColumn, mathRow);
+}
+
 void MatrixModel::show()
 {
     const int rows = m_view.isMemoryOrder ? kMemoryRows : 4;

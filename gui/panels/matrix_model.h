@@ -22,6 +22,9 @@ public:
     PipelineStage stage() const { return m_stage; }
     const MatrixView &view() const { return m_view; }
 
+    /// Where the entry of a row and a column of the matrix for column vectors stands.
+    QModelIndex indexOf(int mathRow, int mathColumn) const;
+
     /// "eyeFromWorld", as the matrix is named in code.
     QString variableName() const;
     /// The matrix for the clipboard, in the layout and digits shown.

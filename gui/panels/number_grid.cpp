@@ -27,6 +27,8 @@ constexpr int kCellMargin = 4;
 constexpr int kBracketWidth = 5;
 /// Of a column of its own: "-0.123456789" and a little.
 constexpr int kCharactersInColumn = 14;
+/// Of the selection's colour in the ground of a marked number, on which the text's own colour stays readable.
+constexpr double kMarkedShare = 0.3;
 
 } // namespace
 
@@ -118,6 +120,7 @@ void NumberGrid::paintEvent(QPaintEvent *)
     const QColor text = palette().color(QPalette::WindowText),
                  selectedText = palette().color(QPalette::HighlightedText);
     const QColor labelText = quietInk(text, palette().color(QPalette::Window));
+    const QColor marked = mixed(palette().color(QPalette::Window), palette().color(QPalette::Highlight), kMarkedShare);
     for (int row = 0; row < m_model->rowCount(); ++row) {
         for (int column = 0; column < m_model->columnCount(); ++column) {
             const QModelIndex index = m_model->index(row, column);
@@ -125,6 +128,8 @@ void NumberGrid::paintEvent(QPaintEvent *)
             const bool isSelected = selectionModel()->isSelected(index);
             if (isSelected)
                 painter.fillRect(cell, palette().brush(QPalette::Highlight));
+            else if (index.data(NumberGridModel::kMarkedRole).toBool())
+                painter.fillRect(cell, marked);
             if (const QString label = index.data(NumberGridModel::kLabelRole).toString(); !label.isEmpty()) {
                 painter.setPen(isSelected ? selectedText : labelText);
                 painter.drawText(QPointF(cell.x() + kCellMargin + kBracketWidth, cell.y() + ascent), label);
@@ -241,6 +246,21 @@ void NumberGrid::contextMenuEvent(QContextMenuEvent *event)
     menu->addAction(tr("&Paste all coordinates"), this, &NumberGrid::paste)
         ->setEnabled(!QGuiApplication::clipboard()->text().isEmpty());
     menu->popup(event->globalPos());
+}
+
+void NumberGrid::currentChanged(const QModelIndex &current, const QModelIndex &previous)
+{
+    QTableView::currentChanged(current, previous);
+    if (current.isValid())
+        emit entered(current);
+}
+
+void NumberGrid::focusInEvent(QFocusEvent *event)
+{
+    QTableView::focusInEvent(event);
+    const bool isNew = event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason;
+    if (isNew && currentIndex().isValid())
+        emit entered(currentIndex());
 }
 
 void NumberGrid::focusOutEvent(QFocusEvent *event)

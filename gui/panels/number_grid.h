@@ -28,7 +28,13 @@ public:
 
     QSize minimumSizeHint() const override;
 
+signals:
+    /// A number became the current one, or came into the focus again.
+    void entered(const QModelIndex &index);
+
 protected:
+    void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
+    void focusInEvent(QFocusEvent *event) override;
     bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;

@@ -47,8 +47,10 @@ void NumberGridModel::setNumbers(int rows, int columns, Numbers numbers, Digits 
     const bool hasNewShape = rows != m_rows || columns != m_columns || isWhole != m_isWhole;
     if (!hasNewShape && digits == m_digits && numbers == m_numbers)
         return;
-    if (hasNewShape)
+    if (hasNewShape) {
         beginResetModel();
+        m_marked.clear();
+    }
     m_rows = rows;
     m_columns = columns;
     m_numbers = std::move(numbers);
@@ -59,6 +61,15 @@ void NumberGridModel::setNumbers(int rows, int columns, Numbers numbers, Digits 
         endResetModel();
     else
         emit dataChanged(index(0, 0), index(rows - 1, columns - 1));
+}
+
+void NumberGridModel::setMarked(const QModelIndexList &marked)
+{
+    if (marked == m_marked)
+        return;
+    m_marked = marked;
+    if (m_rows > 0)
+        emit dataChanged(index(0, 0), index(m_rows - 1, m_columns - 1), {kMarkedRole});
 }
 
 std::size_t NumberGridModel::placeOf(int row, int column) const
@@ -122,6 +133,7 @@ QVariant NumberGridModel::data(const QModelIndex &index, int role) const
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole: return toolTip(row, column);
     case kLabelRole: return label(row, column);
+    case kMarkedRole: return m_marked.contains(index);
     case Qt::EditRole: {
         const std::optional<double> &value = number(row, column);
         return value ? QString::fromStdString(numberText(*value, m_digits)) : QString();

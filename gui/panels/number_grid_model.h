@@ -20,6 +20,8 @@ public:
     static constexpr int kValueRole = Qt::UserRole;
     /// What stands before the number: "m[12]".
     static constexpr int kLabelRole = Qt::UserRole + 1;
+    /// Whether the number is marked.
+    static constexpr int kMarkedRole = Qt::UserRole + 2;
 
     using QAbstractTableModel::QAbstractTableModel;
 
@@ -31,6 +33,9 @@ public:
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+
+    /// Marks these numbers and no others, until their arrangement changes.
+    void setMarked(const QModelIndexList &marked);
 
     /// What a menu copies besides a number: the point, or nothing.
     virtual Copyable copyable() const { return {}; }
@@ -65,6 +70,7 @@ private:
     Numbers m_numbers;
     Digits m_digits = Digits::Double;
     bool m_isWhole = false;
+    QModelIndexList m_marked;
     int m_capacity = 12;
     mutable std::vector<QString> m_texts;
     mutable bool m_textsAreStale = true;

@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
+#include "gui/panels/entry_derivation.h"
 #include "gui/panels/matrix_findings_view.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
@@ -13,6 +14,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QFrame>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -54,6 +56,17 @@ QString stageName(PipelineStage stage, PipelineDirection direction)
     return direction == PipelineDirection::Forward ? name : name + QStringLiteral("⁻¹");
 }
 
+/// Lines break behind a sign, and nowhere else in a sum: behind a minus they could not be kept from it.
+QString unbrokenTerms(QString text)
+{
+    const QChar blank(QChar::Nbsp);
+    for (const QChar sign : {u'·', u'/'})
+        text.replace(QStringLiteral(" %1 ").arg(sign), QString(blank) + sign + blank);
+    for (const QChar sign : {u'+', u'-'})
+        text.replace(QStringLiteral(" %1 ").arg(sign), QString(blank) + sign + u' ');
+    return text.replace(QStringLiteral("= "), u'=' + QString(blank));
+}
+
 /// The factors of a combined matrix in the order they are written in; empty for a single one.
 QString productText(PipelineStage stage, PipelineDirection direction, MatrixLayout layout)
 {
@@ -89,6 +102,14 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
 
     createStages();
     layout->addWidget(m_scrollArea, 1);
+    auto *edge = new QFrame;
+    edge->setFrameShape(QFrame::HLine);
+    edge->setFrameShadow(QFrame::Sunken);
+    layout->addWidget(edge);
+    m_derivation = new SteadyLabel(longestDerivations(false));
+    m_derivation->setObjectName(QStringLiteral("derivation"));
+    m_derivation->setAccessibleName(tr("How the chosen number comes about"));
+    layout->addWidget(m_derivation);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint | Change::Conventions))
@@ -288,6 +309,10 @@ void PipelinePanel::createStages()
         line->addWidget(name);
         line->addWidget(grid, 1);
         line->addStretch();
+        connect(grid, &NumberGrid::entered, this, [this, point](const QModelIndex &index) {
+            m_chosen = {point->space(), std::max(index.row(), index.column())};
+            showDerivation();
+        });
         m_pointGrids[static_cast<std::size_t>(i)] = grid;
         m_pointNames[static_cast<std::size_t>(i)] = name;
         m_pointRows[static_cast<std::size_t>(i)] = row;
@@ -376,6 +401,35 @@ void PipelinePanel::showTitles()
         m_sections[static_cast<std::size_t>(stage)]->setTitle(
             stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
             productText(stage, m_model->direction(), m_model->view().layout));
+    showDerivation();
+}
+
+void PipelinePanel::showDerivation()
+{
+    const EntryDerivation derivation =
+        m_chosen ? entryDerivation(*m_model, m_document.geometry(), m_chosen->space, m_chosen->coordinate)
+                 : EntryDerivation{entryHint(), {}, 0, {}, {}};
+    m_derivation->setLongest(longestDerivations(m_model->view().isWhole));
+    m_derivation->setText(unbrokenTerms(derivation.text));
+    m_derivation->setToolTip(derivation.text);
+    for (const PipelineStage stage : kPipelineStages) {
+        MatrixModel *matrix = m_model->matrix(stage);
+        QModelIndexList marked;
+        for (int column = 0; column < 4 && derivation.stage == stage; ++column)
+            marked << matrix->indexOf(derivation.matrixRow, column);
+        matrix->setMarked(marked);
+    }
+    for (int i = 0; i < PointModel::kSpaces; ++i) {
+        PointModel *point = m_model->point(static_cast<Space>(i));
+        QModelIndexList marked;
+        if (m_chosen && m_chosen->space == point->space())
+            marked << point->indexOf(m_chosen->coordinate);
+        if (derivation.source == point->space()) {
+            for (const int coordinate : derivation.coordinates)
+                marked << point->indexOf(coordinate);
+        }
+        point->setMarked(marked);
+    }
 }
 
 void PipelinePanel::refresh()
@@ -411,6 +465,7 @@ void PipelinePanel::showStatus()
 {
     showGiven();
     showFollowed();
+    showDerivation();
     if (m_status->text() != m_model->status()) {
         m_status->setText(m_model->status());
         m_status->setToolTip(m_model->status());

@@ -18,6 +18,7 @@ class MatrixSection;
 class NumberGrid;
 class SceneDocument;
 class SegmentedSwitch;
+class SteadyLabel;
 
 /// The picked point in object, world, eye, clip, NDC and window coordinates and as widget position, with the matrix
 /// between two of them; forward or backward. In each of these spaces a point can be typed or pasted instead. Hidden, it does nothing; shown again, it catches up.
@@ -62,6 +63,8 @@ private:
     void showStatus();
     void showFollowed();
     void showFlip();
+    /// How the chosen coordinate comes about, and what of the panel it comes from marked.
+    void showDerivation();
     void showGiven();
     void showObjects();
     void showConventions();
@@ -91,6 +94,12 @@ private:
     MatrixFindingsView *m_givenViewFindings = nullptr;
     QLabel *m_division;
     QLabel *m_flip;
+    SteadyLabel *m_derivation;
+    struct Entry {
+        PointModel::Space space;
+        int coordinate;
+    };
+    std::optional<Entry> m_chosen;          ///< the coordinate that m_derivation is of
     Api m_api = Api::OpenGl;                ///< as m_flip tells of it
     Surface m_surface;                      ///< as m_flip tells of it
     bool m_isDepthRead = false;             ///< the same

@@ -40,6 +40,14 @@ int SteadyLabel::heightAt(int width) const
     return height + 2;
 }
 
+void SteadyLabel::setLongest(const QStringList &longest)
+{
+    if (longest == m_longest)
+        return;
+    m_longest = longest;
+    keepRoom();
+}
+
 void SteadyLabel::setMarkup(const QString &markup, const QString &plain)
 {
     m_plain = plain;
@@ -88,7 +96,8 @@ void SteadyLabel::contextMenuEvent(QContextMenuEvent *event)
         return;
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    const QString copied = hasSelectedText() ? selectedText() : textFormat() == Qt::RichText ? m_plain : text();
+    QString copied = hasSelectedText() ? selectedText() : textFormat() == Qt::RichText ? m_plain : text();
+    copied.replace(QChar::Nbsp, u' '); // there to keep lines from breaking
     menu->addAction(hasSelectedText() ? tr("Copy the &selection") : tr("Copy the &words"), menu,
                     [copied] { copyToClipboard(copied); });
     if (!m_value.numbers.empty())

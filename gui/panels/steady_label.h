@@ -18,6 +18,8 @@ public:
     /// @param longest  the texts to keep room for, or their markup
     explicit SteadyLabel(const QStringList &longest, QWidget *parent = nullptr);
 
+    /// Keeps room for others from now on.
+    void setLongest(const QStringList &longest);
     /// Shows a text with its indexes set as such. What is copied is the plain text.
     void setMarkup(const QString &markup, const QString &plain);
     /// Shows a text as it is.

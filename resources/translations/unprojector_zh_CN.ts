@@ -2025,6 +2025,53 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::EntryDerivation</name>
+    <message>
+        <source>%1; the number shown, %2, was given, and what leads to it was computed back from there</source>
+        <translation>%1；显示的数 %2 是给定的，通向它的数是由它反算得到的</translation>
+    </message>
+    <message>
+        <source>0: the %1 shown is what rounding leaves</source>
+        <translation>0：显示的 %1 是舍入的残余</translation>
+    </message>
+    <message>
+        <source>row %1 of %2 · %3</source>
+        <translation>%2 的第 %1 行 · %3</translation>
+    </message>
+    <message>
+        <source>%3 · column %1 of %2</source>
+        <translation>%3 · %2 的第 %1 列</translation>
+    </message>
+    <message>
+        <source>%1 = 1, as of every point</source>
+        <translation>%1 = 1，每个点都如此</translation>
+    </message>
+    <message>
+        <source>%1 is the depth that was read at the click</source>
+        <translation>%1 是点击时读取的深度</translation>
+    </message>
+    <message>
+        <source>%1 was computed: a widget position has no depth</source>
+        <translation>%1 是算出来的：控件位置没有深度</translation>
+    </message>
+    <message>
+        <source>%1: this way begins here; Backward shows how it comes from world.</source>
+        <translation>%1：此方向从这里开始；选“逆向”可看它如何由世界坐标得出。</translation>
+    </message>
+    <message>
+        <source>%1: this way begins here; Forward shows how it comes from window.</source>
+        <translation>%1：此方向从这里开始；选“正向”可看它如何由窗口坐标得出。</translation>
+    </message>
+    <message>
+        <source>%1 has no number to show how it comes about.</source>
+        <translation>%1 还没有数，无从显示其由来。</translation>
+    </message>
+    <message>
+        <source>Click a number of a vector, or go to it with Tab and the arrow keys: how it comes about then stands here.</source>
+        <translation>点击向量中的一个数，或用 Tab 和方向键移到它上面：这里会写出它是怎样算出来的。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ExampleNote</name>
     <message>
         <source>Example</source>
@@ -5742,6 +5789,10 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <message>
         <source>Conve&amp;ntions:</source>
         <translation>约定(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>How the chosen number comes about</source>
+        <translation>所选的数是怎样算出来的</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,194 @@
+// How a coordinate of the pipeline panel comes about, written out with its numbers.
+
+#include "pipeline_figures.h"
+
+#include "core/text/expression.h"
+#include "gui/panels/entry_derivation.h"
+#include "gui/panels/number_grid.h"
+#include "gui/panels/pipeline_panel.h"
+#include "gui/panels/steady_label.h"
+
+#include <QRegularExpression>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace pipelinetest;
+
+namespace {
+
+QString derivation(const SceneDocument &document, const PipelineModel &model, Space space, int coordinate)
+{
+    return entryDerivation(model, document.geometry(), space, coordinate).text;
+}
+
+/// The value of "0.1 · (-4.2) + 1"; not a number where it is none.
+double valueOf(QString terms)
+{
+    terms.replace(u'·', u'*');
+    const auto value = text::evaluate(terms.toStdString());
+    return value ? *value : std::nan("");
+}
+
+} // namespace
+
+class TestEntryDerivation : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aRowTimesTheVectorIsWrittenOut();
+    void everyNumberIsWhatItsTermsMake_data();
+    void everyNumberIsWhatItsTermsMake();
+    void whatRoundingLeavesIsSaidToBeZero();
+    void aGivenPointThatTheWayDoesNotMakeIsSaidToDiffer();
+    void aClickOrAKeyShowsItAndMarksItsSource();
+};
+
+void TestEntryDerivation::aRowTimesTheVectorIsWrittenOut()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    QVERIFY(derivation(document, model, Space::Clip, 1).contains(QStringLiteral("no number")));
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    model.update();
+    const auto shown = [&](Space space, int coordinate) { return derivation(document, model, space, coordinate); };
+    QCOMPARE(shown(Space::Clip, 1), QStringLiteral("clip y = row 2 of clipFromEye · eye\n"
+                                                   "= 0 · 2.2 + 0.1 · (-4.2) + 0 · (-7) + 0 · 1 = -0.42"));
+    QCOMPARE(shown(Space::Ndc, 0), QStringLiteral("NDC x = clip x / clip w\n= 0.22 / 1 = 0.22"));
+    QCOMPARE(shown(Space::Window, 0), QStringLiteral("window x = row 1 of windowFromNdc · NDC\n"
+                                                     "= 25 · 0.22 + 0 · (-0.42) + 0 · 0.7 + 25 · 1 = 30.5\n"
+                                                     "= (NDC x + 1) · w/2 + vx = (0.22 + 1) · 25 + 0"));
+    QCOMPARE(shown(Space::Widget, 1), QStringLiteral("widget y = 50 - window y\n= 50 - 14.5 = 35.5"));
+    QVERIFY(shown(Space::Object, 0).contains(QStringLiteral("begins here")));
+    model.setView({MatrixLayout::Row, true, Digits::Double});
+    QCOMPARE(shown(Space::Clip, 1), QStringLiteral("clip y = eye · column 2 of clipFromEye\n"
+                                                   "= 2.2 · 0 - 4.2 · 0.1 - 7 · 0 + 1 · 0 = -0.42"));
+    model.setDirection(PipelineDirection::Backward);
+    QVERIFY(shown(Space::Clip, 3).startsWith(QStringLiteral("w′ = NDC · column 4 of eyeFromClip\n")));
+    QCOMPARE(shown(Space::Eye, 2), QStringLiteral("eye z = z′ / w′\n= -7 / 1 = -7"));
+    QVERIFY(shown(Space::Window, 2).contains(QStringLiteral("read at the click")));
+}
+
+void TestEntryDerivation::everyNumberIsWhatItsTermsMake_data()
+{
+    QTest::addColumn<Api>("api");
+    QTest::addColumn<MatrixLayout>("layout");
+    QTest::newRow("OpenGL, columns") << Api::OpenGl << MatrixLayout::Column;
+    QTest::newRow("OpenGL, rows") << Api::OpenGl << MatrixLayout::Row;
+    QTest::newRow("Direct3D") << Api::Direct3d << MatrixLayout::Row;
+    QTest::newRow("three.js") << Api::ThreeJs << MatrixLayout::Column;
+    QTest::newRow("OpenCV") << Api::OpenCv << MatrixLayout::Column;
+}
+
+void TestEntryDerivation::everyNumberIsWhatItsTermsMake()
+{
+    QFETCH(Api, api);
+    QFETCH(MatrixLayout, layout);
+    SceneDocument document;
+    openFigures(document);
+    document.setSurface(surfaceFromWidget(50, 40, 1.5));
+    document.setView({WorldPoint(1, 2, 9), WorldPoint(0.3, -0.2, 0), {0.1, 1, 0}}, Frustum{-1, 2, -1, 1.5, 1.5, 40});
+    PipelineModel model(document);
+    model.setView({layout, false, Digits::Double, true});
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    model.setApi(api);
+    for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
+        model.setDirection(direction);
+        model.update();
+        int checked = 0;
+        for (int i = 0; i < PointModel::kSpaces; ++i) {
+            const PointModel *point = model.point(static_cast<Space>(i));
+            for (int which = 0; which < point->rowCount() * point->columnCount(); ++which) {
+                const QString text = derivation(document, model, point->space(), which);
+                const double expected = coordinate(point, which);
+                for (const QString &line : text.split(u'\n').mid(1)) {
+                    for (const QString &part : line.mid(2).split(QStringLiteral(" = "))) {
+                        if (part.contains(QRegularExpression(QStringLiteral("[v(]x|[hw]/2|df"))))
+                            continue; // in symbols, or as words
+                        QVERIFY2(std::abs(valueOf(part) - expected) < kRounding * 100, qPrintable(text));
+                        ++checked;
+                    }
+                }
+            }
+        }
+        QVERIFY(checked >= 40);
+    }
+}
+
+void TestEntryDerivation::whatRoundingLeavesIsSaidToBeZero()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelineModel model(document);
+    // 3 · 0.1 - 0.3 is 5.55e-17 in double.
+    QVERIFY(document.editTransform(0, {Translate{{-0.3, 0, 0}}, Scale{glm::dvec3(3)}}, {QStringLiteral("Move")}));
+    QVERIFY(document.editGivenPoint(GivenPoint{ObjectPoint(0.1, 1, 1), document.objects()[0].name}, {{}}));
+    model.update();
+    const double x = coordinate(model.point(Space::World), 0);
+    QVERIFY2(x != 0.0 && std::abs(x) < 1e-15, qPrintable(QString::number(x)));
+    const QString text = derivation(document, model, Space::World, 0);
+    QVERIFY2(text.contains(QStringLiteral("= 0: the 5.6e-17 shown is what rounding leaves")), qPrintable(text));
+}
+
+void TestEntryDerivation::aGivenPointThatTheWayDoesNotMakeIsSaidToDiffer()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.setProjection(Frustum{-1, 1, -1, 1, 1, 10});
+    PipelineModel model(document);
+    // A clip point and its double have one eye point, which makes only one of them again.
+    QVERIFY(document.editGivenPoint(GivenPoint{ClipPoint(1, 1, 1, 4), {}}, {{}}));
+    model.update();
+    const QString text = derivation(document, model, Space::Clip, 3);
+    QVERIFY2(text.contains(QStringLiteral("the number shown, 4, was given")), qPrintable(text));
+}
+
+void TestEntryDerivation::aClickOrAKeyShowsItAndMarksItsSource()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    PipelinePanel panel(document);
+    panel.resize(460, 1600);
+    panel.show();
+    auto *label = panel.findChild<SteadyLabel *>(QStringLiteral("derivation"));
+    QVERIFY(label);
+    QCOMPARE(label->text(), entryHint());
+    const int height = label->height();
+    const auto shown = [label] { return label->text().replace(QChar::Nbsp, u' '); };
+    const auto gridOf = [&panel](const QAbstractItemModel *model) {
+        NumberGrid *found = nullptr;
+        for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+            if (grid->model() == model)
+                found = grid;
+        }
+        return found;
+    };
+    const PointModel *clip = panel.model().point(Space::Clip), *eye = panel.model().point(Space::Eye);
+    NumberGrid *grid = gridOf(clip);
+    QVERIFY(grid);
+    QTest::mouseClick(grid->viewport(), Qt::LeftButton, {}, grid->visualRect(clip->indexOf(1)).center());
+    QVERIFY2(shown().startsWith(QStringLiteral("clip y = row 2")), qPrintable(shown()));
+    const MatrixModel *matrix = panel.model().matrix(Stage::ProjectionMatrix);
+    const auto isMarked = [](const QModelIndex &index) { return index.data(NumberGridModel::kMarkedRole).toBool(); };
+    for (int i = 0; i < 4; ++i) {
+        QVERIFY(isMarked(matrix->indexOf(1, i)));
+        QVERIFY(!isMarked(matrix->indexOf(2, i)));
+        QVERIFY(isMarked(eye->indexOf(i)));
+    }
+    QVERIFY(isMarked(clip->indexOf(1)) && !isMarked(clip->indexOf(0)));
+    QTest::keyClick(grid, Qt::Key_Down);
+    QVERIFY(shown().startsWith(QStringLiteral("clip z = row 3")));
+    QVERIFY(isMarked(matrix->indexOf(2, 0)) && !isMarked(matrix->indexOf(1, 0)));
+    // It follows the camera and the switches.
+    panel.setMatrixView({MatrixLayout::Row, false, Digits::Double});
+    QVERIFY(shown().startsWith(QStringLiteral("clip z = eye · column 3")));
+    QVERIFY(isMarked(matrix->index(0, 2)) && isMarked(matrix->index(3, 2)));
+    document.setCamera({WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
+    QVERIFY2(shown().contains(QStringLiteral("(-0.1)")) && shown().contains(QStringLiteral("- 10 ")),
+             qPrintable(shown()));
+    QCOMPARE(label->height(), height);
+}
+
+QTEST_MAIN(TestEntryDerivation)
+#include "test_entry_derivation.moc"
