@@ -637,8 +637,8 @@ std::string asGiven(const CLI::App &command, const std::string &name)
     return words;
 }
 
-/// What is wrong with the words, where the library's own sentence does not name the value or what to do.
-std::optional<std::string> mistakeText(const CLI::App &app, const CLI::ParseError &error)
+/// What is wrong with the words. The library's own sentence does not always name the value and never says what to do.
+std::string mistakeText(const CLI::App &app, const CLI::ParseError &error)
 {
     const std::vector<const CLI::App *> given = app.get_subcommands([](const CLI::App *) { return true; });
     const auto parsed =
@@ -663,22 +663,17 @@ std::optional<std::string> mistakeText(const CLI::App &app, const CLI::ParseErro
                + " exclude each other; leave one of them out";
     if (what.starts_with(kNoNumber))
         return asGiven(command, what.substr(kNoNumber.size(), what.find(" = ") - kNoNumber.size())) + ": give a number";
+    if (dynamic_cast<const CLI::ValidationError *>(&error) != nullptr)
+        return what; // by our own checks, most of them
     const CLI::Option *option = command.get_option_no_throw(what.substr(0, what.find(':')));
     if (option == nullptr || dynamic_cast<const CLI::ArgumentMismatch *>(&error) == nullptr)
-        return std::nullopt;
+        return what + "; " + help + "says more";
     const int needed = option->get_items_expected_min();
     return asGiven(command, option->get_name()) + ": "
            + (needed > 1 ? std::to_string(needed) + " or more are needed behind it, and "
                                + std::to_string(option->results().size()) + " is given"
                          : option->get_type_name() + " is missing behind it")
            + "; " + help + "says what it takes";
-}
-
-std::string withoutLineEnd(std::string text)
-{
-    if (text.ends_with('\n'))
-        text.pop_back();
-    return text;
 }
 
 } // namespace
@@ -728,7 +723,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
         std::ostringstream output, errors;
         const bool isDone = app.exit(error, output, errors) == 0; // help and version come this way too
         if (!errors.str().empty())
-            complain(mistakeText(app, error).value_or(withoutLineEnd(errors.str())));
+            complain(mistakeText(app, error));
         ByteSink sink;
         sink.write(output.str());
         const ExitCode written = sink.finish();

@@ -106,12 +106,12 @@ void TestCommandLine::wordsAreChecked_data()
     const auto row = [](const char *name, const QStringList &words, const char *message) {
         QTest::newRow(name) << words << QByteArray(message);
     };
-    row("no command", {}, "A subcommand is required");
+    row("no command", {}, "A subcommand is required; 'unproject --help' says more\n");
     row("no such command", {"pionts", "scene.json"},
         "\"pionts\" is no command; give one of points, pick, project, info, scene, cloud, compare, map, matrices, "
         "code, landmarks, doctor\n");
     row("an empty word", {""}, "\"\" is no command");
-    row("no scene", {"points"}, "SCENE is required");
+    row("no scene", {"points"}, "SCENE is required; 'unproject points --help' says more\n");
     row("an empty name", {"points", ""}, "SCENE: give the name of a file");
     row("a file too many", {"points", "scene.json", "a.csv", "b.csv"},
         "\"b.csv\" is one word too many for 'unproject points'; 'unproject points --help' says what it takes\n");
@@ -127,7 +127,7 @@ void TestCommandLine::wordsAreChecked_data()
         "--convention vtk: is for --what displacement, not for --what uncertainty; leave one of them out\n");
     row("no number", {"map", "a.json", "--what", "uncertainty", "--depth", "deep", "-o", "a.pfm"},
         "--depth deep: give a number\n");
-    row("no threads", {"points", "--threads", "0", "scene.json"}, "--threads: Value 0 not in range 1 to 64");
+    row("no threads", {"points", "--threads", "0", "scene.json"}, "--threads: Value 0 not in range 1 to 64\n");
     row("a word for a number", {"compare", "--pixels", "many", "scene.json"},
         "--pixels: Value many not in range 1 to 1000");
     row("no such format", {"matrices", "--format", "xml", "scene.json"},
