@@ -6,6 +6,7 @@
 #include "gui/panels/digits_font.h"
 #include "gui/panels/points_model.h"
 #include "gui/panels/quiet_selection.h"
+#include "gui/text/short_name.h"
 
 #include <QAbstractItemDelegate>
 #include <QApplication>
@@ -15,6 +16,8 @@
 #include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QSortFilterProxyModel>
+#include <QStyle>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -24,6 +27,24 @@ namespace {
 // Characters of a name to be seen: names give way to the digits and their ±.
 constexpr int kLeastNameRoom = 12;
 constexpr int kMostNameRoom = 19;
+
+/// Where a name has no room, its words lose their ends: those of a template differ in any of them.
+class NameDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        QStyleOptionViewItem item = option;
+        initStyleOption(&item, index);
+        const QStyle *style = item.widget ? item.widget->style() : QApplication::style();
+        const QRect text = style->subElementRect(QStyle::SE_ItemViewItemText, &item, item.widget);
+        const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
+        const int width = item.rect.right() + 1 - text.left() - 2 * margin;
+        item.text = shortName(item.text, item.fontMetrics, width).value_or(item.text); // else it is elided
+        style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+    }
+};
 
 } // namespace
 
@@ -36,6 +57,7 @@ PointsTable::PointsTable(SceneDocument &document, PointsModel *model, QWidget *p
     m_rows->setSortLocaleAware(true);
     setModel(m_rows);
     useQuietSelection(*this);
+    setItemDelegateForColumn(PointsModel::Name, new NameDelegate(this));
     auto *digits = new CertainDigitsDelegate(this);
     for (const int column : {PointsModel::X, PointsModel::Y, PointsModel::Z})
         setItemDelegateForColumn(column, digits);
@@ -43,7 +65,7 @@ PointsTable::PointsTable(SceneDocument &document, PointsModel *model, QWidget *p
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAllColumnsShowFocus(true);
-    setTextElideMode(Qt::ElideMiddle); // names of one kind differ at their ends, as left and right do
+    setTextElideMode(Qt::ElideMiddle); // notes and single words too may differ at their ends
     setSelectionMode(ExtendedSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed);
     setDragDropMode(InternalMove);

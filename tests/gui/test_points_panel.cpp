@@ -9,6 +9,7 @@
 #include "gui/panels/points_panel.h"
 #include "gui/panels/points_table.h"
 #include "gui/text/point_text.h"
+#include "gui/text/short_name.h"
 
 #include <QAction>
 #include <QApplication>
@@ -54,6 +55,7 @@ private slots:
     void errorsAreShownWhole_data();
     void errorsAreShownWhole();
     void certainDigitsHaveTheirRoom();
+    void namesInLittleRoomStayApart();
     void whoPlacesIsNotToldToPressP();
     void aDoubleClickOnTheNumberGoesThere();
     void namesAreEditedInPlace();
@@ -251,6 +253,40 @@ void TestPointsPanel::certainDigitsHaveTheirRoom()
     QVERIFY(m_document->points().moveTo(0, WorldPoint(1.0, 1.0, 1.0)));
     QVERIFY(m_document->editLandmarks({point("one", glm::dvec3(123.4567), 2e-6)}, {QStringLiteral("test")}));
     QCOMPARE(header.sectionSize(PointsModel::X), usual);
+}
+
+void TestPointsPanel::namesInLittleRoomStayApart()
+{
+    const QFontMetrics metrics = m_table->fontMetrics();
+    const int room = metrics.horizontalAdvance(QStringLiteral("mmm. mmm. mmm."));
+    for (const PointTemplates::Bundled &bundled : m_templates->bundled()) {
+        QStringList shown;
+        for (const Landmark &one : bundled.points) {
+            const QString name = QString::fromStdString(one.name);
+            const std::optional<QString> text = shortName(name, metrics, room);
+            QVERIFY2(text && metrics.horizontalAdvance(*text) <= room, qPrintable(name));
+            shown << *text;
+        }
+        QCOMPARE(shown.removeDuplicates(), qsizetype(0));
+    }
+    QCOMPARE(shortName(QStringLiteral("a b"), metrics, room), QStringLiteral("a b"));
+    QCOMPARE(
+        shortName(QStringLiteral("left exocanthion"), metrics, metrics.horizontalAdvance(QStringLiteral("left exo."))),
+        QStringLiteral("left exo."));
+    QVERIFY(!shortName(QStringLiteral("onewordthatislongerthantheroomforit"), metrics, room));
+    QVERIFY(!shortName(QStringLiteral("palpebrale superius right"), metrics, 10));
+    // So they are drawn.
+    QVERIFY(m_document->editLandmarks({point("palpebrale superius right", {}), point("palpebrale inferius right", {})},
+                                      {QStringLiteral("test")}));
+    m_document->points().select({}, std::nullopt);
+    const auto drawn = [this](int row) {
+        const QRect cell = m_table->visualRect(m_table->model()->index(row, PointsModel::Name));
+        return m_table->viewport()->grab(cell).toImage();
+    };
+    for (const int characters : {14, 18}) {
+        m_table->header()->resizeSection(PointsModel::Name, characters * metrics.horizontalAdvance(u'0'));
+        QVERIFY(drawn(0) != drawn(1));
+    }
 }
 
 void TestPointsPanel::whoPlacesIsNotToldToPressP()
