@@ -37,7 +37,8 @@ bool isLetter(char c)
 /// Recursive descent, one function a level: sum of products of factors.
 class Parser {
 public:
-    explicit Parser(std::string_view text) : m_text(text) {}
+    /// @param names  besides pi and the functions; may be empty
+    Parser(std::string_view text, const Names &names) : m_text(text), m_names(names) {}
 
     Value whole()
     {
@@ -185,7 +186,7 @@ private:
         const std::string_view name = m_text.substr(m_at, here.length);
         const bool isPi = name == "pi";
         if (!isPi && name != "sqrt" && name != "deg" && name != "rad")
-            return here;
+            return m_names ? given() : here;
         m_at += here.length;
         skipBlanks();
         if (isPi)
@@ -202,6 +203,21 @@ private:
         if (*argument < 0.0)
             return ExpressionError{Code::RootOfNegative, here.place, here.length};
         return std::sqrt(*argument);
+    }
+
+    Value given()
+    {
+        const std::size_t start = m_at;
+        const auto isPart = [](char c) {
+            return isLetter(c) || isDigit(c) || c == '.' || c == '[' || c == ']' || c == ':';
+        };
+        while (isPart(next()))
+            ++m_at;
+        const std::optional<double> value = m_names(m_text.substr(start, m_at - start));
+        if (!value)
+            return ExpressionError{Code::UnknownName, start, m_at - start};
+        skipBlanks();
+        return *value;
     }
 
     Value number()
@@ -249,6 +265,7 @@ private:
     }
 
     std::string_view m_text;
+    const Names &m_names;
     std::size_t m_at = 0;
     int m_depth = 0;  ///< parentheses that are open
     int m_levels = 0; ///< parentheses and signs inside each other
@@ -258,7 +275,12 @@ private:
 
 Result<double, ExpressionError> evaluate(std::string_view text)
 {
-    return Parser(text).whole();
+    return evaluate(text, Names());
+}
+
+Result<double, ExpressionError> evaluate(std::string_view text, const Names &names)
+{
+    return Parser(text, names).whole();
 }
 
 } // namespace unprojector::text

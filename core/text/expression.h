@@ -3,6 +3,8 @@
 #include "core/geometry/result.h"
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string_view>
 
 namespace unprojector::text {
@@ -39,5 +41,13 @@ struct ExpressionError {
 /// stand between thousands: "1,000" is refused, "0,125" and "1,25" are not. A lone number is the nearest double.
 /// @return the value, always finite
 Result<double, ExpressionError> evaluate(std::string_view text);
+
+/// What a name stands for, or nothing.
+using Names = std::function<std::optional<double>(std::string_view name)>;
+
+/// The same with names besides: "ndc.x * 2", "projection[2][3]". A name starts with a letter and goes on with letters, digits and
+/// . [ ] : as far as they stand together; pi and the functions stay what they are.
+/// @return UnknownName as well, of a name that stands for nothing
+Result<double, ExpressionError> evaluate(std::string_view text, const Names &names);
 
 } // namespace unprojector::text

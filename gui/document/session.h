@@ -58,7 +58,7 @@ public:
     Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent = nullptr);
     ~Session() override;
 
-    /// As in a title: the file's name, the example's, or what else there is to call the scene by.
+    /// As in a title: the file's name, that of a lesson's step, or what else there is to call the scene by.
     const QString &name() const { return m_name; }
     /// Absolute: where the scene was opened from or saved to; empty: nowhere.
     const std::filesystem::path &file() const { return m_file; }
@@ -78,8 +78,24 @@ public:
     /// Opens a scene file. Its models are loaded first; each file once, however many objects show it.
     void openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> points = {});
     void openBundledScene();
-    /// Opens one of core's examples.
-    void openExample(const std::string &id);
+    /// Shows the scene of a lesson's step, whose name it has. What was shown is left without a question: see mayLeave.
+    /// @param lesson  its name, for `opened`
+    /// @return whether it is shown
+    bool openLesson(Scene scene, const QString &name, const QString &lesson);
+
+    /// A scene with all that there is to know of it, to come back to.
+    struct KeptScene {
+        Scene scene;
+        QString name;
+        std::filesystem::path file;
+        SceneFile contents;
+        std::optional<files::FileStamp> stamp;
+        bool isUnsaved = false;
+    };
+    KeptScene keptScene() const;
+    /// Shows it again, unsaved changes included; what was done cannot be undone any more. What is shown is left without a
+    /// question.
+    void comeBackTo(const KeptScene &kept);
     ModelStore &models() { return m_models; }
     bool isLoading() const { return m_loader.isLoading(); }
     /// Gives up what is loading, and says so by `noticed`.
@@ -125,8 +141,8 @@ signals:
     /// Something is opened or was saved: what was told before is past.
     void progressed();
     /// Another scene is shown.
-    /// @param example  the id of one of core's examples, or empty
-    void opened(const QString &example);
+    /// @param lesson  the name of the lesson that it is a step of, or empty
+    void opened(const QString &lesson);
     /// Files of points or templates of names were opened with the models that are shown now, or alone: what becomes of them
     /// is not the session's.
     void pointFilesOpened(const std::vector<std::filesystem::path> &files);
@@ -168,7 +184,7 @@ private:
     /// @return what of it is not as in its file
     QString takeScene(Pending pending, const std::vector<LoadedModel> &models);
     /// The scene that was just opened has this file, or none, and this name.
-    void setScene(const QString &name, const QString &example = {}, const std::filesystem::path &file = {},
+    void setScene(const QString &name, const QString &lesson = {}, const std::filesystem::path &file = {},
                   SceneFile contents = {}, const std::optional<files::FileStamp> &stamp = {});
     void takeRecovered(const RecoveryFile *file);
     std::unique_ptr<RecoveryFile> takeOffered(std::size_t place);

@@ -1,9 +1,8 @@
-// What a session opens: models, scenes, the bundled one, the tutorials' examples.
+// What a session opens: models, scenes, the bundled one, the lessons' steps.
 
 #include "core/files/path_text.h"
 #include "core/scene/bundled_models.h"
 #include "core/scene/bundled_scene.h"
-#include "core/scene/examples.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/point_files.h"
@@ -11,7 +10,6 @@
 #include "gui/document/session.h"
 #include "gui/text/added_text.h"
 #include "gui/text/error_text.h"
-#include "gui/text/example_texts.h"
 #include "gui/text/note_text.h"
 
 #include <algorithm>
@@ -105,18 +103,32 @@ void Session::openBundledScene()
     setScene(tr("Bundled scene"));
 }
 
-void Session::openExample(const std::string &id)
+bool Session::openLesson(Scene scene, const QString &name, const QString &lesson)
 {
-    const std::vector<Example> all = examples();
-    const auto found = std::find_if(all.begin(), all.end(), [&id](const Example &example) { return example.id == id; });
-    if (found == all.end() || !mayLeave())
-        return;
     emit progressed();
-    if (const Check shown = m_document.open(found->scene); !shown) {
+    if (const Check shown = m_document.open(std::move(scene)); !shown) {
+        emit failed(errorText(shown.error()));
+        return false;
+    }
+    setScene(name, lesson);
+    return true;
+}
+
+Session::KeptScene Session::keptScene() const
+{
+    return {m_document.scene(), m_name, m_file, m_contents, m_stamp, hasUnsavedChanges()};
+}
+
+void Session::comeBackTo(const KeptScene &kept)
+{
+    emit progressed();
+    if (const Check shown = m_document.open(kept.scene); !shown) {
         emit failed(errorText(shown.error()));
         return;
     }
-    setScene(exampleText(id)->name, QString::fromStdString(id));
+    setScene(kept.name, {}, kept.file, kept.contents, kept.stamp);
+    if (kept.isUnsaved)
+        m_document.markUnsaved();
 }
 
 void Session::cancelLoading()
@@ -260,7 +272,7 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
     return loose.isEmpty() ? loose : tr("%1: %2").arg(name, loose);
 }
 
-void Session::setScene(const QString &name, const QString &example, const std::filesystem::path &file,
+void Session::setScene(const QString &name, const QString &lesson, const std::filesystem::path &file,
                        SceneFile contents, const std::optional<files::FileStamp> &stamp)
 {
     m_name = name;
@@ -268,7 +280,7 @@ void Session::setScene(const QString &name, const QString &example, const std::f
     m_contents = std::move(contents);
     m_stamp = stamp;
     m_document.markSaved();
-    emit opened(example);
+    emit opened(lesson);
 }
 
 } // namespace unprojector::gui

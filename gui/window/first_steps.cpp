@@ -8,7 +8,7 @@
 
 namespace unprojector::gui {
 
-FirstSteps::FirstSteps(const QString &example, QWidget *parent) : QFrame(parent)
+FirstSteps::FirstSteps(const QString &lesson, QWidget *parent) : QFrame(parent)
 {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
@@ -17,9 +17,9 @@ FirstSteps::FirstSteps(const QString &example, QWidget *parent) : QFrame(parent)
         new QLabel(tr("<p><b>Three things to try</b></p>"
                       "<p><b>Click</b> a point of the model: its world coordinate stands beside, computed twice.</p>"
                       "<p><b>Drag</b>: the view turns about the point under the pointer. The wheel zooms.</p>"
-                      "<p><b>Look at an example</b> of the tutorials: <a href='example'>%1</a>, "
-                      "more in File &gt; Examples.</p>")
-                       .arg(example.toHtmlEscaped()));
+                      "<p><b>Take a lesson</b> of five minutes: <a href='lesson'>%1</a>, "
+                      "more in File &gt; Lessons.</p>")
+                       .arg(lesson.toHtmlEscaped()));
     text->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     text->setWordWrap(true);
     constexpr int kDigits = 40;
@@ -32,7 +32,7 @@ FirstSteps::FirstSteps(const QString &example, QWidget *parent) : QFrame(parent)
     auto *layout = new QHBoxLayout(this);
     layout->addWidget(text);
     layout->addWidget(close, 0, Qt::AlignTop);
-    connect(text, &QLabel::linkActivated, this, &FirstSteps::exampleRequested);
+    connect(text, &QLabel::linkActivated, this, &FirstSteps::lessonRequested);
     connect(close, &QToolButton::clicked, this, &FirstSteps::closeRequested);
 }
 

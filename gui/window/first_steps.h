@@ -9,11 +9,11 @@ namespace unprojector::gui {
 class FirstSteps : public QFrame {
     Q_OBJECT
 public:
-    /// @param example  the name of the one that is offered
-    explicit FirstSteps(const QString &example, QWidget *parent = nullptr);
+    /// @param lesson  the title of the one that is offered
+    explicit FirstSteps(const QString &lesson, QWidget *parent = nullptr);
 
 signals:
-    void exampleRequested();
+    void lessonRequested();
     void closeRequested();
 };
 

@@ -1,5 +1,6 @@
 #include "gui/window/main_window.h"
 
+#include "gui/document/lesson_player.h"
 #include "gui/document/point_files.h"
 #include "gui/document/point_templates.h"
 #include "gui/document/scan_series.h"
@@ -56,7 +57,8 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
       m_pointFiles(new PointFiles(*m_document, options.remembers ? m_questions.get() : nullptr, this)),
       m_session(
           new Session(*m_document, *m_questions, {options.remembers, options.recoveryFolder, options.autosave}, this)),
-      m_series(new ScanSeries(*m_document, *m_session, this)), m_lifecycle(new LifecycleLog(this))
+      m_series(new ScanSeries(*m_document, *m_session, this)), m_lifecycle(new LifecycleLog(this)),
+      m_lessons(new LessonPlayer(*m_document, *m_session, this))
 {
     setWindowTitle(tr("Unprojector") + QStringLiteral("[*]"));
     setWindowIcon(programIcon());
@@ -103,7 +105,7 @@ void MainWindow::connectSession()
 {
     connect(m_session, &Session::typedToCount, m_parameters, &ParametersPanel::applyTyped);
     connect(m_session, &Session::changed, this, &MainWindow::showName);
-    connect(m_session, &Session::opened, this, &MainWindow::showOpened);
+    connect(m_session, &Session::opened, this, &MainWindow::showName);
     connect(m_session, &Session::failed, this, &MainWindow::showFailure);
     connect(m_session, &Session::warned, m_message, &MessageBar::showMessage);
     connect(m_session, &Session::progressed, m_message, &QWidget::hide);
@@ -233,12 +235,6 @@ void MainWindow::showName()
 {
     setWindowTitle(tr("%1[*] – Unprojector").arg(m_session->name()));
     setWindowModified(m_session->hasUnsavedChanges());
-}
-
-void MainWindow::showOpened(const QString &example)
-{
-    showName();
-    showExample(example);
 }
 
 void MainWindow::createStatusBar()

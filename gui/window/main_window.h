@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QKeySequence>
 #include <QMainWindow>
+#include <QSize>
 #include <QSizeF>
 
 #include <functional>
@@ -24,11 +25,12 @@ using namespace unproject;
 
 class ComparisonPanel;
 class DoctorPanel;
-class ExampleNote;
 class FirstSteps;
 class FormulasWindow;
 class KeySheet;
 class LifecycleLog;
+class LessonPanel;
+class LessonPlayer;
 class LoadingBar;
 class MapOverlay;
 class MessageBar;
@@ -66,6 +68,7 @@ public:
     SceneDocument &document() { return *m_document; }
     SceneView &view() { return *m_view; }
     PointFiles &pointFiles() { return *m_pointFiles; }
+    LessonPlayer &lessons() { return *m_lessons; }
     ScanSeries &series() { return *m_series; }
     WorkPlaces &places() { return *m_places; }
     ComparisonPanel &comparison() { return *m_comparison; }
@@ -103,8 +106,12 @@ private:
     void connectSession();
     void restoreLayout();
     void keepLayout() const;
-    void showExample(const QString &example);
-    /// An example's text and the view from outside, in a dock, go along from place to place.
+    void leaveLessonOrStay();
+    /// Another step, another lesson or none.
+    void showLesson();
+    void showPanelOfLesson(const char *panel);
+    void followLessonLink(const QString &scheme, const QString &target);
+    /// A lesson's text and the view from outside, in a dock, go along from place to place.
     void showAccompanying();
     void showObserver(bool isShown);
     /// Into a dock, or over the view.
@@ -113,7 +120,7 @@ private:
     void createActions();
     void fitToolBar();
     void createFileMenu(QToolBar &bar);
-    void createExamplesMenu(QMenu &menu);
+    void createLessonsMenu(QMenu &menu);
     void importPoints();
     void exportPoints();
     void createPointActions(QMenu &menu);
@@ -132,7 +139,6 @@ private:
     std::vector<std::filesystem::path> askForModels(const QString &title, const QString &filter);
 
     void showName();
-    void showOpened(const QString &example);
     void showFailure(const QString &reason);
     void showHover(const WidgetPoint &position, const DepthSample &sample);
     void showCamera();
@@ -175,12 +181,17 @@ private:
     PointsPanel *m_pointsPanel = nullptr;
     SeriesPanel *m_seriesPanel = nullptr;
     DoctorPanel *m_doctor = nullptr;
-    ExampleNote *m_exampleNote = nullptr;
-    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
-    KeySheet *m_keys = nullptr;           ///< so is this
-    SceneCodeWindow *m_code = nullptr;    ///< and this
-    FirstSteps *m_firstSteps = nullptr;   ///< and this, too
-    bool m_areFirstStepsShown = false;    ///< where they are seen
+    LessonPlayer *m_lessons;
+    LessonPanel *m_lessonPanel = nullptr;
+    std::string m_lessonPlace;                    ///< where the lesson wants to be
+    const char *m_placeBeforeLesson = nullptr;    ///< none: no lesson
+    std::vector<const char *> m_panelsOfLesson;   ///< those that a lesson has brought
+    std::optional<QSize> m_sizeBeforeLesson = {}; ///< of the window, where a lesson has changed it
+    FormulasWindow *m_formulas = nullptr;         ///< made when it is first asked for
+    KeySheet *m_keys = nullptr;                   ///< so is this
+    SceneCodeWindow *m_code = nullptr;            ///< and this
+    FirstSteps *m_firstSteps = nullptr;           ///< and this, too
+    bool m_areFirstStepsShown = false;            ///< where they are seen
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;
     QAction *m_placingAction = nullptr;

@@ -2,7 +2,7 @@
 
 #include "gui/window/main_window.h"
 
-#include "core/scene/examples.h"
+#include "gui/document/lesson_player.h"
 #include "gui/document/point_files.h"
 #include "gui/document/point_surface.h"
 #include "gui/document/point_views.h"
@@ -15,7 +15,7 @@
 #include "gui/panels/save_name.h"
 #include "gui/panels/series_panel.h"
 #include "gui/text/error_text.h"
-#include "gui/text/example_texts.h"
+#include "gui/text/lesson_text.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/about_dialog.h"
 #include "gui/window/appearance.h"
@@ -138,7 +138,7 @@ void MainWindow::createFileMenu(QToolBar &bar)
     menu->addSeparator();
     addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
               [this] { m_session->openBundledScene(); });
-    createExamplesMenu(*menu->addMenu(tr("&Examples")));
+    createLessonsMenu(*menu->addMenu(tr("&Lessons")));
     menu->addSeparator();
     addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"), [this] { close(); });
     updateRecentMenu();
@@ -193,20 +193,6 @@ void MainWindow::exportPoints()
                     pathText(m_session->proposedName().stem()));
     if (!named.file.empty())
         m_pointFiles->exportTo(named.file);
-}
-
-void MainWindow::createExamplesMenu(QMenu &menu)
-{
-    std::string tutorial;
-    for (const Example &example : examples()) {
-        const std::optional<ExampleText> text = exampleText(example.id);
-        Q_ASSERT(text);
-        if (example.tutorial != tutorial) {
-            tutorial = example.tutorial;
-            menu.addSection(tutorialName(tutorial));
-        }
-        addAction(&menu, text->name, {}, text->source, [this, id = example.id] { m_session->openExample(id); });
-    }
 }
 
 void MainWindow::updateRecentMenu()
@@ -475,7 +461,7 @@ void MainWindow::showAbout()
 void MainWindow::showFirstSteps(bool isShown)
 {
     if (isShown && !m_firstSteps) {
-        m_firstSteps = new FirstSteps(exampleText(examples().front().id)->name);
+        m_firstSteps = new FirstSteps(lessonTitle(m_lessons->lessons().front().title));
         const int margin = fontMetrics().height() / 2;
         auto *line = new QHBoxLayout;
         line->setContentsMargins(margin, margin, margin, margin);
@@ -483,9 +469,9 @@ void MainWindow::showFirstSteps(bool isShown)
         line->addStretch();
         m_overlays->insertLayout(m_overlays->count() - 1, line); // below the messages
         connect(m_firstSteps, &FirstSteps::closeRequested, this, [this] { showFirstSteps(false); });
-        connect(m_firstSteps, &FirstSteps::exampleRequested, this, [this] {
+        connect(m_firstSteps, &FirstSteps::lessonRequested, this, [this] {
             showFirstSteps(false);
-            m_session->openExample(examples().front().id);
+            m_lessons->start(m_lessons->lessons().front().name);
         });
     }
     if (!m_firstSteps)

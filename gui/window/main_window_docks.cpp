@@ -2,6 +2,7 @@
 
 #include "gui/window/main_window.h"
 
+#include "gui/document/lesson_player.h"
 #include "gui/document/point_files.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/depth_precision_panel.h"
@@ -15,8 +16,8 @@
 #include "gui/panels/series_panel.h"
 #include "gui/panels/viewport_inspector.h"
 #include "gui/view/observer_view.h"
-#include "gui/window/example_note.h"
 #include "gui/window/kept_bytes.h"
+#include "gui/window/lesson_panel.h"
 #include "gui/window/observer_inset.h"
 #include "gui/window/place_ids.h"
 #include "gui/window/work_places.h"
@@ -35,7 +36,6 @@
 namespace unprojector::gui {
 namespace {
 
-constexpr char kExample[] = "example";
 constexpr char kObserver[] = "observer";
 constexpr char kGeometryKey[] = "window/geometry", kParametersKey[] = "parameters/state";
 
@@ -78,7 +78,7 @@ void MainWindow::createPanels()
     m_comparison = new ComparisonPanel(*m_document);
     m_inspector = new ViewportInspector(*m_document);
     m_parameters = new ParametersPanel(*m_document);
-    m_exampleNote = new ExampleNote;
+    m_lessonPanel = new LessonPanel(*m_lessons, *m_document);
     m_observerHome = new QWidget;
     m_observerHome->setLayout(new QVBoxLayout);
     m_observerHome->layout()->setContentsMargins(0, 0, 0, 0);
@@ -115,7 +115,7 @@ void MainWindow::createPanels()
         {"series", tr("Series"), m_seriesPanel, kBottom, Qt::ALT | Qt::Key_8},
         {"doctor", tr("Doctor"), scrolled(m_doctor), kRight, {}},
         {kObserver, tr("View from Outside"), m_observerHome, kRight, {}, true},
-        {kExample, tr("Example"), m_exampleNote, kLeft, {}, true},
+        {kLessonPanel, tr("Lesson"), m_lessonPanel, kLeft, {}, true},
     };
     std::vector<WorkPlaces::Place> places = {
         {kClickPlace, tr("Click"), tr("The view and what a click gives"), Qt::Key_F5, {"comparison", "objects"}},
@@ -138,25 +138,26 @@ void MainWindow::createPanels()
     Q_ASSERT(std::equal(places.begin(), places.end(), kPlaceIds.begin(), kPlaceIds.end(),
                         [](const WorkPlaces::Place &place, const char *id) { return qstrcmp(place.id, id) == 0; }));
     m_places = new WorkPlaces(*this, std::move(panels), std::move(places));
-    connect(m_exampleNote, &ExampleNote::closeRequested, m_places->dock(kExample), &QWidget::close);
-    connect(m_exampleNote, &ExampleNote::viewSizeRequested, this, &MainWindow::setViewSize);
-    connect(m_exampleNote, &ExampleNote::formulasRequested, this, &MainWindow::showFormulas);
+    connect(m_lessonPanel, &LessonPanel::closeRequested, m_lessons, &LessonPlayer::leave);
+    connect(m_lessonPanel, &LessonPanel::linkFollowed, this, &MainWindow::followLessonLink);
+    connect(m_lessons, &LessonPlayer::changed, this, &MainWindow::showLesson);
+    connect(m_lessons, &LessonPlayer::failed, this, &MainWindow::showFailure);
     connect(m_places, &WorkPlaces::titled, this, [this](const char *panel, bool hasTitleBar) {
-        if (qstrcmp(panel, kExample) == 0)
-            m_exampleNote->setClosesItself(!hasTitleBar);
+        if (qstrcmp(panel, kLessonPanel) == 0)
+            m_lessonPanel->setClosesItself(!hasTitleBar);
     });
     connect(m_places, &WorkPlaces::laidOut, this, &MainWindow::showAccompanying);
     connect(m_places, &WorkPlaces::closed, this, [this](const char *panel) {
         if (qstrcmp(panel, kObserver) == 0)
             m_observerAction->setChecked(false);
-        else if (qstrcmp(panel, kExample) == 0)
-            m_exampleNote->clear(); // until the next example
+        else if (qstrcmp(panel, kLessonPanel) == 0)
+            leaveLessonOrStay();
     });
 }
 
 void MainWindow::showAccompanying()
 {
-    m_places->dock(kExample)->setVisible(!m_exampleNote->isEmpty());
+    m_places->dock(kLessonPanel)->setVisible(m_lessons->lesson() != nullptr);
     m_places->dock(kObserver)->setVisible(m_observerAction->isChecked() && !m_inset);
     placeFirstSteps();
 }
@@ -189,17 +190,6 @@ void MainWindow::createPlaceActions(QMenu &menu)
     connect(m_places, &WorkPlaces::panelsHidden, hides, &QAction::setChecked);
     addAction(&menu, tr("R&eset Layout"), {}, tr("Put all panels of this work place back to where they were at first"),
               [this] { m_places->reset(); });
-}
-
-void MainWindow::showExample(const QString &example)
-{
-    if (example.isEmpty()) {
-        m_exampleNote->clear();
-        m_places->dock(kExample)->hide();
-        return;
-    }
-    m_exampleNote->showExample(example.toStdString());
-    m_places->show(kExample);
 }
 
 void MainWindow::showObserver(bool isShown)

@@ -9,6 +9,8 @@ inline constexpr char kClickPlace[] = "click";
 inline constexpr char kPipelinePlace[] = "pipeline";
 inline constexpr char kPointsPlace[] = "points";
 inline constexpr char kDoctorPlace[] = "doctor";
+/// The panel of lessons, as layouts keep it.
+inline constexpr char kLessonPanel[] = "lesson";
 /// In the order of the tool bar; the first is where one starts.
 inline constexpr std::array<const char *, 4> kPlaceIds{kClickPlace, kPipelinePlace, kPointsPlace, kDoctorPlace};
 

@@ -367,169 +367,6 @@
     </message>
 </context>
 <context>
-    <name>Examples</name>
-    <message>
-        <source>2-D: Three Coordinate Systems</source>
-        <translation>二维：三个坐标系</translation>
-    </message>
-    <message>
-        <source>Zhang Ci, section 2.1, figures 2.3 to 2.5</source>
-        <translation>张赐，2.1 节，图 2.3 至图 2.5</translation>
-    </message>
-    <message>
-        <source>Modelview: m[14] = −8</source>
-        <translation>模型视图矩阵：m[14] = −8</translation>
-    </message>
-    <message>
-        <source>Zhang Ci, section 2.1, figures 2.6 and 2.7</source>
-        <translation>张赐，2.1 节，图 2.6 和图 2.7</translation>
-    </message>
-    <message>
-        <source>glOrtho from −10 to 10</source>
-        <translation>glOrtho，从 −10 到 10</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;glOrtho(−10, 10, −10, 10, −10, 10). In the Pipeline panel, Projection is 0.1, 0.1, −0.1 on its diagonal and 0 in m[12], m[13], m[14].&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click near a corner of the square&lt;/b&gt;: it is the front of a cube of side 10, seen straight on, and fills only half of the picture. Its NDC are ±0.5 in x and y.&lt;/p&gt;&lt;p&gt;The front lies in the plane of the eye, where a perspective could show nothing; a box may reach behind the eye. The depth there is 0.5.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial calls the volume a cube of side 10, normalised to side 1. Its side is 20, and that of the &lt;a href=&apos;formulas:ortho&apos;&gt;normalised volume&lt;/a&gt; is 2.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glOrtho(−10, 10, −10, 10, −10, 10)。在“流水线”面板中，投影矩阵的对角线为 0.1、0.1、−0.1，m[12]、m[13]、m[14] 为 0。&lt;/p&gt;&lt;p&gt;&lt;b&gt;在正方形的一个角附近点击&lt;/b&gt;：它是边长为 10 的立方体的正面，从正前方看，只占画面的一半。它的 NDC 的 x 和 y 为 ±0.5。&lt;/p&gt;&lt;p&gt;正面位于视点所在的平面内，透视投影在那里什么也显示不了；而长方体视景体可以伸到视点后面。那里的深度为 0.5。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说该视景体是边长为 10 的立方体，规范化后边长为 1。实际上它的边长是 20，&lt;a href=&apos;formulas:ortho&apos;&gt;规范化视景体&lt;/a&gt;的边长是 2。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Zhang Ci, section 2.2.1, figures 2.9 and 2.10</source>
-        <translation>张赐，2.2.1 节，图 2.9 和图 2.10</translation>
-    </message>
-    <message>
-        <source>gluPerspective, 45°</source>
-        <translation>gluPerspective，45°</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;gluPerspective(45, 1, 1, 100). In the Pipeline panel with float digits, Projection is the figure’s: 2.4142137, 2.4142137, −1.0202020, −1 and −2.0202019.&lt;/p&gt;&lt;p&gt;Three equal cubes at 5, 11 and 19 units. &lt;b&gt;Click one after the other&lt;/b&gt;: the depth grows only from 0.81 to 0.92 and 0.96, since most of its range lies close to the eye. A coordinate picked far away is less certain.&lt;/p&gt;&lt;p&gt;Press 5 to switch to glOrtho: what lies at the picked distance keeps its size, the others no longer shrink.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;gluPerspective(45, 1, 1, 100)。在“流水线”面板中选 float 位数，投影矩阵即图中的数值：2.4142137、2.4142137、−1.0202020、−1 和 −2.0202019。&lt;/p&gt;&lt;p&gt;三个相同的立方体，距离分别为 5、11 和 19 个单位。&lt;b&gt;依次点击它们&lt;/b&gt;：深度只从 0.81 增加到 0.92 和 0.96，因为深度范围的大部分都在视点附近。在远处拾取的坐标不那么可靠。&lt;/p&gt;&lt;p&gt;按 5 切换到 glOrtho：位于所拾取距离处的物体大小不变，其余的不再近大远小。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Zhang Ci, section 2.2.2, figures 2.11 and 2.12</source>
-        <translation>张赐，2.2.2 节，图 2.11 和图 2.12</translation>
-    </message>
-    <message>
-        <source>Viewport of 50 × 50 Pixels</source>
-        <translation>50 × 50 像素的视口</translation>
-    </message>
-    <message>
-        <source>Zhang Ci, section 2.3</source>
-        <translation>张赐，2.3 节</translation>
-    </message>
-    <message>
-        <source>Viewport in the Lower Right Quarter</source>
-        <translation>右下四分之一的视口</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;glViewport(width/2, 0, width/2, height/2). y counts from the bottom, so the picture is in the &lt;i&gt;lower&lt;/i&gt; right.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the yellow plate&lt;/b&gt;: formulas (9) to (12) subtract v&lt;sub&gt;x&lt;/sub&gt; and v&lt;sub&gt;y&lt;/sub&gt; first. Its depth is 0.75 here as well: the viewport’s rectangle has no part in it.&lt;/p&gt;&lt;p&gt;Make the window wider: the outline, a square, is stretched with it, because this projection does not follow the viewport. Switch that on in Parameters, Projection.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glViewport(width/2, 0, width/2, height/2)。y 从底部算起，所以画面在右&lt;i&gt;下&lt;/i&gt;方。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板&lt;/b&gt;：公式 (9) 至 (12) 先减去 v&lt;sub&gt;x&lt;/sub&gt; 和 v&lt;sub&gt;y&lt;/sub&gt;。它的深度在这里也是 0.75：视口的矩形与深度无关。&lt;/p&gt;&lt;p&gt;把窗口拉宽：正方形轮廓随之拉伸，因为这个投影不跟随视口。可在“参数”面板的“投影”中打开跟随。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Zhang Ci, section 2.3, figure 2.13</source>
-        <translation>张赐，2.3 节，图 2.13</translation>
-    </message>
-    <message>
-        <source>Three Projections: Hand-made Matrix</source>
-        <translation>三种投影：手写矩阵</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;The first of three programs that are said to give the same picture. &lt;b&gt;Switch between the three&lt;/b&gt; in the menu; only the projection changes.&lt;/p&gt;&lt;p&gt;In their window of 800 × 600 this matrix has m[0] = 1.3333 and m[5] = 1. gluPerspective has m[0] = 0.75. So the circle is drawn 16 : 9 here, and round there. &lt;b&gt;The three agree in a square window only.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;The cause: the names ViewAngleH and ViewAngleV are swapped, and the 90° meant for the width become those of the height.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the triangle stands where the program meant it, 10 nearer. Its glTranslatef between glBegin and glEnd is an error in OpenGL and moves nothing.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;三个程序中的第一个，据说三者的画面相同。在菜单中&lt;b&gt;在三者之间切换&lt;/b&gt;；变化的只有投影。&lt;/p&gt;&lt;p&gt;在其 800 × 600 的窗口中，这个矩阵的 m[0] = 1.3333，m[5] = 1。gluPerspective 的 m[0] = 0.75。所以圆在这里画成 16 : 9，在那里是圆的。&lt;b&gt;三者只在正方形窗口中一致。&lt;/b&gt;&lt;/p&gt;&lt;p&gt;原因：ViewAngleH 与 ViewAngleV 两个名字弄反了，本来给宽度的 90° 成了高度的。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;三角形放在程序本意的位置，近了 10。原程序的 glTranslatef 写在 glBegin 与 glEnd 之间，在 OpenGL 中是错误，什么也不会移动。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>projection-derivation, first program (the matrix in ReSize)</source>
-        <translation>《OpenGL矩阵推导——模型视图变化》，第一个程序（ReSize 中的矩阵）</translation>
-    </message>
-    <message>
-        <source>Three Projections: gluPerspective, 90°</source>
-        <translation>三种投影：gluPerspective，90°</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;gluPerspective(90, 800/600, 5, 80000), the second of the three programs. &lt;b&gt;The circle is round&lt;/b&gt;: m[0] = 0.75 and m[5] = 1 make up for the window’s 4 : 3.&lt;/p&gt;&lt;p&gt;The other two have m[0] = 1.3333 and draw it 16 : 9. &lt;b&gt;Switch between the three&lt;/b&gt; in the menu.&lt;/p&gt;&lt;p&gt;Near : far is 1 : 16000. Click the triangle and look at the difference of the two methods, and at what is given as its &lt;a href=&apos;formulas:matrix&apos;&gt;cause&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;gluPerspective(90, 800/600, 5, 80000)，三个程序中的第二个。&lt;b&gt;圆是圆的&lt;/b&gt;：m[0] = 0.75 和 m[5] = 1 抵消了窗口的 4 : 3。&lt;/p&gt;&lt;p&gt;另外两个的 m[0] = 1.3333，把圆画成 16 : 9。在菜单中&lt;b&gt;在三者之间切换&lt;/b&gt;。&lt;/p&gt;&lt;p&gt;近与远之比为 1 : 16000。点击三角形，看两种方法的差，以及给出的&lt;a href=&apos;formulas:matrix&apos;&gt;原因&lt;/a&gt;。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>projection-derivation, second program</source>
-        <translation>《OpenGL矩阵推导——模型视图变化》，第二个程序</translation>
-    </message>
-    <message>
-        <source>Three Projections: glFrustum</source>
-        <translation>三种投影：glFrustum</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;glFrustum(−3.75, 3.75, −5, 5, 5, 80000), the third of the three programs in its window of 800 × 600. It is exactly the hand-made matrix: m[0] = 1.3333, m[5] = 1. &lt;b&gt;The circle is drawn 16 : 9.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Left and right take the angle called V, bottom and top the one called H: the wrong way round. Exchange them in Parameters, Projection (left −5, right 5, bottom −3.75, top 3.75) and the circle is round.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glFrustum(−3.75, 3.75, −5, 5, 5, 80000)，三个程序中的第三个，窗口为 800 × 600。它正是手写的矩阵：m[0] = 1.3333，m[5] = 1。&lt;b&gt;圆画成 16 : 9。&lt;/b&gt;&lt;/p&gt;&lt;p&gt;left 和 right 用了名为 V 的角，bottom 和 top 用了名为 H 的角：正好反了。在“参数”面板的“投影”中把它们交换（left −5、right 5、bottom −3.75、top 3.75），圆就是圆的了。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>projection-derivation, third program</source>
-        <translation>《OpenGL矩阵推导——模型视图变化》，第三个程序</translation>
-    </message>
-    <message>
-        <source>Round Trip of Pixel (150, 150)</source>
-        <translation>像素 (150, 150) 的往返</translation>
-    </message>
-    <message>
-        <source>opencascade-transforms, section 4, figure 4.1 (its camera is not printed)</source>
-        <translation>eryar，第 4 节，图 4.1（原文未给出其相机）</translation>
-    </message>
-    <message>
-        <source>Parallel Projection 1: Orthographic</source>
-        <translation>平行投影 1：正投影</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;glOrtho(−9, 9, −9, 9, 2, 9) and a square with red, green, blue and white corners at z = −4.&lt;/p&gt;&lt;p&gt;All of it lies outside the cube from −1 to 1, and the projection brings it inside. &lt;b&gt;Click near a corner&lt;/b&gt;: its NDC are ±4/9 = ±0.444 in x and y, −3/7 = −0.429 in z.&lt;/p&gt;&lt;p&gt;The box is square and the window is not, so the square is stretched. Let the box follow the viewport (Parameters, Projection) and it is a square.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; const int SIZE = 4.5 is 4. The integers n and f of its shader make −(n + f)/(f − n) −1: there, z is &lt;a href=&apos;formulas:error-parallel-integers&apos;&gt;+0.143&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glOrtho(−9, 9, −9, 9, 2, 9)，以及位于 z = −4、四角为红、绿、蓝、白的正方形。&lt;/p&gt;&lt;p&gt;它整个都在从 −1 到 1 的立方体之外，投影把它带到立方体之内。&lt;b&gt;在一个角附近点击&lt;/b&gt;：它的 NDC 的 x 和 y 为 ±4/9 = ±0.444，z 为 −3/7 = −0.429。&lt;/p&gt;&lt;p&gt;视景体的截面是正方形而窗口不是，所以正方形被拉伸。让视景体跟随视口（“参数”面板的“投影”），它就是正方形了。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;const int SIZE = 4.5 的值是 4。着色器中 n 和 f 是整数，−(n + f)/(f − n) 于是成为 −1：在那里 z 为 &lt;a href=&apos;formulas:error-parallel-integers&apos;&gt;+0.143&lt;/a&gt;。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>parallel-projection, first program</source>
-        <translation>《OpenGL中的平行投影》，第一个程序</translation>
-    </message>
-    <message>
-        <source>Parallel Projection 2: Oblique</source>
-        <translation>平行投影 2：斜投影</translation>
-    </message>
-    <message>
-        <source>parallel-projection, second program</source>
-        <translation>《OpenGL中的平行投影》，第二个程序</translation>
-    </message>
-    <message>
-        <source>OpenGL Pipeline (Zhang Ci)</source>
-        <translation>OpenGL 流水线（张赐）</translation>
-    </message>
-    <message>
-        <source>Projection Derivation</source>
-        <translation>投影推导</translation>
-    </message>
-    <message>
-        <source>OpenCASCADE Transforms</source>
-        <translation>OpenCASCADE 变换</translation>
-    </message>
-    <message>
-        <source>Parallel Projection</source>
-        <translation>平行投影</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;A box from z = −3 to −4.5, sheared by θ = φ = 0.78 radians (44.69°) and then projected by glOrtho(−10, 10, −10, 10, 2, 9). Parallel edges stay parallel, and two sides can be seen beside the front.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the front and a side.&lt;/b&gt; The formula first finds the point of the sheared box by (11) and (12), then takes the &lt;a href=&apos;formulas:oblique-back&apos;&gt;shear&lt;/a&gt; off: x += cot θ · z.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the program means π/4, whose cotangent is 1. cot 0.78 is 1.01086.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;从 z = −3 到 −4.5 的长方体，以 θ = φ = 0.78 弧度（44.69°）错切，再由 glOrtho(−10, 10, −10, 10, 2, 9) 投影。平行的棱仍然平行，除正面外还能看到两个侧面。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击正面和一个侧面。&lt;/b&gt;公式先由 (11) 和 (12) 求出错切后长方体上的点，再去掉&lt;a href=&apos;formulas:oblique-back&apos;&gt;错切&lt;/a&gt;：x += cot θ · z。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;程序的本意是 π/4，其余切为 1。cot 0.78 为 1.01086。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Three pairs of axes, x red and y green: &lt;b&gt;MC&lt;/b&gt; carries the yellow point, &lt;b&gt;WC&lt;/b&gt; is the world, &lt;b&gt;VC&lt;/b&gt; the camera, in the middle of the picture.&lt;/p&gt;&lt;p&gt;The Pipeline panel follows the tutorial’s point: (1, 1) in MC, (3, 4) in the world, (−2, −2) for the camera. &lt;b&gt;Type another one&lt;/b&gt; into any row, or click the yellow point.&lt;/p&gt;&lt;p&gt;MC is a mirror and a step: glTranslate(4, 3, 0), glScale(−1, 1, 1). VC has its y axis downwards, so the world hangs upside down. In the plane that is a mirror, in space a half turn: the camera looks along +z, and z changes its sign. See the &lt;a href=&apos;formulas:view&apos;&gt;view matrix&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;三对坐标轴，x 为红色，y 为绿色：&lt;b&gt;MC&lt;/b&gt; 带着黄点，&lt;b&gt;WC&lt;/b&gt; 是世界，&lt;b&gt;VC&lt;/b&gt; 是相机，在画面中央。&lt;/p&gt;&lt;p&gt;“流水线”面板跟踪的是教程自己的点：在 MC 中为 (1, 1)，在世界坐标中为 (3, 4)，相对相机为 (−2, −2)。&lt;b&gt;在任意一行键入别的点&lt;/b&gt;，或点击黄点。&lt;/p&gt;&lt;p&gt;MC 是一次镜像加一次平移：glTranslate(4, 3, 0)、glScale(−1, 1, 1)。VC 的 y 轴向下，所以世界是倒过来的。在平面中这是镜像，在空间中则是转半圈：相机沿 +z 方向看，z 变号。参见&lt;a href=&apos;formulas:view&apos;&gt;观察矩阵&lt;/a&gt;。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;The camera stands at (0, 0, 5), the object was moved by glTranslate(0, 0, −3).&lt;/p&gt;&lt;p&gt;&lt;b&gt;Open the Pipeline panel&lt;/b&gt;, choose m[0..15], and open Modelview: m[14] = −8, which is −5 of the view and −3 of the model.&lt;/p&gt;&lt;p&gt;The point (1, 1, 0) stands there already: its world z is −3, its eye z −8. A click on the yellow plate is followed instead.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the text of the figure prints M = VC⁻¹. The −8 is that of M = VC⁻¹ · MC.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;相机位于 (0, 0, 5)，物体由 glTranslate(0, 0, −3) 移动。&lt;/p&gt;&lt;p&gt;&lt;b&gt;打开“流水线”面板&lt;/b&gt;，选择 m[0..15]，展开“模型视图”：m[14] = −8，其中 −5 来自视图，−3 来自模型。&lt;/p&gt;&lt;p&gt;点 (1, 1, 0) 已在那里：它的世界坐标 z 为 −3，观察坐标 z 为 −8。点击黄色板后，改为跟踪所点击的点。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;该图的说明文字印的是 M = VC⁻¹。−8 是 M = VC⁻¹ · MC 的元素。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;glViewport(0, 0, 50, 50): the small picture in the lower left corner. The rest of the window is outside the viewport.&lt;/p&gt;&lt;p&gt;In the Pipeline panel the NDC (0, 0, 0.5) come to the window point (25, 25, 0.75). &lt;b&gt;Click the middle of the yellow plate&lt;/b&gt;, and the panel follows the centre of that pixel, half a pixel beside it: (25.5, 25.5), for example.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Correction:&lt;/b&gt; the tutorial says that the depth 0.5 does not change. Its own &lt;a href=&apos;formulas:viewport&apos;&gt;viewport matrix&lt;/a&gt; makes it (0.5 + 1) / 2 = 0.75.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;glViewport(0, 0, 50, 50)：左下角的小画面。窗口的其余部分在视口之外。&lt;/p&gt;&lt;p&gt;在“流水线”面板中，NDC (0, 0, 0.5) 变为窗口点 (25, 25, 0.75)。&lt;b&gt;点击黄色板的中央&lt;/b&gt;，面板便改为跟踪该像素的中心，偏开半个像素：例如 (25.5, 25.5)。&lt;/p&gt;&lt;p&gt;&lt;b&gt;更正：&lt;/b&gt;教程说深度 0.5 不变。但按教程自己的&lt;a href=&apos;formulas:viewport&apos;&gt;视口矩阵&lt;/a&gt;，它是 (0.5 + 1) / 2 = 0.75。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;The start of the line is the world’s origin. In a view of &lt;a href=&apos;view:300x300&apos;&gt;300 × 300&lt;/a&gt; it is the window point (150, 150), and (150, 150) in the widget, as the Pipeline panel shows. In a larger view the picture stays in the lower left corner, and only the widget’s y is another.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click the middle of the yellow plate.&lt;/b&gt; One unit is one pixel here, so that half a pixel shows: the pixel below and to the right of the origin has its centre at (0.5, −0.5).&lt;/p&gt;&lt;p&gt;The article’s way back gives the origin with another depth z. Here the depth is read from the picture, and z comes out as well.&lt;/p&gt;&lt;p&gt;In the Pipeline panel choose Rows to see the matrices as the article writes them, &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt;.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;线段的起点是世界原点。在 &lt;a href=&apos;view:300x300&apos;&gt;300 × 300&lt;/a&gt; 的视图中，它是窗口点 (150, 150)，在控件中也是 (150, 150)，如“流水线”面板所示。在更大的视图中，画面仍在左下角，只有控件坐标的 y 不同。&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击黄色板的中央。&lt;/b&gt;这里一个单位就是一个像素，所以半个像素也看得出来：原点右下方的那个像素，中心在 (0.5, −0.5)。&lt;/p&gt;&lt;p&gt;文章的逆过程得到的是深度 z 不同的原点。这里的深度从画面读出，z 也能求得。&lt;/p&gt;&lt;p&gt;在“流水线”面板中选择“行向量”，可以按文章的写法 &lt;a href=&apos;formulas:rows&apos;&gt;v · M&lt;/a&gt; 查看各矩阵。&lt;/p&gt;</translation>
-    </message>
-</context>
-<context>
     <name>Formulas</name>
     <message>
         <source>The two agree to the last places: the matrix rounds at every step, the formula once at the end.</source>
@@ -2072,41 +1909,10 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ExampleNote</name>
-    <message>
-        <source>Example</source>
-        <translation>示例</translation>
-    </message>
-    <message>
-        <source>Close the note; the example stays</source>
-        <translation>关闭说明；示例保留</translation>
-    </message>
-    <message>
-        <source>Close the note</source>
-        <translation>关闭说明</translation>
-    </message>
-    <message>
-        <source>What to look at</source>
-        <translation>观察要点</translation>
-    </message>
-    <message>
-        <source>Source of the example</source>
-        <translation>示例的出处</translation>
-    </message>
-    <message>
-        <source>Source: %1</source>
-        <translation>出处：%1</translation>
-    </message>
-</context>
-<context>
     <name>unprojector::gui::FirstSteps</name>
     <message>
         <source>First steps</source>
         <translation>入门</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;&lt;b&gt;Three things to try&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click&lt;/b&gt; a point of the model: its world coordinate stands beside, computed twice.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Drag&lt;/b&gt;: the view turns about the point under the pointer. The wheel zooms.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Look at an example&lt;/b&gt; of the tutorials: &lt;a href=&apos;example&apos;&gt;%1&lt;/a&gt;, more in File &amp;gt; Examples.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;可以试试这三件事&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击&lt;/b&gt;模型上的一点：旁边会显示它的世界坐标，计算两遍。&lt;/p&gt;&lt;p&gt;&lt;b&gt;拖动&lt;/b&gt;：视图绕指针下的点转动；滚轮缩放。&lt;/p&gt;&lt;p&gt;&lt;b&gt;看一个教程示例&lt;/b&gt;：&lt;a href=&apos;example&apos;&gt;%1&lt;/a&gt;，更多示例在“文件 &amp;gt; 示例”中。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Close; Help &gt; First Steps brings it back</source>
@@ -2115,6 +1921,10 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Three things to try&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click&lt;/b&gt; a point of the model: its world coordinate stands beside, computed twice.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Drag&lt;/b&gt;: the view turns about the point under the pointer. The wheel zooms.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Take a lesson&lt;/b&gt; of five minutes: &lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;, more in File &amp;gt; Lessons.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;可以试试这三件事&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击&lt;/b&gt;模型上的一点：旁边会显示它的世界坐标，计算两遍。&lt;/p&gt;&lt;p&gt;&lt;b&gt;拖动&lt;/b&gt;：视图绕指针下的点转动；滚轮缩放。&lt;/p&gt;&lt;p&gt;&lt;b&gt;上一节五分钟的课&lt;/b&gt;：&lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;，更多课程在“文件 &amp;gt; 课程”中。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -2508,6 +2318,117 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::LessonPanel</name>
+    <message>
+        <source>&amp;Check</source>
+        <translation>检查(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>显示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>‹ Back</source>
+        <translation>‹ 上一步</translation>
+    </message>
+    <message>
+        <source>Next ›</source>
+        <translation>下一步 ›</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>Leave the lesson; what was shown before it comes back</source>
+        <translation>退出课程；恢复之前显示的场景</translation>
+    </message>
+    <message>
+        <source>Leave the lesson</source>
+        <translation>退出课程</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>The step of the lesson that is shown</source>
+        <translation>正在显示的课程步骤</translation>
+    </message>
+    <message>
+        <source>What to look at</source>
+        <translation>观察要点</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>您的答案</translation>
+    </message>
+    <message>
+        <source>A number or an expression such as 3/4 or 2*sqrt(2)</source>
+        <translation>一个数或表达式，例如 3/4 或 2*sqrt(2)</translation>
+    </message>
+    <message>
+        <source>Compare your answer with the program&apos;s</source>
+        <translation>将您的答案与程序的答案比较</translation>
+    </message>
+    <message>
+        <source>Show the answer, and why it is so</source>
+        <translation>显示答案及其原因</translation>
+    </message>
+    <message>
+        <source>Whether your answer is right</source>
+        <translation>您的答案是否正确</translation>
+    </message>
+    <message>
+        <source>The step before (Alt+Page Up)</source>
+        <translation>上一步 (Alt+Page Up)</translation>
+    </message>
+    <message>
+        <source>The next step (Alt+Page Down)</source>
+        <translation>下一步 (Alt+Page Down)</translation>
+    </message>
+    <message>
+        <source>Source of the step</source>
+        <translation>本步的出处</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 / %2：%3</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>出处：%1</translation>
+    </message>
+    <message>
+        <source>The picture is not as the step has it. &lt;a href=&apos;restart:&apos;&gt;Put it back&lt;/a&gt;</source>
+        <translation>画面与本步不同。&lt;a href=&apos;restart:&apos;&gt;恢复原样&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>The pixels that are spoken of are those of a view of &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt;.</source>
+        <translation>文中的像素以 &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt; 的视图为准。</translation>
+    </message>
+    <message>
+        <source>Right: %1.</source>
+        <translation>正确：%1。</translation>
+    </message>
+    <message>
+        <source>%1 is not it. Try again, or have it shown.</source>
+        <translation>%1 不对。请再试一次，或查看答案。</translation>
+    </message>
+    <message>
+        <source>It is %1.</source>
+        <translation>答案是 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LessonPlayer</name>
+    <message>
+        <source>%1.json</source>
+        <extracomment>The file of a lesson in this language, in resources/lessons; %1 is its name.</extracomment>
+        <translation>%1_zh_CN.json</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::LifecycleLog</name>
     <message>
         <source>From %1 s to %2 s</source>
@@ -2655,10 +2576,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>视图生命周期</translation>
     </message>
     <message>
-        <source>Example</source>
-        <translation>示例</translation>
-    </message>
-    <message>
         <source>World coordinate under the pointer</source>
         <translation>指针处的世界坐标</translation>
     </message>
@@ -2721,10 +2638,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Show the scene that comes with the program</source>
         <translation>显示程序自带的场景</translation>
-    </message>
-    <message>
-        <source>&amp;Examples</source>
-        <translation>示例(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -3241,6 +3154,42 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Select two points or more first: their rows under Points, with Ctrl.</source>
         <translation>请先选择两个或更多的点：按住 Ctrl 点击“点”面板中的各行。</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>课程(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>下一步(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The next step of the lesson</source>
+        <translation>课程的下一步</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Step</source>
+        <translation>上一步(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The step of the lesson before this one</source>
+        <translation>课程的上一步</translation>
+    </message>
+    <message>
+        <source>L&amp;eave Lesson</source>
+        <translation>退出课程(&amp;E)</translation>
+    </message>
+    <message>
+        <source>End the lesson; what was shown before it comes back</source>
+        <translation>结束课程；恢复之前显示的场景</translation>
+    </message>
+    <message>
+        <source>The point is not in the picture as it is now. Put the picture back as the step has it.</source>
+        <translation>该点不在现在的画面中。请恢复本步的画面。</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@ class TestExpression : public QObject {
 private slots:
     void theValueIsComputed_data();
     void theValueIsComputed();
+    void namesStandForNumbers();
     void whatIsNoNumberIsRefusedWithItsPlace_data();
     void whatIsNoNumberIsRefusedWithItsPlace();
     void anyTextIsEitherANumberOrRefusedInside();
@@ -78,6 +79,23 @@ void TestExpression::theValueIsComputed()
     const auto result = evaluate(text.toStdString());
     QVERIFY2(result, qPrintable(text));
     QVERIFY2(*result == value, qPrintable(QString::number(*result, 'g', 17)));
+}
+
+void TestExpression::namesStandForNumbers()
+{
+    const Names names = [](std::string_view name) -> std::optional<double> {
+        if (name == "a.b[2][3]")
+            return 6.0;
+        return name == "step:x" ? std::optional(0.5) : std::nullopt;
+    };
+    QCOMPARE(evaluate("-2 * (a.b[2][3] - step:x) + sqrt(4)", names).value(), -9.0);
+    QCOMPARE(evaluate("pi", names).value(), evaluate("pi").value());
+    const auto unknown = evaluate("1 + a.b[2]*3", names);
+    QVERIFY(!unknown);
+    QCOMPARE(unknown.error().code, ExpressionErrorCode::UnknownName);
+    QCOMPARE(unknown.error().place, std::size_t(4));
+    QCOMPARE(unknown.error().length, std::size_t(6));
+    QVERIFY(!evaluate("step:x"));
 }
 
 void TestExpression::whatIsNoNumberIsRefusedWithItsPlace_data()

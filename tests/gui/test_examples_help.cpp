@@ -1,22 +1,17 @@
-// The examples' notes and the page of formulas: nothing of them is missing, and the pipeline panel shows the tutorials'
-// numbers for the examples.
+// The page of formulas: nothing of it is missing; and the pipeline panel shows the tutorials' numbers for their scenes.
 
 #include "core/scene/examples.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/pipeline_model.h"
-#include "gui/text/example_texts.h"
 #include "gui/text/formula_markup.h"
 #include "gui/window/appearance.h"
-#include "gui/window/example_note.h"
 #include "gui/window/formulas_window.h"
 #include "tests/support/errata.h"
 
-#include <QAbstractButton>
 #include <QFile>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSet>
-#include <QSignalSpy>
 #include <QTest>
 #include <QTextBrowser>
 #include <QTextDocumentFragment>
@@ -57,11 +52,6 @@ class TestExamplesHelp : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyExampleHasItsWords_data();
-    void everyExampleHasItsWords();
-    void anUnknownExampleHasNone();
-    void linksLeadToFormulas();
-    void aLongTextScrolls();
     void thePipelineShowsTheFigures_data();
     void thePipelineShowsTheFigures();
 
@@ -78,84 +68,6 @@ private slots:
     void theTextIsZoomedWithinLimits();
     void thePageIsDarkWhereTheWindowIs();
 };
-
-void TestExamplesHelp::everyExampleHasItsWords_data()
-{
-    QTest::addColumn<QByteArray>("id");
-    for (const Example &example : examples())
-        QTest::newRow(example.id.c_str()) << QByteArray::fromStdString(example.id);
-}
-
-void TestExamplesHelp::everyExampleHasItsWords()
-{
-    QFETCH(QByteArray, id);
-    const std::optional<ExampleText> text = exampleText(id.toStdString());
-    QVERIFY(text);
-    QVERIFY(text->name.size() > 5 && text->name.size() <= 45);
-    QVERIFY(plain(text->text).size() > 120);
-    QVERIFY(!text->source.isEmpty());
-    QVERIFY(text->text.contains(QLatin1String("<b>")));
-
-    ExampleNote note;
-    QVERIFY(note.isEmpty());
-    note.showExample(id.toStdString());
-    QVERIFY(!note.isEmpty());
-    QVERIFY(note.text().startsWith(text->name));
-    QVERIFY(note.text().contains(text->source));
-    QVERIFY(note.sizeHint().width() <= 360);
-    QVERIFY(note.minimumSizeHint().width() <= 360);
-    note.clear();
-    QVERIFY(note.isEmpty() && note.text().isEmpty());
-
-    for (const Example &example : examples())
-        QVERIFY2(!tutorialName(example.tutorial).isEmpty(), example.id.c_str());
-}
-
-void TestExamplesHelp::anUnknownExampleHasNone()
-{
-    QVERIFY(!exampleText("teapot"));
-    QVERIFY(tutorialName("teapot").isEmpty());
-    ExampleNote note;
-    note.showExample("zhangci-2d");
-    note.showExample("teapot");
-    QVERIFY(note.isEmpty());
-}
-
-void TestExamplesHelp::linksLeadToFormulas()
-{
-    static const QRegularExpression link(QStringLiteral("href='formulas:([^']+)'"));
-    const QSet<QString> names = anchors();
-    int links = 0;
-    for (const Example &example : examples()) {
-        const QString text = exampleText(example.id)->text;
-        for (auto matches = link.globalMatch(text); matches.hasNext(); ++links) {
-            const QString name = matches.next().captured(1);
-            QVERIFY2(names.contains(name), qPrintable(name));
-        }
-    }
-    QVERIFY(links >= 5);
-
-    ExampleNote note;
-    note.showExample("zhangci-ortho");
-    QSignalSpy asked(&note, &ExampleNote::formulasRequested), closed(&note, &ExampleNote::closeRequested);
-    emit note.findChild<QTextBrowser *>()->anchorClicked(QUrl(QStringLiteral("formulas:ortho")));
-    QCOMPARE(asked.size(), 1);
-    QCOMPARE(asked.first().first().toString(), QStringLiteral("ortho"));
-    note.findChild<QAbstractButton *>()->click();
-    QCOMPARE(closed.size(), 1);
-}
-
-void TestExamplesHelp::aLongTextScrolls()
-{
-    ExampleNote note;
-    note.showExample("derivation-matrix");
-    note.show();
-    const auto *bar = note.findChild<QTextBrowser *>()->verticalScrollBar();
-    note.resize(note.sizeHint());
-    QTRY_COMPARE(bar->maximum(), 0);
-    note.resize(300, 180);
-    QTRY_VERIFY(bar->maximum() > 0);
-}
 
 void TestExamplesHelp::thePipelineShowsTheFigures_data()
 {

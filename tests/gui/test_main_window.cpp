@@ -1,8 +1,7 @@
-// The window as a whole: its panels' arrangement at several sizes, what it keeps, and the examples it opens.
+// The window as a whole: its panels' arrangement at several sizes, what it keeps.
 
 #include "window_user.h"
 
-#include "core/scene/examples.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
@@ -49,7 +48,6 @@ private slots:
     void nothingThatIsSaidChangesTheViewsSize();
     void theViewGetsTheSizeThatIsAskedFor();
     void aPanelsNameStandsOnce();
-    void everyExampleOpensWithItsNote();
     void theViewFromOutsideLeavesTheViewAlone();
     void theViewFromOutsideCanBeAPanel();
     void theMorphHasRoomInACorner();
@@ -252,21 +250,6 @@ void TestMainWindow::aPanelsNameStandsOnce()
             QCOMPARE(dock->titleBarWidget() != nullptr, isTab);
         }
     }
-}
-
-void TestMainWindow::everyExampleOpensWithItsNote()
-{
-    const auto window = windowOfSize({1280, 800});
-    QVERIFY(dockOf(*window, "example")->isHidden());
-    for (const Example &example : examples()) {
-        window->session().openExample(example.id);
-        QCOMPARE(window->document().objects().size(), example.scene.objects.size());
-        QVERIFY(!dockOf(*window, "example")->isHidden());
-        QVERIFY(window->message().isEmpty());
-        QVERIFY(!window->view().grabFramebuffer().isNull());
-    }
-    window->session().openBundledScene();
-    QVERIFY(dockOf(*window, "example")->isHidden());
 }
 
 void TestMainWindow::theViewFromOutsideLeavesTheViewAlone()

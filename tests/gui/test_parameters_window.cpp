@@ -2,7 +2,7 @@
 
 #include "gui_scene.h"
 
-#include "core/scene/examples.h"
+#include "gui/document/lesson_player.h"
 #include "gui/panels/objects_panel.h"
 #include "gui/panels/parameters/number_field.h"
 #include "gui/panels/parameters/parameter_group.h"
@@ -108,7 +108,7 @@ void TestParametersWindow::whatIsTypedCountsBeforeAnotherSceneIsOpened()
     const auto nearNow = [&] { return projectionWindow(window->document().scene().projection).nearDistance; };
     bool hasCounted = false;
     connect(&window->document(), &SceneDocument::changed, this, [&] { hasCounted |= nearNow() == 0.12345; });
-    window->session().openExample(examples().front().id);
+    QVERIFY(window->lessons().start("pipeline"));
     QCOMPARE(hasCounted, counts);
     QVERIFY(!nearField->isTyping() && !nearField->isBad());
     const double opened = nearNow();

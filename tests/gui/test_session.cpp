@@ -1,6 +1,7 @@
 // A session without a window: what it opens, saves and asks. Questions are answered by the test.
 
 #include "core/scene/bundled_scene.h"
+#include "gui/document/lesson_player.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 
@@ -328,7 +329,8 @@ void TestSession::whatLoadsIsEndedBeforeAQuestion_data()
     QTest::addColumn<Step>("step");
     QTest::addColumn<int>("questions");
     QTest::newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); }) << 1;
-    QTest::newRow("example") << Step([](Desk &d) { d.session.openExample("zhangci-perspective"); }) << 1;
+    QTest::newRow("lesson") << Step([](Desk &d) { QVERIFY(!LessonPlayer(d.document, d.session).start("pipeline")); })
+                            << 1;
     QTest::newRow("scene") << Step([this](Desk &d) {
         d.session.openScene(pathOf(writeScene(QStringLiteral("scene.json"))));
     }) << 1;
@@ -459,12 +461,13 @@ void TestSession::theNameAndTheMarkFollow()
 {
     const auto desk = this->desk();
     QSignalSpy changes(&desk->session, &Session::changed);
-    QSignalSpy examples(&desk->session, &Session::opened);
-    desk->session.openExample("zhangci-perspective");
-    QCOMPARE(examples.takeLast().at(0).toString(), QStringLiteral("zhangci-perspective"));
+    QSignalSpy opened(&desk->session, &Session::opened);
+    QVERIFY(desk->session.openLesson(desk->document.scene(), QStringLiteral("Step"), QStringLiteral("rows")));
+    QCOMPARE(desk->session.name(), QStringLiteral("Step"));
+    QCOMPARE(opened.takeLast().at(0).toString(), QStringLiteral("rows"));
     QVERIFY(!desk->session.hasUnsavedChanges());
     desk->session.openBundledScene();
-    QVERIFY(examples.takeLast().at(0).toString().isEmpty());
+    QVERIFY(opened.takeLast().at(0).toString().isEmpty());
     changes.clear();
     desk->cut();
     QVERIFY(!changes.isEmpty() && desk->session.hasUnsavedChanges());

@@ -1,5 +1,6 @@
 // What counts as an unsaved change, what is asked about, and what the answers do.
 
+#include "gui/document/lesson_player.h"
 #include "gui/document/scene_document.h"
 #include "gui/window/main_window.h"
 
@@ -304,7 +305,7 @@ void TestUnsavedChanges::theAnswerIsObeyed()
     cut(*window);
     {
         const MessageBoxAnswers answers(QMessageBox::Cancel);
-        window->session().openExample("zhangci-perspective");
+        QVERIFY(!window->lessons().start("pipeline"));
         window->session().openBundledScene();
         QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(1));
         QVERIFY(!answers.questions().isEmpty());

@@ -3,7 +3,7 @@
 
 #include "window_user.h"
 
-#include "core/scene/examples.h"
+#include "gui/document/lesson_player.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/view/observer_view.h"
 #include "gui/window/first_steps.h"
@@ -66,9 +66,9 @@ private slots:
     void theViewFromOutsideComesBackAsItWasLeft_data();
     void theViewFromOutsideComesBackAsItWasLeft();
     void theViewFromOutsideIsOffOnceItsDockIsClosed();
-    void aNoteHasOneButtonThatClosesIt_data();
-    void aNoteHasOneButtonThatClosesIt();
-    void aClosedNoteStaysClosedUntilTheNextExample();
+    void aLessonHasOneButtonThatClosesIt_data();
+    void aLessonHasOneButtonThatClosesIt();
+    void aLessonGoesAlongUntilItIsClosed();
     void hiddenPanelsComeBackAsTheyAreNow();
     void aRightClickOffersNoEmptyPanel();
     void theInsetsBorderAloneHasItsPointer();
@@ -251,7 +251,7 @@ void TestWorkPlaces::theViewFromOutsideIsOffOnceItsDockIsClosed()
     QTRY_VERIFY(!dockOf(*window, "observer")->isHidden());
 }
 
-void TestWorkPlaces::aNoteHasOneButtonThatClosesIt_data()
+void TestWorkPlaces::aLessonHasOneButtonThatClosesIt_data()
 {
     QTest::addColumn<QSize>("size");
     QTest::addColumn<bool>("isTab");
@@ -259,58 +259,58 @@ void TestWorkPlaces::aNoteHasOneButtonThatClosesIt_data()
     QTest::newRow("small") << QSize(700, 560) << true;
 }
 
-void TestWorkPlaces::aNoteHasOneButtonThatClosesIt()
+void TestWorkPlaces::aLessonHasOneButtonThatClosesIt()
 {
     QFETCH(QSize, size);
     QFETCH(bool, isTab);
     const auto window = windowOfSize(size);
     for (const char *place : {kClickPlace, kPipelinePlace}) {
         window->places().enter(place);
-        window->session().openExample(examples().front().id);
-        const QDockWidget *note = dockOf(*window, "example");
-        QTRY_VERIFY(note->isVisible());
-        QCOMPARE(note->titleBarWidget() != nullptr, isTab);
+        QVERIFY(window->lessons().start("rows"));
+        const QDockWidget *lesson = dockOf(*window, "lesson");
+        QTRY_VERIFY(lesson->isVisible());
+        QCOMPARE(lesson->titleBarWidget() != nullptr, isTab);
         QToolButton *own = nullptr;
-        for (QToolButton *button : note->findChildren<QToolButton *>()) {
-            if (button->accessibleName() == QStringLiteral("Close the note"))
+        for (QToolButton *button : lesson->findChildren<QToolButton *>()) {
+            if (button->accessibleName() == QStringLiteral("Leave the lesson"))
                 own = button;
         }
         QVERIFY(own);
         QCOMPARE(own->isVisible(), isTab);
         if (isTab) {
             own->click();
-            QVERIFY(note->isHidden());
+            QVERIFY(lesson->isHidden());
         }
     }
 }
 
-void TestWorkPlaces::aClosedNoteStaysClosedUntilTheNextExample()
+void TestWorkPlaces::aLessonGoesAlongUntilItIsClosed()
 {
     const auto window = windowOfSize(kWide);
-    window->session().openExample(examples().front().id);
-    const QDockWidget *note = dockOf(*window, "example");
-    QVERIFY(!note->isHidden());
+    QVERIFY(window->lessons().start("rows"));
+    const QDockWidget *lesson = dockOf(*window, "lesson");
+    QVERIFY(!lesson->isHidden());
     window->places().enter("pipeline");
-    QVERIFY(!note->isHidden());
-    dockOf(*window, "example")->close();
+    QVERIFY(!lesson->isHidden());
+    dockOf(*window, "lesson")->close();
     window->places().enter("click");
-    QVERIFY(note->isHidden());
+    QVERIFY(lesson->isHidden());
     window->places().reset();
-    QVERIFY(note->isHidden());
-    window->session().openExample(examples().back().id);
-    QVERIFY(!note->isHidden());
+    QVERIFY(lesson->isHidden());
+    QVERIFY(window->lessons().start("parallel"));
+    QVERIFY(!lesson->isHidden());
 }
 
 void TestWorkPlaces::hiddenPanelsComeBackAsTheyAreNow()
 {
     const auto window = windowOfSize(kWide);
-    window->session().openExample(examples().front().id);
-    QVERIFY(!dockOf(*window, "example")->isHidden());
+    QVERIFY(window->lessons().start("rows"));
+    QVERIFY(!dockOf(*window, "lesson")->isHidden());
     window->hidePanels(true);
-    QVERIFY(dockOf(*window, "example")->isHidden());
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
     window->session().openBundledScene();
     window->hidePanels(false);
-    QVERIFY(dockOf(*window, "example")->isHidden());
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
     QTRY_VERIFY(isSeen(*window, "comparison"));
 }
 

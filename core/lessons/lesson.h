@@ -1,0 +1,104 @@
+#pragma once
+
+#include "core/geometry/given_point.h"
+#include "core/geometry/result.h"
+#include "core/geometry/viewport.h"
+
+#include <glm/vec2.hpp>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// Lessons: what to look at, step by step, as files. One file a lesson, resources/lessons/NAME.json, with everything in it and its
+/// texts in English; NAME_LANGUAGE.json beside it has the texts alone in another language, by the steps' ids, as translators'
+/// tools expect them. lessons.json lists the names in their order.
+///
+///   {
+///     "title": "The Pipeline",
+///     "steps": [{
+///       "id": "model_view",                     letters, digits and _: paths name it
+///       "title": "Modelview",
+///       "text": ["A paragraph …", "…"],         a little HTML, links and statements, see below
+///       "source": "Zhang Ci, figure 2.7",       optional
+///       "scene": "zhangci-model-view",          one of scene::examples(), or a scene document as in scene_file.h
+///       "change": {"projection": {"near": 2}},  or, instead: the scene of the step before, with this merged in (RFC 7396)
+///       "view": [300, 300],                     optional: the view's size, device pixels, that the numbers need
+///       "place": "pipeline",                    optional: the work place
+///       "panels": ["parameters"],               optional: shown there
+///       "points": {                             optional: what paths and links name
+///         "corner": {"space": "object", "coordinates": [4, 4, -4], "object": "Quad"},
+///         "clicked": {"pixel": [162, 187]}},    what a click there gives: the pixel's centre, the depth of the mesh
+///       "question": {                           optional
+///         "text": "Which z …?", "answer": "eye.z", "tolerance": 0.01, "reveal": ["…"]}
+///     }]
+///   }
+///
+/// A step without "scene" has that of the step before, with its "change" if there is one, and its view, place and points too.
+/// Titles and texts say their numbers by statements,
+///
+///   its z is {−8 = modelview[2][3]}, at {(0.5, 0.5) = corner.ndc.x, corner.ndc.y}
+///
+/// of which the reader sees what stands before the last " = "; what stands behind it says where each number comes from, see
+/// StepNumbers, or is the word "quoted" for numbers of the source that the text speaks of. A test computes them all.
+///
+/// Links lead on: formulas:NAME in the page of formulas, click:POINT ("point" is
+/// the followed one), panel:ID, place:ID, step:ID, view:300x300.
+namespace unprojector::lessons {
+using namespace geometry;
+
+/// What is wrong with a lesson: one line in English that names file and key, for those who write lessons.
+struct LessonError {
+    std::string text;
+};
+
+/// A point that a step's paths and links name: in numbers, or what a click on a pixel gives.
+using StepPoint = std::variant<GivenPoint, DevicePixel>;
+
+struct Question {
+    std::string text;
+    std::string answer;              ///< an expression of StepNumbers
+    double tolerance = 0.0;          ///< how far off an answer may be
+    std::vector<std::string> reveal; ///< paragraphs: why it is so
+};
+
+struct Step {
+    std::string id;
+    std::string title;
+    std::vector<std::string> text; ///< paragraphs
+    std::string source;            ///< may be empty
+    nlohmann::ordered_json scene;  ///< the whole document, or the name of one of scene::examples()
+    std::optional<glm::ivec2> view;
+    std::string place; ///< empty: wherever one is
+    std::vector<std::string> panels;
+    std::map<std::string, StepPoint> points;
+    std::optional<Question> question;
+};
+
+struct Lesson {
+    std::string name; ///< of its file, without suffix
+    std::string title;
+    std::vector<Step> steps; ///< at least one
+
+    /// @return null where there is none
+    const Step *step(std::string_view id) const;
+};
+
+/// @param json   of NAME.json
+/// @param texts  of NAME_LANGUAGE.json, or nothing. What it does not have stays English, a step or a key that the lesson does not
+///               have is an error
+Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view json,
+                                        const std::optional<std::string_view> &texts = {});
+
+/// What of `lesson` has no text in a translation, as keys: "model_view.title". For the test.
+/// @return the errors of parseLesson
+Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts);
+
+/// The names that lessons.json lists.
+Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json);
+
+} // namespace unprojector::lessons

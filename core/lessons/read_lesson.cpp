@@ -1,0 +1,324 @@
+#include "core/lessons/lesson.h"
+
+#include "core/scene/examples.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_fields.h"
+#include "core/scene_file/strict_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace unprojector::lessons {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace scene_file;
+
+/// Names that paths have already.
+constexpr std::array kTaken{"scene",   "model",   "view",  "projection", "viewport", "modelview", "whole",  "object",
+                            "world",   "eye",     "clip",  "ndc",        "window",   "device",    "widget", "pixel",
+                            "formula", "inverse", "point", "surface",    "pi",       "sqrt",      "deg",    "rad"};
+
+LessonError failed(std::string_view file, const std::string &key, const std::string &reason)
+{
+    return {std::string(file) + ": " + key + ": " + reason};
+}
+
+bool isName(std::string_view name)
+{
+    const auto isPart = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+    return !name.empty() && name.front() >= 'a' && std::all_of(name.begin(), name.end(), isPart);
+}
+
+/// Reads a lesson; the first thing that is wrong is kept.
+class LessonReader {
+public:
+    explicit LessonReader(std::string file) : m_file(std::move(file)) {}
+
+    Result<Json, LessonError> document(std::string_view text) const
+    {
+        Result<Json, SceneFileError> json = parseStrictJson(text);
+        if (json)
+            return std::move(json).value();
+        SceneFileError error = json.error();
+        error.file = m_file;
+        return LessonError{sceneErrorText(error)};
+    }
+
+    /// Runs a description on an object; keys that it does not name are a mistake.
+    template <class Describe>
+    void object(const JsonNode &node, const Describe &describe)
+    {
+        int nothing = 0;
+        const Json unknown = FieldReader::read(node, nothing, [&](FieldReader &fields, int &) { describe(fields); });
+        if (!unknown.empty())
+            fail(node, "there is no key \"" + unknown.begin().key() + "\"");
+    }
+
+    /// @param reason  a sentence; the first one is it
+    void fail(const JsonNode &node, const std::string &reason)
+    {
+        if (!m_error && !m_jsonError)
+            m_error = failed(m_file, node.path(), reason);
+    }
+
+    std::optional<LessonError> error() const
+    {
+        if (m_error)
+            return m_error;
+        if (!m_jsonError)
+            return std::nullopt;
+        SceneFileError error = *m_jsonError;
+        error.file = m_file;
+        return LessonError{sceneErrorText(error)};
+    }
+    bool hasFailed() const { return m_error || m_jsonError; }
+    JsonNode::FirstError &jsonError() { return m_jsonError; }
+
+private:
+    std::string m_file;
+    std::optional<LessonError> m_error;
+    JsonNode::FirstError m_jsonError;
+};
+
+/// What is in a translation as well.
+void describeTexts(FieldReader &json, Question &question)
+{
+    json.optional("text", question.text);
+    json.list("reveal", question.reveal);
+}
+
+void describeTexts(FieldReader &json, Step &step)
+{
+    json.required("id", step.id);
+    json.optional("title", step.title);
+    json.list("text", step.text);
+    json.optional("source", step.source);
+}
+
+StepPoint readPoint(LessonReader &reader, const JsonNode &node)
+{
+    StepPoint point;
+    if (node.isObject() && node.json().contains("pixel"))
+        reader.object(node, [&](FieldReader &json) { json.required("pixel", point.emplace<DevicePixel>()); });
+    else
+        reader.object(node, [&](FieldReader &json) { describe(json, point.emplace<GivenPoint>()); });
+    return point;
+}
+
+/// The scene document of one of the program's own.
+std::optional<Json> bundledDocument(const std::string &name)
+{
+    const std::vector<scene::Example> all = scene::examples();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&name](const scene::Example &example) { return example.id == name; });
+    if (found == all.end())
+        return std::nullopt;
+    constexpr Surface kSurface{800, 600, 1.0};
+    const Result<Picture> picture = scene::pictureOf(found->scene, kSurface, {});
+    const auto text = picture ? sceneText(sceneFileFrom(found->scene, *picture, {})) : std::string();
+    return text && !text->empty() ? std::optional(Json::parse(*text)) : std::nullopt;
+}
+
+/// @param document  of the step before, null for the first
+void readScene(LessonReader &reader, const JsonNode &node, Json &document)
+{
+    const JsonNode whole = node.member("scene"), change = node.member("change");
+    if (whole.exists() && change.exists())
+        reader.fail(node, "has a \"scene\" and a \"change\"; there may be one of both");
+    else if (whole.exists() && whole.json().is_string()) {
+        if (auto bundled = bundledDocument(whole.text()))
+            document = std::move(*bundled);
+        else
+            reader.fail(whole, "the program brings along no scene \"" + whole.text() + "\"");
+    } else if (whole.exists())
+        document = whole.json();
+    else if (document.is_null())
+        reader.fail(node, "the first step must have a \"scene\"");
+    else if (change.exists())
+        document.merge_patch(change.json());
+}
+
+/// @param before  null for the first step
+void readStep(LessonReader &reader, const JsonNode &node, const Step *before, Step &step)
+{
+    reader.object(node, [&](FieldReader &json) {
+        describeTexts(json, step);
+        if (const bool hasScene = json.has("scene", true); before && !hasScene) {
+            step.scene = before->scene;
+            step.view = before->view;
+            step.place = before->place;
+            step.points = before->points;
+        }
+        static_cast<void>(json.has("change", true));
+        readScene(reader, node, step.scene);
+        if (json.has("view", true)) {
+            glm::dvec2 size{0.0};
+            json.required("view", size);
+            step.view = glm::ivec2(size);
+            if (!(size.x >= 1.0 && size.y >= 1.0 && glm::dvec2(*step.view) == size))
+                reader.fail(node, "\"view\" must be two whole numbers above 0");
+        }
+        json.optional("place", step.place);
+        json.list("panels", step.panels);
+        static_cast<void>(json.has("points", true));
+        if (const JsonNode points = node.member("points"); points.exists() && points.isObject()) {
+            for (const auto &[name, point] : points.json().items()) {
+                if (!isName(name) || std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end())
+                    reader.fail(points, "\"" + name + "\" is no free name; take other letters, digits and _");
+                step.points[name] = readPoint(reader, points.member(name.c_str()));
+            }
+        }
+        static_cast<void>(json.has("question", true));
+        if (const JsonNode question = node.member("question"); question.exists()) {
+            Question &asked = step.question.emplace();
+            reader.object(question, [&](FieldReader &fields) {
+                describeTexts(fields, asked);
+                fields.required("answer", asked.answer);
+                fields.required("tolerance", asked.tolerance);
+            });
+            if (!(asked.tolerance > 0.0))
+                reader.fail(question, "\"tolerance\" must be greater than 0");
+        }
+    });
+    if (!isName(step.id))
+        reader.fail(node, "\"id\" must be of small letters, digits and _");
+    if (step.title.empty() || step.text.empty())
+        reader.fail(node, "must have a \"title\" and a \"text\"");
+}
+
+/// The texts of a translation over those of the lesson.
+void readTexts(LessonReader &reader, const JsonNode &root, Lesson &lesson)
+{
+    reader.object(root, [&](FieldReader &json) {
+        json.optional("title", lesson.title);
+        static_cast<void>(json.has("steps", true));
+    });
+    const JsonNode steps = root.member("steps");
+    for (std::size_t i = 0; !reader.hasFailed() && i < steps.size(); ++i) {
+        const JsonNode node = steps.element(i);
+        const JsonNode id = node.member("id");
+        const std::string named = node.isObject() && id.exists() ? id.text() : std::string();
+        const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(),
+                                       [&named](const Step &one) { return one.id == named; });
+        if (step == lesson.steps.end()) {
+            reader.fail(node, "the lesson has no step \"" + named + "\"");
+            return;
+        }
+        reader.object(node, [&](FieldReader &json) {
+            describeTexts(json, *step);
+            static_cast<void>(json.has("question", true));
+            const JsonNode question = node.member("question");
+            if (!question.exists())
+                return;
+            if (step->question)
+                reader.object(question, [&](FieldReader &fields) { describeTexts(fields, *step->question); });
+            else
+                reader.fail(question, "the lesson asks nothing here");
+        });
+    }
+}
+
+} // namespace
+
+const Step *Lesson::step(std::string_view id) const
+{
+    const auto found = std::find_if(steps.begin(), steps.end(), [id](const Step &one) { return one.id == id; });
+    return found == steps.end() ? nullptr : &*found;
+}
+
+Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view json,
+                                        const std::optional<std::string_view> &texts)
+{
+    Lesson lesson{std::string(name), {}, {}};
+    LessonReader reader(lesson.name + ".json");
+    const Result<Json, LessonError> document = reader.document(json);
+    if (!document)
+        return document.error();
+    const JsonNode root(*document, reader.jsonError());
+    reader.object(root, [&](FieldReader &fields) {
+        fields.required("title", lesson.title);
+        static_cast<void>(fields.has("steps", true));
+    });
+    const JsonNode steps = root.member("steps");
+    std::set<std::string> ids;
+    for (std::size_t i = 0; !reader.hasFailed() && i < steps.size(); ++i) {
+        const JsonNode node = steps.element(i);
+        Step step;
+        readStep(reader, node, lesson.steps.empty() ? nullptr : &lesson.steps.back(), step);
+        if (!ids.insert(step.id).second)
+            reader.fail(node, "a step before has the id \"" + step.id + "\" already");
+        lesson.steps.push_back(std::move(step));
+    }
+    if (lesson.steps.empty() && !reader.hasFailed())
+        reader.fail(root, "must have \"steps\"");
+    if (reader.hasFailed())
+        return *reader.error();
+    if (!texts)
+        return lesson;
+    LessonReader translation(lesson.name + ", translated");
+    const Result<Json, LessonError> translated = translation.document(*texts);
+    if (!translated)
+        return translated.error();
+    readTexts(translation, JsonNode(*translated, translation.jsonError()), lesson);
+    if (translation.hasFailed())
+        return *translation.error();
+    return lesson;
+}
+
+Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts)
+{
+    // A lesson that says nothing, under the translation: what still says nothing has none.
+    Lesson silent = lesson;
+    silent.title.clear();
+    for (Step &step : silent.steps) {
+        step.title.clear();
+        step.text.clear();
+        step.source.clear();
+        if (step.question) {
+            step.question->text.clear();
+            step.question->reveal.clear();
+        }
+    }
+    LessonReader reader(lesson.name + ", translated");
+    const Result<Json, LessonError> document = reader.document(texts);
+    if (!document)
+        return document.error();
+    readTexts(reader, JsonNode(*document, reader.jsonError()), silent);
+    if (reader.hasFailed())
+        return *reader.error();
+    std::vector<std::string> missing;
+    const auto look = [&missing](const auto &wanted, const auto &there, const std::string &key) {
+        if (wanted.empty() != there.empty())
+            missing.push_back(key);
+    };
+    look(lesson.title, silent.title, "title");
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const Step &wanted = lesson.steps[i], &there = silent.steps[i];
+        look(wanted.title, there.title, wanted.id + ".title");
+        look(wanted.text, there.text, wanted.id + ".text");
+        look(wanted.source, there.source, wanted.id + ".source");
+        if (!wanted.question)
+            continue;
+        look(wanted.question->text, there.question->text, wanted.id + ".question.text");
+        look(wanted.question->reveal, there.question->reveal, wanted.id + ".question.reveal");
+    }
+    return missing;
+}
+
+Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json)
+{
+    LessonReader reader("lessons.json");
+    const Result<Json, LessonError> document = reader.document(json);
+    if (!document)
+        return document.error();
+    std::vector<std::string> names;
+    reader.object(JsonNode(*document, reader.jsonError()), [&](FieldReader &fields) { fields.list("lessons", names); });
+    if (reader.hasFailed())
+        return *reader.error();
+    return names;
+}
+
+} // namespace unprojector::lessons

@@ -1,0 +1,182 @@
+#include "core/lessons/statements.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace unprojector::lessons {
+namespace {
+
+// UTF-8, whatever the compiler's own character set is.
+constexpr std::string_view kMinus = "\xe2\x88\x92";
+constexpr std::string_view kPlusMinus = "\xc2\xb1";
+/// Of numbers that are said exactly: what computing them may round.
+constexpr double kRounding = 1e-9;
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool isLetter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// Whether what stands before a number makes it part of a name: "w" of w9, "m[" of m[14].
+bool isOfName(std::string_view before)
+{
+    if (before.size() > 1 && before.substr(before.size() - 2) == "..") // m[0..15]
+        return true;
+    if (!before.empty() && before.back() == '[')
+        before.remove_suffix(1);
+    else if (!before.empty() && before.back() == '.')
+        return before.size() > 1 && isDigit(before[before.size() - 2]); // the rest of 1.2.3
+    return !before.empty() && (isLetter(before.back()) || before.back() == ']');
+}
+
+struct Digits {
+    double value = 0.0;
+    int decimals = 0;
+    std::size_t end = 0;
+};
+
+Digits digitsAt(std::string_view text, std::size_t at)
+{
+    Digits digits;
+    std::size_t end = at;
+    while (end < text.size() && isDigit(text[end]))
+        ++end;
+    if (end + 1 < text.size() && text[end] == '.' && isDigit(text[end + 1])) {
+        const std::size_t point = end++;
+        while (end < text.size() && isDigit(text[end]))
+            ++end;
+        digits.decimals = static_cast<int>(end - point - 1);
+    }
+    std::from_chars(text.data() + at, text.data() + end, digits.value);
+    digits.end = end;
+    return digits;
+}
+
+bool endsWith(std::string_view text, std::string_view end)
+{
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+std::vector<StatedNumber> numbersIn(std::string_view text)
+{
+    std::vector<StatedNumber> numbers;
+    for (std::size_t at = 0; at < text.size();) {
+        if (!isDigit(text[at])) {
+            ++at;
+            continue;
+        }
+        const std::string_view before = text.substr(0, at);
+        Digits digits = digitsAt(text, at);
+        if (!isOfName(before)) {
+            StatedNumber number{digits.value, 0.0, endsWith(before, kPlusMinus)};
+            if (digits.decimals > 0)
+                number.tolerance = 0.5 * std::pow(10.0, -digits.decimals) * (1.0 + kRounding);
+            for (const std::string_view over : {std::string_view("/"), std::string_view(" : ")}) {
+                const std::size_t below = digits.end + over.size();
+                if (text.substr(digits.end, over.size()) == over && below < text.size() && isDigit(text[below])) {
+                    digits = digitsAt(text, below);
+                    number.value /= digits.value;
+                    number.tolerance = 0.0;
+                    break;
+                }
+            }
+            if (endsWith(before, "-") || endsWith(before, kMinus))
+                number.value = -number.value;
+            if (number.tolerance == 0.0)
+                number.tolerance = kRounding * std::fmax(1.0, std::fabs(number.value));
+            numbers.push_back(number);
+        }
+        at = digits.end;
+    }
+    return numbers;
+}
+
+/// Without tags, and without the words of links to the formulas.
+std::string withoutTags(std::string_view text)
+{
+    std::string plain;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text[at] != '<') {
+            plain += text[at++];
+            continue;
+        }
+        const bool isFormula = text.substr(at, 20).find("'formulas:") != std::string_view::npos;
+        const std::string_view end = isFormula ? "</a>" : ">";
+        const std::size_t found = text.find(end, at);
+        at = found == std::string_view::npos ? text.size() : found + end.size();
+    }
+    return plain;
+}
+
+/// At commas outside of parentheses, without blanks around.
+std::vector<std::string> parts(std::string_view list)
+{
+    std::vector<std::string> parts{{}};
+    int depth = 0;
+    for (const char c : list) {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == ',' && depth == 0)
+            parts.emplace_back();
+        else if (c != ' ' || !parts.back().empty())
+            parts.back() += c;
+    }
+    return parts;
+}
+
+std::optional<Statement> statement(std::string_view inside)
+{
+    constexpr std::string_view kEquals = " = ";
+    const std::size_t equals = inside.rfind(kEquals);
+    if (equals == std::string_view::npos)
+        return std::nullopt;
+    Statement made;
+    made.shown = inside.substr(0, equals);
+    made.numbers = numbersIn(withoutTags(made.shown));
+    made.sources = parts(inside.substr(equals + kEquals.size()));
+    made.isQuoted = made.sources == std::vector<std::string>{"quoted"};
+    return made;
+}
+
+} // namespace
+
+StatedText statedText(std::string_view text)
+{
+    StatedText result;
+    std::string outside; // what is no statement, an underscore for each of them
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t open = text.find_first_of("{}", at);
+        const std::string_view plain = text.substr(at, open - at);
+        result.shown += plain;
+        outside += plain;
+        if (open == std::string_view::npos)
+            break;
+        const std::size_t close = text.find_first_of("{}", open + 1);
+        if (text[open] == '}' || close == std::string_view::npos || text[close] == '{') {
+            result.faults.push_back("a brace without its other one near \"" + std::string(text.substr(open, 30))
+                                    + "\"");
+            break;
+        }
+        const std::string_view inside = text.substr(open + 1, close - open - 1);
+        if (std::optional<Statement> made = statement(inside)) {
+            result.shown += made->shown;
+            result.statements.push_back(std::move(*made));
+        } else {
+            result.faults.push_back("{" + std::string(inside) + "} has no \" = \" with where its numbers come from");
+        }
+        outside += ' ';
+        at = close + 1;
+    }
+    const std::string plain = withoutTags(outside);
+    if (const auto loose = numbersIn(plain); !loose.empty())
+        result.faults.push_back(std::to_string(loose.size()) + " numbers outside of braces in \"" + plain + "\"");
+    return result;
+}
+
+} // namespace unprojector::lessons

@@ -1,0 +1,344 @@
+#include "core/lessons/step_numbers.h"
+
+#include "core/lessons/statements.h"
+#include "core/matrices/pipeline.h"
+#include "core/ray/mesh_depth.h"
+#include "core/scene/bundled_models.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
+#include "core/text/error_text.h"
+#include "core/text/expression.h"
+#include "core/text/number_text.h"
+#include "core/unproject/unprojector.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::lessons {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using matrices::Pipeline;
+using matrices::PipelinePoints;
+using unproject::Method;
+
+constexpr std::array kStageNames{"model", "view", "projection", "viewport", "modelview", "whole"};
+
+LessonError failed(const std::string &where, const std::string &reason)
+{
+    return {where + ": " + reason};
+}
+
+/// Row by row.
+Json rowsOf(const glm::dmat4 &matrix)
+{
+    Json rows = Json::array();
+    for (int row = 0; row < 4; ++row)
+        rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]});
+    return rows;
+}
+
+template <class Space>
+void put(Json &tree, const char *name, const Result<Point<Space>> &point)
+{
+    constexpr std::array kAxes{"x", "y", "z", "w"};
+    if (!point)
+        return;
+    for (int i = 0; i < Space::kDimension; ++i)
+        tree[name][kAxes[static_cast<std::size_t>(i)]] = point->coordinates()[i];
+}
+
+Json treeOf(const Pipeline &pipeline)
+{
+    Json tree = Json::object();
+    for (std::size_t i = 0; i < kStageNames.size(); ++i)
+        tree[kStageNames[i]] = rowsOf(pipeline.forward[i]);
+    return tree;
+}
+
+/// @pre the pipeline's picture is valid
+Json treeOf(const Pipeline &pipeline, const PipelinePoints &points)
+{
+    Json tree = treeOf(pipeline);
+    put(tree, "object", points.object);
+    put(tree, "world", points.world);
+    put(tree, "eye", points.eye);
+    put(tree, "clip", points.clip);
+    put(tree, "ndc", points.ndc);
+    put(tree, "window", points.window);
+    put(tree, "device", points.device);
+    put(tree, "widget", points.widget);
+    if (points.device)
+        tree["pixel"] = {std::floor(points.device->x), std::floor(points.device->y)};
+    const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(pipeline.geometry);
+    if (points.window && unprojector) {
+        const unproject::Unprojected back = unprojector->at(*points.window);
+        put(tree, "formula", back.world[Method::Formula]);
+        put(tree, "inverse", back.world[Method::Matrix]);
+    }
+    return tree;
+}
+
+/// The pipeline of an object of the scene.
+/// @param object  its name; of an empty one the identity
+Result<Pipeline, LessonError> pipelineOf(const Scene &scene, const Picture &picture, const std::string &object,
+                                         const std::string &where)
+{
+    glm::dmat4 worldFromObject(1.0);
+    if (!object.empty()) {
+        const auto found = std::find_if(scene.objects.begin(), scene.objects.end(),
+                                        [&](const SceneObject &one) { return one.name == object; });
+        if (found == scene.objects.end())
+            return failed(where, "the scene has no object \"" + object + "\"");
+        worldFromObject = geometry::worldFromObject(found->transform);
+    }
+    const Result<Pipeline> made = matrices::pipeline(picture, worldFromObject);
+    if (!made)
+        return failed(where, text::errorText(made.error()));
+    return *made;
+}
+
+Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, const GivenPoint &point,
+                                 const std::string &where)
+{
+    const Result<Pipeline, LessonError> pipeline = pipelineOf(scene, picture, point.object, where);
+    if (!pipeline)
+        return pipeline.error();
+    return treeOf(*pipeline, matrices::pointsFrom(*pipeline, point));
+}
+
+/// What a click on a pixel gives.
+Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, const DevicePixel &pixel,
+                                 const std::string &where)
+{
+    const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(picture);
+    if (!unprojector)
+        return failed(where, text::errorText(unprojector.error()));
+    std::vector<std::shared_ptr<const ray::RayCaster>> casters;
+    for (const SceneObject &object : scene.objects)
+        casters.push_back(ray::RayCaster::build(object.model, {}));
+    const auto rays = std::make_shared<const ray::SceneRays>(*unprojector, scene.objects, casters, scene.clipPlanes);
+    const DevicePoint center = pixelCenter(pixel);
+    const auto hit = rays->at(center);
+    const std::optional<double> depth = ray::MeshDepth(rays)(center);
+    if (!hit || !*hit || !depth)
+        return failed(where, "at the pixel there is no surface");
+    const Result<Pipeline, LessonError> pipeline =
+        pipelineOf(scene, picture, scene.objects[(*hit)->object].name, where);
+    if (!pipeline)
+        return pipeline.error();
+    return treeOf(*pipeline, matrices::pointsBackward(*pipeline, windowFromDevice(picture.surface, center, *depth)));
+}
+
+/// All numbers under a node, in their order.
+void flatten(const Json &node, std::vector<double> &numbers)
+{
+    if (node.is_number())
+        numbers.push_back(node.get<double>());
+    for (const Json &child : node.is_structured() ? node : Json::array())
+        flatten(child, numbers);
+}
+
+/// One step along a path: a key before "." or "[", or a place in brackets.
+/// @return null where there is nothing
+const Json *follow(const Json *node, std::string_view &path)
+{
+    if (path.front() == '[') {
+        const std::size_t close = std::min(path.find(']'), path.size() - 1);
+        std::size_t place = 0;
+        const auto read = std::from_chars(path.data() + 1, path.data() + close, place);
+        const bool isPlace = read.ec == std::errc() && read.ptr == path.data() + close && path[close] == ']';
+        path.remove_prefix(close + 1);
+        return isPlace && node->is_array() && place < node->size() ? &(*node)[place] : nullptr;
+    }
+    if (path.front() == '.')
+        path.remove_prefix(1);
+    const std::string key(path.substr(0, path.find_first_of(".[")));
+    path.remove_prefix(key.size());
+    const auto found = node->is_object() ? node->find(key) : node->end();
+    return found == node->end() ? nullptr : &*found;
+}
+
+/// What a text says, against what the program computes.
+std::optional<std::string> faultOf(const Statement &statement, const std::vector<double> &values)
+{
+    if (values.size() != statement.numbers.size())
+        return "says " + std::to_string(statement.numbers.size()) + " numbers and names "
+               + std::to_string(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const StatedNumber &stated = statement.numbers[i];
+        const double value = stated.isOfSize ? std::fabs(values[i]) : values[i];
+        if (!(std::fabs(value - stated.value) <= stated.tolerance))
+            return "says " + text::shortestText(stated.value) + ", it is " + text::shortestText(values[i]);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+Result<Scene, LessonError> sceneOf(const Step &step, const std::map<std::string, std::shared_ptr<const Model>> &models)
+{
+    const std::string where = step.id + ".scene";
+    const Result<scene_file::SceneFile, scene_file::SceneFileError> file =
+        scene_file::parseScene(step.scene.dump(), where);
+    if (!file)
+        return LessonError{scene_file::sceneErrorText(file.error())};
+    std::vector<std::shared_ptr<const Model>> inOrder;
+    for (const scene_file::SceneFileObject &object : file->objects) {
+        const auto found = models.find(object.bundled);
+        if (found == models.end())
+            return failed(where, "there is no bundled model \"" + object.bundled + "\"");
+        inOrder.push_back(found->second);
+    }
+    Result<Scene, scene_file::SceneFileError> scene = scene_file::sceneFromFile(*file, {}, inOrder);
+    if (!scene) {
+        scene_file::SceneFileError error = scene.error();
+        error.file = where;
+        return LessonError{scene_file::sceneErrorText(error)};
+    }
+    return std::move(scene).value();
+}
+
+Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surface &surface,
+                                                 const std::map<std::string, StepPoint> &points)
+{
+    const Result<Picture> picture = pictureOf(scene, surface, {});
+    if (!picture)
+        return failed("scene", text::errorText(picture.error()));
+    StepNumbers numbers;
+    GivenPoint followed = scene.givenPoint.value_or(GivenPoint{});
+    if (followed.object.empty() && !scene.objects.empty() && !scene.givenPoint)
+        followed.object = scene.objects.front().name;
+    Result<Json, LessonError> tree = treeOf(scene, *picture, followed, "point");
+    if (!tree)
+        return tree.error();
+    numbers.m_tree = std::move(tree).value();
+    if (!scene.givenPoint) { // the matrices are there all the same
+        for (const char *space :
+             {"object", "world", "eye", "clip", "ndc", "window", "device", "widget", "pixel", "formula", "inverse"})
+            numbers.m_tree.erase(space);
+    }
+    const auto file = scene_file::sceneText(scene_file::sceneFileFrom(scene, *picture, {}));
+    if (!file)
+        return LessonError{scene_file::sceneErrorText(file.error())};
+    numbers.m_tree["surface"] = {
+        {"width", surface.widthPixels}, {"height", surface.heightPixels}, {"ratio", surface.devicePixelRatio}};
+    numbers.m_tree["scene"] = Json::parse(*file);
+    for (const auto &[name, point] : points) {
+        Result<Json, LessonError> one = std::visit(
+            [&, where = "points." + name](const auto &given) { return treeOf(scene, *picture, given, where); }, point);
+        if (!one)
+            return one.error();
+        numbers.m_tree[name] = std::move(one).value();
+    }
+    return numbers;
+}
+
+std::vector<double> StepNumbers::at(std::string_view path) const
+{
+    const Json *node = &m_tree;
+    while (node && !path.empty())
+        node = follow(node, path);
+    std::vector<double> numbers;
+    if (node && node != &m_tree)
+        flatten(*node, numbers);
+    return numbers;
+}
+
+std::optional<DevicePixel> StepNumbers::pixelOf(const std::string &point) const
+{
+    const std::vector<double> pixel = at(point == "point" ? "pixel" : point + ".pixel");
+    if (pixel.size() != 2)
+        return std::nullopt;
+    return DevicePixel{static_cast<int>(pixel[0]), static_cast<int>(pixel[1])};
+}
+
+Result<LessonNumbers, LessonError> LessonNumbers::of(const Lesson &lesson, const Surface &surface)
+{
+    LessonNumbers numbers;
+    const auto models = bundledModels();
+    for (const Step &step : lesson.steps) {
+        const std::string where = lesson.name + ".json: " + step.id;
+        const Result<Scene, LessonError> scene = sceneOf(step, models);
+        if (!scene)
+            return failed(lesson.name + ".json", scene.error().text);
+        const double ratio = surface.devicePixelRatio;
+        const Surface own = step.view ? Surface{step.view->x, step.view->y, ratio} : surface;
+        Result<StepNumbers, LessonError> made = StepNumbers::of(*scene, own, step.points);
+        if (!made)
+            return failed(where, made.error().text);
+        numbers.m_steps.emplace(step.id, std::move(made).value());
+    }
+    return numbers;
+}
+
+std::vector<double> LessonNumbers::at(const std::string &step, std::string_view path) const
+{
+    const std::size_t colon = path.find(':');
+    const std::string of = colon == std::string_view::npos ? step : std::string(path.substr(0, colon));
+    const auto found = m_steps.find(of);
+    return found == m_steps.end() ? std::vector<double>()
+                                  : found->second.at(colon == std::string_view::npos ? path : path.substr(colon + 1));
+}
+
+Result<std::vector<double>, LessonError> LessonNumbers::values(const std::string &step, std::string_view source) const
+{
+    if (std::vector<double> list = at(step, source); !list.empty())
+        return list;
+    const auto named = [&](std::string_view path) -> std::optional<double> {
+        const std::vector<double> numbers = at(step, path);
+        return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
+    };
+    const Result<double, text::ExpressionError> value = text::evaluate(source, named);
+    if (!value)
+        return failed(step, "\"" + std::string(source.substr(value.error().place, value.error().length)) + "\" in \""
+                                + std::string(source) + "\" is no number of this step");
+    return std::vector<double>{*value};
+}
+
+std::vector<std::string> LessonNumbers::faults(const Step &step) const
+{
+    std::vector<std::string> found;
+    const auto look = [&](const std::string &key, const std::string &written) {
+        const std::string where = step.id + "." + key + ": ";
+        const StatedText text = statedText(written);
+        for (const std::string &fault : text.faults)
+            found.push_back(where + fault);
+        for (const Statement &statement : text.statements) {
+            if (statement.isQuoted)
+                continue;
+            std::vector<double> all;
+            std::optional<std::string> fault;
+            for (const std::string &source : statement.sources) {
+                const auto some = values(step.id, source);
+                if (some)
+                    all.insert(all.end(), some->begin(), some->end());
+                else if (!fault)
+                    fault = some.error().text;
+            }
+            if (!fault)
+                fault = faultOf(statement, all);
+            if (fault)
+                found.push_back(where + "\"" + statement.shown + "\" " + *fault);
+        }
+    };
+    look("title", step.title);
+    for (const std::string &paragraph : step.text)
+        look("text", paragraph);
+    if (step.question) {
+        look("question.text", step.question->text);
+        for (const std::string &paragraph : step.question->reveal)
+            look("question.reveal", paragraph);
+        const auto answer = values(step.id, step.question->answer);
+        if (!answer)
+            found.push_back(step.id + ".question.answer: " + answer.error().text);
+        else if (answer->size() != 1)
+            found.push_back(step.id + ".question.answer: \"" + step.question->answer + "\" is more than one number");
+    }
+    return found;
+}
+
+} // namespace unprojector::lessons

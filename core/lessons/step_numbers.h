@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/lessons/lesson.h"
+#include "core/scene/scene.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::lessons {
+using namespace scene;
+
+/// The scene that a step shows.
+/// @param models  those that the program brings along, see bundledModels
+/// @return an error that names the key
+Result<Scene, LessonError> sceneOf(const Step &step, const std::map<std::string, std::shared_ptr<const Model>> &models);
+
+/// Every number that a step's texts can speak of, by a path. They are those that the program shows, on its own way to them.
+///
+///   scene.KEY                   what the scene's file would hold, see scene_file.h: scene.projection.near
+///   surface.width .height .ratio  the view: device pixels, and how many of them there are to a logical one
+///   model view projection viewport modelview whole
+///                               the matrices of PipelineStage, [row][column] from 0, column vectors: projection[2][3]
+///   object world eye clip ndc window device widget
+///                               the followed point (the scene's "point") in each space: .x .y .z .w
+///   formula inverse             what its window point is unprojected to, in the world, by the formulas and by the matrix
+///   NAME.…                      of a point of the step: NAME.ndc.x, NAME.modelview[0][0]; NAME.pixel[0], the pixel that it lies in
+///   STEP:…                      in another step of the lesson, by its id: perspective:projection[0][0]
+///
+/// A path that has several numbers stands for all of them, in their order: eye, scene.projection.
+class StepNumbers {
+public:
+    /// @param surface  of the view that shows it
+    /// @return where the scene has no picture, or a point's object is not there, or its pixel shows nothing
+    static Result<StepNumbers, LessonError> of(const Scene &scene, const Surface &surface,
+                                               const std::map<std::string, StepPoint> &points);
+
+    /// @return none where there is no such number
+    std::vector<double> at(std::string_view path) const;
+
+    /// In pixels of the device: where a click meets a named point.
+    /// @return nothing where there is none in the picture
+    std::optional<DevicePixel> pixelOf(const std::string &point) const;
+
+private:
+    nlohmann::ordered_json m_tree;
+};
+
+/// The numbers of a lesson's steps, so that one can speak of another.
+class LessonNumbers {
+public:
+    /// @param surface  of a view; a step that says its view's size has that one, of the same pixel ratio
+    static Result<LessonNumbers, LessonError> of(const Lesson &lesson, const Surface &surface);
+
+    const StepNumbers &step(const std::string &id) const { return m_steps.at(id); }
+
+    /// A list of numbers: a path that has several, or an expression of single ones, "ndc.x * 2".
+    /// @param step  whose
+    Result<std::vector<double>, LessonError> values(const std::string &step, std::string_view source) const;
+
+    /// What is wrong with the statements of a step, its question's included; each names the step, what the text says and what
+    /// the program computes.
+    std::vector<std::string> faults(const Step &step) const;
+
+private:
+    std::vector<double> at(const std::string &step, std::string_view path) const;
+
+    std::map<std::string, StepNumbers> m_steps;
+};
+
+} // namespace unprojector::lessons

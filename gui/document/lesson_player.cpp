@@ -1,0 +1,173 @@
+#include "gui/document/lesson_player.h"
+
+#include "core/lessons/step_numbers.h"
+#include "core/scene/bundled_models.h"
+#include "gui/document/scene_document.h"
+#include "gui/text/lesson_text.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+std::optional<std::string> resource(const QString &name)
+{
+    QFile file(QStringLiteral(":/lessons/") + name);
+    return file.open(QIODevice::ReadOnly) ? std::optional(file.readAll().toStdString()) : std::nullopt;
+}
+
+bool haveSameTransforms(const Scene &a, const Scene &b)
+{
+    return std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
+                      [](const SceneObject &one, const SceneObject &other) {
+                          return one.model == other.model && one.transform == other.transform
+                                 && one.isHidden == other.isHidden;
+                      });
+}
+
+} // namespace
+
+LessonPlayer::LessonPlayer(SceneDocument &document, Session &session, QObject *parent)
+    : QObject(parent), m_document(document), m_session(session)
+{
+    connect(&session, &Session::opened, this, [this](const QString &lesson) {
+        if (!lesson.isEmpty() || !m_lesson)
+            return;
+        m_lesson = nullptr; // another scene has taken its place
+        m_shown.reset();
+        m_before.reset();
+        emit changed();
+    });
+}
+
+const std::vector<Lesson> &LessonPlayer::lessons()
+{
+    if (std::exchange(m_areRead, true))
+        return m_lessons;
+    //: The file of a lesson in this language, in resources/lessons; %1 is its name.
+    const QString fileName = tr("%1.json");
+    const auto names = lessons::parseLessonNames(resource(QStringLiteral("lessons.json")).value_or(std::string()));
+    if (!names)
+        emit failed(QString::fromStdString(names.error().text));
+    for (const std::string &name : names ? *names : std::vector<std::string>()) {
+        const QString english = QString::fromStdString(name) + QStringLiteral(".json"),
+                      own = fileName.arg(QString::fromStdString(name));
+        const std::optional<std::string> texts = own == english ? std::nullopt : resource(own);
+        auto lesson = lessons::parseLesson(name, resource(english).value_or(std::string()), texts);
+        if (lesson)
+            m_lessons.push_back(std::move(lesson).value());
+        else
+            emit failed(QString::fromStdString(lesson.error().text));
+    }
+    return m_lessons;
+}
+
+bool LessonPlayer::start(const std::string &name)
+{
+    const std::vector<Lesson> &all = lessons();
+    const auto found = std::find_if(all.begin(), all.end(), [&name](const Lesson &one) { return one.name == name; });
+    return found != all.end() && show(*found, 0);
+}
+
+bool LessonPlayer::goTo(std::size_t place)
+{
+    return show(*m_lesson, place);
+}
+
+bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
+{
+    const lessons::Step &step = lesson.steps.at(place);
+    // What is done in a scene that the next step goes on with stays.
+    const bool goesOn = m_lesson == &lesson && this->step().scene == step.scene;
+    if (!goesOn && !open(lesson, step))
+        return false;
+    m_lesson = &lesson;
+    m_place = place;
+    emit changed();
+    return true;
+}
+
+bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
+{
+    auto scene = lessons::sceneOf(step, bundledModels());
+    if (!scene) {
+        emit failed(QString::fromStdString(scene.error().text));
+        return false;
+    }
+    if (!m_session.mayLeave())
+        return false;
+    if (!m_lesson)
+        m_before = m_session.keptScene();
+    if (!m_session.openLesson(std::move(scene).value(), lessonTitle(step.title), QString::fromStdString(lesson.name)))
+        return false;
+    m_shown = m_document.scene();
+    return true;
+}
+
+bool LessonPlayer::leave()
+{
+    if (!m_lesson || !m_session.mayLeave())
+        return false;
+    const std::optional<Session::KeptScene> before = std::exchange(m_before, std::nullopt);
+    m_lesson = nullptr;
+    m_shown.reset();
+    if (before)
+        m_session.comeBackTo(*before);
+    emit changed();
+    return true;
+}
+
+bool LessonPlayer::isAsTheStep() const
+{
+    if (!m_shown)
+        return false;
+    const Scene &now = m_document.scene();
+    const Result<Picture> picture = pictureOf(*m_shown, m_document.geometry().surface, m_document.ground());
+    return picture && *picture == m_document.geometry() && now.clipPlanes == m_shown->clipPlanes
+           && haveSameTransforms(now, *m_shown);
+}
+
+bool LessonPlayer::restart()
+{
+    return m_lesson && open(*m_lesson, step());
+}
+
+bool LessonPlayer::hasViewOfStep() const
+{
+    const Surface &surface = m_document.geometry().surface;
+    return !step().view || *step().view == glm::ivec2(surface.widthPixels, surface.heightPixels);
+}
+
+std::optional<double> LessonPlayer::answer() const
+{
+    // Of the step as it is written, whatever was done to its scene.
+    const auto numbers = lessons::LessonNumbers::of(*m_lesson, m_document.geometry().surface);
+    if (!numbers)
+        return std::nullopt;
+    const auto values = numbers->values(step().id, step().question->answer);
+    return values && values->size() == 1 ? std::optional(values->front()) : std::nullopt;
+}
+
+std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
+{
+    const auto found = step().points.find(point);
+    if (found != step().points.end()) {
+        if (const auto *pixel = std::get_if<DevicePixel>(&found->second))
+            return *pixel;
+    }
+    // In the picture as it is now.
+    std::map<std::string, lessons::StepPoint> points;
+    if (found != step().points.end())
+        points.insert(*found);
+    const Surface &surface = m_document.geometry().surface;
+    const auto numbers = lessons::StepNumbers::of(m_document.scene(), surface, points);
+    const std::optional<DevicePixel> pixel = numbers ? numbers->pixelOf(point) : std::nullopt;
+    const bool isInside =
+        pixel && pixel->i >= 0 && pixel->j >= 0 && pixel->i < surface.widthPixels && pixel->j < surface.heightPixels;
+    return isInside ? pixel : std::nullopt;
+}
+
+} // namespace unprojector::gui

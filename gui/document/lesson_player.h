@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/lessons/lesson.h"
+#include "gui/document/session.h"
+
+#include <QObject>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace unprojector::gui {
+using lessons::Lesson;
+
+/// Which step of which lesson is shown, without a widget: opens the steps' scenes, knows the answers to what they ask, and gives
+/// back at the end what was shown before.
+class LessonPlayer : public QObject {
+    Q_OBJECT
+public:
+    /// @param document, session  outlive the player
+    LessonPlayer(SceneDocument &document, Session &session, QObject *parent = nullptr);
+
+    /// All lessons in their order, in the program's language; read when they are first asked for. One that cannot be read is
+    /// told by `failed` and left out.
+    const std::vector<Lesson> &lessons();
+
+    /// Null while there is none.
+    const Lesson *lesson() const { return m_lesson; }
+    /// The place of the step in the lesson.
+    std::size_t place() const { return m_place; }
+    /// @pre lesson()
+    const lessons::Step &step() const { return m_lesson->steps[m_place]; }
+
+    // What leaves a scene asks about its unsaved changes; where the user stays, nothing has changed, and false is returned.
+
+    /// Starts a lesson at its first step.
+    bool start(const std::string &name);
+    /// @pre lesson(), place < its number of steps
+    bool goTo(std::size_t place);
+    bool hasNext() const { return m_lesson && m_place + 1 < m_lesson->steps.size(); }
+    bool hasPrevious() const { return m_lesson && m_place > 0; }
+    /// @pre hasNext()
+    bool next() { return goTo(m_place + 1); }
+    /// @pre hasPrevious()
+    bool previous() { return goTo(m_place - 1); }
+    /// Ends the lesson and shows again what was shown before it, its unsaved changes included.
+    bool leave();
+
+    /// Whether camera, projection, viewport and objects are as the step has them.
+    bool isAsTheStep() const;
+    /// Shows the step's scene as it was at first.
+    bool restart();
+    /// Whether the numbers of the step hold in the view as large as it is.
+    bool hasViewOfStep() const;
+
+    /// What the step asks for. @pre it asks
+    /// @return nothing where it cannot be computed, which is a mistake of ours
+    std::optional<double> answer() const;
+    /// Where to click for a point that the step names; nothing where it is not in the picture as it is now.
+    std::optional<DevicePixel> pixelOf(const std::string &point) const;
+
+signals:
+    /// Another step, another lesson, or none.
+    void changed();
+    void failed(const QString &reason);
+
+private:
+    bool show(const Lesson &lesson, std::size_t place);
+    bool open(const Lesson &lesson, const lessons::Step &step);
+
+    SceneDocument &m_document;
+    Session &m_session;
+    std::vector<Lesson> m_lessons;
+    bool m_areRead = false;
+    const Lesson *m_lesson = nullptr; ///< one of m_lessons
+    std::size_t m_place = 0;
+    std::optional<Scene> m_shown;               ///< the step's, as it was opened
+    std::optional<Session::KeptScene> m_before; ///< what was shown before the lesson
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,119 @@
+// The window and its lessons: their menu, their panel, what their links do.
+
+#include "gui/document/lesson_player.h"
+#include "gui/text/lesson_text.h"
+#include "gui/view/scene_view.h"
+#include "gui/window/main_window.h"
+#include "gui/window/overlay_bars.h"
+#include "gui/window/place_ids.h"
+#include "gui/window/work_places.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QTimer>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+
+void MainWindow::createLessonsMenu(QMenu &menu)
+{
+    for (const Lesson &lesson : m_lessons->lessons()) {
+        addAction(&menu, lessonTitle(lesson.title), {}, lessonTitle(lesson.title),
+                  [this, name = lesson.name] { m_lessons->start(name); });
+    }
+    menu.addSeparator();
+    QAction *next = addAction(&menu, tr("&Next Step"), Qt::ALT | Qt::Key_PageDown, tr("The next step of the lesson"),
+                              [this] { m_lessons->next(); });
+    QAction *back = addAction(&menu, tr("&Previous Step"), Qt::ALT | Qt::Key_PageUp,
+                              tr("The step of the lesson before this one"), [this] { m_lessons->previous(); });
+    QAction *leave =
+        addAction(&menu, tr("L&eave Lesson"), {}, tr("End the lesson; what was shown before it comes back"),
+                  [this] { m_lessons->leave(); });
+    const auto enable = [this, next, back, leave] {
+        next->setEnabled(m_lessons->hasNext());
+        back->setEnabled(m_lessons->hasPrevious());
+        leave->setEnabled(m_lessons->lesson() != nullptr);
+    };
+    connect(m_lessons, &LessonPlayer::changed, this, enable);
+    enable();
+}
+
+void MainWindow::leaveLessonOrStay()
+{
+    if (!m_lessons->leave() && m_lessons->lesson())
+        m_places->show(kLessonPanel);
+}
+
+void MainWindow::showLesson()
+{
+    if (!m_lessons->lesson()) {
+        m_places->dock(kLessonPanel)->hide();
+        for (const char *panel : std::exchange(m_panelsOfLesson, {}))
+            m_places->dock(panel)->hide();
+        if (const char *place = std::exchange(m_placeBeforeLesson, nullptr))
+            m_places->enter(place);
+        if (const auto size = std::exchange(m_sizeBeforeLesson, std::nullopt))
+            resize(*size);
+        m_lessonPlace.clear();
+        return;
+    }
+    if (!m_placeBeforeLesson)
+        m_placeBeforeLesson = m_places->current();
+    const lessons::Step &step = m_lessons->step();
+    if (step.place != m_lessonPlace) {
+        m_lessonPlace = step.place;
+        if (!step.place.empty())
+            followLessonLink(QStringLiteral("place"), QString::fromStdString(step.place));
+    }
+    for (const std::string &panel : step.panels)
+        followLessonLink(QStringLiteral("panel"), QString::fromStdString(panel));
+    m_places->show(kLessonPanel);
+}
+
+void MainWindow::showPanelOfLesson(const char *panel)
+{
+    if (m_places->dock(panel)->isHidden())
+        m_panelsOfLesson.push_back(panel);
+    m_places->show(panel);
+}
+
+void MainWindow::followLessonLink(const QString &scheme, const QString &target)
+{
+    const auto isIt = [id = target.toLatin1()](const auto &one) { return id == one.id; };
+    if (scheme == QLatin1String("formulas")) {
+        showFormulas(target);
+    } else if (scheme == QLatin1String("click")) {
+        if (const auto pixel = m_lessons->pixelOf(target.toStdString()))
+            m_view->pickPixel(*pixel);
+        else
+            m_message->showMessage(
+                tr("The point is not in the picture as it is now. Put the picture back as the step has it."));
+    } else if (scheme == QLatin1String("panel")) {
+        const auto &panels = m_places->panels();
+        if (const auto panel = std::find_if(panels.begin(), panels.end(), isIt); panel != panels.end())
+            showPanelOfLesson(panel->id);
+    } else if (scheme == QLatin1String("place")) {
+        const auto &places = m_places->places();
+        if (const auto place = std::find_if(places.begin(), places.end(), isIt);
+            place != places.end() && qstrcmp(place->id, m_places->current()) != 0)
+            m_places->enter(place->id);
+    } else if (scheme == QLatin1String("view")) {
+        const double ratio = m_view->devicePixelRatioF();
+        const QSize pixels(target.section(u'x', 0, 0).toInt(), target.section(u'x', 1).toInt());
+        if (!m_sizeBeforeLesson)
+            m_sizeBeforeLesson = size();
+        const QSize wanted = (QSizeF(pixels) / ratio).toSize();
+        setViewSize(wanted);
+        // In a window that cannot be narrower the panel takes the rest, once all stands where it will.
+        QTimer::singleShot(0, this, [this, wanted] {
+            QDockWidget *dock = m_places->dock(kLessonPanel);
+            if (const int rest = m_view->width() - wanted.width(); rest > 0)
+                resizeDocks({dock}, {dock->width() + rest}, Qt::Horizontal);
+        });
+    }
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,333 @@
+// The lessons that come with the program, each step of each in both languages: every number that a text states is the one that
+// the program computes, every link leads somewhere. And what is said of lessons that cannot be read.
+
+#include "core/lessons/lesson.h"
+#include "core/lessons/statements.h"
+#include "core/lessons/step_numbers.h"
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::lessons;
+
+namespace {
+
+const QString kFolder = QStringLiteral(UNPROJECTOR_SOURCE_DIR "/resources/lessons/");
+
+std::string fileText(const QString &name)
+{
+    QFile file(kFolder + name);
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("%s cannot be read.", qPrintable(file.fileName()));
+    return file.readAll().toStdString();
+}
+
+std::vector<std::string> names()
+{
+    const auto listed = parseLessonNames(fileText(QStringLiteral("lessons.json")));
+    if (!listed)
+        qFatal("%s", listed.error().text.c_str());
+    return *listed;
+}
+
+Lesson lessonOf(const QString &name, bool isTranslated)
+{
+    const auto lesson = isTranslated ? parseLesson(name.toStdString(), fileText(name + QStringLiteral(".json")),
+                                                   fileText(name + QStringLiteral("_zh_CN.json")))
+                                     : parseLesson(name.toStdString(), fileText(name + QStringLiteral(".json")));
+    if (!lesson)
+        qFatal("%s", lesson.error().text.c_str());
+    return *lesson;
+}
+
+QString allOf(const Step &step)
+{
+    std::string all;
+    for (const std::string &paragraph : step.text)
+        all += paragraph;
+    if (step.question) {
+        all += step.question->text;
+        for (const std::string &paragraph : step.question->reveal)
+            all += paragraph;
+    }
+    return QString::fromStdString(all);
+}
+
+/// Where the links of a step lead to.
+QStringList linksOf(const Step &step)
+{
+    static const QRegularExpression link(QStringLiteral("<a href='([^']*)'>"));
+    QStringList links;
+    for (auto it = link.globalMatch(allOf(step)); it.hasNext();)
+        links << it.next().captured(1);
+    links.sort();
+    return links;
+}
+
+QString written(const std::vector<std::string> &lines)
+{
+    QString text;
+    for (const std::string &line : lines)
+        text += QString::fromStdString(line) + QLatin1Char('\n');
+    return text;
+}
+
+/// A lesson of one step on a scene that is there, with these members besides.
+std::string oneStep(const char *members)
+{
+    return std::string(R"({"title": "T", "steps": [{"id": "a", "title": "A", "text": ["x"])") + members + "}]}";
+}
+
+} // namespace
+
+class TestLessons : public QObject {
+    Q_OBJECT
+
+private slots:
+    void allFilesAreListed();
+    void everyNumberIsThePrograms_data();
+    void everyNumberIsThePrograms();
+    void everyTextIsTranslated_data() { lessonRows(); }
+    void everyTextIsTranslated();
+    void everyLinkLeadsSomewhere_data() { lessonRows(); }
+    void everyLinkLeadsSomewhere();
+    void aWrongNumberIsFound_data();
+    void aWrongNumberIsFound();
+    void statementsAreTakenApart_data();
+    void statementsAreTakenApart();
+    void aStepGoesOnFromTheOneBefore();
+    void aFaultNamesItsPlace_data();
+    void aFaultNamesItsPlace();
+    void translationsMayBeIncomplete();
+
+private:
+    static void lessonRows();
+};
+
+void TestLessons::lessonRows()
+{
+    QTest::addColumn<QString>("name");
+    for (const std::string &name : names())
+        QTest::newRow(name.c_str()) << QString::fromStdString(name);
+}
+
+void TestLessons::allFilesAreListed()
+{
+    QStringList wanted{QStringLiteral("lessons.json")};
+    for (const std::string &name : names())
+        wanted << QString::fromStdString(name) + QStringLiteral(".json")
+               << QString::fromStdString(name) + QStringLiteral("_zh_CN.json");
+    wanted.sort();
+    QCOMPARE(QDir(kFolder).entryList(QDir::Files, QDir::Name), wanted);
+}
+
+void TestLessons::everyNumberIsThePrograms_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<bool>("isTranslated");
+    for (const std::string &name : names()) {
+        QTest::addRow("%s", name.c_str()) << QString::fromStdString(name) << false;
+        QTest::addRow("%s, Chinese", name.c_str()) << QString::fromStdString(name) << true;
+    }
+}
+
+void TestLessons::everyNumberIsThePrograms()
+{
+    QFETCH(QString, name);
+    QFETCH(bool, isTranslated);
+    const Lesson lesson = lessonOf(name, isTranslated);
+    for (const Surface &surface : {Surface{800, 600, 1.0}, Surface{1333, 900, 1.25}}) {
+        const auto numbers = LessonNumbers::of(lesson, surface);
+        QVERIFY2(numbers, numbers ? "" : numbers.error().text.c_str());
+        for (const Step &step : lesson.steps) {
+            const QString faults = written(numbers->faults(step));
+            QVERIFY2(faults.isEmpty(), qPrintable(faults));
+        }
+    }
+}
+
+void TestLessons::everyTextIsTranslated()
+{
+    QFETCH(QString, name);
+    const Lesson english = lessonOf(name, false), chinese = lessonOf(name, true);
+    const auto missing = untranslated(english, fileText(name + QStringLiteral("_zh_CN.json")));
+    QVERIFY(missing);
+    QVERIFY2(missing->empty(), qPrintable(written(*missing)));
+    for (std::size_t i = 0; i < english.steps.size(); ++i) {
+        QCOMPARE(linksOf(chinese.steps[i]), linksOf(english.steps[i]));
+        QCOMPARE(chinese.steps[i].text.size(), english.steps[i].text.size());
+    }
+}
+
+void TestLessons::everyLinkLeadsSomewhere()
+{
+    QFETCH(QString, name);
+    const Lesson lesson = lessonOf(name, false);
+    const auto numbers = LessonNumbers::of(lesson, {800, 600, 1.0});
+    QVERIFY(numbers);
+    for (const Step &step : lesson.steps) {
+        for (const QString &link : linksOf(step)) {
+            const std::string where = (step.id + ": " + link.toStdString());
+            const std::string to = link.section(QLatin1Char(':'), 1).toStdString();
+            if (link.startsWith(QLatin1String("step:")))
+                QVERIFY2(lesson.step(to), where.c_str());
+            else if (link.startsWith(QLatin1String("click:")))
+                QVERIFY2(numbers->step(step.id).pixelOf(to), where.c_str());
+            else
+                QVERIFY2(link.startsWith(QLatin1String("formulas:")) || link.startsWith(QLatin1String("panel:"))
+                             || link.startsWith(QLatin1String("place:")) || link.startsWith(QLatin1String("view:")),
+                         where.c_str());
+        }
+    }
+}
+
+void TestLessons::aWrongNumberIsFound_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("fault");
+    const auto row = [](const char *name, const char *text, const char *fault) {
+        QTest::newRow(name) << QByteArray(text) << QByteArray(fault);
+    };
+    row("right", "{−8 = modelview[2][3]} and {(0, 0, 5) = scene.view.eye}", "");
+    row("rounded", "{−0.10 = projection[2][2]}, {0.1 = projection[0][0]}", "");
+    row("another", "{−7 = modelview[2][3]}", "a.text: \"−7\" says -7, it is -8");
+    row("another sign", "{8 = modelview[2][3]}", "a.text: \"8\" says 8, it is -8");
+    row("its last digit", "{0.11 = projection[0][0]}", "a.text: \"0.11\" says 0.11, it is 0.1");
+    row("a whole number is meant exactly", "{2 = 2.4}", "a.text: \"2\" says 2, it is 2.4");
+    row("too many", "{(1, 1) = eye.z}", "a.text: \"(1, 1)\" says 2 numbers and names 1");
+    row("no such path", "{1 = eye.q}", "a.text: \"1\" a: \"eye.q\" in \"eye.q\" is no number of this step");
+    row("of no source", "It is 5.", "a.text: 1 numbers outside of braces in \"It is 5.\"");
+    row("an index is a name", "m[14] = {−8 = modelview[2][3]}", "");
+    row("an expression", "{16 = -2 * eye.z}, {4/5 = eye.z / -10}", "");
+}
+
+void TestLessons::aWrongNumberIsFound()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, fault);
+    auto lesson = parseLesson("t", oneStep(R"(, "scene": "zhangci-model-view")"));
+    QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+    Lesson made = *lesson;
+    made.steps[0].text = {text.toStdString()};
+    const auto numbers = LessonNumbers::of(made, {800, 600, 1.0});
+    QVERIFY(numbers);
+    QCOMPARE(written(numbers->faults(made.steps[0])).trimmed(), QString::fromUtf8(fault));
+}
+
+void TestLessons::statementsAreTakenApart_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("shown");
+    QTest::addColumn<QList<double>>("numbers");
+    QTest::addColumn<int>("faults");
+    const auto row = [](const char *name, const char *text, const char *shown, const QList<double> &numbers,
+                        int faults = 0) {
+        QTest::newRow(name) << QByteArray(text) << QByteArray(shown) << numbers << faults;
+    };
+    row("none", "nothing", "nothing", {});
+    row("signs", "{−1, -2 and ±3 = a}", "−1, -2 and ±3", {-1, -2, 3});
+    row("differences", "{500 − (187 + 0.5) = 312.5 = a}", "500 − (187 + 0.5) = 312.5", {500, 187, 0.5, 312.5});
+    row("fractions", "{−3/7 or 16 : 9 = a}", "−3/7 or 16 : 9", {-3.0 / 7, 16.0 / 9});
+    row("names", "{m[14] = −8 = a}", "m[14] = −8", {-8});
+    row("a range of them", "m[0..15] {2 = a}", "m[0..15] 2", {2});
+    row("links to formulas", "<a href='formulas:w9'>(9)</a> {<b>2</b> = a}", "<a href='formulas:w9'>(9)</a> <b>2</b>",
+        {2});
+    row("loose", "7 {8 = a}", "7 8", {8}, 1);
+    row("no source", "{8}", "", {}, 1);
+    row("unclosed", "a {8 = b", "a ", {}, 1);
+    row("unopened", "8} = b", "8", {}, 2);
+}
+
+void TestLessons::statementsAreTakenApart()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, shown);
+    QFETCH(QList<double>, numbers);
+    QFETCH(int, faults);
+    const StatedText made = statedText(text.toStdString());
+    QCOMPARE(QByteArray::fromStdString(made.shown), shown);
+    QList<double> found;
+    for (const Statement &statement : made.statements) {
+        for (const StatedNumber &number : statement.numbers)
+            found << number.value;
+    }
+    QCOMPARE(found, numbers);
+    QCOMPARE(int(made.faults.size()), faults);
+}
+
+void TestLessons::aStepGoesOnFromTheOneBefore()
+{
+    const auto lesson = parseLesson("t", R"({"title": "T", "steps": [
+        {"id": "a", "title": "A", "text": ["x"], "scene": "zhangci-perspective", "view": [30, 20],
+         "points": {"p": {"space": "world", "coordinates": [1, 2, 3]}}},
+        {"id": "b", "title": "B", "text": ["x"], "change": {"projection": {"near": 2}}},
+        {"id": "c", "title": "C", "text": ["x"], "scene": "zhangci-2d"}]})");
+    QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+    QCOMPARE(lesson->steps[1].scene["projection"]["near"].get<double>(), 2.0);
+    QCOMPARE(lesson->steps[1].scene["projection"]["far"].get<double>(), 100.0);
+    QVERIFY(lesson->steps[1].view == glm::ivec2(30, 20));
+    QCOMPARE(lesson->steps[1].points.size(), std::size_t(1));
+    QVERIFY(!lesson->steps[2].view && lesson->steps[2].points.empty());
+    const auto numbers = LessonNumbers::of(*lesson, {800, 600, 1.0});
+    QVERIFY(numbers);
+    QCOMPARE(numbers->values("a", "b:scene.projection.near").value().front(), 2.0);
+    QCOMPARE(numbers->values("b", "p.world").value().size(), std::size_t(3));
+}
+
+void TestLessons::aFaultNamesItsPlace_data()
+{
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QByteArray>("error");
+    const auto row = [](const char *name, const std::string &json, const char *error) {
+        QTest::newRow(name) << QByteArray::fromStdString(json) << QByteArray(error);
+    };
+    row("no JSON", "{", "t.json:1:2: ");
+    row("no steps", R"({"title": "T"})", "t.json: steps: is missing");
+    row("a wrong key", oneStep(R"(, "scene": "zhangci-2d", "tex": 1)"), "t.json: steps[0]: there is no key \"tex\"");
+    row("no scene", oneStep(""), "t.json: steps[0]: the first step must have a \"scene\"");
+    row("an unknown scene", oneStep(R"(, "scene": "kettle")"),
+        "t.json: steps[0].scene: the program brings along no scene \"kettle\"");
+    row("both", oneStep(R"(, "scene": "zhangci-2d", "change": {})"),
+        "t.json: steps[0]: has a \"scene\" and a \"change\"");
+    row("a taken name", oneStep(R"(, "scene": "zhangci-2d", "points": {"eye": {"pixel": [1, 1]}})"),
+        "t.json: steps[0].points: \"eye\" is no free name");
+    row("a point without coordinates", oneStep(R"(, "scene": "zhangci-2d", "points": {"p": {"space": "eye"}})"),
+        "t.json: steps[0].points.p.coordinates: is missing");
+    row("no tolerance", oneStep(R"(, "scene": "zhangci-2d", "question": {"answer": "eye.z"})"),
+        "t.json: steps[0].question.tolerance: is missing");
+    row("half a view", oneStep(R"(, "scene": "zhangci-2d", "view": [1.5, 2])"),
+        "t.json: steps[0]: \"view\" must be two whole numbers above 0");
+}
+
+void TestLessons::aFaultNamesItsPlace()
+{
+    QFETCH(QByteArray, json);
+    QFETCH(QByteArray, error);
+    const auto lesson = parseLesson("t", json.toStdString());
+    QVERIFY(!lesson);
+    const QByteArray text = QByteArray::fromStdString(lesson.error().text);
+    QVERIFY2(text.startsWith(error), text.constData());
+}
+
+void TestLessons::translationsMayBeIncomplete()
+{
+    const std::string lesson = oneStep(R"(, "source": "S", "scene": "zhangci-2d")");
+    const auto translated = parseLesson("t", lesson, R"({"steps": [{"id": "a", "title": "甲"}]})");
+    QVERIFY2(translated, translated ? "" : translated.error().text.c_str());
+    QCOMPARE(translated->steps[0].title, std::string("甲"));
+    QCOMPARE(translated->steps[0].text, std::vector<std::string>{"x"});
+    QCOMPARE(*untranslated(*parseLesson("t", lesson), R"({"steps": [{"id": "a", "title": "甲"}]})"),
+             (std::vector<std::string>{"title", "a.text", "a.source"}));
+    const auto other = parseLesson("t", lesson, R"({"steps": [{"id": "b"}]})");
+    QVERIFY(!other);
+    QCOMPARE(other.error().text, std::string("t, translated: steps[0]: the lesson has no step \"b\""));
+}
+
+QTEST_APPLESS_MAIN(TestLessons)
+#include "test_lessons.moc"

@@ -1,0 +1,313 @@
+// Lessons in the window: every step of every lesson opens, every link of it does what it says, what it asks is checked, and
+// what was shown before comes back.
+
+#include "core/lessons/lesson.h"
+#include "gui/document/lesson_player.h"
+#include "gui/text/formula_markup.h"
+#include "gui/window/lesson_panel.h"
+#include "window_user.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSet>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTextBrowser>
+
+#include <algorithm>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace guitest;
+
+namespace {
+
+constexpr QSize kWide(1280, 800);
+
+LessonPanel &panelOf(MainWindow &window)
+{
+    return *window.findChild<LessonPanel *>();
+}
+
+/// The links of a step, whether they are in sight or not.
+QStringList linksOf(const lessons::Step &step)
+{
+    std::vector<std::string> all = step.text;
+    if (step.question)
+        all.insert(all.end(), step.question->reveal.begin(), step.question->reveal.end());
+    static const QRegularExpression link(QStringLiteral("<a href='([^']*)'>"));
+    QStringList links;
+    for (const std::string &paragraph : all) {
+        for (auto it = link.globalMatch(QString::fromStdString(paragraph)); it.hasNext();)
+            links << it.next().captured(1);
+    }
+    return links;
+}
+
+void follow(MainWindow &window, const QString &link)
+{
+    emit panelOf(window).findChild<QTextBrowser *>()->anchorClicked(QUrl(link));
+}
+
+QPushButton *buttonOf(MainWindow &window, const QString &text)
+{
+    for (QPushButton *button : panelOf(window).findChildren<QPushButton *>()) {
+        if (button->text().remove(u'&') == text)
+            return button;
+    }
+    return nullptr;
+}
+
+/// What the panel says of an answer or of the picture: the label with this name or with a link.
+QString verdictOf(MainWindow &window)
+{
+    for (const QLabel *label : panelOf(window).findChildren<QLabel *>()) {
+        if (label->accessibleName() == QStringLiteral("Whether your answer is right"))
+            return label->text();
+    }
+    return {};
+}
+
+QLabel *hintOf(MainWindow &window)
+{
+    for (QLabel *label : panelOf(window).findChildren<QLabel *>()) {
+        if (label->text().contains(QLatin1String("<a href=")))
+            return label;
+    }
+    return nullptr;
+}
+
+void answer(MainWindow &window, const QString &text)
+{
+    auto *field = panelOf(window).findChild<QLineEdit *>();
+    field->setText(text);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+QSet<QString> anchorsOfHelp()
+{
+    QFile file(QStringLiteral(":/help/formulas.html"));
+    QSet<QString> names;
+    static const QRegularExpression name(QStringLiteral("<a name=['\"]([^'\"]+)['\"]"));
+    const QString page = file.open(QIODevice::ReadOnly) ? typeset(QString::fromUtf8(file.readAll())) : QString();
+    for (auto matches = name.globalMatch(page); matches.hasNext();)
+        names.insert(matches.next().captured(1));
+    return names;
+}
+
+template <class List>
+bool has(const List &list, const QString &id)
+{
+    return std::any_of(list.begin(), list.end(), [&id](const auto &one) { return id == QLatin1String(one.id); });
+}
+
+} // namespace
+
+class TestLessonsWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void everyStepOpensAndItsLinksLead_data();
+    void everyStepOpensAndItsLinksLead();
+    void anAnswerIsChecked();
+    void anAnswerIsShown();
+    void whatIsDoneStaysInTheSameScene();
+    void whatWasShownComesBack();
+    void anotherSceneEndsTheLesson();
+    void theKeysGoFromStepToStep();
+    void theViewGetsTheSizeOfTheNumbers();
+};
+
+void TestLessonsWindow::everyStepOpensAndItsLinksLead_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    const auto window = windowOfSize(kWide);
+    for (const Lesson &lesson : window->lessons().lessons())
+        QTest::newRow(lesson.name.c_str()) << QByteArray::fromStdString(lesson.name);
+}
+
+void TestLessonsWindow::everyStepOpensAndItsLinksLead()
+{
+    QFETCH(QByteArray, name);
+    static const QSet<QString> formulas = anchorsOfHelp();
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = window->lessons();
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
+    QVERIFY(player.start(name.toStdString()));
+    for (std::size_t place = 0; place < player.lesson()->steps.size(); ++place) {
+        QVERIFY(player.goTo(place));
+        const lessons::Step &step = player.step();
+        QVERIFY(isSeen(*window, "lesson"));
+        QVERIFY(step.place.empty() || step.place == window->places().current());
+        QVERIFY(player.isAsTheStep());
+        QVERIFY(!step.question || player.answer());
+        QVERIFY2(panelOf(*window).sizeHint().width() <= 360, step.id.c_str());
+        QVERIFY(!panelOf(*window).text().contains(u'{'));
+        for (const std::string &panel : step.panels)
+            QVERIFY2(has(window->places().panels(), QString::fromStdString(panel)), step.id.c_str());
+        if (step.view) {
+            follow(*window, QStringLiteral("view:%1x%2").arg(step.view->x).arg(step.view->y));
+            QTRY_VERIFY2(player.hasViewOfStep(), step.id.c_str());
+        }
+        for (const QString &link : linksOf(step)) {
+            const QByteArray where = (QString::fromStdString(step.id) + u' ' + link).toUtf8();
+            const QString to = link.section(u':', 1);
+            if (link.startsWith(QLatin1String("click:"))) {
+                window->document().clearPick();
+                follow(*window, link);
+                QVERIFY2(window->document().pick() && window->document().pick()->hit(), where);
+            } else if (link.startsWith(QLatin1String("panel:"))) {
+                QVERIFY2(has(window->places().panels(), to), where);
+                follow(*window, link);
+                QVERIFY2(!dockOf(*window, to.toLatin1())->isHidden(), where);
+            } else if (link.startsWith(QLatin1String("place:"))) {
+                QVERIFY2(has(window->places().places(), to), where);
+            } else if (link.startsWith(QLatin1String("formulas:"))) {
+                QVERIFY2(formulas.contains(to), where);
+            }
+        }
+    }
+}
+
+void TestLessonsWindow::anAnswerIsChecked()
+{
+    const auto window = windowOfSize(kWide);
+    QVERIFY(window->lessons().start("first"));
+    QVERIFY(window->lessons().goTo(1));
+    const QString shown = panelOf(*window).text();
+    QVERIFY(!shown.contains(QStringLiteral("312.5")));
+    answer(*window, QStringLiteral("312"));
+    QCOMPARE(verdictOf(*window), QStringLiteral("312 is not it. Try again, or have it shown."));
+    QCOMPARE(panelOf(*window).text(), shown);
+    answer(*window, QStringLiteral("2*"));
+    QCOMPARE(verdictOf(*window), QStringLiteral("“2*” ends where a number is wanted."));
+    answer(*window, QStringLiteral("500 - 187.5"));
+    QCOMPARE(verdictOf(*window), QStringLiteral("Right: 312.5."));
+    QVERIFY(panelOf(*window).text().contains(QStringLiteral("500 − (187 + 0.5) = 312.5")));
+    QVERIFY(window->lessons().goTo(2));
+    QVERIFY(verdictOf(*window).isEmpty());
+}
+
+void TestLessonsWindow::anAnswerIsShown()
+{
+    const auto window = windowOfSize(kWide);
+    QVERIFY(window->lessons().start("pipeline"));
+    QVERIFY(window->lessons().goTo(1));
+    QVERIFY(!panelOf(*window).text().contains(QStringLiteral("m[14] = −8")));
+    buttonOf(*window, QStringLiteral("Show"))->click();
+    QCOMPARE(verdictOf(*window), QStringLiteral("It is -8."));
+    QVERIFY(panelOf(*window).text().contains(QStringLiteral("m[14] = −8")));
+}
+
+void TestLessonsWindow::whatIsDoneStaysInTheSameScene()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = window->lessons();
+    QVERIFY(player.start("first"));
+    follow(*window, QStringLiteral("view:500x500"));
+    QTRY_VERIFY(player.hasViewOfStep());
+    QVERIFY(!hintOf(*window));
+    follow(*window, QStringLiteral("click:clicked"));
+    QVERIFY(window->document().pick());
+    QVERIFY(player.goTo(1));
+    QVERIFY(window->document().pick());
+    LookAt turned = window->document().scene().camera;
+    turned.eye = turned.eye + WorldVector(1, 0, 0);
+    window->document().setCamera(turned);
+    QVERIFY(!player.isAsTheStep());
+    QVERIFY(hintOf(*window));
+    emit hintOf(*window)->linkActivated(QStringLiteral("restart:"));
+    QVERIFY(player.isAsTheStep());
+    QVERIFY(!hintOf(*window));
+    QVERIFY(player.goTo(2));
+}
+
+void TestLessonsWindow::whatWasShownComesBack()
+{
+    const auto window = windowOfSize(kWide);
+    SceneDocument &document = window->document();
+    window->places().enter("points");
+    QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, 0.5}}, {}, {QStringLiteral("Plane")}));
+    const QString name = window->session().name();
+    const Model *model = document.objects().front().model.get();
+    const QSize size = window->size();
+    QVERIFY(window->lessons().start("first"));
+    QCOMPARE(window->places().current(), "click");
+    follow(*window, QStringLiteral("view:300x300"));
+    QTRY_COMPARE(window->view().size(), QSize(300, 300));
+    QVERIFY(window->session().name() != name);
+    follow(*window, QStringLiteral("panel:pipeline"));
+    QVERIFY(isSeen(*window, "pipeline"));
+    dockOf(*window, "lesson")->close();
+    QVERIFY(!window->lessons().lesson());
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
+    QCOMPARE(window->session().name(), name);
+    QCOMPARE(document.objects().front().model.get(), model);
+    QCOMPARE(document.scene().clipPlanes.size(), std::size_t(1));
+    QVERIFY(window->session().hasUnsavedChanges());
+    QCOMPARE(window->places().current(), "points");
+    QCOMPARE(window->size(), size);
+    window->places().enter("click");
+    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+}
+
+void TestLessonsWindow::anotherSceneEndsTheLesson()
+{
+    const auto window = windowOfSize(kWide);
+    QVERIFY(window->lessons().start("rows"));
+    const QSignalSpy changes(&window->lessons(), &LessonPlayer::changed);
+    window->session().openBundledScene();
+    QVERIFY(!window->lessons().lesson());
+    QCOMPARE(changes.size(), 1);
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
+    QVERIFY(!window->lessons().leave());
+}
+
+void TestLessonsWindow::theKeysGoFromStepToStep()
+{
+    const auto window = windowOfSize(kWide);
+    QAction *next = actionOf(*window, QStringLiteral("Next Step")),
+            *back = actionOf(*window, QStringLiteral("Previous Step")),
+            *leave = actionOf(*window, QStringLiteral("Leave Lesson"));
+    QVERIFY(!next->isEnabled() && !back->isEnabled() && !leave->isEnabled());
+    QVERIFY(window->lessons().start("derivation"));
+    QVERIFY(next->isEnabled() && !back->isEnabled() && leave->isEnabled());
+    window->activateWindow(); // keys are for the active one
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QTest::keyClick(&window->view(), Qt::Key_PageDown, Qt::AltModifier);
+    QCOMPARE(window->lessons().place(), std::size_t(1));
+    auto *steps = panelOf(*window).findChild<QComboBox *>();
+    QCOMPARE(steps->currentIndex(), 1);
+    QVERIFY(steps->currentText().startsWith(QStringLiteral("2 of 3")));
+    follow(*window, QStringLiteral("step:frustum"));
+    QCOMPARE(window->lessons().place(), std::size_t(2));
+    QVERIFY(!next->isEnabled() && !buttonOf(*window, QStringLiteral("Next ›"))->isEnabled());
+    QTest::keyClick(&window->view(), Qt::Key_PageUp, Qt::AltModifier);
+    QCOMPARE(window->lessons().place(), std::size_t(1));
+    leave->trigger();
+    QVERIFY(!window->lessons().lesson() && !next->isEnabled());
+}
+
+void TestLessonsWindow::theViewGetsTheSizeOfTheNumbers()
+{
+    const auto window = windowOfSize({1100, 700});
+    QVERIFY(window->lessons().start("first"));
+    QVERIFY(!window->lessons().hasViewOfStep());
+    QVERIFY(hintOf(*window) && hintOf(*window)->text().contains(QStringLiteral("500 × 500")));
+    emit hintOf(*window)->linkActivated(QStringLiteral("view:500x500"));
+    QTRY_VERIFY(window->lessons().hasViewOfStep());
+    QTRY_VERIFY(!hintOf(*window));
+    follow(*window, QStringLiteral("click:clicked"));
+    const auto &pick = window->document().pick();
+    QVERIFY(pick && pick->hit());
+    const WorldPoint read = *pick->point.world[Method::Formula];
+    QVERIFY(distance(read, WorldPoint(-1.5, 3.5, 5.0)) < 1e-5);
+}
+
+QTEST_MAIN(TestLessonsWindow)
+#include "test_lessons_window.moc"
