@@ -171,6 +171,7 @@ void TestLessonsWindow::everyStepOpensAndItsLinksLead()
                 QVERIFY2(formulas.contains(to), where);
             }
         }
+        QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     }
 }
 
