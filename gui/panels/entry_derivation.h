@@ -32,9 +32,13 @@ struct EntryDerivation {
 EntryDerivation entryDerivation(const PipelineModel &model, const Picture &picture, PointModel::Space space,
                                 int coordinate);
 
+/// The same text with blanks that keep a term together: lines break behind a sign, and nowhere else in a sum (behind a minus
+/// they could not be kept from it).
+QString unbrokenTerms(QString text);
+
 /// What there is to be said as long as no coordinate is chosen.
 QString entryHint();
-/// The longest that entryDerivation says, to keep room for.
+/// The longest that entryDerivation says, unbroken, to keep room for.
 /// @param isWhole  with all digits
 QStringList longestDerivations(bool isWhole);
 

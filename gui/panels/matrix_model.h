@@ -21,6 +21,8 @@ public:
 
     PipelineStage stage() const { return m_stage; }
     const MatrixView &view() const { return m_view; }
+    /// For column vectors.
+    const glm::dmat4 &matrix() const { return m_matrix; }
 
     /// Where the entry of a row and a column of the matrix for column vectors stands.
     QModelIndex indexOf(int mathRow, int mathColumn) const;

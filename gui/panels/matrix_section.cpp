@@ -1,6 +1,7 @@
 #include "gui/panels/matrix_section.h"
 
 #include "gui/panels/copy_menu.h"
+#include "gui/panels/factors_view.h"
 #include "gui/panels/matrix_model.h"
 #include "gui/panels/number_grid.h"
 
@@ -81,11 +82,42 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     setOpen(true);
 }
 
+FactorsView *MatrixSection::addFactors()
+{
+    m_takeApart = new QToolButton;
+    m_takeApart->setText(tr("Take apart"));
+    m_takeApart->setToolTip(tr("Show the factors that the matrix is made of, and what each of them does"));
+    m_takeApart->setObjectName(QStringLiteral("takeApart"));
+    m_takeApart->setAutoRaise(true);
+    m_takeApart->setCheckable(true);
+    m_takeApart->setFocusPolicy(Qt::StrongFocus);
+    m_factors = new FactorsView;
+    m_factors->hide();
+    m_body->layout()->addWidget(m_factors);
+    auto *line = static_cast<QHBoxLayout *>(layout()->itemAt(0)->layout());
+    line->insertWidget(line->indexOf(m_copy), m_takeApart);
+    connect(m_takeApart, &QToolButton::toggled, this, [this](bool isApart) {
+        if (isApart) {
+            setOpen(true);
+            emit factorsOpened();
+        }
+        m_factors->setVisible(isApart);
+    });
+    return m_factors;
+}
+
+bool MatrixSection::showsFactors() const
+{
+    return m_isOpen && m_takeApart && m_takeApart->isChecked();
+}
+
 void MatrixSection::setTitle(const QString &name, const QString &variable, const QString &product)
 {
     m_heading->setText(QStringLiteral("%1   %2").arg(name, variable));
     m_heading->setAccessibleName(tr("%1, %2").arg(name, variable));
     m_copy->setAccessibleName(tr("Copy %1").arg(variable));
+    if (m_takeApart)
+        m_takeApart->setAccessibleName(tr("Take %1 apart").arg(variable));
     m_body->findChild<NumberGrid *>()->setAccessibleName(variable);
     m_product->setText(product);
     m_product->setVisible(!product.isEmpty());
@@ -97,6 +129,8 @@ void MatrixSection::setOpen(bool isOpen)
     m_heading->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
     m_heading->setAccessibleDescription(isOpen ? tr("Open") : tr("Closed"));
     m_body->setVisible(isOpen);
+    if (showsFactors())
+        emit factorsOpened();
 }
 
 } // namespace unprojector::gui

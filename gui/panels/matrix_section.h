@@ -7,6 +7,7 @@ class QToolButton;
 
 namespace unprojector::gui {
 
+class FactorsView;
 class MatrixModel;
 
 /// A matrix under a heading that opens and closes it, with a menu that copies it.
@@ -20,12 +21,22 @@ public:
     bool isOpen() const { return m_isOpen; }
     void setOpen(bool isOpen);
 
+    /// Adds a button that takes the matrix apart, and below the matrix its factors, folded at first.
+    FactorsView *addFactors();
+    /// Whether the factors are to be seen; only then they need be kept up to date.
+    bool showsFactors() const;
+
+signals:
+    void factorsOpened();
+
 private:
     MatrixModel *m_model;
     QToolButton *m_heading;
     QToolButton *m_copy;
     QLabel *m_product;
     QWidget *m_body;
+    QToolButton *m_takeApart = nullptr;
+    FactorsView *m_factors = nullptr;
     bool m_isOpen = false;
 };
 

@@ -243,6 +243,21 @@ AxisChange PipelineModel::changeOf(Space space) const
     return {};
 }
 
+std::optional<std::vector<MatrixFactor>> PipelineModel::factors(PipelineStage stage) const
+{
+    if (m_direction == PipelineDirection::Backward)
+        return std::nullopt;
+    const Picture &picture = m_document.geometry();
+    if (stage == PipelineStage::ViewMatrix) {
+        if (const auto parts = matrices::factors(picture.camera()))
+            return inConventions(*parts, m_spaces.world, m_spaces.eye);
+    } else if (stage == PipelineStage::ProjectionMatrix) {
+        if (const auto parts = matrices::factors(picture.projection()))
+            return inConventions(*parts, m_spaces.eye, m_spaces.clip);
+    }
+    return std::nullopt;
+}
+
 void PipelineModel::setApi(Api api)
 {
     static_cast<void>(

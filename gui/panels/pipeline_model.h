@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/matrices/matrix_factors.h"
 #include "core/matrices/matrix_findings.h"
 #include "core/matrices/pipeline.h"
 #include "gui/document/followed_object.h"
@@ -51,6 +52,9 @@ public:
     const std::vector<MatrixFinding> &givenFindings(MatrixRole role) const;
     /// Does what a finding offers to the scene.
     void repair(MatrixRole role, const MatrixFinding &finding);
+    /// The factors of the view's or the projection's matrix as it is shown forward.
+    /// @return nothing where it has none: of another stage, and backward
+    std::optional<std::vector<MatrixFactor>> factors(PipelineStage stage) const;
     PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
 
     /// Whether the given point is shown and not the picked one: since it was given, until the next click.

@@ -3,6 +3,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/entry_derivation.h"
+#include "gui/panels/factors_view.h"
 #include "gui/panels/matrix_findings_view.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
@@ -54,17 +55,6 @@ QString stageName(PipelineStage stage, PipelineDirection direction)
     case PipelineStage::WholeMatrix: name = QStringLiteral("MVPW"); break;
     }
     return direction == PipelineDirection::Forward ? name : name + QStringLiteral("⁻¹");
-}
-
-/// Lines break behind a sign, and nowhere else in a sum: behind a minus they could not be kept from it.
-QString unbrokenTerms(QString text)
-{
-    const QChar blank(QChar::Nbsp);
-    for (const QChar sign : {u'·', u'/'})
-        text.replace(QStringLiteral(" %1 ").arg(sign), QString(blank) + sign + blank);
-    for (const QChar sign : {u'+', u'-'})
-        text.replace(QStringLiteral(" %1 ").arg(sign), QString(blank) + sign + u' ');
-    return text.replace(QStringLiteral("= "), u'=' + QString(blank));
 }
 
 /// The factors of a combined matrix in the order they are written in; empty for a single one.
@@ -322,6 +312,13 @@ void PipelinePanel::createStages()
         m_sections[static_cast<std::size_t>(stage)] = section;
         section->setOpen(stage != PipelineStage::ModelviewMatrix && stage != PipelineStage::WholeMatrix);
     }
+    const auto takeApart = [this](PipelineStage stage) {
+        MatrixSection *section = m_sections[static_cast<std::size_t>(stage)];
+        connect(section, &MatrixSection::factorsOpened, this, &PipelinePanel::showFactors);
+        return section->addFactors();
+    };
+    m_viewFactors = takeApart(PipelineStage::ViewMatrix);
+    m_projectionFactors = takeApart(PipelineStage::ProjectionMatrix);
     m_given = new MatrixSection(m_model->given());
     m_givenView = new MatrixSection(m_model->givenView());
     m_givenFindings = new MatrixFindingsView;
@@ -401,7 +398,22 @@ void PipelinePanel::showTitles()
         m_sections[static_cast<std::size_t>(stage)]->setTitle(
             stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
             productText(stage, m_model->direction(), m_model->view().layout));
+    showFactors();
     showDerivation();
+}
+
+void PipelinePanel::showFactors()
+{
+    const auto show = [this](PipelineStage stage, FactorsView *view, bool isGiven) {
+        if (!m_sections[static_cast<std::size_t>(stage)]->showsFactors())
+            return;
+        if (const auto factors = m_model->factors(stage))
+            view->setFactors(*factors, m_model->matrix(stage)->matrix(), m_model->view(), isGiven);
+        else if (m_model->direction() == PipelineDirection::Backward) // else they stay, as the matrices do
+            view->setNone(tr("Forward shows the factors; this matrix is the inverse of their product."));
+    };
+    show(PipelineStage::ViewMatrix, m_viewFactors, m_document.givenView() != nullptr);
+    show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_document.givenProjection() != nullptr);
 }
 
 void PipelinePanel::showDerivation()
@@ -465,6 +477,7 @@ void PipelinePanel::showStatus()
 {
     showGiven();
     showFollowed();
+    showFactors();
     showDerivation();
     if (m_status->text() != m_model->status()) {
         m_status->setText(m_model->status());

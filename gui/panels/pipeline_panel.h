@@ -13,6 +13,7 @@ class QVBoxLayout;
 
 namespace unprojector::gui {
 
+class FactorsView;
 class MatrixFindingsView;
 class MatrixSection;
 class NumberGrid;
@@ -65,6 +66,8 @@ private:
     void showFlip();
     /// How the chosen coordinate comes about, and what of the panel it comes from marked.
     void showDerivation();
+    /// Of the view's and the projection's matrix, where they are taken apart.
+    void showFactors();
     void showGiven();
     void showObjects();
     void showConventions();
@@ -88,6 +91,8 @@ private:
     std::array<NumberGrid *, PointModel::kSpaces> m_pointGrids{};
     std::array<QLabel *, PointModel::kSpaces> m_pointNames{};
     std::array<MatrixSection *, kPipelineStages.size()> m_sections{};
+    FactorsView *m_viewFactors = nullptr;
+    FactorsView *m_projectionFactors = nullptr;
     MatrixSection *m_given = nullptr;     ///< before the projection, while that is given as a matrix
     MatrixSection *m_givenView = nullptr; ///< the same of the view
     MatrixFindingsView *m_givenFindings = nullptr;

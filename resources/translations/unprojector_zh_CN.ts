@@ -1909,6 +1909,73 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::FactorsView</name>
+    <message>
+        <source>moves the eye to the origin</source>
+        <translation>把视点移到原点</translation>
+    </message>
+    <message>
+        <source>turns the world: its rows are the eye&apos;s axes, right, up and backward (s, u, −f)</source>
+        <translation>旋转世界：各行是观察坐标系的轴，向右、向上、向后（s、u、−f）</translation>
+    </message>
+    <message>
+        <source>shears: x and y go along with z, by cot θ and cot φ</source>
+        <translation>错切：x 和 y 随 z 移动，系数为 cot θ 和 cot φ</translation>
+    </message>
+    <message>
+        <source>moves the box&apos;s middle to the origin</source>
+        <translation>把长方体的中心移到原点</translation>
+    </message>
+    <message>
+        <source>scales the box&apos;s sides to 2</source>
+        <translation>把长方体的各边缩放为 2</translation>
+    </message>
+    <message>
+        <source>turns z round: greater is then farther away</source>
+        <translation>反转 z：此后越大越远</translation>
+    </message>
+    <message>
+        <source>projects onto the near plane, once w = −z divides: n·x, n·y, and a·z + b for the depth</source>
+        <translation>除以 w = −z 之后即投影到近平面：n·x、n·y，深度为 a·z + b</translation>
+    </message>
+    <message>
+        <source>takes the near plane&apos;s window to −1 to 1 across and up</source>
+        <translation>把近平面上的窗口变到横向、纵向的 −1 到 1</translation>
+    </message>
+    <message>
+        <source>from the axes of the conventions shown to OpenGL&apos;s</source>
+        <translation>从所示约定的坐标轴变到 OpenGL 的坐标轴</translation>
+    </message>
+    <message>
+        <source>from OpenGL&apos;s axes to those of the conventions shown</source>
+        <translation>从 OpenGL 的坐标轴变到所示约定的坐标轴</translation>
+    </message>
+    <message>
+        <source>The product of the factors</source>
+        <translation>各因子的乘积</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>因子</translation>
+    </message>
+    <message>
+        <source>%1.  %2  %3</source>
+        <translation>%1.  %2  %3</translation>
+    </message>
+    <message>
+        <source>= %1, to the last digit</source>
+        <translation>= %1，直到最后一位都相同</translation>
+    </message>
+    <message>
+        <source>= %1, to within %2 ulp (units in the last place)</source>
+        <translation>= %1，相差不超过 %2 ulp（末位单位）</translation>
+    </message>
+    <message>
+        <source>As sixteen numbers, as it was given, there is nothing to take apart; this is its conversion&apos;s.</source>
+        <translation>给定的矩阵只是十六个数，无从分解；这里分解的是由它转换来的矩阵。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::FirstSteps</name>
     <message>
         <source>First steps</source>
@@ -3583,6 +3650,18 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Four lines of numbers with commas, as shown</source>
         <translation>四行以逗号分隔的数字，按显示的排列</translation>
+    </message>
+    <message>
+        <source>Take apart</source>
+        <translation>分解</translation>
+    </message>
+    <message>
+        <source>Show the factors that the matrix is made of, and what each of them does</source>
+        <translation>显示组成此矩阵的各因子，以及各自的作用</translation>
+    </message>
+    <message>
+        <source>Take %1 apart</source>
+        <translation>分解 %1</translation>
     </message>
 </context>
 <context>
@@ -5742,6 +5821,10 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <message>
         <source>How the chosen number comes about</source>
         <translation>所选的数是怎样算出来的</translation>
+    </message>
+    <message>
+        <source>Forward shows the factors; this matrix is the inverse of their product.</source>
+        <translation>选“正向”可看各因子；此矩阵是它们乘积的逆矩阵。</translation>
     </message>
 </context>
 <context>

@@ -41,6 +41,8 @@ private slots:
     void whatRoundingLeavesIsSaidToBeZero();
     void aGivenPointThatTheWayDoesNotMakeIsSaidToDiffer();
     void aClickOrAKeyShowsItAndMarksItsSource();
+    void nothingOfItIsCutOff_data();
+    void nothingOfItIsCutOff();
 };
 
 void TestEntryDerivation::aRowTimesTheVectorIsWrittenOut()
@@ -188,6 +190,48 @@ void TestEntryDerivation::aClickOrAKeyShowsItAndMarksItsSource()
     QVERIFY2(shown().contains(QStringLiteral("(-0.1)")) && shown().contains(QStringLiteral("- 10 ")),
              qPrintable(shown()));
     QCOMPARE(label->height(), height);
+}
+
+void TestEntryDerivation::nothingOfItIsCutOff_data()
+{
+    QTest::addColumn<int>("points");
+    QTest::addColumn<bool>("isWhole");
+    for (const int points : {9, 13}) {
+        for (const bool isWhole : {false, true})
+            QTest::addRow("%d pt, %s", points, isWhole ? "all digits" : "nine digits") << points << isWhole;
+    }
+}
+
+void TestEntryDerivation::nothingOfItIsCutOff()
+{
+    QFETCH(int, points);
+    QFETCH(bool, isWhole);
+    SceneDocument document;
+    openFigures(document);
+    document.setSurface(surfaceFromWidget(1237, 811, 1.0));
+    document.setView({WorldPoint(1, 2, 9), WorldPoint(0.3, -0.2, 0), {0.1, 1, 0}}, Frustum{-1, 2, -1, 1.5, 1.5, 40});
+    document.pickAt(WidgetPoint(40, 600), {0.85, 0, 24});
+    PipelinePanel panel(document);
+    QFont font = panel.font();
+    font.setPointSize(points);
+    panel.setFont(font);
+    panel.resize(420, 900);
+    panel.show();
+    panel.setMatrixView({MatrixLayout::Column, false, Digits::Double, isWhole});
+    const auto *label = panel.findChild<SteadyLabel *>(QStringLiteral("derivation"));
+    for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
+        panel.setDirection(direction);
+        for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+            const auto *point = qobject_cast<const PointModel *>(grid->model());
+            for (int which = 0; point && which < point->rowCount(); ++which) {
+                grid->setCurrentIndex(point->indexOf(which));
+                const QRect room(0, 0, label->width(), 1 << 16);
+                const int needed =
+                    label->fontMetrics().boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, label->text()).height();
+                QVERIFY2(needed <= label->height(), qPrintable(label->text()));
+            }
+        }
+    }
 }
 
 QTEST_MAIN(TestEntryDerivation)

@@ -2,6 +2,7 @@
 
 #include "pipeline_figures.h"
 
+#include "gui/panels/factors_view.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
 #include "gui/panels/pipeline_panel.h"
@@ -9,6 +10,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -25,6 +27,7 @@ private slots:
     void hiddenItStandsStillAndCatchesUpWhenShown();
     void numbersThatAreTooLongLoseDigitsNotPlaces();
     void theHeadingOpensAndCloses();
+    void aMatrixIsTakenApartAndItsFactorsFollow();
     void copyingTakesAllDigits();
     void theWheelOverAMatrixIsLeftToThePanel();
     void everyControlHasAName();
@@ -108,6 +111,64 @@ void TestPipelineWidgets::theHeadingOpensAndCloses()
     QTest::keyClick(heading, Qt::Key_Space);
     QCOMPARE(first->isOpen(), !wasOpen);
     QCOMPARE(first->findChild<NumberGrid *>()->isVisible(), !wasOpen);
+}
+
+void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.resize(420, 2500);
+    panel.show();
+    const QList<QToolButton *> buttons = panel.findChildren<QToolButton *>(QStringLiteral("takeApart"));
+    QCOMPARE(buttons.size(), 2);
+    QCOMPARE(buttons.back()->accessibleName(), QStringLiteral("Take clipFromEye apart"));
+    const FactorsView *view = panel.findChildren<FactorsView *>().back();
+    QVERIFY(!view->isVisible());
+    QTest::keyClick(buttons.back(), Qt::Key_Space);
+    QVERIFY(view->isVisible());
+    const auto grids = [view] {
+        QList<const MatrixModel *> shown;
+        for (const NumberGrid *grid : view->findChildren<NumberGrid *>()) {
+            if (grid->isVisible())
+                shown << qobject_cast<const MatrixModel *>(grid->model());
+        }
+        return shown;
+    };
+    const auto product = [view] { return view->findChild<QLabel *>()->text(); };
+    QCOMPARE(grids().size(), 3);
+    QCOMPARE(product(), QStringLiteral("= Z · S · T, to the last digit"));
+    QCOMPARE(value(grids()[1], 0, 0), 0.1);
+    QCOMPARE(value(grids()[2], 2, 2), -1.0);
+    panel.setMatrixView({MatrixLayout::Row, false, Digits::Double});
+    QVERIFY(product().startsWith(QStringLiteral("= T · S · Z, ")));
+    document.setProjection(Ortho{0, 8, -10, 10, -10, 10});
+    QCOMPARE(value(grids()[0], 3, 0), -4.0); // the box's middle, in the row that rows are moved by
+    panel.setMatrixView({});
+    document.setProjection(Frustum{-1, 3, -2, 2, 2, 10});
+    QCOMPARE(grids().size(), 2);
+    QVERIFY(product().startsWith(QStringLiteral("= B · N, ")));
+    QCOMPARE(value(grids()[0], 2, 3), -5.0); // b
+    document.setProjection(Oblique{{-10, 10, -10, 10, 2, 9}, 0.78, 0.78});
+    QCOMPARE(grids().size(), 4);
+    QVERIFY(product().startsWith(QStringLiteral("= Z · S · T · H, ")));
+    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QCOMPARE(grids().size(), 6);
+    panel.setMatrixView({}); // whose vectors are rows
+    QVERIFY2(product().startsWith(QStringLiteral("= C · Z · S · T · H · C′, ")), qPrintable(product()));
+    glm::dmat4 all(1.0);
+    for (const MatrixModel *factor : grids())
+        all = factor->matrix() * all;
+    QVERIFY(std::abs(all[3][0] - panel.model().matrix(Stage::ProjectionMatrix)->matrix()[3][0]) < kRounding);
+    QVERIFY(std::abs(all[2][2] - panel.model().matrix(Stage::ProjectionMatrix)->matrix()[2][2]) < kRounding);
+    panel.setDirection(PipelineDirection::Backward);
+    QCOMPARE(grids().size(), 0);
+    QVERIFY(product().startsWith(QStringLiteral("Forward shows")));
+    panel.setDirection(PipelineDirection::Forward);
+    QVERIFY(
+        document.editMatrices(MatrixProjection{*clipFromEye(Projection(Frustum{-1, 3, -2, 2, 2, 10})), std::nullopt},
+                              std::nullopt, {QStringLiteral("Matrix")}));
+    QVERIFY2(product().contains(QStringLiteral("nothing to take apart")), qPrintable(product()));
 }
 
 void TestPipelineWidgets::copyingTakesAllDigits()

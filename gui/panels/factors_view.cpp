@@ -1,0 +1,121 @@
+#include "gui/panels/factors_view.h"
+
+#include "gui/panels/matrix_model.h"
+#include "gui/panels/number_grid.h"
+#include "gui/text/number_text.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace unprojector::gui {
+namespace {
+
+/// As the formulas' product is written.
+QString letterOf(MatrixStep step)
+{
+    switch (step) {
+    case MatrixStep::MoveEye:
+    case MatrixStep::MoveBox: return QStringLiteral("T");
+    case MatrixStep::TurnAxes: return QStringLiteral("R");
+    case MatrixStep::Shear: return QStringLiteral("H");
+    case MatrixStep::ScaleBox: return QStringLiteral("S");
+    case MatrixStep::TurnZ: return QStringLiteral("Z");
+    case MatrixStep::OntoNear: return QStringLiteral("N");
+    case MatrixStep::NearToSquare: return QStringLiteral("B");
+    case MatrixStep::FromConventions: return QStringLiteral("C′");
+    case MatrixStep::ToConventions: return QStringLiteral("C");
+    }
+    Q_UNREACHABLE();
+}
+
+QString textOf(MatrixStep step)
+{
+    switch (step) {
+    case MatrixStep::MoveEye: return FactorsView::tr("moves the eye to the origin");
+    case MatrixStep::TurnAxes:
+        return FactorsView::tr("turns the world: its rows are the eye's axes, right, up and backward (s, u, −f)");
+    case MatrixStep::Shear: return FactorsView::tr("shears: x and y go along with z, by cot θ and cot φ");
+    case MatrixStep::MoveBox: return FactorsView::tr("moves the box's middle to the origin");
+    case MatrixStep::ScaleBox: return FactorsView::tr("scales the box's sides to 2");
+    case MatrixStep::TurnZ: return FactorsView::tr("turns z round: greater is then farther away");
+    case MatrixStep::OntoNear:
+        return FactorsView::tr(
+            "projects onto the near plane, once w = −z divides: n·x, n·y, and a·z + b for the depth");
+    case MatrixStep::NearToSquare: return FactorsView::tr("takes the near plane's window to −1 to 1 across and up");
+    case MatrixStep::FromConventions: return FactorsView::tr("from the axes of the conventions shown to OpenGL's");
+    case MatrixStep::ToConventions: return FactorsView::tr("from OpenGL's axes to those of the conventions shown");
+    }
+    Q_UNREACHABLE();
+}
+
+} // namespace
+
+FactorsView::FactorsView(QWidget *parent) : QWidget(parent), m_product(new QLabel)
+{
+    m_product->setWordWrap(true);
+    m_product->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_product->setAccessibleName(tr("The product of the factors"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 0, 0, 4);
+    layout->setSpacing(2);
+    layout->addWidget(m_product);
+    for (Part &part : m_parts) {
+        part.text = new QLabel;
+        part.text->setWordWrap(true);
+        part.model = new MatrixModel(PipelineStage::WholeMatrix, this);
+        part.grid = new NumberGrid(part.model);
+        part.grid->setAccessibleName(tr("Factor"));
+        part.text->setBuddy(part.grid);
+        layout->addWidget(part.text);
+        layout->addWidget(part.grid);
+        part.text->hide();
+        part.grid->hide();
+    }
+}
+
+void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm::dmat4 &matrix, const MatrixView &view,
+                             bool isGiven)
+{
+    Q_ASSERT(!factors.empty() && factors.size() <= m_parts.size());
+    QStringList letters;
+    for (std::size_t i = 0; i < m_parts.size(); ++i) {
+        const Part &part = m_parts[i];
+        const bool isThere = i < factors.size();
+        part.text->setVisible(isThere);
+        part.grid->setVisible(isThere);
+        if (!isThere)
+            continue;
+        const QString letter = letterOf(factors[i].step), text = textOf(factors[i].step);
+        letters << letter;
+        part.text->setText(tr("%1.  %2  %3").arg(i + 1).arg(letter, text));
+        part.model->setVariableName(letter);
+        part.model->setView(view);
+        part.model->setMatrix(factors[i].matrix, PipelineDirection::Forward, ProjectionKind::Perspective, false);
+        part.grid->setAccessibleName(QStringLiteral("%1, %2").arg(letter, text));
+    }
+    // A column vector stands to the right of what acts on it first.
+    if (view.layout == MatrixLayout::Column)
+        std::reverse(letters.begin(), letters.end());
+    const double off = differenceUlps(factors, matrix);
+    const QString product = letters.join(QStringLiteral(" · "));
+    QString text = off == 0.0
+                       ? tr("= %1, to the last digit").arg(product)
+                       : tr("= %1, to within %2 ulp (units in the last place)").arg(product, significantText(off, 2));
+    if (isGiven)
+        text += u'\n'
+                + tr("As sixteen numbers, as it was given, there is nothing to take apart; this is its conversion's.");
+    m_product->setText(text);
+}
+
+void FactorsView::setNone(const QString &reason)
+{
+    for (const Part &part : m_parts) {
+        part.text->hide();
+        part.grid->hide();
+    }
+    m_product->setText(reason);
+}
+
+} // namespace unprojector::gui
