@@ -398,6 +398,7 @@ void PipelinePanel::showTitles()
         m_sections[static_cast<std::size_t>(stage)]->setTitle(
             stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
             productText(stage, m_model->direction(), m_model->view().layout));
+    m_derivation->setLongest(longestDerivations(m_model->view().isWhole));
     showFactors();
     showDerivation();
 }
@@ -421,7 +422,6 @@ void PipelinePanel::showDerivation()
     const EntryDerivation derivation =
         m_chosen ? entryDerivation(*m_model, m_document.geometry(), m_chosen->space, m_chosen->coordinate)
                  : EntryDerivation{entryHint(), {}, 0, {}, {}};
-    m_derivation->setLongest(longestDerivations(m_model->view().isWhole));
     m_derivation->setText(unbrokenTerms(derivation.text));
     m_derivation->setToolTip(derivation.text);
     for (const PipelineStage stage : kPipelineStages) {
