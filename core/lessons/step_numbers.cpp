@@ -147,10 +147,12 @@ void flatten(const Json &node, std::vector<double> &numbers)
 const Json *follow(const Json *node, std::string_view &path)
 {
     if (path.front() == '[') {
-        const std::size_t close = std::min(path.find(']'), path.size() - 1);
+        const std::size_t close = path.find(']');
+        if (close == std::string_view::npos)
+            return nullptr;
         std::size_t place = 0;
         const auto read = std::from_chars(path.data() + 1, path.data() + close, place);
-        const bool isPlace = read.ec == std::errc() && read.ptr == path.data() + close && path[close] == ']';
+        const bool isPlace = read.ec == std::errc() && read.ptr == path.data() + close;
         path.remove_prefix(close + 1);
         return isPlace && node->is_array() && place < node->size() ? &(*node)[place] : nullptr;
     }

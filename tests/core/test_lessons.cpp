@@ -202,6 +202,9 @@ void TestLessons::aWrongNumberIsFound_data()
     row("a whole number is meant exactly", "{2 = 2.4}", "a.text: \"2\" says 2, it is 2.4");
     row("too many", "{(1, 1) = eye.z}", "a.text: \"(1, 1)\" says 2 numbers and names 1");
     row("no such path", "{1 = eye.q}", "a.text: \"1\" a: \"eye.q\" in \"eye.q\" is no number of this step");
+    row("half a place", "{1 = view[}", "a.text: \"1\" a: \"view[\" in \"view[\" is no number of this step");
+    row("beyond the last", "{1 = view[0][4]}",
+        "a.text: \"1\" a: \"view[0][4]\" in \"view[0][4]\" is no number of this step");
     row("of no source", "It is 5.", "a.text: 1 numbers outside of braces in \"It is 5.\"");
     row("an index is a name", "m[14] = {−8 = modelview[2][3]}", "");
     row("an expression", "{16 = -2 * eye.z}, {4/5 = eye.z / -10}", "");
