@@ -51,6 +51,19 @@ SidedName sidedNameOf(const std::string &name)
         if (lower.size() > word.size() + 1 && lower.ends_with(std::string(word) + ')') && isSeparator(lower[rest - 2]))
             return {side, lower.substr(0, rest - 1) + '>'};
     }
+    // Chinese has no blanks between words: 左外眼角, 外眼角（左）; but 左右 is of neither side.
+    constexpr std::array<std::pair<std::string_view, Side>, 2> kCharacters{{{"左", Side::Left}, {"右", Side::Right}}};
+    if (!lower.starts_with("左右")) {
+        for (const auto &[character, side] : kCharacters) {
+            const std::string inBrackets = "（" + std::string(character) + "）";
+            if (lower.size() > character.size() && lower.starts_with(character))
+                return {side, '<' + lower.substr(character.size())};
+            for (const std::string_view ending : {character, std::string_view(inBrackets)}) {
+                if (lower.size() > ending.size() && lower.ends_with(ending))
+                    return {side, lower.substr(0, lower.size() - ending.size()) + '>'};
+            }
+        }
+    }
     return {Side::None, lower};
 }
 

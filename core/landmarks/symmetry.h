@@ -19,7 +19,8 @@ struct Pair {
 };
 
 /// Pairs by name: two names that are the same but for "left" and "right", or "L" and "R", as a word of their own at the
-/// beginning or the end, in whatever case ("L_eye", "eye right", "Orbitale-l"). A name that is there twice pairs with none.
+/// beginning or the end, in whatever case ("L_eye", "eye right", "Orbitale-l"), or 左 and 右 there without a blank. A name that is there
+/// twice pairs with none.
 std::vector<Pair> pairsByName(std::span<const Landmark> landmarks);
 
 /// Whether a name is of a left or a right landmark, as pairsByName has it: without a partner it says nothing of the middle.

@@ -4047,7 +4047,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>No pairs: name points alike but for “left” and “right”, as “eye left” and “eye right”.</source>
-        <translation>没有成对的点：请让名称只差“left”和“right”，如“eye left”和“eye right”。</translation>
+        <translation>没有成对的点：请让名称只差“左”和“右”，如“左外眼角”和“右外眼角”；“left”和“right”亦可。</translation>
     </message>
     <message>
         <source>Select two points or more to measure between them.</source>

@@ -210,6 +210,13 @@ void TestLandmarkMeasures::pairsHaveNames()
                         named("cheek.L", 0, 0, 0),        named("cheek.l", 0, 0, 0),       named("cheek.R", 0, 0, 0)};
     const std::vector<Pair> expected{{1, 2}, {4, 3}, {5, 6}};
     QVERIFY(pairsByName(points) == expected);
+
+    const Points chinese{named("左外眼角", 0, 0, 0),     named("右外眼角", 0, 0, 0), named("耳屏点（右）", 0, 0, 0),
+                         named("耳屏点（左）", 0, 0, 0), named("左右中点", 0, 0, 0), named("鼻尖", 0, 0, 0),
+                         named("颧点左", 0, 0, 0)};
+    const std::vector<Pair> expectedOfChinese{{0, 1}, {3, 2}};
+    QVERIFY(pairsByName(chinese) == expectedOfChinese);
+    QVERIFY(isSided("颧点左") && !isSided("左右中点") && !isSided("左"));
 }
 
 namespace {
