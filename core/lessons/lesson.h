@@ -21,7 +21,7 @@
 ///   {
 ///     "title": "The Pipeline",
 ///     "steps": [{
-///       "id": "model_view",                     letters, digits and _: paths name it
+///       "id": "model_view",                     small letters, digits and _, a letter first: paths name it
 ///       "title": "Modelview",
 ///       "text": ["A paragraph …", "…"],         a little HTML, links and statements, see below
 ///       "source": "Zhang Ci, figure 2.7",       optional
@@ -44,7 +44,8 @@
 ///   its z is {−8 = modelview[2][3]}, at {(0.5, 0.5) = corner.ndc.x, corner.ndc.y}
 ///
 /// of which the reader sees what stands before the last " = "; what stands behind it says where each number comes from, see
-/// StepNumbers, or is the word "quoted" for numbers of the source that the text speaks of. A test computes them all.
+/// StepNumbers, or is the word "quoted" for numbers of the source that the text speaks of. A test computes all but those, and
+/// takes none that has no path in it: {1 = 1} would always be right.
 ///
 /// Links lead on: formulas:NAME in the page of formulas, click:POINT ("point" is
 /// the followed one), panel:ID, place:ID, step:ID, view:300x300.

@@ -1,11 +1,13 @@
 #include "core/lessons/lesson.h"
 
+#include "core/geometry/drawable.h"
 #include "core/scene/examples.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_fields.h"
 #include "core/scene_file/strict_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -157,9 +159,13 @@ void readStep(LessonReader &reader, const JsonNode &node, const Step *before, St
         if (json.has("view", true)) {
             glm::dvec2 size{0.0};
             json.required("view", size);
-            step.view = glm::ivec2(size);
-            if (!(size.x >= 1.0 && size.y >= 1.0 && glm::dvec2(*step.view) == size))
-                reader.fail(node, "\"view\" must be two whole numbers above 0");
+            const auto isSide = [](double side) {
+                return side >= 1.0 && side <= kMostDrawnPixels && side == std::floor(side);
+            };
+            if (isSide(size.x) && isSide(size.y))
+                step.view = glm::ivec2(size);
+            else
+                reader.fail(node, "\"view\" must be two whole numbers from 1 to " + std::to_string(kMostDrawnPixels));
         }
         json.optional("place", step.place);
         json.list("panels", step.panels);
@@ -167,7 +173,10 @@ void readStep(LessonReader &reader, const JsonNode &node, const Step *before, St
         if (const JsonNode points = node.member("points"); points.exists() && points.isObject()) {
             for (const auto &[name, point] : points.json().items()) {
                 if (!isName(name) || std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end())
-                    reader.fail(points, "\"" + name + "\" is no free name; take other letters, digits and _");
+                    reader.fail(
+                        points,
+                        "\"" + name
+                            + "\" is no free name; take others, of small letters, digits and _, a letter first");
                 step.points[name] = readPoint(reader, points.member(name.c_str()));
             }
         }
@@ -184,7 +193,7 @@ void readStep(LessonReader &reader, const JsonNode &node, const Step *before, St
         }
     });
     if (!isName(step.id))
-        reader.fail(node, "\"id\" must be of small letters, digits and _");
+        reader.fail(node, "\"id\" must be of small letters, digits and _, a letter first");
     if (step.title.empty() || step.text.empty())
         reader.fail(node, "must have a \"title\" and a \"text\"");
 }

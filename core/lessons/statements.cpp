@@ -1,5 +1,6 @@
 #include "core/lessons/statements.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -98,7 +99,20 @@ std::vector<StatedNumber> numbersIn(std::string_view text)
     return numbers;
 }
 
-/// Without tags, and without the words of links to the formulas.
+/// Without what is the number of a formula: "(9) to (12)" has none.
+std::string withoutFormulaNumbers(std::string_view words)
+{
+    std::string plain;
+    for (std::size_t at = 0; at < words.size();) {
+        const std::size_t end = std::min(words.find_first_not_of("0123456789", at + 1), words.size());
+        const bool isNumber = words[at] == '(' && end > at + 1 && end < words.size() && words[end] == ')';
+        plain += isNumber ? ' ' : words[at];
+        at = isNumber ? end + 1 : at + 1;
+    }
+    return plain;
+}
+
+/// Without tags, and without the formulas' own numbers in links to them.
 std::string withoutTags(std::string_view text)
 {
     std::string plain;
@@ -108,9 +122,12 @@ std::string withoutTags(std::string_view text)
             continue;
         }
         const bool isFormula = text.substr(at, 20).find("'formulas:") != std::string_view::npos;
-        const std::string_view end = isFormula ? "</a>" : ">";
-        const std::size_t found = text.find(end, at);
-        at = found == std::string_view::npos ? text.size() : found + end.size();
+        at = std::min(text.find('>', at), text.size() - 1) + 1;
+        if (isFormula) {
+            const std::size_t close = std::min(text.find("</a>", at), text.size());
+            plain += withoutFormulaNumbers(text.substr(at, close - at));
+            at = close;
+        }
     }
     return plain;
 }
@@ -149,7 +166,7 @@ std::optional<Statement> statement(std::string_view inside)
 StatedText statedText(std::string_view text)
 {
     StatedText result;
-    std::string outside; // what is no statement, an underscore for each of them
+    std::string outside; // what is no statement, a blank for each of them
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t open = text.find_first_of("{}", at);
         const std::string_view plain = text.substr(at, open - at);

@@ -28,8 +28,8 @@ struct StatedText {
     std::vector<std::string> faults; ///< in words: braces that do not fit, numbers outside of statements
 };
 
-/// Takes a text apart. Numbers that belong to a name are none: m[14], w9, glTranslate3f; nor are those in tags and in the
-/// words of a link to the formulas, "(9)".
+/// Takes a text apart. Numbers that belong to a name are none: m[14], w9, glTranslate3f; nor are those in tags, and a formula's
+/// own, "(9)", in the words of a link to the formulas.
 /// @param text  UTF-8 with a little HTML
 StatedText statedText(std::string_view text);
 

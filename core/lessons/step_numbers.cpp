@@ -204,6 +204,11 @@ Result<Scene, LessonError> sceneOf(const Step &step, const std::map<std::string,
     return std::move(scene).value();
 }
 
+Surface surfaceOf(const Step &step, const Surface &surface)
+{
+    return step.view ? Surface{step.view->x, step.view->y, surface.devicePixelRatio} : surface;
+}
+
 Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surface &surface,
                                                  const std::map<std::string, StepPoint> &points)
 {
@@ -252,8 +257,11 @@ std::vector<double> StepNumbers::at(std::string_view path) const
 
 std::optional<DevicePixel> StepNumbers::pixelOf(const std::string &point) const
 {
-    const std::vector<double> pixel = at(point == "point" ? "pixel" : point + ".pixel");
-    if (pixel.size() != 2)
+    const std::vector<double> pixel = at(point == "point" ? "pixel" : point + ".pixel"), width = at("surface.width"),
+                              height = at("surface.height");
+    // Before they are whole numbers: a point close to the eye's plane can be too far off for one, or none at all.
+    if (pixel.size() != 2 || !(pixel[0] >= 0.0 && pixel[0] < width.front())
+        || !(pixel[1] >= 0.0 && pixel[1] < height.front()))
         return std::nullopt;
     return DevicePixel{static_cast<int>(pixel[0]), static_cast<int>(pixel[1])};
 }
@@ -267,9 +275,7 @@ Result<LessonNumbers, LessonError> LessonNumbers::of(const Lesson &lesson, const
         const Result<Scene, LessonError> scene = sceneOf(step, models);
         if (!scene)
             return failed(lesson.name + ".json", scene.error().text);
-        const double ratio = surface.devicePixelRatio;
-        const Surface own = step.view ? Surface{step.view->x, step.view->y, ratio} : surface;
-        Result<StepNumbers, LessonError> made = StepNumbers::of(*scene, own, step.points);
+        Result<StepNumbers, LessonError> made = StepNumbers::of(*scene, surfaceOf(step, surface), step.points);
         if (!made)
             return failed(where, made.error().text);
         numbers.m_steps.emplace(step.id, std::move(made).value());
@@ -290,7 +296,9 @@ Result<std::vector<double>, LessonError> LessonNumbers::values(const std::string
 {
     if (std::vector<double> list = at(step, source); !list.empty())
         return list;
+    bool hasPath = false;
     const auto named = [&](std::string_view path) -> std::optional<double> {
+        hasPath = true;
         const std::vector<double> numbers = at(step, path);
         return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
     };
@@ -298,6 +306,8 @@ Result<std::vector<double>, LessonError> LessonNumbers::values(const std::string
     if (!value)
         return failed(step, "\"" + std::string(source.substr(value.error().place, value.error().length)) + "\" in \""
                                 + std::string(source) + "\" is no number of this step");
+    if (!hasPath)
+        return failed(step, "\"" + std::string(source) + "\" is nothing that the program computes");
     return std::vector<double>{*value};
 }
 

@@ -17,6 +17,10 @@ using namespace scene;
 /// @return an error that names the key
 Result<Scene, LessonError> sceneOf(const Step &step, const std::map<std::string, std::shared_ptr<const Model>> &models);
 
+/// The view that a step's numbers hold in: its own size, where it says one.
+/// @param surface  of the view that shows it
+Surface surfaceOf(const Step &step, const Surface &surface);
+
 /// Every number that a step's texts can speak of, by a path. They are those that the program shows, on its own way to them.
 ///
 ///   scene.KEY                   what the scene's file would hold, see scene_file.h: scene.projection.near
@@ -58,6 +62,7 @@ public:
 
     /// A list of numbers: a path that has several, or an expression of single ones, "ndc.x * 2".
     /// @param step  whose
+    /// @return an error where a path is none, and of an expression without any, "2", which the program has no part in
     Result<std::vector<double>, LessonError> values(const std::string &step, std::string_view source) const;
 
     /// What is wrong with the statements of a step, its question's included; each names the step, what the text says and what

@@ -153,21 +153,22 @@ std::optional<double> LessonPlayer::answer() const
 
 std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
 {
-    const auto found = step().points.find(point);
-    if (found != step().points.end()) {
-        if (const auto *pixel = std::get_if<DevicePixel>(&found->second))
-            return *pixel;
+    const Surface &surface = m_document.geometry().surface;
+    std::map<std::string, lessons::StepPoint> points;
+    if (const auto found = step().points.find(point); found != step().points.end()) {
+        points.insert(*found);
+        // A pixel is one of the step's own view. What it shows there may lie at another pixel of this one.
+        if (std::holds_alternative<DevicePixel>(found->second)) {
+            const auto own = lessons::StepNumbers::of(*m_shown, lessons::surfaceOf(step(), surface), points);
+            const std::vector<double> world = own ? own->at(point + ".world") : std::vector<double>();
+            if (world.size() != 3)
+                return std::nullopt;
+            points[point] = GivenPoint{WorldPoint(world[0], world[1], world[2])};
+        }
     }
     // In the picture as it is now.
-    std::map<std::string, lessons::StepPoint> points;
-    if (found != step().points.end())
-        points.insert(*found);
-    const Surface &surface = m_document.geometry().surface;
     const auto numbers = lessons::StepNumbers::of(m_document.scene(), surface, points);
-    const std::optional<DevicePixel> pixel = numbers ? numbers->pixelOf(point) : std::nullopt;
-    const bool isInside =
-        pixel && pixel->i >= 0 && pixel->j >= 0 && pixel->i < surface.widthPixels && pixel->j < surface.heightPixels;
-    return isInside ? pixel : std::nullopt;
+    return numbers ? numbers->pixelOf(point) : std::nullopt;
 }
 
 } // namespace unprojector::gui

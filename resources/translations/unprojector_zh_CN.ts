@@ -5360,7 +5360,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>Projection times view, or times modelview (MVP), taken apart into the two</source>
-        <translation>投影乘视图，或乘模型视图（MVP），并拆成这两个矩阵</translation>
+        <translation>投影乘观察矩阵，或乘模型视图矩阵（MVP），并拆成这两个矩阵</translation>
     </message>
     <message>
         <source>What the matrices mean</source>

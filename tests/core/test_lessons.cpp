@@ -101,6 +101,7 @@ private slots:
     void aWrongNumberIsFound();
     void statementsAreTakenApart_data();
     void statementsAreTakenApart();
+    void aPointOutsideHasNoPixel();
     void aStepGoesOnFromTheOneBefore();
     void aFaultNamesItsPlace_data();
     void aFaultNamesItsPlace();
@@ -199,7 +200,9 @@ void TestLessons::aWrongNumberIsFound_data()
     row("another", "{−7 = modelview[2][3]}", "a.text: \"−7\" says -7, it is -8");
     row("another sign", "{8 = modelview[2][3]}", "a.text: \"8\" says 8, it is -8");
     row("its last digit", "{0.11 = projection[0][0]}", "a.text: \"0.11\" says 0.11, it is 0.1");
-    row("a whole number is meant exactly", "{2 = 2.4}", "a.text: \"2\" says 2, it is 2.4");
+    row("a whole number is meant exactly", "{2 = -0.3 * eye.z}", "a.text: \"2\" says 2, it is 2.4");
+    row("with itself", "{2 = 2}", "a.text: \"2\" a: \"2\" is nothing that the program computes");
+    row("of the source", "{2 = quoted}", "");
     row("too many", "{(1, 1) = eye.z}", "a.text: \"(1, 1)\" says 2 numbers and names 1");
     row("no such path", "{1 = eye.q}", "a.text: \"1\" a: \"eye.q\" in \"eye.q\" is no number of this step");
     row("half a place", "{1 = view[}", "a.text: \"1\" a: \"view[\" in \"view[\" is no number of this step");
@@ -241,6 +244,8 @@ void TestLessons::statementsAreTakenApart_data()
     row("a range of them", "m[0..15] {2 = a}", "m[0..15] 2", {2});
     row("links to formulas", "<a href='formulas:w9'>(9)</a> {<b>2</b> = a}", "<a href='formulas:w9'>(9)</a> <b>2</b>",
         {2});
+    row("other numbers in them", "<a href='formulas:x'>(9) to (12): +0.143</a>",
+        "<a href='formulas:x'>(9) to (12): +0.143</a>", {}, 1);
     row("loose", "7 {8 = a}", "7 8", {8}, 1);
     row("no source", "{8}", "", {}, 1);
     row("unclosed", "a {8 = b", "a ", {}, 1);
@@ -262,6 +267,20 @@ void TestLessons::statementsAreTakenApart()
     }
     QCOMPARE(found, numbers);
     QCOMPARE(int(made.faults.size()), faults);
+}
+
+void TestLessons::aPointOutsideHasNoPixel()
+{
+    const auto lesson = parseLesson("t", oneStep(R"(, "scene": "zhangci-perspective", "points": {
+        "middle": {"space": "eye", "coordinates": [0, 0, -5]},
+        "beside": {"space": "eye", "coordinates": [0, -1e13, -5]},
+        "in_the_eye": {"space": "eye", "coordinates": [0, 0, 0]}})"));
+    QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+    const auto numbers = LessonNumbers::of(*lesson, {300, 300, 1.0});
+    QVERIFY(numbers);
+    QVERIFY(numbers->step("a").pixelOf("middle") == (DevicePixel{150, 150}));
+    QVERIFY(!numbers->step("a").pixelOf("beside"));
+    QVERIFY(!numbers->step("a").pixelOf("in_the_eye"));
 }
 
 void TestLessons::aStepGoesOnFromTheOneBefore()
@@ -305,7 +324,9 @@ void TestLessons::aFaultNamesItsPlace_data()
     row("no tolerance", oneStep(R"(, "scene": "zhangci-2d", "question": {"answer": "eye.z"})"),
         "t.json: steps[0].question.tolerance: is missing");
     row("half a view", oneStep(R"(, "scene": "zhangci-2d", "view": [1.5, 2])"),
-        "t.json: steps[0]: \"view\" must be two whole numbers above 0");
+        "t.json: steps[0]: \"view\" must be two whole numbers from 1 to 16384");
+    row("a view beyond all numbers", oneStep(R"(, "scene": "zhangci-2d", "view": [1e12, 2])"),
+        "t.json: steps[0]: \"view\" must be two whole numbers from 1 to 16384");
 }
 
 void TestLessons::aFaultNamesItsPlace()

@@ -19,6 +19,7 @@
 #include <QTextBrowser>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -121,6 +122,8 @@ private slots:
     void anotherSceneEndsTheLesson();
     void theKeysGoFromStepToStep();
     void theViewGetsTheSizeOfTheNumbers();
+    void aClickMeetsTheStepsPointInEveryView_data();
+    void aClickMeetsTheStepsPointInEveryView();
 };
 
 void TestLessonsWindow::everyStepOpensAndItsLinksLead_data()
@@ -308,6 +311,38 @@ void TestLessonsWindow::theViewGetsTheSizeOfTheNumbers()
     QVERIFY(pick && pick->hit());
     const WorldPoint read = *pick->point.world[Method::Formula];
     QVERIFY(distance(read, WorldPoint(-1.5, 3.5, 5.0)) < 1e-5);
+}
+
+void TestLessonsWindow::aClickMeetsTheStepsPointInEveryView_data()
+{
+    QTest::addColumn<QByteArray>("lesson");
+    QTest::addColumn<QByteArray>("point");
+    QTest::addColumn<WorldPoint>("wanted");
+    QTest::addColumn<double>("pixel"); // its size in the world, about
+    QTest::newRow("a fixed viewport") << QByteArray("rows") << QByteArray("beside") << WorldPoint(0.5, -0.5, 0.0)
+                                      << 1e-5;
+    QTest::newRow("one that grows") << QByteArray("first") << QByteArray("clicked") << WorldPoint(-1.5, 3.5, 5.0)
+                                    << 0.05;
+}
+
+void TestLessonsWindow::aClickMeetsTheStepsPointInEveryView()
+{
+    QFETCH(QByteArray, lesson);
+    QFETCH(QByteArray, point);
+    QFETCH(WorldPoint, wanted);
+    QFETCH(double, pixel);
+    const auto window = windowOfSize(kWide);
+    QVERIFY(window->lessons().start(lesson.toStdString()));
+    for (const QSize &size : {QSize(640, 480), QSize(420, 560)}) {
+        follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
+        QTRY_COMPARE(window->view().size(), size);
+        follow(*window, QStringLiteral("click:") + QString::fromLatin1(point));
+        const auto &pick = window->document().pick();
+        QVERIFY(pick && pick->hit());
+        const WorldPoint read = *pick->point.world[Method::Formula];
+        QVERIFY2(std::fabs(read.x - wanted.x) <= pixel && std::fabs(read.y - wanted.y) <= pixel,
+                 qPrintable(QStringLiteral("%1, %2").arg(read.x).arg(read.y)));
+    }
 }
 
 QTEST_MAIN(TestLessonsWindow)
