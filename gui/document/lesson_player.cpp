@@ -34,13 +34,19 @@ LessonPlayer::LessonPlayer(SceneDocument &document, Session &session, QObject *p
     : QObject(parent), m_document(document), m_session(session)
 {
     connect(&session, &Session::opened, this, [this](const QString &lesson) {
-        if (!lesson.isEmpty() || !m_lesson)
-            return;
-        m_lesson = nullptr; // another scene has taken its place
-        m_shown.reset();
-        m_before.reset();
-        emit changed();
+        if (lesson.isEmpty())
+            end(); // another scene has taken its place
     });
+}
+
+void LessonPlayer::end()
+{
+    if (!m_lesson)
+        return;
+    m_lesson = nullptr;
+    m_shown.reset();
+    m_before.reset();
+    emit changed();
 }
 
 const std::vector<Lesson> &LessonPlayer::lessons()
@@ -82,7 +88,9 @@ bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
     const lessons::Step &step = lesson.steps.at(place);
     // What is done in a scene that the next step goes on with stays.
     const bool goesOn = m_lesson == &lesson && this->step().scene == step.scene;
-    if (!goesOn && !open(lesson, step))
+    if (goesOn)
+        m_session.nameStep(lessonTitle(step.title));
+    else if (!open(lesson, step))
         return false;
     m_lesson = &lesson;
     m_place = place;
@@ -97,7 +105,7 @@ bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
         emit failed(QString::fromStdString(scene.error().text));
         return false;
     }
-    if (!m_session.mayLeave())
+    if (!mayLeave())
         return false;
     if (!m_lesson)
         m_before = m_session.keptScene();
@@ -107,17 +115,21 @@ bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
     return true;
 }
 
+bool LessonPlayer::mayLeave()
+{
+    return m_lesson ? m_session.mayLeaveStep() : m_session.mayLeave();
+}
+
 bool LessonPlayer::leave()
 {
-    if (!m_lesson || !m_session.mayLeave())
+    if (!m_lesson || !mayLeave())
         return false;
-    const std::optional<Session::KeptScene> before = std::exchange(m_before, std::nullopt);
-    m_lesson = nullptr;
-    m_shown.reset();
-    if (before)
-        m_session.comeBackTo(*before);
-    emit changed();
-    return true;
+    const Lesson *lesson = std::exchange(m_lesson, nullptr); // the scene that comes back does not end it
+    const bool isBack = !m_before || m_session.comeBackTo(*m_before);
+    m_lesson = lesson;
+    if (isBack)
+        end();
+    return isBack;
 }
 
 bool LessonPlayer::isAsTheStep() const

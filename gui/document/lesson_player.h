@@ -32,7 +32,8 @@ public:
     /// @pre lesson()
     const lessons::Step &step() const { return m_lesson->steps[m_place]; }
 
-    // What leaves a scene asks about its unsaved changes; where the user stays, nothing has changed, and false is returned.
+    // What leaves a scene asks about its unsaved changes, but not about what was done in a step's scene, unless that was saved
+    // under a name: the steps tell to do it. Where the user stays, nothing has changed, and false is returned.
 
     /// Starts a lesson at its first step.
     bool start(const std::string &name);
@@ -46,6 +47,8 @@ public:
     bool previous() { return goTo(m_place - 1); }
     /// Ends the lesson and shows again what was shown before it, its unsaved changes included.
     bool leave();
+    /// Ends the lesson, if there is one, and leaves what is shown.
+    void end();
 
     /// Whether camera, projection, viewport and objects are as the step has them.
     bool isAsTheStep() const;
@@ -67,6 +70,7 @@ signals:
 
 private:
     bool show(const Lesson &lesson, std::size_t place);
+    bool mayLeave();
     bool open(const Lesson &lesson, const lessons::Step &step);
 
     SceneDocument &m_document;

@@ -126,9 +126,25 @@ QString Session::droppedMatrices(const SceneFile &written) const
 
 bool Session::mayLeave()
 {
+    finishBeforeLeaving();
+    return mayLoseChanges();
+}
+
+bool Session::mayLeaveStep()
+{
+    finishBeforeLeaving();
+    return m_file.empty() || mayLoseChanges();
+}
+
+void Session::finishBeforeLeaving()
+{
     m_loader.cancel(); // it could replace the scene under the question
     emit typedToCount();
     emit aboutToSaveOrLeave();
+}
+
+bool Session::mayLoseChanges()
+{
     if (!m_options.remembers || !hasUnsavedChanges())
         return true;
     switch (m_questions.askSave(m_name, !m_file.empty())) {

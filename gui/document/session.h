@@ -95,7 +95,10 @@ public:
     KeptScene keptScene() const;
     /// Shows it again, unsaved changes included; what was done cannot be undone any more. What is shown is left without a
     /// question.
-    void comeBackTo(const KeptScene &kept);
+    /// @return whether it is shown
+    bool comeBackTo(const KeptScene &kept);
+    /// Of the scene of a lesson's step, as long as it has no file: another step goes on with it.
+    void nameStep(const QString &name);
     ModelStore &models() { return m_models; }
     bool isLoading() const { return m_loader.isLoading(); }
     /// Gives up what is loading, and says so by `noticed`.
@@ -113,6 +116,8 @@ public:
     /// Asks about unsaved changes.
     /// @return whether the scene may be left
     bool mayLeave();
+    /// As mayLeave, but of a scene that has no file nothing is asked: its changes are given up.
+    bool mayLeaveStep();
     /// The scene is left for good, as mayLeave has allowed: nothing is kept of its changes.
     void end();
 
@@ -193,6 +198,9 @@ private:
     void createAutosave();
     void followChanges();
     Result<Autosave::Content, QString> unsavedContent() const;
+    /// What is loading ends, and what was typed counts, before the scene is left.
+    void finishBeforeLeaving();
+    bool mayLoseChanges();
     void rememberRecent(const std::filesystem::path &file);
 
     SceneDocument &m_document;

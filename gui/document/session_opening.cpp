@@ -119,16 +119,25 @@ Session::KeptScene Session::keptScene() const
     return {m_document.scene(), m_name, m_file, m_contents, m_stamp, hasUnsavedChanges()};
 }
 
-void Session::comeBackTo(const KeptScene &kept)
+bool Session::comeBackTo(const KeptScene &kept)
 {
     emit progressed();
     if (const Check shown = m_document.open(kept.scene); !shown) {
         emit failed(errorText(shown.error()));
-        return;
+        return false;
     }
     setScene(kept.name, {}, kept.file, kept.contents, kept.stamp);
     if (kept.isUnsaved)
         m_document.markUnsaved();
+    return true;
+}
+
+void Session::nameStep(const QString &name)
+{
+    if (!m_file.empty() || name == m_name)
+        return;
+    m_name = name;
+    emit changed();
 }
 
 void Session::cancelLoading()

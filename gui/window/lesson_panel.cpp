@@ -55,7 +55,7 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     m_close->setText(QStringLiteral("×"));
     m_close->setAutoRaise(true);
     m_close->setFocusPolicy(Qt::TabFocus);
-    m_close->setToolTip(tr("Leave the lesson; what was shown before it comes back"));
+    m_close->setToolTip(tr("Leave the lesson; the scene that was shown before it comes back"));
     m_close->setAccessibleName(tr("Leave the lesson"));
     m_close->hide();
     connect(m_close, &QToolButton::clicked, this, &LessonPanel::closeRequested);
@@ -89,6 +89,7 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     connect(m_answer, &QLineEdit::returnPressed, this, &LessonPanel::check);
     connect(m_check, &QPushButton::clicked, this, &LessonPanel::check);
     connect(m_reveal, &QPushButton::clicked, this, &LessonPanel::reveal);
+    m_verdict->setTextFormat(Qt::PlainText); // it repeats what was typed
     m_verdict->setAccessibleName(tr("Whether your answer is right"));
 
     m_back->setToolTip(tr("The step before (Alt+Page Up)"));

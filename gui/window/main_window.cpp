@@ -323,6 +323,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         return;
     }
     m_session->end();
+    m_lessons->end(); // its window and panels are not what the user wants the next time
     keepLayout();
     QMainWindow::closeEvent(event);
 }

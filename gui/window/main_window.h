@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QGridLayout;
@@ -183,9 +184,10 @@ private:
     DoctorPanel *m_doctor = nullptr;
     LessonPlayer *m_lessons;
     LessonPanel *m_lessonPanel = nullptr;
-    std::string m_lessonPlace;                    ///< where the lesson wants to be
-    const char *m_placeBeforeLesson = nullptr;    ///< none: no lesson
-    std::vector<const char *> m_panelsOfLesson;   ///< those that a lesson has brought
+    std::string m_lessonPlace;                 ///< where the lesson wants to be
+    const char *m_placeBeforeLesson = nullptr; ///< none: no lesson
+    /// Places, and the panels that a lesson has brought there.
+    std::vector<std::pair<const char *, const char *>> m_panelsOfLesson;
     std::optional<QSize> m_sizeBeforeLesson = {}; ///< of the window, where a lesson has changed it
     FormulasWindow *m_formulas = nullptr;         ///< made when it is first asked for
     KeySheet *m_keys = nullptr;                   ///< so is this

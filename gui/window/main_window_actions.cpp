@@ -460,8 +460,9 @@ void MainWindow::showAbout()
 
 void MainWindow::showFirstSteps(bool isShown)
 {
-    if (isShown && !m_firstSteps) {
-        m_firstSteps = new FirstSteps(lessonTitle(m_lessons->lessons().front().title));
+    const std::vector<Lesson> &lessons = m_lessons->lessons();
+    if (isShown && !m_firstSteps && !lessons.empty()) { // the note offers the first one
+        m_firstSteps = new FirstSteps(lessonTitle(lessons.front().title));
         const int margin = fontMetrics().height() / 2;
         auto *line = new QHBoxLayout;
         line->setContentsMargins(margin, margin, margin, margin);

@@ -30,7 +30,7 @@ void MainWindow::createLessonsMenu(QMenu &menu)
     QAction *back = addAction(&menu, tr("&Previous Step"), Qt::ALT | Qt::Key_PageUp,
                               tr("The step of the lesson before this one"), [this] { m_lessons->previous(); });
     QAction *leave =
-        addAction(&menu, tr("L&eave Lesson"), {}, tr("End the lesson; what was shown before it comes back"),
+        addAction(&menu, tr("L&eave Lesson"), {}, tr("End the lesson; the scene that was shown before it comes back"),
                   [this] { m_lessons->leave(); });
     const auto enable = [this, next, back, leave] {
         next->setEnabled(m_lessons->hasNext());
@@ -43,16 +43,23 @@ void MainWindow::createLessonsMenu(QMenu &menu)
 
 void MainWindow::leaveLessonOrStay()
 {
-    if (!m_lessons->leave() && m_lessons->lesson())
-        m_places->show(kLessonPanel);
+    if (m_lessons->leave())
+        return;
+    // Once the dock, which is only about to close, has closed.
+    QTimer::singleShot(0, this, [this] {
+        if (m_lessons->lesson())
+            m_places->show(kLessonPanel);
+    });
 }
 
 void MainWindow::showLesson()
 {
     if (!m_lessons->lesson()) {
         m_places->dock(kLessonPanel)->hide();
-        for (const char *panel : std::exchange(m_panelsOfLesson, {}))
+        for (const auto &[at, panel] : std::exchange(m_panelsOfLesson, {})) {
+            m_places->enter(at);
             m_places->dock(panel)->hide();
+        }
         if (const char *place = std::exchange(m_placeBeforeLesson, nullptr))
             m_places->enter(place);
         if (const auto size = std::exchange(m_sizeBeforeLesson, std::nullopt))
@@ -76,7 +83,7 @@ void MainWindow::showLesson()
 void MainWindow::showPanelOfLesson(const char *panel)
 {
     if (m_places->dock(panel)->isHidden())
-        m_panelsOfLesson.push_back(panel);
+        m_panelsOfLesson.emplace_back(m_places->current(), panel);
     m_places->show(panel);
 }
 

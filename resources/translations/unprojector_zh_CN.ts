@@ -2407,7 +2407,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>课程</translation>
     </message>
     <message>
-        <source>Leave the lesson; what was shown before it comes back</source>
+        <source>Leave the lesson; the scene that was shown before it comes back</source>
         <translation>退出课程；恢复之前显示的场景</translation>
     </message>
     <message>
@@ -3251,7 +3251,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>退出课程(&amp;E)</translation>
     </message>
     <message>
-        <source>End the lesson; what was shown before it comes back</source>
+        <source>End the lesson; the scene that was shown before it comes back</source>
         <translation>结束课程；恢复之前显示的场景</translation>
     </message>
     <message>

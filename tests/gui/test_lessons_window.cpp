@@ -68,7 +68,7 @@ QString verdictOf(MainWindow &window)
 {
     for (const QLabel *label : panelOf(window).findChildren<QLabel *>()) {
         if (label->accessibleName() == QStringLiteral("Whether your answer is right"))
-            return label->text();
+            return label->textFormat() == Qt::PlainText ? label->text() : QStringLiteral("markup");
     }
     return {};
 }
@@ -119,6 +119,8 @@ private slots:
     void anAnswerIsShown();
     void whatIsDoneStaysInTheSameScene();
     void whatWasShownComesBack();
+    void whatCannotComeBackIsNotShown();
+    void aClosedWindowIsAsBeforeTheLesson();
     void anotherSceneEndsTheLesson();
     void theKeysGoFromStepToStep();
     void theViewGetsTheSizeOfTheNumbers();
@@ -220,6 +222,8 @@ void TestLessonsWindow::whatIsDoneStaysInTheSameScene()
     QVERIFY(window->document().pick());
     QVERIFY(player.goTo(1));
     QVERIFY(window->document().pick());
+    QCOMPARE(window->session().name(), QStringLiteral("Window Coordinates"));
+    QVERIFY(window->windowTitle().contains(window->session().name()));
     LookAt turned = window->document().scene().camera;
     turned.eye = turned.eye + WorldVector(1, 0, 0);
     window->document().setCamera(turned);
@@ -247,6 +251,7 @@ void TestLessonsWindow::whatWasShownComesBack()
     QVERIFY(window->session().name() != name);
     follow(*window, QStringLiteral("panel:pipeline"));
     QVERIFY(isSeen(*window, "pipeline"));
+    window->places().enter("pipeline"); // which has the panel as its own
     dockOf(*window, "lesson")->close();
     QVERIFY(!window->lessons().lesson());
     QVERIFY(dockOf(*window, "lesson")->isHidden());
@@ -256,6 +261,42 @@ void TestLessonsWindow::whatWasShownComesBack()
     QVERIFY(window->session().hasUnsavedChanges());
     QCOMPARE(window->places().current(), "points");
     QCOMPARE(window->size(), size);
+    window->places().enter("click");
+    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    window->places().enter("pipeline");
+    QVERIFY(!dockOf(*window, "pipeline")->isHidden());
+}
+
+void TestLessonsWindow::whatCannotComeBackIsNotShown()
+{
+    const auto window = windowOfSize(kWide);
+    Session::KeptScene kept = window->session().keptScene();
+    const QString name = kept.name;
+    kept.name = QStringLiteral("other");
+    kept.scene.camera.eye = kept.scene.camera.center;
+    QVERIFY(!window->session().comeBackTo(kept));
+    QCOMPARE(window->session().name(), name);
+    QVERIFY(!window->message().isEmpty());
+}
+
+void TestLessonsWindow::aClosedWindowIsAsBeforeTheLesson()
+{
+    QSize size;
+    {
+        const auto window = windowOfSize(kWide, true);
+        window->places().enter("points");
+        size = window->size();
+        QVERIFY(window->lessons().start("first"));
+        follow(*window, QStringLiteral("view:400x400"));
+        QTRY_COMPARE(window->view().size(), QSize(400, 400));
+        QVERIFY(window->size() != size);
+        follow(*window, QStringLiteral("panel:pipeline"));
+        QVERIFY(window->close());
+    }
+    const auto window = windowOfSize(kWide, true);
+    QCOMPARE(window->size(), size);
+    QCOMPARE(window->places().current(), "points");
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
     window->places().enter("click");
     QVERIFY(dockOf(*window, "pipeline")->isHidden());
 }

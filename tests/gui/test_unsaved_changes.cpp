@@ -7,6 +7,7 @@
 #include "gui_scene.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
@@ -111,6 +112,7 @@ private slots:
     void aLookBetweenEditsKeepsThemApart();
     void theAnswerIsObeyed();
     void aSceneWithoutAFileIsSavedUnderAName();
+    void ofALessonsSceneOnlyASavedOneIsAskedAbout();
 
 private:
     QString file() const { return m_folder.filePath(QStringLiteral("scene.json")); }
@@ -335,6 +337,39 @@ void TestUnsavedChanges::aSceneWithoutAFileIsSavedUnderAName()
     QCOMPARE(answers.questions().size(), 2);
     QCOMPARE(answers.questions().constLast(), QStringLiteral("file"));
     QVERIFY(window->isWindowModified());
+}
+
+void TestUnsavedChanges::ofALessonsSceneOnlyASavedOneIsAskedAbout()
+{
+    const auto window = this->window();
+    window->session().openBundledScene();
+    bringUp(*window);
+    LessonPlayer &player = window->lessons();
+    {
+        const MessageBoxAnswers answers(QMessageBox::Cancel);
+        QVERIFY(player.start("pipeline"));
+        const std::vector<std::function<bool()>> ways = {
+            [&player] { return player.next(); }, [&player] { return player.previous(); },
+            [&player] { return player.restart(); }, [&player] { return player.leave(); }};
+        for (const auto &goes : ways) {
+            cut(*window, {{0.0, 1.0, 0.0, 0.25}});
+            QVERIFY(window->session().hasUnsavedChanges());
+            QVERIFY(goes());
+        }
+        QCOMPARE(answers.questions(), QStringList());
+        QCOMPARE(window->session().name(), QStringLiteral("Bundled scene"));
+    }
+    QVERIFY(player.start("pipeline"));
+    QVERIFY(window->session().saveScene(path()));
+    cut(*window, {{0.0, 1.0, 0.0, 0.25}});
+    const MessageBoxAnswers answers(QMessageBox::Cancel);
+    QVERIFY(!player.next());
+    auto *dock = window->findChild<QDockWidget *>(QStringLiteral("lesson"));
+    dock->close();
+    QCOMPARE(answers.questions().size(), 2);
+    QVERIFY(player.lesson());
+    QTRY_VERIFY2(dock->isVisible(), "who stays sees the lesson");
+    QCOMPARE(window->session().file(), path());
 }
 
 QTEST_MAIN(TestUnsavedChanges)
