@@ -3,6 +3,7 @@
 #include "core/geometry/given_point.h"
 #include "core/geometry/result.h"
 #include "core/geometry/viewport.h"
+#include "core/ray/scene_rays.h"
 
 #include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
@@ -32,7 +33,8 @@
 ///       "panels": ["parameters"],               optional: shown there
 ///       "points": {                             optional: what paths and links name
 ///         "corner": {"space": "object", "coordinates": [4, 4, -4], "object": "Quad"},
-///         "clicked": {"pixel": [162, 187]}},    what a click there gives: the pixel's centre, the depth of the mesh
+///         "clicked": {"pixel": [162, 187]},     what a click there gives: the pixel's centre, the depth of the mesh
+///         "taken": {"pixel": [162, 187], "snap": "vertex"}},   or the vertex, edge or face that it takes: ray::Snap
 ///       "question": {                           optional
 ///         "text": "Which z …?", "answer": "eye.z", "tolerance": 0.01, "reveal": ["…"]}
 ///     }]
@@ -57,8 +59,14 @@ struct LessonError {
     std::string text;
 };
 
-/// A point that a step's paths and links name: in numbers, or what a click on a pixel gives.
-using StepPoint = std::variant<GivenPoint, DevicePixel>;
+/// What a click on a pixel gives, or takes of the meshes.
+struct ClickedPixel {
+    DevicePixel pixel{};
+    ray::Snap snap = ray::Snap::Surface;
+};
+
+/// A point that a step's paths and links name: in numbers, or by a click.
+using StepPoint = std::variant<GivenPoint, ClickedPixel>;
 
 struct Question {
     std::string text;

@@ -104,7 +104,13 @@ StepPoint readPoint(LessonReader &reader, const JsonNode &node)
 {
     StepPoint point;
     if (node.isObject() && node.json().contains("pixel"))
-        reader.object(node, [&](FieldReader &json) { json.required("pixel", point.emplace<DevicePixel>()); });
+        reader.object(node, [&](FieldReader &json) {
+            static constexpr std::array kSnaps{"surface", "vertex", "edge", "face"};
+            auto &clicked = point.emplace<ClickedPixel>();
+            json.required("pixel", clicked.pixel);
+            if (json.has("snap", true))
+                json.required("snap", clicked.snap, Words{kSnaps});
+        });
     else
         reader.object(node, [&](FieldReader &json) { describe(json, point.emplace<GivenPoint>()); });
     return point;

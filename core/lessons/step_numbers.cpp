@@ -1,6 +1,7 @@
 #include "core/lessons/step_numbers.h"
 
 #include "core/lessons/statements.h"
+#include "core/matrices/matrix_factors.h"
 #include "core/matrices/pipeline.h"
 #include "core/ray/mesh_depth.h"
 #include "core/scene/bundled_models.h"
@@ -38,6 +39,14 @@ Json rowsOf(const glm::dmat4 &matrix)
     Json rows = Json::array();
     for (int row = 0; row < 4; ++row)
         rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]});
+    return rows;
+}
+
+Json rowsOf(const std::vector<matrices::MatrixFactor> &factors)
+{
+    Json rows = Json::array();
+    for (const matrices::MatrixFactor &factor : factors)
+        rows.push_back(rowsOf(factor.matrix));
     return rows;
 }
 
@@ -111,7 +120,7 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, con
 }
 
 /// What a click on a pixel gives.
-Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, const DevicePixel &pixel,
+Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, const ClickedPixel &clicked,
                                  const std::string &where)
 {
     const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(picture);
@@ -121,16 +130,20 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, con
     for (const SceneObject &object : scene.objects)
         casters.push_back(ray::RayCaster::build(object.model, {}));
     const auto rays = std::make_shared<const ray::SceneRays>(*unprojector, scene.objects, casters, scene.clipPlanes);
-    const DevicePoint center = pixelCenter(pixel);
-    const auto hit = rays->at(center);
+    const DevicePoint center = pixelCenter(clicked.pixel);
+    const auto hit = rays->at(center, clicked.snap);
     const std::optional<double> depth = ray::MeshDepth(rays)(center);
-    if (!hit || !*hit || !depth)
+    if (!hit || !*hit || (clicked.snap == ray::Snap::Surface && !depth))
         return failed(where, "at the pixel there is no surface");
     const Result<Pipeline, LessonError> pipeline =
         pipelineOf(scene, picture, scene.objects[(*hit)->object].name, where);
     if (!pipeline)
         return pipeline.error();
-    return treeOf(*pipeline, matrices::pointsBackward(*pipeline, windowFromDevice(picture.surface, center, *depth)));
+    if (clicked.snap == ray::Snap::Surface)
+        return treeOf(*pipeline,
+                      matrices::pointsBackward(*pipeline, windowFromDevice(picture.surface, center, *depth)));
+    const WorldPoint &taken = clicked.snap == ray::Snap::Vertex ? (*hit)->vertex.world : (*hit)->world;
+    return treeOf(*pipeline, matrices::pointsForward(*pipeline, taken));
 }
 
 /// All numbers under a node, in their order.
@@ -227,6 +240,14 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
         for (const char *space :
              {"object", "world", "eye", "clip", "ndc", "window", "device", "widget", "pixel", "formula", "inverse"})
             numbers.m_tree.erase(space);
+    }
+    if (picture->isByParameters()) {
+        const auto view = matrices::factors(picture->camera());
+        const auto projection = matrices::factors(picture->projection());
+        if (view && projection) {
+            numbers.m_tree["viewSteps"] = rowsOf(*view);
+            numbers.m_tree["projectionSteps"] = rowsOf(*projection);
+        }
     }
     const auto file = scene_file::sceneText(scene_file::sceneFileFrom(scene, *picture, {}));
     if (!file)

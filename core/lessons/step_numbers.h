@@ -27,6 +27,8 @@ Surface surfaceOf(const Step &step, const Surface &surface);
 ///   surface.width .height .ratio  the view: device pixels, and how many of them there are to a logical one
 ///   model view projection viewport modelview whole
 ///                               the matrices of PipelineStage, [row][column] from 0, column vectors: projection[2][3]
+///   viewSteps projectionSteps   what view and projection are taken apart into, see matrices::factors: [i][row][column], in the
+///                               order in which they act on a point. None where they were given as sixteen numbers
 ///   object world eye clip ndc window device widget
 ///                               the followed point (the scene's "point") in each space: .x .y .z .w
 ///   formula inverse             what its window point is unprojected to, in the world, by the formulas and by the matrix

@@ -170,7 +170,7 @@ std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
     if (const auto found = step().points.find(point); found != step().points.end()) {
         points.insert(*found);
         // A pixel is one of the step's own view. What it shows there may lie at another pixel of this one.
-        if (std::holds_alternative<DevicePixel>(found->second)) {
+        if (std::holds_alternative<lessons::ClickedPixel>(found->second)) {
             const auto own = lessons::StepNumbers::of(*m_shown, lessons::surfaceOf(step(), surface), points);
             const std::vector<double> world = own ? own->at(point + ".world") : std::vector<double>();
             if (world.size() != 3)

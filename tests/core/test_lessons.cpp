@@ -101,6 +101,7 @@ private slots:
     void aWrongNumberIsFound();
     void statementsAreTakenApart_data();
     void statementsAreTakenApart();
+    void aClickMayTakeAVertex();
     void aPointOutsideHasNoPixel();
     void aStepGoesOnFromTheOneBefore();
     void aFaultNamesItsPlace_data();
@@ -210,6 +211,10 @@ void TestLessons::aWrongNumberIsFound_data()
         "a.text: \"1\" a: \"view[0][4]\" in \"view[0][4]\" is no number of this step");
     row("of no source", "It is 5.", "a.text: 1 numbers outside of braces in \"It is 5.\"");
     row("an index is a name", "m[14] = {−8 = modelview[2][3]}", "");
+    row("a step of a matrix",
+        "{10 = projectionSteps[0][2][3] + 10}, {−5 = viewSteps[0][2][3]}, {0.1 = projectionSteps[1][0][0]}", "");
+    row("no such step", "{1 = projectionSteps[3][0][0]}",
+        "a.text: \"1\" a: \"projectionSteps[3][0][0]\" in \"projectionSteps[3][0][0]\" is no number of this step");
     row("an expression", "{16 = -2 * eye.z}, {4/5 = eye.z / -10}", "");
 }
 
@@ -269,6 +274,24 @@ void TestLessons::statementsAreTakenApart()
     QCOMPARE(int(made.faults.size()), faults);
 }
 
+void TestLessons::aClickMayTakeAVertex()
+{
+    // The square from -4 to 4 at z = -4, in a box of 18 on 600 pixels.
+    const auto lesson = parseLesson("t", oneStep(R"(, "scene": "parallel-orthographic", "points": {
+        "clicked": {"pixel": [431, 431]},
+        "vertex": {"pixel": [431, 431], "snap": "vertex"},
+        "edge": {"pixel": [431, 300], "snap": "edge"},
+        "beside": {"pixel": [434, 300], "snap": "face"}})"));
+    QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+    const auto numbers = LessonNumbers::of(*lesson, {600, 600, 1.0});
+    QVERIFY2(numbers, numbers ? "" : numbers.error().text.c_str());
+    const auto at = [&](const char *path) { return numbers->step("a").at(path); };
+    QVERIFY(std::fabs(at("clicked.world")[0] - 3.945) < 1e-9 && std::fabs(at("clicked.world")[1] + 3.945) < 1e-9);
+    QCOMPARE(at("vertex.world"), (std::vector<double>{4.0, -4.0, -4.0}));
+    QVERIFY(std::fabs(at("edge.world.x")[0] - 4.0) < 1e-9 && std::fabs(at("edge.world.y")[0] + 0.015) < 1e-9);
+    QVERIFY(std::fabs(at("beside.world.x")[0] - 4.0) < 0.03); // within a pixel of the face
+}
+
 void TestLessons::aPointOutsideHasNoPixel()
 {
     const auto lesson = parseLesson("t", oneStep(R"(, "scene": "zhangci-perspective", "points": {
@@ -323,6 +346,8 @@ void TestLessons::aFaultNamesItsPlace_data()
         "t.json: steps[0].points.p.coordinates: is missing");
     row("no tolerance", oneStep(R"(, "scene": "zhangci-2d", "question": {"answer": "eye.z"})"),
         "t.json: steps[0].question.tolerance: is missing");
+    row("an unknown snap", oneStep(R"(, "scene": "zhangci-2d", "points": {"p": {"pixel": [1, 1], "snap": "corner"}})"),
+        "t.json: steps[0].points.p.snap: ");
     row("half a view", oneStep(R"(, "scene": "zhangci-2d", "view": [1.5, 2])"),
         "t.json: steps[0]: \"view\" must be two whole numbers from 1 to 16384");
     row("a view beyond all numbers", oneStep(R"(, "scene": "zhangci-2d", "view": [1e12, 2])"),
