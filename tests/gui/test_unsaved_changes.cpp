@@ -363,7 +363,7 @@ void TestUnsavedChanges::ofALessonsSceneOnlyASavedOneIsAskedAbout()
     QVERIFY(window->session().saveScene(path()));
     cut(*window, {{0.0, 1.0, 0.0, 0.25}});
     const MessageBoxAnswers answers(QMessageBox::Cancel);
-    QVERIFY(!player.next());
+    QVERIFY(!player.leave());
     auto *dock = window->findChild<QDockWidget *>(QStringLiteral("lesson"));
     dock->close();
     QCOMPARE(answers.questions().size(), 2);
