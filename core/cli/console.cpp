@@ -12,13 +12,7 @@
 #include <sys/stat.h>
 
 #ifdef _WIN32
-#ifndef NOMINMAX
-#define NOMINMAX
-#endif
-#ifndef WIN32_LEAN_AND_MEAN
-#define WIN32_LEAN_AND_MEAN
-#endif
-#include <windows.h>
+#include "core/files/windows_api.h"
 
 #include <fcntl.h>
 #include <io.h>

@@ -1,13 +1,7 @@
 #include "core/files/standard_streams.h"
 
 #ifdef _WIN32
-#ifndef NOMINMAX
-#define NOMINMAX
-#endif
-#ifndef WIN32_LEAN_AND_MEAN
-#define WIN32_LEAN_AND_MEAN
-#endif
-#include <windows.h>
+#include "core/files/windows_api.h"
 
 #include <cstdio>
 #include <tuple>

@@ -3,6 +3,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
+#include "tests/support/is_near.h"
 
 #include <QTest>
 
@@ -18,19 +19,6 @@ namespace {
 /// Window positions up to 1000, after some dozens of roundings.
 constexpr double kRoundingPixels = 1e-8;
 constexpr double kRounding = 1e-12;
-
-bool isNear(double a, double b, double tolerance)
-{
-    if (std::abs(a - b) <= tolerance)
-        return true;
-    qWarning("%.17g is not %.17g", a, b);
-    return false;
-}
-
-bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
-{
-    return isNear(a.x, b.x, tolerance) && isNear(a.y, b.y, tolerance) && isNear(a.z, b.z, tolerance);
-}
 
 /// Where a point stands in the picture; NaN where it has no place.
 glm::dvec2 placeOf(const Picture &g, const WorldPoint &point)

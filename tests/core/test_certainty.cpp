@@ -3,6 +3,7 @@
 
 #include "core/geometry/proportions.h"
 #include "tests/support/inside_share.h"
+#include "tests/support/is_near.h"
 #include "tests/support/unprojecting.h"
 
 #include <QTest>
@@ -143,14 +144,6 @@ private:
     std::normal_distribution<double> m_normal;
 };
 
-bool isNear(double a, double b, double tolerance)
-{
-    if (std::abs(a - b) <= tolerance * std::abs(b))
-        return true;
-    qWarning("%.17g is not %.17g", a, b);
-    return false;
-}
-
 /// The middle of the picture, where the footprint of a pixel is the same to the right and upward.
 DepthError errorOf(const DepthSample &sample, const DrawnSurface &surface = {}, const Projection &projection = kBox)
 {
@@ -213,10 +206,10 @@ void TestCertainty::eachSourceOfErrorIsAdded()
     const DepthError inclined = errorOf(sample);
     QVERIFY(inclined.drawing > flat.drawing);
     sample.cornerShiftPixels = kCornerShiftPixels;
-    QVERIFY(isNear(errorOf(sample).drawing - inclined.drawing, 3e-3 / 512.0, 1e-9));
+    QVERIFY(isRelativelyNear(errorOf(sample).drawing - inclined.drawing, 3e-3 / 512.0, 1e-9));
     // Nothing said of the slope: steep. The box is 8 / 800 a pixel and 19 deep; tan 80 degrees is 5.67.
     sample.slope.reset();
-    QVERIFY(isNear(errorOf(sample).drawing, 2.0 * 0.01 / 19.0 * 5.671281819617709 / 512.0, 0.2));
+    QVERIFY(isRelativelyNear(errorOf(sample).drawing, 2.0 * 0.01 / 19.0 * 5.671281819617709 / 512.0, 0.2));
     // Vertices that lie a thousand times as far from their origin as the picture is wide lose as much.
     DrawnSurface away;
     away.worldFromVertices[3] = glm::dvec4(5000.0, 0.0, 0.0, 1.0);
@@ -254,7 +247,7 @@ void TestCertainty::aTriangleTellsItsSlope()
             sample.cornerShiftPixels = cornerShift;
             return depthErrorAt(picture, middle, WorldPoint(at(0.0, 0.0)), sample, {glm::dmat4(1.0), triangle}).drawing;
         };
-        QVERIFY(isNear(drawing(1.0) - drawing(0.0), std::abs(slope.x) + std::abs(slope.y), 1e-6));
+        QVERIFY(isRelativelyNear(drawing(1.0) - drawing(0.0), std::abs(slope.x) + std::abs(slope.y), 1e-6));
     }
 }
 
@@ -292,9 +285,9 @@ void TestCertainty::anErrorOfDepthIsOneOfDistance()
                 farthest = std::max(farthest, std::abs(distance(std::clamp(end, lowest, highest)) - here));
             QVERIFY(certainty.distance >= farthest * (1.0 - 1e-6));
             const bool isCut = depth + error > highest || depth - error < lowest;
-            QVERIFY(isCut || isNear(certainty.distance, farthest, 1e-6));
+            QVERIFY(isCut || isRelativelyNear(certainty.distance, farthest, 1e-6));
             QVERIFY(certainty.distance <= 19.0);
-            QVERIFY(part > 1e-4 || isNear(certainty.halfDepthStep, certainty.distance / 4.0, 0.05));
+            QVERIFY(part > 1e-4 || isRelativelyNear(certainty.halfDepthStep, certainty.distance / 4.0, 0.05));
         }
     }
 }

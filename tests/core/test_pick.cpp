@@ -2,6 +2,7 @@
 // formulas (7) to (12): a lost flip, half pixel, pixel ratio or viewport offset leaves both methods in agreement.
 
 #include "core/unproject/pick.h"
+#include "tests/support/is_near.h"
 #include "tests/support/unprojecting.h"
 
 #include <QTest>
@@ -22,25 +23,6 @@ constexpr double kRounding = 1e-12;
 constexpr double kInverseRounding = 1e-10;
 /// Single precision: 24 bits of numbers up to 100, times that condition.
 constexpr double kFloatRounding = 2e-3;
-
-bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(std::abs(a[axis] - b[axis]) <= tolerance)) {
-            qWarning("(%.17g, %.17g, %.17g) is not (%.17g, %.17g, %.17g)", a.x, a.y, a.z, b.x, b.y, b.z);
-            return false;
-        }
-    }
-    return true;
-}
-
-bool isRelativelyNear(double a, double b, double tolerance)
-{
-    if (std::abs(a - b) <= tolerance * std::abs(b))
-        return true;
-    qWarning("%.17g is not %.17g", a, b);
-    return false;
-}
 
 /// 800 x 600 logical pixels, looked at from (0, 0, 5) towards the origin.
 Picture plainFrustum()

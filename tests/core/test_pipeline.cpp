@@ -4,6 +4,7 @@
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/pipeline.h"
 #include "core/scene/bundled_scene.h"
+#include "tests/support/is_near.h"
 
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
@@ -27,17 +28,6 @@ Picture geometryOf(const Projection &projection, const LookAt &camera, int width
 {
     const Surface surface = surfaceFromWidget(width, height, ratio);
     return {surface, wholeSurface(surface), {}, projection, camera};
-}
-
-bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
-{
-    for (int k = 0; k < 3; ++k) {
-        if (!(std::abs(a[k] - b[k]) <= tolerance)) {
-            qWarning("(%.17g, %.17g, %.17g) is not (%.17g, %.17g, %.17g)", a.x, a.y, a.z, b.x, b.y, b.z);
-            return false;
-        }
-    }
-    return true;
 }
 
 LookAt fromFive()

@@ -7,6 +7,7 @@
 #include "core/scene/examples.h"
 #include "core/unproject/other_programs.h"
 #include "tests/support/errata.h"
+#include "tests/support/is_near.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/unprojecting.h"
 
@@ -40,19 +41,6 @@ constexpr double kRoundTrip = 1e-10;
 /// The numbers worked out by hand have seven decimals.
 constexpr double kPrintedDigits = 5e-7;
 constexpr double kRightAngle = std::numbers::pi / 2.0;
-
-bool isNear(double a, double b, double tolerance)
-{
-    if (std::abs(a - b) <= tolerance)
-        return true;
-    qWarning("%.17g is not %.17g", a, b);
-    return false;
-}
-
-bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
-{
-    return isNear(a.x, b.x, tolerance) && isNear(a.y, b.y, tolerance) && isNear(a.z, b.z, tolerance);
-}
 
 /// A number with as many decimals as the one that is printed; 0 without its sign.
 std::string asPrinted(double number, const std::string &printed)

@@ -5,6 +5,7 @@
 #include "core/geometry/framing.h"
 #include "core/geometry/observer_camera.h"
 #include "core/geometry/view_volume.h"
+#include "tests/support/is_near.h"
 
 #include <QTest>
 
@@ -20,14 +21,6 @@ namespace {
 
 /// Numbers of size 1 to 100 after a few roundings.
 constexpr double kRounding = 1e-12;
-
-bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
-{
-    if (glm::length(a - b) <= tolerance)
-        return true;
-    qWarning("(%.17g, %.17g, %.17g) is not (%.17g, %.17g, %.17g)", a.x, a.y, a.z, b.x, b.y, b.z);
-    return false;
-}
 
 glm::dvec3 divided(const glm::dvec4 &p)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/viewport.h"
+#include "tests/support/is_near.h"
 
 #include <QtGlobal>
 
@@ -18,14 +19,6 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A few roundings of numbers up to 4000.
 inline constexpr double kRoundingPixels = 1e-11;
 inline constexpr double kRoundingNdc = 1e-14;
-
-inline bool isNear(double a, double b, double tolerance)
-{
-    if (std::abs(a - b) <= tolerance)
-        return true;
-    qWarning("%.17g is not %.17g", a, b);
-    return false;
-}
 
 inline const Error &errorOf(const auto &result)
 {

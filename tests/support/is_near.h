@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QtGlobal>
+
+#include <glm/vec3.hpp>
+
+#include <cmath>
+
+/// Whether two numbers differ by no more than the tolerance; says which two where they do. NaN is near nothing.
+inline bool isNear(double a, double b, double tolerance)
+{
+    if (std::abs(a - b) <= tolerance)
+        return true;
+    qWarning("%.17g is not %.17g", a, b);
+    return false;
+}
+
+/// Every coordinate by itself.
+inline bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(std::abs(a[axis] - b[axis]) <= tolerance)) {
+            qWarning("(%.17g, %.17g, %.17g) is not (%.17g, %.17g, %.17g)", a.x, a.y, a.z, b.x, b.y, b.z);
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Whether two numbers differ by no more than the tolerance times the second; says which two where they do.
+inline bool isRelativelyNear(double a, double b, double tolerance)
+{
+    if (std::abs(a - b) <= tolerance * std::abs(b))
+        return true;
+    qWarning("%.17g is not %.17g", a, b);
+    return false;
+}
