@@ -2,10 +2,12 @@
 
 #include "gui/text/formula_layout.h"
 #include "gui/text/formula_markup.h"
+#include "gui/window/find_bar.h"
 
 #include <QAction>
 #include <QFile>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QTextBrowser>
@@ -76,7 +78,7 @@ QString pageText(const QString &name, const QColor &lines, const QColor &heading
 
 } // namespace
 
-FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Page)
+FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Page), m_find(new FindBar(*m_page))
 {
     setWindowTitle(tr("Formulas"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
@@ -111,12 +113,26 @@ FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Pa
     larger << QKeySequence(Qt::CTRL | Qt::Key_Equal);
     add(tr("A+"), tr("Larger text"), larger, [this] { setZoomPercent(zoomPercent() + kStepPercent); });
     setZoomPercent(100);
+    bar->addSeparator();
+    add(tr("Find"), tr("Find words in the page"), {QKeySequence::Find}, [this] { m_find->openField(); });
+    const auto addKeys = [this](QKeySequence::StandardKey standard, const QKeySequence &everywhere, auto slot) {
+        auto *action = new QAction(this);
+        QList<QKeySequence> keys = QKeySequence::keyBindings(standard);
+        if (!keys.contains(everywhere))
+            keys << everywhere;
+        action->setShortcuts(keys);
+        connect(action, &QAction::triggered, m_find, slot);
+        addAction(action);
+    };
+    addKeys(QKeySequence::FindNext, Qt::Key_F3, &FindBar::findNext);
+    addKeys(QKeySequence::FindPrevious, Qt::SHIFT | Qt::Key_F3, &FindBar::findPrevious);
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(bar);
     layout->addWidget(m_page);
+    layout->addWidget(m_find); // below the page: the text stays where it is when the field comes
     m_page->setFocus();
 }
 
@@ -140,6 +156,15 @@ void FormulasWindow::showPage()
     m_page->setHtml(pageText(name, colors.color(QPalette::Text), isDark ? link : QColor(0x1f, 0x3a, 0x5f), link,
                              isDark ? QColor(0xa0, 0xa4, 0xaa) : QColor(0x66, 0x66, 0x66)));
     m_page->verticalScrollBar()->setValue(place);
+    m_find->searchAgain();
+}
+
+void FormulasWindow::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Escape && m_find->isVisible())
+        m_find->closeField();
+    else
+        QDialog::keyPressEvent(event);
 }
 
 void FormulasWindow::changeEvent(QEvent *event)

@@ -7,6 +7,8 @@ class QTextBrowser;
 
 namespace unprojector::gui {
 
+class FindBar;
+
 /// All formulas, typeset as a handout, each with its source, and the errors found in the tutorials. Not modal.
 class FormulasWindow : public QDialog {
     Q_OBJECT
@@ -23,14 +25,17 @@ public:
     void setZoomPercent(int percent);
 
     QTextBrowser &page() { return *m_page; }
+    FindBar &findBar() { return *m_find; }
 
 protected:
     void changeEvent(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
 
 private:
     void showPage();
 
     QTextBrowser *m_page;
+    FindBar *m_find;
     QAction *m_usualSize = nullptr;
 };
 

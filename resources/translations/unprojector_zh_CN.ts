@@ -1976,6 +1976,41 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::FindBar</name>
+    <message>
+        <source>The hit before (Shift+F3)</source>
+        <translation>上一处（Shift+F3）</translation>
+    </message>
+    <message>
+        <source>The next hit (F3)</source>
+        <translation>下一处（F3）</translation>
+    </message>
+    <message>
+        <source>Find in the page</source>
+        <translation>在页面中查找</translation>
+    </message>
+    <message>
+        <source>Words or a part of one, in capitals or not</source>
+        <translation>词语或其中一部分，不区分大小写</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>查找结果</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>第 %1 处，共 %2 处</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>没有找到</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>关闭（Esc）</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::FirstSteps</name>
     <message>
         <source>First steps</source>
@@ -2051,6 +2086,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Find words in the page</source>
+        <translation>在页面中查找文字</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QTextCursor>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QTextEdit;
+class QToolButton;
+
+namespace unprojector::gui {
+
+/// Finds words in a page of text: all hits are marked, and one of them is the present one. Hidden until it is opened.
+class FindBar : public QWidget {
+    Q_OBJECT
+public:
+    /// @param page  outlives the bar
+    explicit FindBar(QTextEdit &page, QWidget *parent = nullptr);
+
+    /// Shows the field with what was looked for before, selected.
+    void openField();
+    /// Takes the marks away; the present hit stays selected in the page.
+    void closeField();
+    /// To the hit after the present one or before it, round the page's ends. Opens the bar where it is closed.
+    void findNext() { step(1); }
+    void findPrevious() { step(-1); }
+    /// After the page's text was set anew.
+    void searchAgain();
+
+    /// Of the hits in the page, in its order.
+    const std::vector<QTextCursor> &hits() const { return m_hits; }
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    void search(int from);
+    void step(int by);
+    void showHit();
+    void mark();
+    int firstVisiblePosition() const;
+
+    QTextEdit &m_page;
+    QLineEdit *m_field;
+    QLabel *m_count;
+    QToolButton *m_previous, *m_next;
+    std::vector<QTextCursor> m_hits;
+    int m_present = -1; ///< of them; -1 where there are none
+    int m_start = 0;    ///< where the search began: what is typed on is looked for from there
+};
+
+} // namespace unprojector::gui
