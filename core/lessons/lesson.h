@@ -10,6 +10,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -31,6 +32,7 @@
 ///       "view": [300, 300],                     optional: the view's size, device pixels, that the numbers need
 ///       "place": "pipeline",                    optional: the work place
 ///       "panels": ["parameters"],               optional: shown there
+///       "highlights": ["axes", "volume"],       optional: letters written into the pictures, see Highlight
 ///       "points": {                             optional: what paths and links name
 ///         "corner": {"space": "object", "coordinates": [4, 4, -4], "object": "Quad"},
 ///         "clicked": {"pixel": [162, 187]},     what a click there gives: the pixel's centre, the depth of the mesh
@@ -68,6 +70,14 @@ struct ClickedPixel {
 /// A point that a step's paths and links name: in numbers, or by a click.
 using StepPoint = std::variant<GivenPoint, ClickedPixel>;
 
+/// What of a step is lettered in the view and in View from Outside; see highlights.h.
+enum class Highlight {
+    Axes,    ///< "axes": those of the model, the world and the eye, in both views
+    Volume,  ///< "volume": the sides of the view volume, in View from Outside
+    Cube,    ///< "cube": −1 and 1 at the normalised cube that View from Outside morphs the volume into
+    Viewport ///< "viewport": where the viewport lies in the view
+};
+
 struct Question {
     std::string text;
     std::string answer;              ///< an expression of StepNumbers
@@ -84,6 +94,7 @@ struct Step {
     std::optional<glm::ivec2> view;
     std::string place; ///< empty: wherever one is
     std::vector<std::string> panels;
+    std::set<Highlight> highlights;
     std::map<std::string, StepPoint> points;
     std::optional<Question> question;
 };

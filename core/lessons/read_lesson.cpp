@@ -1,6 +1,7 @@
 #include "core/lessons/lesson.h"
 
 #include "core/geometry/drawable.h"
+#include "core/lessons/highlights.h"
 #include "core/scene/examples.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_fields.h"
@@ -149,6 +150,23 @@ void readScene(LessonReader &reader, const JsonNode &node, Json &document)
         document.merge_patch(change.json());
 }
 
+void readHighlights(LessonReader &reader, const JsonNode &node, FieldReader &json, Step &step)
+{
+    std::vector<std::string> names;
+    json.list("highlights", names);
+    for (const std::string &name : names) {
+        const std::optional<Highlight> highlight = highlightOf(name);
+        if (highlight) {
+            step.highlights.insert(*highlight);
+            continue;
+        }
+        std::string known;
+        for (const std::string_view one : kHighlightNames)
+            known += (known.empty() ? "\"" : ", \"") + std::string(one) + "\"";
+        reader.fail(node.member("highlights"), "there is no highlight \"" + name + "\"; there are " + known);
+    }
+}
+
 /// @param before  null for the first step
 void readStep(LessonReader &reader, const JsonNode &node, const Step *before, Step &step)
 {
@@ -175,6 +193,7 @@ void readStep(LessonReader &reader, const JsonNode &node, const Step *before, St
         }
         json.optional("place", step.place);
         json.list("panels", step.panels);
+        readHighlights(reader, node, json, step);
         static_cast<void>(json.has("points", true));
         if (const JsonNode points = node.member("points"); points.exists() && points.isObject()) {
             for (const auto &[name, point] : points.json().items()) {

@@ -3,7 +3,10 @@
 #include "gui/view/opengl_check.h"
 
 #include <QEvent>
+#include <QFontInfo>
 #include <QOpenGLContext>
+#include <QOpenGLPaintDevice>
+#include <QPainter>
 #include <QScopedValueRollback>
 #include <QSurfaceFormat>
 #include <QWindow>
@@ -239,6 +242,24 @@ void FrameView::refine(const Deadline &deadline)
     m_shown = 1 - m_shown;
     m_painter.setStale();
     tellDrawn(1.0);
+}
+
+void FrameView::paintOver(double devicePixelRatio, const std::function<void(QPainter &)> &paint)
+{
+    {
+        // Not onto the widget itself: while that is grabbed, what is painted on it goes elsewhere.
+        const Surface surface = currentSurface();
+        QOpenGLPaintDevice device(surface.widthPixels, surface.heightPixels);
+        device.setDevicePixelRatio(devicePixelRatio);
+        QPainter painter(&device);
+        QFont letters = font(); // in pixels, since this device has no points of its own
+        letters.setPixelSize(QFontInfo(font()).pixelSize());
+        painter.setFont(letters);
+        paint(painter);
+    }
+    // What a QPainter leaves switched on, what is drawn next does not expect.
+    for (const GLenum what : {GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_TEST})
+        glDisable(what);
 }
 
 void FrameView::completeFrame()

@@ -13,6 +13,9 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
+
+class QPainter;
 
 namespace unprojector::gui {
 
@@ -89,6 +92,10 @@ protected:
     /// Puts the frame onto the widget; where there is none, clears the widget.
     /// @return whether there is one
     bool showFrame();
+
+    /// Paints over what OpenGL has drawn, in the widget's font; then OpenGL tests and blends nothing.
+    /// @param devicePixelRatio  device pixels to a unit of the painter: that of the surface for logical pixels
+    void paintOver(double devicePixelRatio, const std::function<void(QPainter &)> &paint);
 
     /// Tells of a picture that is awaited or long in coming, see drawingProgressed.
     void tellDrawn(double share);

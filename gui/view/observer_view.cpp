@@ -6,7 +6,10 @@
 #include "gui/painters/observer_shapes.h"
 #include "gui/painters/scene_lines.h"
 #include "gui/text/error_text.h"
+#include "gui/view/highlight_marks.h"
 #include "gui/view/wrong_point_marks.h"
+
+#include <QPainter>
 
 #include <glm/geometric.hpp>
 
@@ -68,6 +71,12 @@ void ObserverView::setMorph(double t)
     m_t = t;
     update();
     emit morphChanged(m_t);
+}
+
+void ObserverView::setHighlights(const std::set<lessons::Highlight> &highlights)
+{
+    m_highlights = highlights;
+    update();
 }
 
 void ObserverView::initializeGL()
@@ -166,12 +175,7 @@ std::optional<QPointF> ObserverView::placeOf(const WorldPoint &point) const
         return std::nullopt;
     const glm::dvec4 drawn = p->drawnFromWorld * glm::dvec4(point.coordinates(), 1.0);
     const glm::dvec4 clip = p->clipFromDrawn * drawn;
-    if (!(drawn.w > 0.0) || !(clip.w > 0.0))
-        return std::nullopt;
-    const WindowPoint window = windowFromNdc(p->observer.viewport, p->observer.depthRange,
-                                             NdcPoint(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w));
-    const WidgetPoint widget = widgetFromDevice(p->observer.surface, deviceFromWindow(p->observer.surface, window));
-    return QPointF(widget.x, widget.y);
+    return drawn.w > 0.0 ? placeInPicture(p->observer, clip) : std::nullopt;
 }
 
 void ObserverView::paintGL()
@@ -195,6 +199,7 @@ void ObserverView::paintGL()
     drawVolume(*p);
     drawCamera(*p);
     drawPick(*p);
+    drawHighlighted(*p);
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
 }
@@ -303,8 +308,7 @@ void ObserverView::drawVolume(const ObserverPicture &p)
         drawLines(edgesFromEye(p.corners, 0.6f * eyeOpacity(p.projection, p.t)), clipFromEye, 1.2);
 
     // The axes of NDC, from the cube's middle to a little outside of it.
-    const float opacity = static_cast<float>(std::clamp((p.t - 0.6) / 0.4, 0.0, 1.0));
-    if (opacity > 0.0f) {
+    if (const float opacity = cubeOpacity(p.t); opacity > 0.0f) {
         const glm::dmat4 drawnFromNdc = matrixOf(p.placement) * p.morph.morphedFromNdc;
         const glm::dvec3 origin(drawnFromNdc[3]);
         std::array<glm::dvec3, 3> tips;
@@ -329,7 +333,11 @@ void ObserverView::drawCamera(const ObserverPicture &p)
     m_faces.draw(cameraFaces(opacity), clipFromGlyph);
     glDepthMask(GL_FALSE);
     drawLines(cameraLines(opacity), clipFromGlyph, 1.3);
+    glDepthMask(GL_TRUE);
+    if (m_highlights.contains(lessons::Highlight::Axes) || m_highlights.contains(lessons::Highlight::Volume))
+        return; // the lesson names the same axes otherwise, and has another f
 
+    glDepthMask(GL_FALSE);
     const glm::dmat3 glyphFromObserver = glm::transpose(glm::mat3_cast(p.placement.rotation));
     constexpr double kHalfLetter = 5.0 / kSignPixels, kLength = 1.7;
     drawLines(
@@ -388,6 +396,16 @@ void ObserverView::drawPick(const ObserverPicture &p)
     glDisable(GL_DEPTH_TEST);
     if (pick->hit() && pick->point.world[Method::Formula] && p.holds(*pick->point.world[Method::Formula]))
         drawMark(*pick->point.world[Method::Formula], PickPainter::Mark::Picked);
+}
+
+void ObserverView::drawHighlighted(const ObserverPicture &p)
+{
+    const HighlightMarks marks = highlightsFromOutside(m_document, p, m_highlights);
+    if (marks.isEmpty())
+        return;
+    paintOver(p.observer.surface.devicePixelRatio, [&](QPainter &painter) {
+        drawHighlights(painter, marks, boxesOf(marks, painter.font(), QRectF(rect()), {}));
+    });
 }
 
 } // namespace unprojector::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lessons/lesson.h"
 #include "gui/document/scene_document.h"
 #include "gui/painters/face_painter.h"
 #include "gui/painters/line_painter.h"
@@ -8,6 +9,7 @@
 #include "gui/view/observer_picture.h"
 
 #include <optional>
+#include <set>
 
 namespace unprojector::gui {
 
@@ -24,6 +26,8 @@ public:
     /// 0: eye space, as it is; 1: the canonical view volume. Between them it morphs.
     double morph() const { return m_t; }
     void setMorph(double t);
+    /// What a lesson letters in the picture.
+    void setHighlights(const std::set<lessons::Highlight> &highlights);
 
     /// Shows the eye, the view volume and the points that another program got fully, from the direction that the observer looks in.
     void fit();
@@ -70,6 +74,7 @@ private:
     void drawCamera(const ObserverPicture &p);
     void drawPick(const ObserverPicture &p);
     void drawWrong(const ObserverPicture &p);
+    void drawHighlighted(const ObserverPicture &p);
     /// Where they are hidden, the lines show faintly.
     void drawLines(const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource, double widthLogical);
 
@@ -88,6 +93,7 @@ private:
     glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame, whether or not it could be drawn
     Surface m_drawnOn;           ///< the same of its surface
     double m_t = 0.0;
+    std::set<lessons::Highlight> m_highlights;
     Picture m_observer;
     Placement m_reference; ///< where the cube stands
     bool m_isPlaced = false;

@@ -164,9 +164,14 @@ const PointMark *markUnder(const std::vector<PointMark> &marks, const QPointF &p
 }
 
 std::vector<PlacedLabel> placedLabels(const std::vector<PointMark> &marks, const QFontMetricsF &metrics,
-                                      const QRectF &area, const std::vector<QLineF> &lines)
+                                      const QRectF &area, const std::vector<QLineF> &lines,
+                                      const std::vector<QRectF> &taken)
 {
     Room room(area);
+    for (const QRectF &box : taken) {
+        if (!box.isNull())
+            room.take(box);
+    }
     for (const QLineF &line : lines) {
         const int steps = 1 + static_cast<int>(line.length() / kMarkRadius);
         for (int i = 0; i <= steps; ++i)

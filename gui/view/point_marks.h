@@ -50,9 +50,10 @@ struct PlacedLabel {
 /// Labels beside their marks: none overlaps another, nor another mark, nor leaves the area. The current point's comes first, then
 /// those that are selected. One that finds no room is left out.
 /// @param area   logical pixels
-/// @param lines  that no label covers, such as arrows; logical pixels
+/// @param lines, taken  that no label covers, such as arrows and other texts; logical pixels
 std::vector<PlacedLabel> placedLabels(const std::vector<PointMark> &marks, const QFontMetricsF &metrics,
-                                      const QRectF &area, const std::vector<QLineF> &lines = {});
+                                      const QRectF &area, const std::vector<QLineF> &lines = {},
+                                      const std::vector<QRectF> &taken = {});
 
 /// Draws marks, filled where they are in sight and hollow behind something, and their labels.
 void drawPoints(QPainter &painter, const std::vector<PointMark> &marks, const std::vector<PlacedLabel> &labels);

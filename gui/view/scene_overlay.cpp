@@ -150,19 +150,25 @@ void SceneOverlay::drawMark(const SnapMark &mark, const Picture &g, const glm::d
     draw(square, glm::dmat4(1.0));
 }
 
-void SceneOverlay::drawAxes(const EyeFrame &frame, const Drawable &drawn)
+int SceneOverlay::axesSide(const Drawable &drawn)
 {
     constexpr double kMostLogical = 84.0, kLeastLogical = 40.0;
     constexpr double kMostShare = 0.25; // of the viewport: the scene is what is looked at
     const double ratio = drawn.picture.surface.devicePixelRatio;
     const double side = std::min(kMostLogical * ratio, kMostShare * std::min(drawn.width, drawn.height));
-    if (side < kLeastLogical * ratio)
-        return; // its letters could not be read
-    const int pixels = static_cast<int>(std::lround(side));
+    return side < kLeastLogical * ratio ? 0 // its letters could not be read
+                                        : static_cast<int>(std::lround(side));
+}
+
+void SceneOverlay::drawAxes(const EyeFrame &frame, const Drawable &drawn)
+{
+    const int pixels = axesSide(drawn);
+    if (pixels == 0)
+        return;
     glViewport(drawn.x, drawn.y, pixels, pixels);
     const Result<glm::dmat4> box = clipFromEye(Ortho{-1.45, 1.45, -1.45, 1.45, -2.0, 2.0});
     if (box)
-        m_lines.draw(triadLines(frame), *box, glm::vec2(pixels, pixels), 2.0f * static_cast<float>(ratio));
+        m_lines.draw(triadLines(frame), *box, glm::vec2(pixels, pixels), 2.0f * pixelRatio(drawn.picture));
 }
 
 void SceneOverlay::drawCrosshair(const DevicePixel &pixel, const Surface &surface)

@@ -26,6 +26,10 @@ public:
     void draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair,
               const std::optional<SnapMark> &mark);
 
+    /// The side of the square, in device pixels, that the directions of the axes take in the lower left corner of the viewport; 0
+    /// where that is too small.
+    static int axesSide(const Drawable &drawn);
+
 private:
     void drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     /// The curves between placed points: where they are in sight, and faintly behind.

@@ -83,6 +83,12 @@ void SceneView::setMap(const QImage &map)
     update();
 }
 
+void SceneView::setHighlights(const std::set<lessons::Highlight> &highlights)
+{
+    m_highlights = highlights;
+    update();
+}
+
 void SceneView::onCreate()
 {
     QElapsedTimer timer;

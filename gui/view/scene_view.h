@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lessons/lesson.h"
 #include "gui/document/scene_document.h"
 #include "gui/painters/snap_mark.h"
 #include "gui/view/axis_dragger.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -52,6 +54,9 @@ public:
     double cornerShiftPixels();
     /// A widget over the upper right corner: while it is seen, the loupe stands beside it.
     void setCornerWidget(QWidget *widget) { m_corner = widget; }
+
+    /// What a lesson letters in the picture.
+    void setHighlights(const std::set<lessons::Highlight> &highlights);
 
     /// Whether a click places a point, where it is released; a drag navigates as ever. Marks of points are selected and dragged
     /// in either case.
@@ -123,6 +128,8 @@ private:
     const std::vector<PointMark> &marks();
     void drawMap();
     void drawMarks();
+    /// What letters have to keep clear of: the axes in the corner and the widget over the other one.
+    std::vector<QRectF> takenCorners() const;
     bool pressMark(const QMouseEvent &event);
     bool isPointDragged() const { return m_drag == Drag::Point || m_drag == Drag::Axis; }
     /// Slides the point on the surface under the pointer, and those that are selected besides by as many pixels.
@@ -171,6 +178,7 @@ private:
     std::unique_ptr<SceneOverlay> m_overlay;
 
     QImage m_map;
+    std::set<lessons::Highlight> m_highlights;
     QPointer<QWidget> m_corner;
     std::optional<SnapMark> m_mark;
     std::optional<WidgetPoint> m_pointed;   ///< what is told of; told again of the next picture

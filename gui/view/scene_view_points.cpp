@@ -2,13 +2,14 @@
 
 #include "gui/view/scene_view.h"
 
+#include "gui/view/highlight_marks.h"
 #include "gui/view/measure_mark.h"
 #include "gui/view/point_loupe.h"
+#include "gui/view/scene_overlay.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QScopedValueRollback>
 #include <QToolTip>
@@ -65,45 +66,38 @@ const std::vector<PointMark> &SceneView::marks()
     return *m_marks;
 }
 
-namespace {
-
-/// What a QPainter leaves switched on, what is drawn next does not expect.
-void switchOff(QOpenGLExtraFunctions &gl)
-{
-    for (const GLenum what : {GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_TEST})
-        gl.glDisable(what);
-}
-
-} // namespace
-
 void SceneView::drawMap()
 {
-    if (m_map.isNull())
-        return;
-    {
-        const Surface surface = currentSurface();
-        QOpenGLPaintDevice device(surface.widthPixels, surface.heightPixels);
-        QPainter painter(&device);
-        painter.drawImage(0, 0, m_map); // pixel on pixel
+    if (!m_map.isNull())
+        paintOver(1.0, [this](QPainter &painter) { painter.drawImage(0, 0, m_map); }); // pixel on pixel
+}
+
+std::vector<QRectF> SceneView::takenCorners() const
+{
+    std::vector<QRectF> taken;
+    const Picture &g = m_document.geometry();
+    if (const Result<Drawable> drawn = drawable(g)) {
+        const double side = SceneOverlay::axesSide(*drawn);
+        const WidgetPoint low = widgetFromDevice(
+            g.surface, deviceFromWindow(g.surface, WindowPoint(g.viewport.x, g.viewport.y + side, 0.0)));
+        taken.emplace_back(QPointF(low.x, low.y), QSizeF(side, side) / g.surface.devicePixelRatio);
     }
-    switchOff(*this);
+    if (m_corner && m_corner->isVisible())
+        taken.emplace_back(QRectF(rect().topRight() - QPoint(m_corner->width(), 0), QSizeF(m_corner->size())));
+    return taken;
 }
 
 void SceneView::drawMarks()
 {
     const std::vector<PointMark> &shown = marks();
-    if (shown.empty() && !m_loupeAt)
+    const HighlightMarks highlights = highlightsInView(m_document, m_highlights);
+    if (shown.empty() && !m_loupeAt && highlights.isEmpty())
         return;
     const QImage loupe = m_loupeAt ? pixelsAbout(*m_loupeAt) : QImage();
-    {
-        // Not onto the widget itself: while that is grabbed, what is painted on it goes elsewhere.
-        const Surface surface = currentSurface();
-        QOpenGLPaintDevice device(surface.widthPixels, surface.heightPixels);
-        device.setDevicePixelRatio(surface.devicePixelRatio);
-        QPainter painter(&device);
-        QFont letters = font(); // in pixels, since this device has no points of its own
-        letters.setPixelSize(QFontInfo(font()).pixelSize());
-        painter.setFont(letters);
+    paintOver(currentSurface().devicePixelRatio, [&](QPainter &painter) {
+        const QFontMetricsF metrics(painter.font());
+        const std::vector<QRectF> ofHighlights = boxesOf(highlights, painter.font(), QRectF(rect()), takenCorners());
+        drawHighlights(painter, highlights, ofHighlights);
         const auto shownArrows = arrows();
         std::vector<QLineF> lines;
         for (const AxisArrow &arrow : shownArrows.value_or(std::array<AxisArrow, 3>())) {
@@ -116,7 +110,7 @@ void SceneView::drawMarks()
             lines.insert(lines.end(), measure->lines.begin(), measure->lines.end());
             labelled.push_back(measure->label);
         }
-        std::vector<PlacedLabel> labels = placedLabels(labelled, QFontMetricsF(letters), QRectF(rect()), lines);
+        std::vector<PlacedLabel> labels = placedLabels(labelled, metrics, QRectF(rect()), lines, ofHighlights);
         std::optional<PlacedLabel> ofMeasure;
         std::erase_if(labels, [&](const PlacedLabel &label) {
             if (label.mark < shown.size())
@@ -135,8 +129,7 @@ void SceneView::drawMarks()
             drawLoupe(painter, loupeBox(m_document.geometry().surface, *m_loupeAt, taken), *m_loupeAt, loupe,
                       rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
         }
-    }
-    switchOff(*this);
+    });
 }
 
 void SceneView::aimLoupe(const std::optional<DevicePoint> &at)

@@ -111,6 +111,12 @@ private:
     /// Another step, another lesson or none.
     void showLesson();
     void showPanelOfLesson(const char *panel);
+    /// What the step letters, in both views.
+    void showHighlights();
+    /// Brings the view from outside, beside the view, of which a lesson may speak at any place.
+    void showObserverOfLesson();
+    /// As it was before.
+    void putObserverBack();
     void followLessonLink(const QString &scheme, const QString &target);
     /// A lesson's text and the view from outside, in a dock, go along from place to place.
     void showAccompanying();
@@ -188,6 +194,13 @@ private:
     const char *m_placeBeforeLesson = nullptr; ///< none: no lesson
     /// Places, and the panels that a lesson has brought there.
     std::vector<std::pair<const char *, const char *>> m_panelsOfLesson;
+    /// How the view from outside was before a lesson brought it.
+    struct ObserverBefore {
+        bool isShown;
+        bool isDocked;
+        double morph;
+    };
+    std::optional<ObserverBefore> m_observerBeforeLesson = {};
     std::optional<QSize> m_sizeBeforeLesson = {}; ///< of the window, where a lesson has changed it
     FormulasWindow *m_formulas = nullptr;         ///< made when it is first asked for
     KeySheet *m_keys = nullptr;                   ///< so is this

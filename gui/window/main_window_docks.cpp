@@ -36,7 +36,6 @@
 namespace unprojector::gui {
 namespace {
 
-constexpr char kObserver[] = "observer";
 constexpr char kGeometryKey[] = "window/geometry", kParametersKey[] = "parameters/state";
 
 /// On a small window the panel scrolls, instead of holding the window open; a bar beside it takes nothing of its width.
@@ -114,7 +113,7 @@ void MainWindow::createPanels()
         {"points", tr("Points"), points, kRight, Qt::ALT | Qt::Key_7},
         {"series", tr("Series"), m_seriesPanel, kBottom, Qt::ALT | Qt::Key_8},
         {"doctor", tr("Doctor"), scrolled(m_doctor), kRight, {}},
-        {kObserver, tr("View from Outside"), m_observerHome, kRight, {}, true},
+        {kObserverPanel, tr("View from Outside"), m_observerHome, kRight, {}, true},
         {kLessonPanel, tr("Lesson"), m_lessonPanel, kLeft, {}, true},
     };
     std::vector<WorkPlaces::Place> places = {
@@ -148,7 +147,7 @@ void MainWindow::createPanels()
     });
     connect(m_places, &WorkPlaces::laidOut, this, &MainWindow::showAccompanying);
     connect(m_places, &WorkPlaces::closed, this, [this](const char *panel) {
-        if (qstrcmp(panel, kObserver) == 0)
+        if (qstrcmp(panel, kObserverPanel) == 0)
             m_observerAction->setChecked(false);
         else if (qstrcmp(panel, kLessonPanel) == 0)
             leaveLessonOrStay();
@@ -158,7 +157,7 @@ void MainWindow::createPanels()
 void MainWindow::showAccompanying()
 {
     m_places->dock(kLessonPanel)->setVisible(m_lessons->lesson() != nullptr);
-    m_places->dock(kObserver)->setVisible(m_observerAction->isChecked() && !m_inset);
+    m_places->dock(kObserverPanel)->setVisible(m_observerAction->isChecked() && !m_inset);
     placeFirstSteps();
 }
 
@@ -205,11 +204,12 @@ void MainWindow::showObserver(bool isShown)
         connect(m_observer, &ObserverPanel::closeRequested, m_observerAction,
                 [this] { m_observerAction->setChecked(false); });
         dockObserver(m_options.remembers && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool());
+        showHighlights();
     }
     if (m_inset)
         m_inset->setVisible(isShown);
     else
-        m_places->dock(kObserver)->setVisible(isShown);
+        m_places->dock(kObserverPanel)->setVisible(isShown);
     m_observer->setVisible(isShown);
 }
 
@@ -222,14 +222,14 @@ void MainWindow::dockObserver(bool isDocked)
             m_insetShare = m_inset->share();
         delete m_inset;
         m_inset = nullptr;
-        m_places->show(kObserver);
+        m_places->show(kObserverPanel);
     } else {
         m_inset = new ObserverInset(*m_observer, *m_viewFrame, m_insetShare);
-        m_places->dock(kObserver)->hide();
+        m_places->dock(kObserverPanel)->hide();
         m_inset->show();
     }
     m_observer->show();
-    if (m_options.remembers)
+    if (m_options.remembers && !m_observerBeforeLesson)
         QSettings().setValue(QStringLiteral("observer/isDocked"), isDocked);
 }
 

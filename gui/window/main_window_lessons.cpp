@@ -1,7 +1,9 @@
 // The window and its lessons: their menu, their panel, what their links do.
 
 #include "gui/document/lesson_player.h"
+#include "gui/panels/observer_panel.h"
 #include "gui/text/lesson_text.h"
+#include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/main_window.h"
 #include "gui/window/overlay_bars.h"
@@ -17,6 +19,7 @@
 #include <utility>
 
 namespace unprojector::gui {
+using lessons::Highlight;
 
 void MainWindow::createLessonsMenu(QMenu &menu)
 {
@@ -54,8 +57,10 @@ void MainWindow::leaveLessonOrStay()
 
 void MainWindow::showLesson()
 {
+    showHighlights();
     if (!m_lessons->lesson()) {
         m_places->dock(kLessonPanel)->hide();
+        putObserverBack();
         for (const auto &[at, panel] : std::exchange(m_panelsOfLesson, {})) {
             m_places->enter(at);
             m_places->dock(panel)->hide();
@@ -77,11 +82,59 @@ void MainWindow::showLesson()
     }
     for (const std::string &panel : step.panels)
         followLessonLink(QStringLiteral("panel"), QString::fromStdString(panel));
+    // What it letters is to be seen.
+    const bool hasCube = step.highlights.contains(Highlight::Cube);
+    const bool hasObserver = std::count(step.panels.begin(), step.panels.end(), kObserverPanel) > 0;
+    if (hasCube || hasObserver || step.highlights.contains(Highlight::Volume)) {
+        showObserverOfLesson();
+        m_observer->view().setMorph(hasCube ? 1.0 : 0.0);
+    } else {
+        putObserverBack();
+    }
     m_places->show(kLessonPanel);
+}
+
+void MainWindow::showObserverOfLesson()
+{
+    const bool isShown = m_observerAction->isChecked();
+    m_observerAction->setChecked(true);
+    if (!m_observerBeforeLesson)
+        m_observerBeforeLesson = ObserverBefore{isShown, !m_inset, m_observer->view().morph()};
+    if (m_inset) {
+        dockObserver(true);
+        // Half of the height: what else there is below has less to show. Once all stands where it will.
+        QTimer::singleShot(0, this,
+                           [this] { resizeDocks({m_places->dock(kObserverPanel)}, {height() / 2}, Qt::Vertical); });
+    }
+    m_places->show(kObserverPanel);
+}
+
+void MainWindow::putObserverBack()
+{
+    const auto before = std::exchange(m_observerBeforeLesson, std::nullopt);
+    if (!before)
+        return;
+    m_observer->view().setMorph(before->morph);
+    if (!before->isDocked && !m_inset)
+        dockObserver(false);
+    m_observerAction->setChecked(before->isShown);
+    showObserver(before->isShown);
+}
+
+void MainWindow::showHighlights()
+{
+    const std::set<Highlight> highlights = m_lessons->lesson() ? m_lessons->step().highlights : std::set<Highlight>();
+    m_view->setHighlights(highlights);
+    if (m_observer)
+        m_observer->view().setHighlights(highlights);
 }
 
 void MainWindow::showPanelOfLesson(const char *panel)
 {
+    if (qstrcmp(panel, kObserverPanel) == 0) { // which goes along from place to place
+        showObserverOfLesson();
+        return;
+    }
     if (m_places->dock(panel)->isHidden())
         m_panelsOfLesson.emplace_back(m_places->current(), panel);
     m_places->show(panel);

@@ -4,6 +4,9 @@
 #include "core/lessons/lesson.h"
 #include "gui/document/lesson_player.h"
 #include "gui/text/formula_markup.h"
+#include "gui/view/highlight_marks.h"
+#include "gui/view/observer_view.h"
+#include "gui/view/scene_overlay.h"
 #include "gui/window/lesson_panel.h"
 #include "window_user.h"
 
@@ -124,6 +127,10 @@ private slots:
     void anotherSceneEndsTheLesson();
     void theKeysGoFromStepToStep();
     void theViewGetsTheSizeOfTheNumbers();
+    void lettersAreDrawnWhereAStepWantsThem();
+    void lettersOverlapNothing_data();
+    void lettersOverlapNothing();
+    void theViewFromOutsideComesAndGoes();
     void aClickMeetsTheStepsPointInEveryView_data();
     void aClickMeetsTheStepsPointInEveryView();
 };
@@ -388,6 +395,102 @@ void TestLessonsWindow::aClickMeetsTheStepsPointInEveryView()
         QVERIFY2(std::fabs(read.x - wanted.x) <= pixel && std::fabs(read.y - wanted.y) <= pixel,
                  qPrintable(QStringLiteral("%1, %2").arg(read.x).arg(read.y)));
     }
+}
+
+void TestLessonsWindow::lettersAreDrawnWhereAStepWantsThem()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = window->lessons();
+    QVERIFY(player.start("weng"));
+    follow(*window, QStringLiteral("view:500x500"));
+    QTRY_VERIFY(player.hasViewOfStep());
+    // On the axis of x_v, which runs along the lower edge, left of the viewport.
+    const auto axis = [&] {
+        const QImage picture = window->view().grabFramebuffer();
+        return picture.pixelColor(50, picture.height() - 6);
+    };
+    const QColor empty = axis();
+    QVERIFY(player.goTo(2));
+    QVERIFY(axis().red() > axis().blue() + 80);
+    QVERIFY(player.goTo(4));
+    QCOMPARE(axis(), empty);
+    QVERIFY(player.goTo(2));
+    QVERIFY(axis() != empty);
+    QVERIFY(player.leave());
+    QVERIFY(window->view().grabFramebuffer().pixelColor(50, window->view().height() - 6).red() < axis().blue() + 80);
+}
+
+void TestLessonsWindow::lettersOverlapNothing_data()
+{
+    QTest::addColumn<QByteArray>("lesson");
+    QTest::addColumn<QByteArray>("step");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("lengths") << QByteArray("weng") << QByteArray("windows") << QSize(500, 500);
+    QTest::newRow("lengths in a small view") << QByteArray("weng") << QByteArray("windows") << QSize(300, 260);
+    QTest::newRow("lengths of a whole view") << QByteArray("first") << QByteArray("window") << QSize(500, 500);
+    QTest::newRow("axes") << QByteArray("pipeline") << QByteArray("plane") << QSize(500, 500);
+    QTest::newRow("axes upon each other") << QByteArray("pipeline") << QByteArray("model_view") << QSize(400, 400);
+}
+
+void TestLessonsWindow::lettersOverlapNothing()
+{
+    QFETCH(QByteArray, lesson);
+    QFETCH(QByteArray, step);
+    QFETCH(QSize, size);
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = window->lessons();
+    QVERIFY(player.start(lesson.toStdString()));
+    QVERIFY(player.goTo(std::size_t(player.lesson()->step(step.toStdString()) - player.lesson()->steps.data())));
+    follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
+    QTRY_COMPARE(window->view().size(), size);
+    const Picture &g = window->document().geometry();
+    const double side = SceneOverlay::axesSide(*drawable(g));
+    const QRectF cross(g.viewport.x, g.surface.heightPixels - g.viewport.y - side, side, side);
+    const HighlightMarks marks = highlightsInView(window->document(), player.step().highlights);
+    QVERIFY(marks.texts.size() >= 5);
+    const std::vector<QRectF> boxes = boxesOf(marks, window->view().font(), QRectF(window->view().rect()), {cross});
+    std::size_t placed = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].isNull())
+            continue;
+        ++placed;
+        QVERIFY(QRectF(window->view().rect()).contains(boxes[i]) && !boxes[i].intersects(cross));
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY2(!boxes[i].intersects(boxes[j]), marks.texts[i].letter.letter.c_str());
+    }
+    QVERIFY(placed >= 5);
+    // What was there before is kept clear of.
+    const QRectF former = boxes.front();
+    QVERIFY(!former.isNull());
+    for (const QRectF &box : boxesOf(marks, window->view().font(), QRectF(window->view().rect()), {cross, former}))
+        QVERIFY(!box.intersects(former));
+}
+
+void TestLessonsWindow::theViewFromOutsideComesAndGoes()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = window->lessons();
+    QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
+    QVERIFY(action && !action->isChecked());
+    QVERIFY(player.start("first"));
+    QVERIFY(!action->isChecked());
+    QVERIFY(player.goTo(3)); // the cube
+    QVERIFY(isSeen(*window, "observer"));
+    auto *observer = window->findChild<ObserverView *>();
+    QCOMPARE(observer->morph(), 1.0);
+    QVERIFY(player.goTo(4)); // the volume
+    QVERIFY(isSeen(*window, "observer"));
+    QCOMPARE(observer->morph(), 0.0);
+    QVERIFY(player.goTo(5));
+    QVERIFY(!action->isChecked() && dockOf(*window, "observer")->isHidden() && !observer->isVisible());
+    action->trigger();
+    QVERIFY(observer->isVisible() && dockOf(*window, "observer")->isHidden()); // over the view, as it is at first
+    observer->setMorph(0.5);
+    QVERIFY(player.goTo(3));
+    QCOMPARE(observer->morph(), 1.0);
+    QVERIFY(player.leave());
+    QVERIFY(action->isChecked() && observer->isVisible() && dockOf(*window, "observer")->isHidden());
+    QCOMPARE(observer->morph(), 0.5);
 }
 
 QTEST_MAIN(TestLessonsWindow)

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/geometry/projection.h"
+#include "core/geometry/spaces.h"
+#include "core/geometry/viewport.h"
+#include "core/lessons/lesson.h"
+#include "core/scene/scene.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What a step's "highlights" write into the pictures: letters, and where they stand. Whoever draws them chooses how large.
+namespace unprojector::lessons {
+using namespace scene;
+
+/// The names that files have for them, in the order of Highlight.
+inline constexpr std::array<std::string_view, 4> kHighlightNames{"axes", "volume", "cube", "viewport"};
+std::optional<Highlight> highlightOf(std::string_view name);
+
+/// A letter and its index: x with MC.
+struct Letter {
+    std::string letter;
+    std::string index; ///< may be empty
+    friend bool operator==(const Letter &, const Letter &) = default;
+};
+
+/// The axes of a coordinate system.
+struct NamedAxes {
+    std::string name;
+    WorldPoint origin;
+    std::array<WorldVector, 3> directions; ///< of x, y, z: unit vectors; a mirrored system stays mirrored
+};
+
+/// Highlight::Axes: MC of the followed object, else of the first one; WC of the world; VC of the eye, whose z points backwards.
+/// Where MC is WC there is one of them, "MC = WC".
+/// Source: the names are those of Zhang Ci, section 2.1; Weng et al. 2008, figure 2, has WC and VC.
+std::vector<NamedAxes> namedAxes(const Scene &scene, const EyeFrame &eye);
+
+template <class Space>
+struct LetterAt {
+    Letter letter;
+    Point<Space> at;
+};
+
+/// Highlight::Volume: l, r, b, t, n, f, each in the middle of its side of the view volume.
+/// Source: Weng et al. 2008, figures 3 and 4.
+/// @pre the projection is valid
+std::array<LetterAt<EyeSpace>, 6> volumeLetters(const Projection &projection);
+
+/// Highlight::Cube: −1 and 1 where x, y and z cross the sides of the normalised cube.
+std::array<LetterAt<NdcSpace>, 6> cubeLetters();
+
+/// An arrow in a view, and its letter.
+struct LetteredArrow {
+    enum class Kind {
+        Axis,  ///< a tip at its end, where the letter stands
+        Length ///< from one end to the other, the letter between them
+    };
+    Kind kind;
+    Letter letter;
+    WindowPoint from, to; ///< the depth is 0
+};
+
+/// Highlight::Viewport: the axes x_v and y_v from the lower left corner of the view, vx and vy from there to the viewport, its width
+/// and height, and rect.bottom, the height of the view. Lengths of 0 are left out.
+/// Source: Weng et al. 2008, figures 5 and 6, formulas (3), (4), (7), (8).
+/// @param inset  how far inside of an edge an arrow runs along it, device pixels
+/// @pre viewport and surface are valid
+std::vector<LetteredArrow> viewportArrows(const Viewport &viewport, const Surface &surface, double inset);
+
+} // namespace unprojector::lessons

@@ -1,0 +1,253 @@
+#include "gui/view/highlight_marks.h"
+
+#include "gui/view/point_marks.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace unprojector::gui {
+namespace {
+
+using Tips = HighlightMarks::Tips;
+
+const std::array<QColor, 3> kAxisColors{QColor(0xb4, 0x1c, 0x20), QColor(0x1b, 0x74, 0x2a), QColor(0x1c, 0x48, 0xb8)};
+const QColor kDark(0x18, 0x1a, 0x1c), kRim(0xff, 0xff, 0xff, 225);
+// Of the planes in View from Outside, as text.
+const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
+constexpr double kHead = 8.0, kHalfHead = 3.5, kRing = 5.0;
+/// The size of an index, of its letter's.
+constexpr double kIndexShare = 0.75;
+
+double axisLength(const Picture &picture)
+{
+    constexpr double kMostLogical = 64.0, kMostShare = 0.16;
+    return std::min(kMostLogical, kMostShare * std::min(picture.viewport.width, picture.viewport.height)
+                                      / picture.surface.devicePixelRatio);
+}
+
+/// @param origin, tip  clip space of the picture
+void addAxis(HighlightMarks &marks, const Picture &picture, const glm::dvec4 &origin, const glm::dvec4 &tip,
+             std::size_t axis, const std::string &name)
+{
+    const std::optional<QPointF> from = placeInPicture(picture, origin), to = placeInPicture(picture, tip);
+    if (!from || !to)
+        return;
+    const QLineF line(*from, *to);
+    constexpr double kMostShare = 8.0;
+    if (!(line.length() < kMostShare * axisLength(picture)))
+        return;                     // it ends beside the eye
+    constexpr double kLeast = 10.0; // shorter, it is seen end-on
+    Tips tips = Tips::End;
+    if (line.length() < kLeast)
+        tips = tip.z / tip.w < origin.z / origin.w ? Tips::Towards : Tips::Away;
+    marks.arrows.push_back({line, tips, kAxisColors[axis]});
+    marks.texts.push_back({*to, {std::string(1, "xyz"[axis]), name}, kAxisColors[axis]});
+}
+
+QFont letterFont(QFont font)
+{
+    font.setBold(true);
+    return font;
+}
+
+QFont indexFont(QFont font)
+{
+    font.setPixelSize(std::max(7, static_cast<int>(std::lround(font.pixelSize() * kIndexShare))));
+    return font;
+}
+
+void drawArrow(QPainter &painter, const HighlightMarks::Arrow &arrow)
+{
+    const auto draw = [&](const QColor &color, double width, double rim) {
+        painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
+        painter.setBrush(Qt::NoBrush);
+        const QPointF &to = arrow.line.p2();
+        if (arrow.tips == Tips::Towards || arrow.tips == Tips::Away) {
+            painter.drawEllipse(to, kRing, kRing);
+            const double arm = kRing * std::sqrt(0.5);
+            if (arrow.tips == Tips::Away) {
+                painter.drawLine(to - QPointF(arm, arm), to + QPointF(arm, arm));
+                painter.drawLine(to - QPointF(arm, -arm), to + QPointF(arm, -arm));
+                return;
+            }
+            painter.setBrush(color);
+            painter.drawEllipse(to, 1.5, 1.5);
+            return;
+        }
+        const double length = arrow.line.length();
+        const QPointF way = (to - arrow.line.p1()) / length, aside(-way.y(), way.x());
+        const double head = std::min(kHead, length * (arrow.tips == Tips::Both ? 0.5 : 1.0));
+        const bool isBoth = arrow.tips == Tips::Both;
+        painter.drawLine(arrow.line.p1() + way * (isBoth ? head : 0.0), to - way * head);
+        painter.setPen(rim > 0.0 ? QPen(color, rim, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin) : QPen(Qt::NoPen));
+        painter.setBrush(color);
+        const auto tip = [&](const QPointF &at, const QPointF &along) {
+            const QPointF neck = at - along * head;
+            painter.drawPolygon(QPolygonF({at, neck + aside * kHalfHead, neck - aside * kHalfHead}));
+        };
+        tip(to, way);
+        if (isBoth)
+            tip(arrow.line.p1(), -way);
+    };
+    draw(kRim, 4.0, 2.0);
+    draw(arrow.color, 1.75, 0.0);
+}
+
+void drawLetter(QPainter &painter, const QFont &usual, const HighlightMarks::Text &text, const QRectF &box)
+{
+    const QString letter = QString::fromStdString(text.letter.letter),
+                  index = QString::fromStdString(text.letter.index);
+    const QFont font = letterFont(usual), small = indexFont(font);
+    const QFontMetricsF metrics(font), ofIndex(small);
+    const double width = metrics.horizontalAdvance(letter) + ofIndex.horizontalAdvance(index);
+    const QPointF start(box.center().x() - width / 2.0,
+                        box.center().y() + (metrics.ascent() - metrics.descent()) / 2.0);
+    const auto write = [&](const QPointF &at) {
+        painter.setFont(font);
+        painter.drawText(at, letter);
+        painter.setFont(small);
+        painter.drawText(at + QPointF(metrics.horizontalAdvance(letter), metrics.descent() * 0.8), index);
+    };
+    painter.setPen(kRim);
+    constexpr double kWidth = 1.5;
+    for (const QPointF &way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1), QPointF(0.7, 0.7),
+                               QPointF(-0.7, 0.7), QPointF(0.7, -0.7), QPointF(-0.7, -0.7)})
+        write(start + way * kWidth);
+    painter.setPen(text.color);
+    write(start);
+}
+
+} // namespace
+
+std::optional<QPointF> placeInPicture(const Picture &picture, const glm::dvec4 &clip)
+{
+    if (!(clip.w > 0.0))
+        return std::nullopt;
+    const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
+    const WindowPoint window = windowFromNdc(picture.viewport, picture.depthRange, ndc, ndcDepthOf(picture));
+    const WidgetPoint widget = widgetFromDevice(picture.surface, deviceFromWindow(picture.surface, window));
+    return QPointF(widget.x, widget.y);
+}
+
+HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights)
+{
+    HighlightMarks marks;
+    const Picture &g = document.geometry();
+    const Result<EyeFrame> eye = eyeFrame(g.camera());
+    const Result<glm::dmat4> clip = clipFromWorld(g);
+    if (highlights.contains(Highlight::Axes) && eye && clip) {
+        const auto clipOf = [&](const WorldPoint &point) { return *clip * glm::dvec4(point.coordinates(), 1.0); };
+        for (const lessons::NamedAxes &axes : lessons::namedAxes(document.scene(), *eye)) {
+            const glm::dvec4 origin = clipOf(axes.origin);
+            if (!(origin.w > 0.0))
+                continue; // the eye of a perspective, for one
+            const double length = axisLength(g) * worldPerLogicalPixel(g, axes.origin);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                addAxis(marks, g, origin, clipOf(axes.origin + axes.directions[axis] * length), axis, axes.name);
+        }
+    }
+    if (highlights.contains(Highlight::Viewport)) {
+        constexpr double kInset = 6.0;
+        const auto seen = [&g](const WindowPoint &point) {
+            const WidgetPoint at = widgetFromDevice(g.surface, deviceFromWindow(g.surface, point));
+            return QPointF(at.x, at.y);
+        };
+        for (const lessons::LetteredArrow &arrow :
+             lessons::viewportArrows(g.viewport, g.surface, kInset * g.surface.devicePixelRatio)) {
+            const bool isAxis = arrow.kind == lessons::LetteredArrow::Kind::Axis;
+            const QLineF line(seen(arrow.from), seen(arrow.to));
+            const QColor color = isAxis ? kAxisColors[arrow.letter.letter == "x" ? 0 : 1] : kDark;
+            marks.arrows.push_back({line, isAxis ? Tips::End : Tips::Both, color});
+            marks.texts.push_back({isAxis ? line.p2() : line.center(), arrow.letter, color});
+        }
+    }
+    return marks;
+}
+
+float cubeOpacity(double t)
+{
+    return static_cast<float>(std::clamp((t - 0.6) / 0.4, 0.0, 1.0));
+}
+
+HighlightMarks highlightsFromOutside(const SceneDocument &document, const ObserverPicture &picture,
+                                     const std::set<Highlight> &highlights)
+{
+    HighlightMarks marks;
+    const Picture &g = picture.observer;
+    const auto add = [&](const glm::dvec4 &drawn, const Letter &letter, const QColor &color) {
+        if (const std::optional<QPointF> at = placeInPicture(g, picture.clipFromDrawn * drawn))
+            marks.texts.push_back({*at, letter, color});
+    };
+    if (highlights.contains(Highlight::Axes)) {
+        for (const lessons::NamedAxes &axes : lessons::namedAxes(document.scene(), picture.watched)) {
+            const glm::dvec4 origin = picture.drawnFromWorld * glm::dvec4(axes.origin.coordinates(), 1.0);
+            if (!(origin.w > 0.0) || !picture.holds(axes.origin))
+                continue; // it has receded from the cube
+            const double length = axisLength(g) * worldPerLogicalPixel(g, WorldPoint(glm::dvec3(origin) / origin.w));
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const WorldPoint end = axes.origin + axes.directions[axis] * length;
+                const glm::dvec4 tip = picture.drawnFromWorld * glm::dvec4(end.coordinates(), 1.0);
+                if (tip.w > 0.0 && picture.holds(end))
+                    addAxis(marks, g, picture.clipFromDrawn * origin, picture.clipFromDrawn * tip, axis, axes.name);
+            }
+        }
+    }
+    if (highlights.contains(Highlight::Volume)) {
+        const auto letters = lessons::volumeLetters(picture.projection);
+        for (std::size_t side = 0; side < letters.size(); ++side)
+            add(picture.drawnFromEye * glm::dvec4(letters[side].at.coordinates(), 1.0), letters[side].letter,
+                side == 4   ? kNear
+                : side == 5 ? kFar
+                            : kDark);
+    }
+    if (highlights.contains(Highlight::Cube) && cubeOpacity(picture.t) > 0.0f) {
+        const glm::dmat4 drawnFromNdc = matrixOf(picture.placement) * picture.morph.morphedFromNdc;
+        const auto letters = lessons::cubeLetters();
+        for (std::size_t i = 0; i < letters.size(); ++i)
+            add(drawnFromNdc * glm::dvec4(letters[i].at.coordinates(), 1.0), letters[i].letter, kAxisColors[i / 2]);
+    }
+    return marks;
+}
+
+std::vector<QRectF> boxesOf(const HighlightMarks &marks, const QFont &font, const QRectF &area,
+                            const std::vector<QRectF> &taken)
+{
+    std::vector<QLineF> lines;
+    for (const HighlightMarks::Arrow &arrow : marks.arrows) {
+        if (QRectF(arrow.line.p1(), arrow.line.p2()).normalized().adjusted(-1, -1, 1, 1).intersects(area))
+            lines.push_back(arrow.line);
+    }
+    std::vector<PointMark> labelled;
+    for (std::size_t i = 0; i < marks.texts.size(); ++i) {
+        const HighlightMarks::Text &text = marks.texts[i];
+        if (!area.contains(text.at))
+            continue;
+        PointMark mark;
+        mark.place = i;
+        mark.at = text.at;
+        mark.label = QString::fromStdString(text.letter.letter + text.letter.index);
+        labelled.push_back(std::move(mark));
+    }
+    std::vector<QRectF> boxes(marks.texts.size());
+    for (const PlacedLabel &label : placedLabels(labelled, QFontMetricsF(letterFont(font)), area, lines, taken))
+        boxes[labelled[label.mark].place] = label.box;
+    return boxes;
+}
+
+void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::vector<QRectF> &boxes)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFont font = painter.font();
+    for (const HighlightMarks::Arrow &arrow : marks.arrows)
+        drawArrow(painter, arrow);
+    for (std::size_t i = 0; i < marks.texts.size(); ++i) {
+        if (!boxes[i].isNull())
+            drawLetter(painter, font, marks.texts[i], boxes[i]);
+    }
+    painter.setFont(font);
+}
+
+} // namespace unprojector::gui

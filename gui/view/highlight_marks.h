@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/lessons/highlights.h"
+#include "gui/document/scene_document.h"
+#include "gui/view/observer_picture.h"
+
+#include <QColor>
+#include <QFont>
+#include <QLineF>
+#include <QPointF>
+#include <QRectF>
+
+#include <optional>
+#include <set>
+#include <vector>
+
+class QPainter;
+
+namespace unprojector::gui {
+using lessons::Highlight;
+using lessons::Letter;
+
+/// What a step of a lesson writes into a picture, in logical pixels of its surface, origin top-left.
+struct HighlightMarks {
+    enum class Tips {
+        End,     ///< of an axis
+        Both,    ///< of a length
+        Towards, ///< the axis is seen end-on and points to the viewer: a ring with a dot, as in drawings on paper
+        Away     ///< the same, pointing away: a ring with a cross
+    };
+    struct Arrow {
+        QLineF line;
+        Tips tips;
+        QColor color;
+    };
+    struct Text {
+        QPointF at; ///< beside this
+        Letter letter;
+        QColor color;
+    };
+    std::vector<Arrow> arrows;
+    std::vector<Text> texts;
+
+    bool isEmpty() const { return arrows.empty() && texts.empty(); }
+};
+
+/// Those of the view: axes and viewport. Axes whose origin or end is behind the eye are not in it.
+HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights);
+
+/// Those of View from Outside: axes, the volume's sides, and the numbers at the cube once the volume has nearly become it.
+HighlightMarks highlightsFromOutside(const SceneDocument &document, const ObserverPicture &picture,
+                                     const std::set<Highlight> &highlights);
+
+/// How far View from Outside has come to show the normalised cube, 0 to 1, at a place of its morph.
+float cubeOpacity(double t);
+
+/// Where the letters stand: none overlaps another nor an arrow nor leaves the area. One that finds no room is null.
+/// @param font   of the widget, its size in pixels
+/// @param taken  what is there already
+std::vector<QRectF> boxesOf(const HighlightMarks &marks, const QFont &font, const QRectF &area,
+                            const std::vector<QRectF> &taken);
+
+/// Draws arrows and letters, dark or coloured in a light rim: to be seen on any surface.
+void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::vector<QRectF> &boxes);
+
+/// The logical pixels that a clip-space point of a picture is seen at; nothing behind the eye.
+std::optional<QPointF> placeInPicture(const Picture &picture, const glm::dvec4 &clip);
+
+} // namespace unprojector::gui
