@@ -37,12 +37,14 @@
 ///         "corner": {"space": "object", "coordinates": [4, 4, -4], "object": "Quad"},
 ///         "clicked": {"pixel": [162, 187]},     what a click there gives: the pixel's centre, the depth of the mesh
 ///         "taken": {"pixel": [162, 187], "snap": "vertex"}},   or the vertex, edge or face that it takes: ray::Snap
+///       "set": {                                optional: what links change of the scene, see settingsWith
+///         "other": {"point": {"coordinates": [2, 1, 0]}}},
 ///       "question": {                           optional
 ///         "text": "Which z …?", "answer": "eye.z", "tolerance": 0.01, "reveal": ["…"]}
 ///     }]
 ///   }
 ///
-/// A step without "scene" has that of the step before, with its "change" if there is one, and its view, place and points too.
+/// A step without "scene" has that of the step before, with its "change" if there is one, and its view, place, points and changes too.
 /// Titles and texts say their numbers by statements,
 ///
 ///   its z is {−8 = modelview[2][3]}, at {(0.5, 0.5) = corner.ndc.x, corner.ndc.y}
@@ -52,7 +54,7 @@
 /// takes none that has no path in it: {1 = 1} would always be right.
 ///
 /// Links lead on: formulas:NAME in the page of formulas, click:POINT ("point" is
-/// the followed one), panel:ID, place:ID, step:ID, view:300x300.
+/// the followed one), set:CHANGE, panel:ID, place:ID, step:ID, view:300x300.
 namespace unprojector::lessons {
 using namespace geometry;
 
@@ -96,6 +98,7 @@ struct Step {
     std::vector<std::string> panels;
     std::set<Highlight> highlights;
     std::map<std::string, StepPoint> points;
+    std::map<std::string, nlohmann::ordered_json> changes; ///< "set": merge patches of the scene document, by name
     std::optional<Question> question;
 };
 

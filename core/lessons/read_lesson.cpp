@@ -2,6 +2,7 @@
 
 #include "core/geometry/drawable.h"
 #include "core/lessons/highlights.h"
+#include "core/lessons/set_link.h"
 #include "core/scene/examples.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_fields.h"
@@ -20,9 +21,10 @@ using Json = nlohmann::ordered_json;
 using namespace scene_file;
 
 /// Names that paths have already.
-constexpr std::array kTaken{"scene",   "model",   "view",  "projection", "viewport", "modelview", "whole",  "object",
-                            "world",   "eye",     "clip",  "ndc",        "window",   "device",    "widget", "pixel",
-                            "formula", "inverse", "point", "surface",    "pi",       "sqrt",      "deg",    "rad"};
+constexpr std::array kTaken{"scene",  "model", "view",    "projection", "viewport", "modelview", "whole",
+                            "object", "world", "eye",     "clip",       "ndc",      "window",    "device",
+                            "widget", "pixel", "formula", "inverse",    "point",    "surface",   "set",
+                            "pi",     "sqrt",  "deg",     "rad"};
 
 LessonError failed(std::string_view file, const std::string &key, const std::string &reason)
 {
@@ -150,6 +152,16 @@ void readScene(LessonReader &reader, const JsonNode &node, Json &document)
         document.merge_patch(change.json());
 }
 
+/// In quotes, with commas.
+template <class Names>
+std::string listed(const Names &names)
+{
+    std::string text;
+    for (const std::string_view name : names)
+        text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    return text;
+}
+
 void readHighlights(LessonReader &reader, const JsonNode &node, FieldReader &json, Step &step)
 {
     std::vector<std::string> names;
@@ -160,10 +172,29 @@ void readHighlights(LessonReader &reader, const JsonNode &node, FieldReader &jso
             step.highlights.insert(*highlight);
             continue;
         }
-        std::string known;
-        for (const std::string_view one : kHighlightNames)
-            known += (known.empty() ? "\"" : ", \"") + std::string(one) + "\"";
-        reader.fail(node.member("highlights"), "there is no highlight \"" + name + "\"; there are " + known);
+        reader.fail(node.member("highlights"),
+                    "there is no highlight \"" + name + "\"; there are " + listed(kHighlightNames));
+    }
+}
+
+void readChanges(LessonReader &reader, const JsonNode &node, FieldReader &json, Step &step)
+{
+    static_cast<void>(json.has("set", true));
+    const JsonNode changes = node.member("set");
+    if (!changes.exists() || !changes.isObject())
+        return;
+    for (const auto &[name, change] : changes.json().items()) {
+        const JsonNode one = changes.member(name.c_str());
+        if (!isName(name))
+            reader.fail(changes,
+                        "\"" + name + "\" is no name; take one of small letters, digits and _, a letter first");
+        if (!one.isObject())
+            return;
+        for (const auto &[key, value] : change.items()) {
+            if (std::find(kSettableKeys.begin(), kSettableKeys.end(), key) == kSettableKeys.end())
+                reader.fail(one, "a link cannot change \"" + key + "\", only " + listed(kSettableKeys));
+        }
+        step.changes[name] = change;
     }
 }
 
@@ -177,6 +208,7 @@ void readStep(LessonReader &reader, const JsonNode &node, const Step *before, St
             step.view = before->view;
             step.place = before->place;
             step.points = before->points;
+            step.changes = before->changes;
         }
         static_cast<void>(json.has("change", true));
         readScene(reader, node, step.scene);
@@ -194,6 +226,7 @@ void readStep(LessonReader &reader, const JsonNode &node, const Step *before, St
         json.optional("place", step.place);
         json.list("panels", step.panels);
         readHighlights(reader, node, json, step);
+        readChanges(reader, node, json, step);
         static_cast<void>(json.has("points", true));
         if (const JsonNode points = node.member("points"); points.exists() && points.isObject()) {
             for (const auto &[name, point] : points.json().items()) {

@@ -223,7 +223,8 @@ Surface surfaceOf(const Step &step, const Surface &surface)
 }
 
 Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surface &surface,
-                                                 const std::map<std::string, StepPoint> &points)
+                                                 const std::map<std::string, StepPoint> &points,
+                                                 const std::map<std::string, Json> &changes)
 {
     const Result<Picture> picture = pictureOf(scene, surface, {});
     if (!picture)
@@ -255,6 +256,7 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
     numbers.m_tree["surface"] = {
         {"width", surface.widthPixels}, {"height", surface.heightPixels}, {"ratio", surface.devicePixelRatio}};
     numbers.m_tree["scene"] = Json::parse(*file);
+    numbers.m_tree["set"] = changes;
     for (const auto &[name, point] : points) {
         Result<Json, LessonError> one = std::visit(
             [&, where = "points." + name](const auto &given) { return treeOf(scene, *picture, given, where); }, point);
@@ -296,7 +298,8 @@ Result<LessonNumbers, LessonError> LessonNumbers::of(const Lesson &lesson, const
         const Result<Scene, LessonError> scene = sceneOf(step, models);
         if (!scene)
             return failed(lesson.name + ".json", scene.error().text);
-        Result<StepNumbers, LessonError> made = StepNumbers::of(*scene, surfaceOf(step, surface), step.points);
+        Result<StepNumbers, LessonError> made =
+            StepNumbers::of(*scene, surfaceOf(step, surface), step.points, step.changes);
         if (!made)
             return failed(where, made.error().text);
         numbers.m_steps.emplace(step.id, std::move(made).value());

@@ -33,6 +33,7 @@ Surface surfaceOf(const Step &step, const Surface &surface);
 ///                               the followed point (the scene's "point") in each space: .x .y .z .w
 ///   formula inverse             what its window point is unprojected to, in the world, by the formulas and by the matrix
 ///   NAME.…                      of a point of the step: NAME.ndc.x, NAME.modelview[0][0]; NAME.pixel[0], the pixel that it lies in
+///   set.NAME.…                  of a change that a link makes: set.other.point.coordinates
 ///   STEP:…                      in another step of the lesson, by its id: perspective:projection[0][0]
 ///
 /// A path that has several numbers stands for all of them, in their order: eye, scene.projection.
@@ -41,7 +42,8 @@ public:
     /// @param surface  of the view that shows it
     /// @return where the scene has no picture, or a point's object is not there, or its pixel shows nothing
     static Result<StepNumbers, LessonError> of(const Scene &scene, const Surface &surface,
-                                               const std::map<std::string, StepPoint> &points);
+                                               const std::map<std::string, StepPoint> &points,
+                                               const std::map<std::string, nlohmann::ordered_json> &changes = {});
 
     /// @return none where there is no such number
     std::vector<double> at(std::string_view path) const;

@@ -1,8 +1,10 @@
 #include "gui/document/lesson_player.h"
 
+#include "core/lessons/set_link.h"
 #include "core/lessons/step_numbers.h"
 #include "core/scene/bundled_models.h"
 #include "gui/document/scene_document.h"
+#include "gui/text/error_text.h"
 #include "gui/text/lesson_text.h"
 
 #include <QFile>
@@ -181,6 +183,48 @@ std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
     // In the picture as it is now.
     const auto numbers = lessons::StepNumbers::of(m_document.scene(), surface, points);
     return numbers ? numbers->pixelOf(point) : std::nullopt;
+}
+
+void LessonPlayer::change(const std::string &name)
+{
+    const auto found = step().changes.find(name);
+    if (found == step().changes.end())
+        return;
+    const auto refuse = [this](const QString &reason) {
+        emit failed(
+            tr("The scene as it is now cannot be changed so. Put it back as the step has it. (%1)").arg(reason));
+    };
+    const SceneSettings now = m_document.scene();
+    const auto settings = lessons::settingsWith(m_document.scene(), m_document.geometry(), found->second);
+    if (!settings) {
+        refuse(QString::fromStdString(settings.error().text));
+        return;
+    }
+    // Undone as one, whatever it is made of.
+    const Deed deed{tr("Change by the Lesson"), QStringLiteral("lesson %1").arg(++m_changes)};
+    const int before = m_document.undoStack().index();
+    Check done = std::monostate{};
+    const auto edit = [&done](bool isOther, const auto &take) {
+        if (isOther && done)
+            done = take();
+    };
+    edit(settings->camera != now.camera, [&] { return m_document.editCamera(settings->camera, deed); });
+    edit(settings->viewport != now.viewport || settings->depthRange != now.depthRange,
+         [&] { return m_document.editViewport(settings->viewport, settings->depthRange, deed); });
+    edit(settings->projection != now.projection || settings->projectionFollowsViewport != now.projectionFollowsViewport
+             || settings->clipDistancesFitObjects != now.clipDistancesFitObjects,
+         [&] {
+             return m_document.editProjection(
+                 {settings->projection, settings->projectionFollowsViewport, settings->clipDistancesFitObjects}, deed);
+         });
+    edit(settings->clipPlanes != now.clipPlanes || settings->clipPlanesOff != now.clipPlanesOff,
+         [&] { return m_document.editClipPlanes(settings->clipPlanes, settings->clipPlanesOff, deed); });
+    edit(settings->givenPoint != now.givenPoint, [&] { return m_document.editGivenPoint(settings->givenPoint, deed); });
+    if (done)
+        return;
+    while (m_document.undoStack().index() > before)
+        m_document.undoStack().undo();
+    refuse(errorText(done.error()));
 }
 
 } // namespace unprojector::gui

@@ -63,6 +63,9 @@ public:
     /// Where to click for a point that the step names; nothing where it is not in the picture as it is now.
     std::optional<DevicePixel> pixelOf(const std::string &point) const;
 
+    /// Does what a link set:NAME of the step says, undoably. What it cannot do is told by `failed`.
+    void change(const std::string &name);
+
 signals:
     /// Another step, another lesson, or none.
     void changed();
@@ -79,6 +82,7 @@ private:
     bool m_areRead = false;
     const Lesson *m_lesson = nullptr; ///< one of m_lessons
     std::size_t m_place = 0;
+    int m_changes = 0;                          ///< by links
     std::optional<Scene> m_shown;               ///< the step's, as it was opened
     std::optional<Session::KeptScene> m_before; ///< what was shown before the lesson
 };

@@ -151,6 +151,8 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
         else
             m_message->showMessage(
                 tr("The point is not in the picture as it is now. Put the picture back as the step has it."));
+    } else if (scheme == QLatin1String("set")) {
+        m_lessons->change(target.toStdString());
     } else if (scheme == QLatin1String("panel")) {
         const auto &panels = m_places->panels();
         if (const auto panel = std::find_if(panels.begin(), panels.end(), isIt); panel != panels.end())

@@ -2537,6 +2537,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <extracomment>The file of a lesson in this language, in resources/lessons; %1 is its name.</extracomment>
         <translation>%1_zh_CN.json</translation>
     </message>
+    <message>
+        <source>The scene as it is now cannot be changed so. Put it back as the step has it. (%1)</source>
+        <translation>现在的场景无法这样更改。请恢复为本步骤的场景。（%1）</translation>
+    </message>
+    <message>
+        <source>Change by the Lesson</source>
+        <translation>课程所作的更改</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::LifecycleLog</name>

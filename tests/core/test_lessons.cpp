@@ -3,8 +3,10 @@
 
 #include "core/lessons/highlights.h"
 #include "core/lessons/lesson.h"
+#include "core/lessons/set_link.h"
 #include "core/lessons/statements.h"
 #include "core/lessons/step_numbers.h"
+#include "core/scene/bundled_models.h"
 
 #include <QDir>
 #include <QFile>
@@ -114,6 +116,7 @@ private slots:
     void theVolumesSidesAreLettered();
     void theCubesSidesAreNumbered();
     void theViewportIsMeasured();
+    void aChangeLeavesTheRest();
 
 private:
     static void lessonRows();
@@ -188,7 +191,15 @@ void TestLessons::everyLinkLeadsSomewhere()
                 QVERIFY2(lesson.step(to), where.c_str());
             else if (link.startsWith(QLatin1String("click:")))
                 QVERIFY2(numbers->step(step.id).pixelOf(to), where.c_str());
-            else
+            else if (link.startsWith(QLatin1String("set:"))) {
+                QVERIFY2(step.changes.contains(to), where.c_str());
+                Scene scene = *sceneOf(step, bundledModels());
+                const Surface surface{800, 600, 1.0};
+                const auto changed = settingsWith(scene, *pictureOf(scene, surface, {}), step.changes.at(to));
+                QVERIFY2(changed, changed ? "" : changed.error().text.c_str());
+                static_cast<SceneSettings &>(scene) = *changed;
+                QVERIFY2(pictureOf(scene, surface, {}), where.c_str());
+            } else
                 QVERIFY2(link.startsWith(QLatin1String("formulas:")) || link.startsWith(QLatin1String("panel:"))
                              || link.startsWith(QLatin1String("place:")) || link.startsWith(QLatin1String("view:")),
                          where.c_str());
@@ -349,6 +360,9 @@ void TestLessons::aFaultNamesItsPlace_data()
         "t.json: steps[0].scene: the program brings along no scene \"kettle\"");
     row("both", oneStep(R"(, "scene": "zhangci-2d", "change": {})"),
         "t.json: steps[0]: has a \"scene\" and a \"change\"");
+    row("a point with the name of the changes",
+        oneStep(R"(, "scene": "zhangci-2d", "points": {"set": {"pixel": [1, 1]}})"),
+        "t.json: steps[0].points: \"set\" ");
     row("a taken name", oneStep(R"(, "scene": "zhangci-2d", "points": {"eye": {"pixel": [1, 1]}})"),
         "t.json: steps[0].points: \"eye\" is no free name");
     row("a point without coordinates", oneStep(R"(, "scene": "zhangci-2d", "points": {"p": {"space": "eye"}})"),
@@ -359,6 +373,11 @@ void TestLessons::aFaultNamesItsPlace_data()
         "t.json: steps[0].points.p.snap: ");
     row("half a view", oneStep(R"(, "scene": "zhangci-2d", "view": [1.5, 2])"),
         "t.json: steps[0]: \"view\" must be two whole numbers from 1 to 16384");
+    row("an unknown change", oneStep(R"(, "scene": "zhangci-2d", "set": {"a": {"objects": []}})"),
+        "t.json: steps[0].set.a: a link cannot change \"objects\", only \"projection\", \"view\", \"depthRange\", "
+        "\"clipPlanes\", \"point\", \"ui\"");
+    row("a change without a name", oneStep(R"(, "scene": "zhangci-2d", "set": {"A b": {"point": null}})"),
+        "t.json: steps[0].set: \"A b\" is no name");
     row("an unknown highlight", oneStep(R"(, "scene": "zhangci-2d", "highlights": ["axes", "stars"])"),
         "t.json: steps[0].highlights: there is no highlight \"stars\"; there are \"axes\", \"volume\", \"cube\", "
         "\"viewport\"");
@@ -480,6 +499,39 @@ void TestLessons::theViewportIsMeasured()
                           "vx 0,190 100,190", "vy 300,0 300,40", "rect.bottom 404,450 404,0"}));
     const QStringList whole = written({0, 0, 500, 450});
     QCOMPARE(whole.filter(QStringLiteral("vx")) + whole.filter(QStringLiteral("vy")), QStringList());
+}
+
+void TestLessons::aChangeLeavesTheRest()
+{
+    const auto lesson = parseLesson("t", oneStep(R"(, "scene": "zhangci-perspective", "set": {
+        "other": {"point": {"space": "eye", "coordinates": [0.1, 0, -5]}},
+        "nearer": {"projection": {"near": 0.3}, "ui": {"clipDistancesFitObjects": false}},
+        "wrong": {"projection": {"near": -2}}})"));
+    QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+    const Step &step = lesson->steps.front();
+    Scene scene = *sceneOf(step, bundledModels());
+    scene.camera.eye = WorldPoint(0.1, 1.0 / 3.0, 5.0);
+    std::get<Perspective>(scene.projection).verticalFovRadians = 0.8; // of which degrees have other digits
+    const Picture picture = *pictureOf(scene, {800, 600, 1.0}, {});
+
+    const SceneSettings other = *settingsWith(scene, picture, step.changes.at("other"));
+    QVERIFY(other.givenPoint == (GivenPoint{EyePoint(0.1, 0, -5)}));
+    QVERIFY(other.camera == scene.camera && other.projection == scene.projection);
+    QCOMPARE(other.clipDistancesFitObjects, scene.clipDistancesFitObjects);
+
+    const SceneSettings nearer = *settingsWith(scene, picture, step.changes.at("nearer"));
+    QCOMPARE(std::get<Perspective>(nearer.projection).nearDistance, 0.3);
+    QVERIFY(!nearer.clipDistancesFitObjects);
+    QVERIFY(nearer.camera == scene.camera && nearer.givenPoint == scene.givenPoint);
+
+    const auto wrong = settingsWith(scene, picture, step.changes.at("wrong"));
+    QVERIFY(!wrong);
+    const QByteArray why = QByteArray::fromStdString(wrong.error().text);
+    QVERIFY2(why.contains("projection.near"), why.constData());
+    // What is not there cannot be set: that nothing happens is not to be taken for the answer.
+    const auto unknown = settingsWith(scene, picture, nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})"));
+    QVERIFY(!unknown);
+    QCOMPARE(QByteArray::fromStdString(unknown.error().text), QByteArray("set: there is no projection.left"));
 }
 
 QTEST_APPLESS_MAIN(TestLessons)

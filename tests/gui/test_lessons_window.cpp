@@ -127,6 +127,8 @@ private slots:
     void anotherSceneEndsTheLesson();
     void theKeysGoFromStepToStep();
     void theViewGetsTheSizeOfTheNumbers();
+    void aLinkChangesTheScene();
+    void aChangeThatDoesNotFitIsTold();
     void lettersAreDrawnWhereAStepWantsThem();
     void lettersOverlapNothing_data();
     void lettersOverlapNothing();
@@ -177,6 +179,11 @@ void TestLessonsWindow::everyStepOpensAndItsLinksLead()
                 QVERIFY2(has(window->places().panels(), to), where);
                 follow(*window, link);
                 QVERIFY2(!dockOf(*window, to.toLatin1())->isHidden(), where);
+            } else if (link.startsWith(QLatin1String("set:"))) {
+                const int steps = window->document().undoStack().count();
+                follow(*window, link);
+                QVERIFY2(window->document().undoStack().count() == steps + 1, where);
+                window->document().undoStack().undo();
             } else if (link.startsWith(QLatin1String("place:"))) {
                 QVERIFY2(has(window->places().places(), to), where);
             } else if (link.startsWith(QLatin1String("formulas:"))) {
@@ -491,6 +498,39 @@ void TestLessonsWindow::theViewFromOutsideComesAndGoes()
     QVERIFY(player.leave());
     QVERIFY(action->isChecked() && observer->isVisible() && dockOf(*window, "observer")->isHidden());
     QCOMPARE(observer->morph(), 0.5);
+}
+
+void TestLessonsWindow::aLinkChangesTheScene()
+{
+    const auto window = windowOfSize(kWide);
+    SceneDocument &document = window->document();
+    QVERIFY(window->lessons().start("pipeline") && window->lessons().next());
+    const std::optional<GivenPoint> followed = document.givenPoint();
+    QVERIFY(followed);
+    follow(*window, QStringLiteral("set:other"));
+    QVERIFY(document.givenPoint() == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
+    QCOMPARE(document.undoStack().count(), 1); // one change for all that it says
+    QVERIFY(window->lessons().isAsTheStep());
+    document.undoStack().undo();
+    QVERIFY(document.givenPoint() == followed);
+    follow(*window, QStringLiteral("set:none")); // what the step does not know does nothing
+    QVERIFY(document.givenPoint() == followed);
+    QVERIFY(window->message().isEmpty());
+}
+
+void TestLessonsWindow::aChangeThatDoesNotFitIsTold()
+{
+    const auto window = windowOfSize(kWide);
+    SceneDocument &document = window->document();
+    QVERIFY(window->lessons().start("derivation"));
+    QVERIFY(window->lessons().goTo(window->lessons().lesson()->steps.size() - 1));
+    // Which has no left and right to exchange.
+    QVERIFY(document.editProjection({Perspective{1.0, 1.0, 1.0, 10.0}, false, false}, {QStringLiteral("Other")}));
+    const int steps = document.undoStack().count();
+    follow(*window, QStringLiteral("set:exchanged"));
+    QCOMPARE(document.undoStack().count(), steps);
+    QVERIFY2(window->message().startsWith(QStringLiteral("The scene as it is now cannot be changed so.")),
+             qPrintable(window->message()));
 }
 
 QTEST_MAIN(TestLessonsWindow)

@@ -1,0 +1,69 @@
+#include "core/lessons/set_link.h"
+
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
+
+namespace unprojector::lessons {
+namespace {
+
+/// "projection.left"
+std::string firstPath(const nlohmann::ordered_json &object)
+{
+    const auto first = object.begin();
+    const bool goesOn = first.value().is_object() && !first.value().empty();
+    return first.key() + (goesOn ? "." + firstPath(first.value()) : "");
+}
+
+} // namespace
+
+Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Picture &picture,
+                                                const nlohmann::ordered_json &change)
+{
+    using namespace scene_file;
+    const auto failed = [](SceneFileError error) {
+        error.file = "set";
+        return LessonError{sceneErrorText(error)};
+    };
+    const auto text = sceneText(sceneFileFrom(scene, picture, {}));
+    if (!text)
+        return failed(text.error());
+    nlohmann::ordered_json document = nlohmann::ordered_json::parse(*text);
+    document.merge_patch(change);
+    const Result<SceneFile, SceneFileError> file = parseScene(document.dump(), "set");
+    if (!file)
+        return failed(file.error());
+    if (!file->extra.empty())
+        return LessonError{"set: there is no " + firstPath(file->extra)};
+    std::vector<std::shared_ptr<const Model>> models;
+    for (const SceneObject &object : scene.objects)
+        models.push_back(object.model);
+    const Result<Scene, SceneFileError> made = sceneFromFile(*file, {}, models);
+    if (!made)
+        return failed(made.error());
+
+    SceneSettings settings = scene;
+    if (change.contains("projection")) {
+        settings.projection = made->projection;
+        settings.given = made->given;
+    }
+    if (change.contains("view")) {
+        settings.camera = made->camera;
+        settings.givenView = made->givenView;
+    }
+    if (change.contains("depthRange"))
+        settings.depthRange = made->depthRange;
+    if (change.contains("clipPlanes")) {
+        settings.clipPlanes = made->clipPlanes;
+        settings.clipPlanesOff = made->clipPlanesOff;
+    }
+    if (change.contains("point"))
+        settings.givenPoint = made->givenPoint;
+    if (change.contains("ui")) {
+        settings.viewport = made->viewport;
+        settings.projectionFollowsViewport = made->projectionFollowsViewport;
+        settings.clipDistancesFitObjects = made->clipDistancesFitObjects;
+    }
+    return settings;
+}
+
+} // namespace unprojector::lessons

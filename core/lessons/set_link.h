@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/lessons/lesson.h"
+#include "core/scene/scene.h"
+
+#include <array>
+#include <string_view>
+
+/// What a link set:NAME does.
+namespace unprojector::lessons {
+using namespace scene;
+
+/// The keys of a scene document that it may change.
+inline constexpr std::array<std::string_view, 6> kSettableKeys{"projection", "view",  "depthRange",
+                                                               "clipPlanes", "point", "ui"};
+
+/// A scene's settings with a change merged into its document. What the change does not speak of stays to the last bit.
+/// @param picture  of the scene, in the window that shows it
+/// @param change   as "change" of a step (RFC 7396), of kSettableKeys alone
+/// @return an error where the result is no scene, or has no such key, as left and right of a gluPerspective
+Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Picture &picture,
+                                                const nlohmann::ordered_json &change);
+
+} // namespace unprojector::lessons
