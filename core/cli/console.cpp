@@ -95,6 +95,23 @@ std::vector<std::string> utf8Arguments(int argc, char **argv)
     return std::vector<std::string>(argv, argv + argc);
 }
 
+std::string systemLanguages()
+{
+    std::string languages;
+#ifdef _WIN32
+    // Each ends with a 0, and the list with another one.
+    ULONG count = 0, size = 0;
+    if (GetUserPreferredUILanguages(MUI_LANGUAGE_NAME, &count, nullptr, &size) == 0)
+        return {};
+    std::vector<wchar_t> names(size);
+    if (GetUserPreferredUILanguages(MUI_LANGUAGE_NAME, &count, names.data(), &size) == 0)
+        return {};
+    for (const wchar_t *name = names.data(); *name != L'\0'; name += std::wcslen(name) + 1)
+        languages += (languages.empty() ? "" : ":") + utf8(name);
+#endif
+    return languages;
+}
+
 RemovedWhenInterrupted::RemovedWhenInterrupted(const std::filesystem::path &file)
 {
     if (file.native().size() >= interruptedFile.size())

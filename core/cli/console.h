@@ -20,6 +20,10 @@ namespace unprojector::cli {
 /// there the command line is asked for instead.
 std::vector<std::string> utf8Arguments(int argc, char **argv);
 
+/// The languages that the user has chosen for the system's own windows, the preferred first, as LANGUAGE has them:
+/// "zh-CN:en-US". Empty on systems where environment variables say it.
+std::string systemLanguages();
+
 /// While it lives, a file goes away when somebody ends the program: with Ctrl+C, with kill, by closing its terminal. One at
 /// a time.
 class RemovedWhenInterrupted {

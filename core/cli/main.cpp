@@ -1,5 +1,6 @@
 #include "core/cli/command_line.h"
 #include "core/cli/console.h"
+#include "core/cli/language_choice.h"
 #include "core/files/standard_streams.h"
 
 #include <cstdio>
@@ -10,6 +11,7 @@ int main(int argc, char **argv)
 {
     const unprojector::files::Utf8Console console;
     try {
+        unprojector::text::setLanguage(unprojector::cli::chosenLanguage(unprojector::cli::languageWishes()));
         return static_cast<int>(unprojector::cli::runCommandLine(unprojector::cli::utf8Arguments(argc, argv)));
     } catch (const std::bad_alloc &) {
         std::fputs("unproject: out of memory; the results are not complete\n", stderr);

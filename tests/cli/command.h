@@ -2,7 +2,9 @@
 
 #include <QFile>
 #include <QList>
+#include <QMap>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
@@ -22,9 +24,18 @@ struct Run {
     }
 };
 
-inline Run runCommand(const QStringList &arguments, const QByteArray &input = {})
+using Variables = QMap<QString, QString>;
+
+/// @param variables  of the environment; without them the command speaks English
+inline Run runCommand(const QStringList &arguments, const QByteArray &input = {},
+                      const Variables &variables = {{"LC_ALL", "C"}})
 {
     QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("LANGUAGE"));
+    for (auto it = variables.begin(); it != variables.end(); ++it)
+        environment.insert(it.key(), it.value());
+    process.setProcessEnvironment(environment);
     process.start(QStringLiteral(UNPROJECT_COMMAND), arguments);
     if (!process.waitForStarted())
         qFatal("the command does not start: %s", qPrintable(process.errorString()));

@@ -1,0 +1,206 @@
+// The command in Chinese: who gets it, that nothing is left in English, and that what programs read stays as it is.
+#include "core/cli/language_choice.h"
+#include "tests/cli/command.h"
+
+#include <QRegularExpression>
+
+#include "core/text/columns.h"
+
+using namespace unprojector;
+using cli::LanguageWishes;
+
+namespace {
+
+const Variables kChinese{{"LC_ALL", "zh_CN.UTF-8"}};
+
+const char *const kCommands[] = {"points",  "pick", "project",  "info", "scene",     "cloud",
+                                 "compare", "map",  "matrices", "code", "landmarks", "doctor"};
+
+/// Three words of a sentence side by side; what is no sentence has fewer.
+bool hasEnglish(const QString &line)
+{
+    static const QRegularExpression words(QStringLiteral("(?:\\b[a-z]{2,} ){2}[a-z]{2,}\\b"));
+    return words.match(line).hasMatch();
+}
+
+bool isExample(const QString &line)
+{
+    static const QRegularExpression start(QStringLiteral("^  +(?:unproject|printf|parallel|projection) "));
+    return start.match(line).hasMatch();
+}
+
+} // namespace
+
+class TestChinese : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theLanguageIsTheUsers_data();
+    void theLanguageIsTheUsers();
+    void helpIsChinese_data();
+    void helpIsChinese();
+    void englishIsNotTouched();
+    void wrongWordsAreSaidInChinese_data();
+    void wrongWordsAreSaidInChinese();
+    void dataIsTheSameInEveryLanguage_data();
+    void dataIsTheSameInEveryLanguage();
+
+private:
+    Folder m_folder;
+};
+
+void TestChinese::theLanguageIsTheUsers_data()
+{
+    QTest::addColumn<QStringList>("wishes"); // LC_ALL, LC_MESSAGES, LANG, LANGUAGE, the system's
+    QTest::addColumn<bool>("isChinese");
+
+    QTest::newRow("nothing") << QStringList{"", "", "", "", ""} << false;
+    QTest::newRow("lang") << QStringList{"", "", "zh_CN.UTF-8", "", ""} << true;
+    QTest::newRow("messages-before-lang") << QStringList{"", "zh_CN.UTF-8", "en_US.UTF-8", "", ""} << true;
+    QTest::newRow("all-before-messages") << QStringList{"en_US.UTF-8", "zh_CN.UTF-8", "zh_CN.UTF-8", "", ""} << false;
+    QTest::newRow("list-before-all") << QStringList{"en_US.UTF-8", "", "", "zh_CN", ""} << true;
+    QTest::newRow("first-of-list") << QStringList{"zh_CN.UTF-8", "", "", "en:zh_CN", ""} << false;
+    QTest::newRow("first-known-of-list") << QStringList{"de_DE.UTF-8", "", "", "de:zh_CN:en", ""} << true;
+    QTest::newRow("none-known-of-list") << QStringList{"zh_CN.UTF-8", "", "", "de:fr", ""} << false;
+    QTest::newRow("c-before-list") << QStringList{"C", "", "zh_CN.UTF-8", "zh_CN", ""} << false;
+    QTest::newRow("c-utf8-before-list") << QStringList{"C.UTF-8", "", "", "zh_CN", ""} << false;
+    QTest::newRow("posix") << QStringList{"POSIX", "", "zh_CN.UTF-8", "", ""} << false;
+    QTest::newRow("list-alone") << QStringList{"", "", "", "zh_CN", ""} << false;
+    QTest::newRow("no-encoding") << QStringList{"", "", "zh_CN", "", ""} << true;
+    QTest::newRow("utf8-otherwise") << QStringList{"", "", "zh_CN.utf8@pinyin", "", ""} << true;
+    QTest::newRow("other-encoding") << QStringList{"", "", "zh_CN.GB18030", "", ""} << false;
+    QTest::newRow("singapore") << QStringList{"", "", "zh_SG.UTF-8", "", ""} << true;
+    QTest::newRow("traditional") << QStringList{"", "", "zh_TW.UTF-8", "", ""} << false;
+    QTest::newRow("system") << QStringList{"", "", "", "", "zh-CN:en-US"} << true;
+    QTest::newRow("system-with-script") << QStringList{"", "", "", "", "zh-Hans-CN"} << true;
+    QTest::newRow("system-english-first") << QStringList{"", "", "", "", "en-US:zh-CN"} << false;
+    QTest::newRow("environment-before-system") << QStringList{"", "", "en_US.UTF-8", "", "zh-CN"} << false;
+}
+
+void TestChinese::theLanguageIsTheUsers()
+{
+    QFETCH(QStringList, wishes);
+    QFETCH(bool, isChinese);
+    const LanguageWishes given{wishes[0].toStdString(), wishes[1].toStdString(), wishes[2].toStdString(),
+                               wishes[3].toStdString(), wishes[4].toStdString()};
+    QCOMPARE(cli::chosenLanguage(given) == text::Language::Chinese, isChinese);
+}
+
+void TestChinese::helpIsChinese_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::newRow("program") << QStringList{"--help"};
+    for (const char *command : kCommands)
+        QTest::newRow(command) << QStringList{command, "--help"};
+}
+
+void TestChinese::helpIsChinese()
+{
+    QFETCH(QStringList, words);
+    const Run run = runCommand(words, {}, kChinese);
+    VERIFY_SUCCEEDED(run);
+    const QString help = QString::fromUtf8(run.output);
+    QVERIFY(help.contains(QStringLiteral("\n用法：unproject")));
+    QVERIFY(!help.contains(QChar::ReplacementCharacter));
+    for (const QString &line : help.split(u'\n')) {
+        if (isExample(line))
+            continue;
+        QVERIFY2(!hasEnglish(line), qPrintable(line));
+        const bool isHead = line.startsWith(QStringLiteral("  ")) && !line.startsWith(QStringLiteral("   "));
+        QVERIFY2(isHead || text::columnsOf(line.toStdString()) <= 80, qPrintable(line));
+    }
+}
+
+/// A user who prefers English gets it byte for byte, whatever his locale is.
+void TestChinese::englishIsNotTouched()
+{
+    for (const QStringList &words : {QStringList{"--help"}, QStringList{"map", "--help"}}) {
+        const Run english = runCommand(words, {}, {{"LC_ALL", "C"}});
+        const Run preferred = runCommand(words, {}, {{"LC_ALL", "zh_CN.UTF-8"}, {"LANGUAGE", "en"}});
+        QVERIFY(english.output.contains("\nUsage: unproject"));
+        QCOMPARE(preferred.output, english.output);
+    }
+}
+
+void TestChinese::wrongWordsAreSaidInChinese_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QString>("said");
+
+    QTest::newRow("command") << QStringList{"pionts"} << "“pionts”不是命令；请从中选一个：points, pick, ";
+    QTest::newRow("no-command") << QStringList{} << "缺少命令；详见 'unproject --help'\n";
+    QTest::newRow("option") << QStringList{"info", "--jsn", "a"}
+                            << "--jsn 不是 'unproject info' 的选项；'unproject info --help' 列出了全部选项\n";
+    QTest::newRow("too-many") << QStringList{"info", "a", "b"} << "“b”对 'unproject info' 来说是多余的；";
+    QTest::newRow("choice") << QStringList{"points", "--method", "fast", "a"}
+                            << "--method: “fast”不在可选值之中：all, both, formula, matrix, matrixInFloat\n";
+    QTest::newRow("range") << QStringList{"points", "--threads", "0", "a"} << "--threads: 值 0 不在 1 到 64 之间\n";
+    QTest::newRow("required") << QStringList{"info"} << "缺少 SCENE；详见 'unproject info --help'\n";
+    QTest::newRow("needs") << QStringList{"pick", "--json", "a"} << "--json 须与 --at 一起使用；";
+    QTest::newRow("excludes") << QStringList{"pick", "a", "b", "--at", "1,2"} << " 不能同时使用；请去掉其中一个\n";
+    QTest::newRow("missing") << QStringList{"info", "a", "--json", "--", "b"} << "是多余的";
+    QTest::newRow("value-missing") << QStringList{"code", "a", "-o"} << "：其后缺少 文件；";
+    QTest::newRow("no-number") << QStringList{"map", "a", "--depth", "x", "-o", "b", "--what", "uncertainty"}
+                               << "--depth x：请给出一个数\n";
+}
+
+void TestChinese::wrongWordsAreSaidInChinese()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QString, said);
+    const Run run = runCommand(words, {}, kChinese);
+    QCOMPARE(run.exitCode, 2);
+    const QString errors = QString::fromUtf8(run.errors);
+    QVERIFY2(errors.contains(said), qPrintable(errors));
+    QVERIFY2(!hasEnglish(errors), qPrintable(errors));
+}
+
+void TestChinese::dataIsTheSameInEveryLanguage_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("input");
+
+    const QByteArray clicks("px,py,depth\n400,300,0.5\nx,1,2\n"), points("x,y,z\n0,0,0\n0,0,5\n");
+    QTest::newRow("points") << QStringList{"points", "scene.json"} << clicks;
+    QTest::newRow("points-jsonl") << QStringList{"points", "--format", "jsonl", "scene.json"} << clicks;
+    QTest::newRow("project") << QStringList{"project", "scene.json"} << points;
+    QTest::newRow("pick") << QStringList{"pick", "scene.json"} << QByteArray("px,py\n400.5,300.5\n-1,0\n");
+    QTest::newRow("pick-json") << QStringList{"pick", "--json", "scene.json", "--at", "400.5,300.5"} << QByteArray();
+    QTest::newRow("info-json") << QStringList{"info", "--json", "scene.json"} << QByteArray();
+    QTest::newRow("compare-json") << QStringList{"compare", "--json", "--pixels", "2", "--depths", "2", "scene.json"}
+                                  << QByteArray();
+    QTest::newRow("matrices") << QStringList{"matrices", "--conventions", "unity", "scene.json"} << QByteArray();
+    QTest::newRow("matrices-json") << QStringList{"matrices", "--format", "json", "scene.json"} << QByteArray();
+    QTest::newRow("matrices-numpy") << QStringList{"matrices", "--format", "numpy", "scene.json"} << QByteArray();
+    QTest::newRow("code") << QStringList{"code", "scene.json", "--for", "glu"} << QByteArray();
+    QTest::newRow("map-json") << QStringList{"map",   "scene.json", "--what", "formula-ray", "--size",
+                                             "40x30", "--json",     "-o",     "map.pfm"}
+                              << QByteArray();
+    QTest::newRow("doctor-json") << QStringList{"doctor",  "scene.json", "--pixel",           "100.5,200.5", "--depth",
+                                                "0.66667", "--got",      "-1.4981,-0.4981,3", "--json"}
+                                 << QByteArray();
+    QTest::newRow("landmarks") << QStringList{"landmarks", "--from", "csv", "--to", "mrk.json", "-", "-"}
+                               << QByteArray("name,x,y,z\nnose,1,2,3\n");
+}
+
+/// Its messages are not: they are for people.
+void TestChinese::dataIsTheSameInEveryLanguage()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, input);
+    m_folder.write(QStringLiteral("scene.json"), kFrustumScene);
+    // Open, so that there is something to note of it.
+    m_folder.write(QStringLiteral("face.obj"), "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+    for (QString &word : words) {
+        if (word.endsWith(QStringLiteral(".json")) || word.endsWith(QStringLiteral(".pfm")))
+            word = word.startsWith(QStringLiteral("mrk")) ? word : m_folder.path(word);
+    }
+    const Run english = runCommand(words, input, {{"LC_ALL", "C"}});
+    const Run chinese = runCommand(words, input, kChinese);
+    QVERIFY2(!english.output.isEmpty(), english.errors.constData());
+    QCOMPARE(chinese.output, english.output);
+    QCOMPARE(chinese.exitCode, english.exitCode);
+}
+
+QTEST_APPLESS_MAIN(TestChinese)
+#include "test_chinese.moc"
