@@ -12,6 +12,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFontDatabase>
 #include <QMessageBox>
 #include <QSettings>
 
@@ -50,6 +51,16 @@ std::optional<WidgetPoint> parsedPosition(const QString &text)
     return isX && isY ? std::optional(position) : std::nullopt;
 }
 
+/// Looked for before all words are judged: what is wrong with them is said in it.
+std::optional<Language> languageIn(const QStringList &words)
+{
+    const QCommandLineOption language(QStringLiteral("language"), {}, QStringLiteral("LANGUAGE"));
+    QCommandLineParser parser;
+    parser.addOption(language);
+    parser.parse(words);
+    return languageOf(parser.value(language));
+}
+
 int usageError(const QString &reason)
 {
     std::fprintf(stderr, "unprojector: %s\n", printed(reason).constData());
@@ -64,6 +75,11 @@ int told(const QString &text)
                ? 0
                : usageError(
                    CommandLine::tr("Standard output cannot be written: %1.").arg(QString::fromStdString(problem)));
+}
+
+bool hasHanzi()
+{
+    return QFontDatabase::writingSystems().contains(QFontDatabase::SimplifiedChinese);
 }
 
 bool hasDisplay()
@@ -88,6 +104,8 @@ int main(int argc, char **argv)
     // The words are judged before there is a window, so that --help and mistakes need no display.
     std::optional<QCoreApplication> words(std::in_place, argc, argv);
     std::optional<Translation> translation(std::in_place);
+    const std::optional<Language> spoken = languageIn(words->arguments());
+    translation->choose(spoken.value_or(Language::System));
     const QString folder = QCoreApplication::applicationDirPath();
     if (isPortable(folder)) {
         QSettings::setDefaultFormat(QSettings::IniFormat);
@@ -127,6 +145,10 @@ int main(int argc, char **argv)
                                         CommandLine::tr("Colours of the window: desktop (as the desktop has them; "
                                                         "default), light or dark."),
                                         QStringLiteral("DESKTOP|LIGHT|DARK"));
+    const QCommandLineOption language(
+        QStringLiteral("language"),
+        CommandLine::tr("Language of the program: system (that of the desktop; default), en or zh_CN."),
+        QStringLiteral("SYSTEM|EN|ZH_CN"));
     const QCommandLineOption click(
         QStringLiteral("click"),
         CommandLine::tr("With --screenshot: press the left button at this position of the view, logical pixels from "
@@ -136,7 +158,7 @@ int main(int argc, char **argv)
                                     CommandLine::tr("Whether the edges of surfaces are drawn without steps: on or off. "
                                                     "What clicks read is the same."),
                                     QStringLiteral("ON|OFF"));
-    parser.addOptions({help, screenshot, size, viewSize, noPanels, place, appearance, click, smooth});
+    parser.addOptions({help, screenshot, size, viewSize, noPanels, place, appearance, language, click, smooth});
     parser.addPositionalArgument(
         QStringLiteral("MODEL"),
         CommandLine::tr(
@@ -177,6 +199,8 @@ int main(int argc, char **argv)
     if (parser.isSet(appearance) && !colors)
         return usageError(
             CommandLine::tr("--appearance is %1; give desktop, light or dark.").arg(parser.value(appearance)));
+    if (parser.isSet(language) && !spoken)
+        return usageError(CommandLine::tr("--language is %1; give system, en or zh_CN.").arg(parser.value(language)));
     std::vector<WidgetPoint> clicks;
     for (const QString &text : parser.values(click)) {
         const std::optional<WidgetPoint> position = parsedPosition(text);
@@ -200,12 +224,19 @@ int main(int argc, char **argv)
     if (!hasDisplay())
         return usageError(CommandLine::tr("There is no display. Set DISPLAY, or run under xvfb-run."));
 
+    // What a script gets does not depend on what somebody has chosen in a menu.
+    const auto speak = [&] {
+        translation.emplace(QLocale().uiLanguages(), hasHanzi());
+        const Language kept =
+            languageOf(QSettings().value(QStringLiteral("window/language")).toString()).value_or(Language::System);
+        translation->choose(spoken ? *spoken : parser.isSet(screenshot) ? Language::System : kept);
+    };
     translation.reset();
     words.reset();
     // By this the desktop knows the window's menu entry and icon.
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.unprojector.unprojector"));
     std::optional<QApplication> application(std::in_place, argc, argv);
-    translation.emplace();
+    speak();
     QString problem = openGLProblem();
 #ifdef Q_OS_WIN
     if (!problem.isEmpty() && hasSoftwareOpenGL()) {
@@ -214,7 +245,7 @@ int main(int argc, char **argv)
         application.reset();
         QCoreApplication::setAttribute(Qt::AA_UseSoftwareOpenGL);
         application.emplace(argc, argv);
-        translation.emplace();
+        speak();
         problem = openGLProblem();
     }
 #endif
@@ -242,6 +273,7 @@ int main(int argc, char **argv)
     console.reset(); // whoever started the program goes on with it
     MainWindow::Options options;
     options.smoothEdges = smoothEdges;
+    options.translation = &*translation;
     MainWindow window(options);
     if (parser.isSet(size))
         window.resize(*windowSize);

@@ -25,7 +25,9 @@ public:
     };
 
     /// In the language of the program.
-    PointTemplates();
+    PointTemplates() { retranslate(); }
+    /// Takes those that come with the program in the language that it speaks now; what was chosen stays.
+    void retranslate();
 
     const std::vector<Bundled> &bundled() const { return m_bundled; }
     /// The names of the template that was chosen last.

@@ -9,7 +9,7 @@ namespace unprojector::gui {
 SceneChange::SceneChange(SceneDocument &document, SceneState before, SceneState after, const QString &text,
                          QString mergeKey)
     : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)),
-      m_mergeKey(std::move(mergeKey))
+      m_mergeKey(std::move(mergeKey)), m_name(text), m_language(SceneDocument::language())
 {
 }
 

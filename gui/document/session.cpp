@@ -23,8 +23,7 @@ std::filesystem::path Session::absolutePath(const std::filesystem::path &file)
 }
 
 Session::Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent)
-    : QObject(parent), m_document(document), m_questions(questions), m_options(options),
-      m_name(tr("the scene")) // until one is opened
+    : QObject(parent), m_document(document), m_questions(questions), m_options(options)
 {
     connect(&m_loader, &ModelLoader::started, this, &Session::loadingStarted);
     connect(&m_loader, &ModelLoader::progressed, this, &Session::loadingProgressed);
@@ -41,6 +40,11 @@ Session::Session(SceneDocument &document, SessionQuestions &questions, const Opt
 }
 
 Session::~Session() = default;
+
+QString Session::name() const
+{
+    return nameText(m_name);
+}
 
 bool Session::hasUnsavedChanges() const
 {
@@ -103,7 +107,7 @@ bool Session::saveScene(const std::filesystem::path &file)
         emit noticed(dropped);
     m_file = path;
     m_stamp = written.value();
-    m_name = pathText(path.filename());
+    m_name = {pathText(path.filename())};
     m_contents.objects = std::move(contents.objects);
     m_document.markSaved();
     return true;
@@ -147,7 +151,7 @@ bool Session::mayLoseChanges()
 {
     if (!m_options.remembers || !hasUnsavedChanges())
         return true;
-    switch (m_questions.askSave(m_name, !m_file.empty())) {
+    switch (m_questions.askSave(name(), !m_file.empty())) {
     case SessionQuestions::SaveAnswer::Save: return save();
     case SessionQuestions::SaveAnswer::Discard: return true;
     case SessionQuestions::SaveAnswer::Cancel: return false;
@@ -215,10 +219,10 @@ Result<Autosave::Content, QString> Session::unsavedContent() const
     Result<std::string, SceneFileError> text = sceneText(contents());
     if (!text) {
         SceneFileError error = text.error();
-        error.file = m_name.toStdString();
+        error.file = name().toStdString();
         return QString::fromStdString(sceneErrorText(error));
     }
-    return Autosave::Content{{m_name, m_file, QDateTime::currentDateTime(), m_stamp}, std::move(text).value()};
+    return Autosave::Content{{name(), m_file, QDateTime::currentDateTime(), m_stamp}, std::move(text).value()};
 }
 
 void Session::offerRecovery()

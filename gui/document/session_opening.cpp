@@ -100,7 +100,7 @@ void Session::openBundledScene()
         return;
     emit progressed();
     m_document.setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
-    setScene(tr("Bundled scene"));
+    setScene({QString(), 0, true});
 }
 
 bool Session::openLesson(Scene scene, const QString &name, const QString &lesson)
@@ -110,7 +110,7 @@ bool Session::openLesson(Scene scene, const QString &name, const QString &lesson
         emit failed(errorText(shown.error()));
         return false;
     }
-    setScene(name, lesson);
+    setScene({name}, lesson);
     return true;
 }
 
@@ -134,9 +134,9 @@ bool Session::comeBackTo(const KeptScene &kept)
 
 void Session::nameStep(const QString &name)
 {
-    if (!m_file.empty() || name == m_name)
+    if (!m_file.empty() || name == m_name.first)
         return;
-    m_name = name;
+    m_name = {name};
     emit changed();
 }
 
@@ -153,12 +153,16 @@ QString Session::nameOf(const Pending &pending)
 {
     if (pending.use == Pending::For::SceneFile || pending.models.empty())
         return pending.name;
-    return namesText(pathText(pending.models.front().filename()), static_cast<int>(pending.models.size()) - 1);
+    return nameText({pathText(pending.models.front().filename()), static_cast<int>(pending.models.size()) - 1});
 }
 
-QString Session::namesText(const QString &first, int others)
+QString Session::nameText(const Name &name)
 {
-    return others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first);
+    if (name.isBundled)
+        return tr("Bundled scene");
+    if (name.first.isEmpty())
+        return tr("the scene"); // until one is opened
+    return name.others == 0 ? name.first : tr("%1 and %n more", nullptr, name.others).arg(name.first);
 }
 
 void Session::load(Pending pending)
@@ -233,7 +237,7 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
     const QString first = QString::fromStdString(objects.front().name);
     const int others = static_cast<int>(models.size()) - 1;
     m_document.setObjects(std::move(objects));
-    setScene(namesText(first, others));
+    setScene({first, others});
     if (const QString sizes = sizesText(m_document.objects(), m_document.objects().size()); !sizes.isEmpty())
         emit noticed(sizes);
 }
@@ -273,7 +277,7 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
         return {};
     }
     const QString name = pending.name;
-    setScene(pending.name, {}, pending.path, std::move(pending.contents), pending.stamp);
+    setScene({pending.name}, {}, pending.path, std::move(pending.contents), pending.stamp);
     if (pending.recovered)
         takeRecovered(pending.recovered);
     else
@@ -281,8 +285,8 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
     return loose.isEmpty() ? loose : tr("%1: %2").arg(name, loose);
 }
 
-void Session::setScene(const QString &name, const QString &lesson, const std::filesystem::path &file,
-                       SceneFile contents, const std::optional<files::FileStamp> &stamp)
+void Session::setScene(const Name &name, const QString &lesson, const std::filesystem::path &file, SceneFile contents,
+                       const std::optional<files::FileStamp> &stamp)
 {
     m_name = name;
     m_file = file;

@@ -30,11 +30,7 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     setAcceptDrops(true);
     setCursor(Qt::CrossCursor);
     setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("3-D view"));
-    setAccessibleDescription(
-        tr("Click the model, or press Enter, to read the world coordinate of the pixel under the "
-           "pointer or the crosshair. Arrow keys turn, with Shift they move, with Ctrl they move the "
-           "crosshair; plus and minus zoom"));
+    nameItself();
     m_hoverTimer.setSingleShot(true);
 
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
@@ -60,6 +56,25 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
             update();
     });
     connect(&m_hoverTimer, &QTimer::timeout, this, &SceneView::takeHover);
+}
+
+void SceneView::nameItself()
+{
+    setAccessibleName(tr("3-D view"));
+    setAccessibleDescription(
+        tr("Click the model, or press Enter, to read the world coordinate of the pixel under the "
+           "pointer or the crosshair. Arrow keys turn, with Shift they move, with Ctrl they move the "
+           "crosshair; plus and minus zoom"));
+}
+
+void SceneView::changeEvent(QEvent *event)
+{
+    FrameView::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    nameItself();
+    m_marks.reset(); // their labels say what is behind the surface
+    update();
 }
 
 SceneView::~SceneView()

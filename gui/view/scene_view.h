@@ -78,6 +78,7 @@ protected:
     void releaseGL() override { onDestroy(); }
 
     bool event(QEvent *event) override;
+    void changeEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
@@ -117,6 +118,7 @@ private:
     void pan(const QPointF &way, const WorldPoint &pivot, const QString &mergeKey);
 
     void showMenu(const WidgetPoint &position, const QPoint &global);
+    void nameItself();
 
     /// Marks what a click at a position would take of the meshes; on a whole surface there is nothing to mark.
     void markAt(const WidgetPoint &position);

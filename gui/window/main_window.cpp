@@ -66,14 +66,12 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     const bool chosen = !options.remembers || QSettings().value(QStringLiteral("view/smoothEdges"), true).toBool();
     m_smoothEdges = options.smoothEdges.value_or(chosen);
 
-    createCenter();
-    createPanels();
-    createStatusBar();
-    createActions();
-    createView();
+    m_viewFrame = new QWidget;
+    m_center = new QGridLayout(m_viewFrame);
+    m_center->setContentsMargins(0, 0, 0, 0);
+    setCentralWidget(m_viewFrame);
+    build();
 
-    connect(m_comparison, &ComparisonPanel::pickRequested, m_view, &SceneView::onLButtonDown);
-    connect(m_doctor, &DoctorPanel::pickRequested, m_view, &SceneView::pickPixel);
     connect(m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Pick && m_document->pick())
             showFirstSteps(false);
@@ -86,9 +84,23 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
         m_document->curves().setWaiting([this] { return waitForCurves(*this, *m_document); });
     connectSession();
     restoreLayout();
-    showCamera();
     if (options.remembers && !QSettings().value(QStringLiteral("firstSteps/areDone"), false).toBool())
         showFirstSteps(true);
+}
+
+void MainWindow::build()
+{
+    m_recovery = new RecoveryBar;
+    m_message = new MessageBar;
+    m_loading = new LoadingBar;
+    createPanels();
+    createStatusBar();
+    createActions();
+    if (!m_view)
+        createView();
+    createOverlays();
+    connectPanels();
+    showCamera();
 }
 
 MainWindow::~MainWindow()
@@ -101,14 +113,12 @@ MainWindow::~MainWindow()
     delete m_view;
 }
 
+/// What happens once, whatever panels there are.
 void MainWindow::connectSession()
 {
-    connect(m_session, &Session::typedToCount, m_parameters, &ParametersPanel::applyTyped);
     connect(m_session, &Session::changed, this, &MainWindow::showName);
     connect(m_session, &Session::opened, this, &MainWindow::showName);
     connect(m_session, &Session::failed, this, &MainWindow::showFailure);
-    connect(m_session, &Session::warned, m_message, &MessageBar::showMessage);
-    connect(m_session, &Session::progressed, m_message, &QWidget::hide);
     connect(m_session, &Session::noticed, this,
             [this](const QString &text) { statusBar()->showMessage(text, kNoticeMilliseconds); });
     connect(m_session, &Session::pointFilesOpened, this, [this](const std::vector<std::filesystem::path> &files) {
@@ -121,9 +131,31 @@ void MainWindow::connectSession()
     connect(m_series, &ScanSeries::warned, m_session, &Session::warned);
     connect(m_series, &ScanSeries::noticed, m_session, &Session::noticed);
     connect(m_pointFiles, &PointFiles::failed, this, &MainWindow::showFailure);
-    connect(m_pointFiles, &PointFiles::warned, m_message, &MessageBar::showMessage);
     connect(m_pointFiles, &PointFiles::noticed, m_session, &Session::noticed);
     connect(m_session, &Session::recentFilesChanged, this, &MainWindow::updateRecentMenu);
+    connect(m_lessons, &LessonPlayer::changed, this, &MainWindow::showLesson);
+    connect(m_lessons, &LessonPlayer::failed, this, &MainWindow::showFailure);
+    connect(&m_document->rayCasters(), &RayCasters::progressed, this, &MainWindow::showPreparing);
+    connect(&m_document->rayCasters(), &RayCasters::finished, this, [this] {
+        m_sincePreparing.invalidate();
+        m_preparing->hide();
+    });
+}
+
+void MainWindow::connectPanels()
+{
+    connect(m_comparison, &ComparisonPanel::pickRequested, m_view, &SceneView::onLButtonDown);
+    connect(m_doctor, &DoctorPanel::pickRequested, m_view, &SceneView::pickPixel);
+    connect(m_view, &SceneView::placingChanged, m_placingAction, &QAction::setChecked);
+    connect(m_view, &SceneView::placingChanged, m_pointsPanel, &PointsPanel::setPlacing);
+    connect(m_pointsPanel, &PointsPanel::placingRequested, m_placingAction,
+            [this] { m_placingAction->setChecked(true); });
+    // Queued: it may be told while the view is painted.
+    connect(m_view, &SceneView::drawingProgressed, m_loading, &LoadingBar::setDrawn, Qt::QueuedConnection);
+    connect(m_session, &Session::typedToCount, m_parameters, &ParametersPanel::applyTyped);
+    connect(m_session, &Session::warned, m_message, &MessageBar::showMessage);
+    connect(m_session, &Session::progressed, m_message, &QWidget::hide);
+    connect(m_pointFiles, &PointFiles::warned, m_message, &MessageBar::showMessage);
 
     connect(m_session, &Session::loadingStarted, m_loading, &LoadingBar::start);
     connect(m_session, &Session::loadingProgressed, m_loading, &LoadingBar::setProgress);
@@ -141,23 +173,30 @@ void MainWindow::connectSession()
     connect(m_recovery, &RecoveryBar::laterRequested, m_session, &Session::postponeOffered);
 }
 
-void MainWindow::createCenter()
-{
-    m_viewFrame = new QWidget;
-    m_center = new QGridLayout(m_viewFrame);
-    m_center->setContentsMargins(0, 0, 0, 0);
-    m_recovery = new RecoveryBar;
-    m_message = new MessageBar;
-    m_loading = new LoadingBar;
-    setCentralWidget(m_viewFrame);
-}
-
 void MainWindow::createView()
 {
     m_view = new SceneView(*m_document);
     m_view->setSmoothEdges(m_smoothEdges);
     m_view->setModelStore(m_session->models());
     m_center->addWidget(m_view, 0, 0);
+    connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
+    connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
+    connect(m_view, &SceneView::pointerLeft, this, [this] {
+        m_hover->clear();
+        m_inspector->clearPointer();
+        m_map->setPointer(std::nullopt);
+    });
+    connect(m_view, &SceneView::failed, this, &MainWindow::showFailure);
+    connect(m_view, &SceneView::filesDropped, this, [this](const QList<QUrl> &urls) {
+        std::vector<std::filesystem::path> files;
+        for (const QUrl &url : urls)
+            files.emplace_back((url.isLocalFile() ? url.toLocalFile() : url.toString()).toStdU16String());
+        m_session->openFiles(std::move(files));
+    });
+}
+
+void MainWindow::createOverlays()
+{
     // A layout, not a widget: beside what stands in it the view is clicked.
     m_overlays = new QVBoxLayout;
     m_overlays->setSpacing(0);
@@ -178,26 +217,6 @@ void MainWindow::createView()
     for (QWidget *bar :
          {static_cast<QWidget *>(m_recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_loading)})
         bar->raise();
-    connect(m_view, &SceneView::placingChanged, m_placingAction, &QAction::setChecked);
-    connect(m_view, &SceneView::placingChanged, m_pointsPanel, &PointsPanel::setPlacing);
-    connect(m_pointsPanel, &PointsPanel::placingRequested, m_placingAction,
-            [this] { m_placingAction->setChecked(true); });
-    connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
-    connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
-    connect(m_view, &SceneView::pointerLeft, this, [this] {
-        m_hover->clear();
-        m_inspector->clearPointer();
-        m_map->setPointer(std::nullopt);
-    });
-    connect(m_view, &SceneView::failed, this, &MainWindow::showFailure);
-    // Queued: it may be told while the view is painted.
-    connect(m_view, &SceneView::drawingProgressed, m_loading, &LoadingBar::setDrawn, Qt::QueuedConnection);
-    connect(m_view, &SceneView::filesDropped, this, [this](const QList<QUrl> &urls) {
-        std::vector<std::filesystem::path> files;
-        for (const QUrl &url : urls)
-            files.emplace_back((url.isLocalFile() ? url.toLocalFile() : url.toString()).toStdU16String());
-        m_session->openFiles(std::move(files));
-    });
 }
 
 void MainWindow::setSmoothEdges(bool smooth)
@@ -254,11 +273,6 @@ void MainWindow::createStatusBar()
     m_preparing->hide();
     statusBar()->addPermanentWidget(m_preparing);
     statusBar()->addPermanentWidget(m_camera);
-    connect(&m_document->rayCasters(), &RayCasters::progressed, this, &MainWindow::showPreparing);
-    connect(&m_document->rayCasters(), &RayCasters::finished, this, [this] {
-        m_sincePreparing.invalidate();
-        m_preparing->hide();
-    });
 }
 
 void MainWindow::showPreparing(double share)
@@ -314,6 +328,7 @@ void MainWindow::showEvent(QShowEvent *event)
 {
     QMainWindow::showEvent(event);
     m_places->windowResized();
+    tellOfFont(); // not sooner: what is opened takes away what was said before
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

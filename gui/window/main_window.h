@@ -47,6 +47,7 @@ class SceneDocument;
 class SceneView;
 class PointsPanel;
 class SeriesPanel;
+class Translation;
 class ViewportInspector;
 class WindowQuestions;
 class WorkPlaces;
@@ -61,6 +62,8 @@ public:
         /// Where unsaved changes are kept in case of a crash; empty: with the user's data if it `remembers`, else nowhere.
         QString recoveryFolder = {};
         AutosaveTiming autosave = {};
+        /// Whose language is chosen in the menu, which is not there without it. Outlives the window.
+        Translation *translation = nullptr;
     };
     explicit MainWindow(const Options &options, QWidget *parent = nullptr);
     ~MainWindow() override;
@@ -91,6 +94,7 @@ signals:
     void openFailed(const QString &reason);
 
 protected:
+    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void showEvent(QShowEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
@@ -99,11 +103,18 @@ private:
     /// How long the status bar tells what needs no answer.
     static constexpr int kNoticeMilliseconds = 12000;
 
-    void createCenter();
+    /// The view with all that stands around it, in the language that the program speaks.
+    void build();
+    /// Builds all of it but the view anew; what it shows, and how it stands, stays.
+    void retranslate();
+    /// The windows besides, those that are open.
+    void reopenWindows();
+    void createOverlays();
     void createView();
     void setSmoothEdges(bool smooth);
     void createPanels();
     void createStatusBar();
+    void connectPanels();
     void connectSession();
     void restoreLayout();
     void keepLayout() const;
@@ -139,6 +150,9 @@ private:
     void createViewMenu(QToolBar &bar);
     void createPlaceActions(QMenu &menu);
     void createAppearanceMenu(QMenu &menu);
+    void createLanguageMenu(QMenu &menu);
+    /// That the language of the desktop cannot be shown, once.
+    void tellOfFont();
     void createHelpMenu();
     QAction *addAction(QMenu *menu, const QString &text, const QKeySequence &key, const QString &tip,
                        std::function<void()> slot);

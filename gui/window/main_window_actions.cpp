@@ -172,7 +172,7 @@ void MainWindow::createPointActions(QMenu &menu)
         repeats->setEnabled(m_series->isOpen());
         close->setEnabled(m_series->isOpen());
     };
-    connect(m_series, &ScanSeries::changed, this, enable);
+    connect(m_series, &ScanSeries::changed, series, enable);
     enable();
 }
 
@@ -213,9 +213,9 @@ void MainWindow::updateRecentMenu()
 void MainWindow::createEditMenu(QToolBar &bar)
 {
     QMenu *menu = menuBar()->addMenu(tr("&Edit"));
-    QAction *undo = m_document->undoStack().createUndoAction(this, tr("&Undo"));
+    QAction *undo = m_document->undoStack().createUndoAction(menu, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
-    QAction *redo = m_document->undoStack().createRedoAction(this, tr("&Redo"));
+    QAction *redo = m_document->undoStack().createRedoAction(menu, tr("&Redo"));
     QList<QKeySequence> redoKeys = QKeySequence::keyBindings(QKeySequence::Redo);
     if (const QKeySequence key(Qt::CTRL | Qt::Key_Y); !redoKeys.contains(key))
         redoKeys << key; // not every desktop has it
@@ -301,7 +301,7 @@ void MainWindow::createPlacingActions(QMenu &menu, QToolBar &bar)
 void MainWindow::createSnapActions(QMenu &menu, QToolBar &bar)
 {
     menu.addSection(tr("A Click Takes"));
-    auto *group = new QActionGroup(this);
+    auto *group = new QActionGroup(&menu);
     const auto add = [&](ray::Snap snap, const QString &text, const QKeySequence &key, const QString &tip,
                          Drawing drawing) {
         QAction *action = addAction(&menu, text, key, tip, [this, snap] { m_document->setSnap(snap); });
@@ -370,13 +370,15 @@ void MainWindow::createViewMenu(QToolBar &bar)
     smooth->setChecked(m_smoothEdges);
     connect(smooth, &QAction::toggled, this, &MainWindow::setSmoothEdges);
     createAppearanceMenu(*menu->addMenu(tr("Co&lours")));
+    if (m_options.translation)
+        createLanguageMenu(*menu->addMenu(tr("Lan&guage")));
     menu->addSeparator();
     createPlaceActions(*menu);
 }
 
 void MainWindow::createAppearanceMenu(QMenu &menu)
 {
-    auto *group = new QActionGroup(this);
+    auto *group = new QActionGroup(&menu);
     const auto add = [&](Appearance appearance, const QString &text, const QString &tip) {
         QAction *action = addAction(&menu, text, {}, tip, [this, appearance] {
             setAppearance(appearance);

@@ -139,8 +139,6 @@ void MainWindow::createPanels()
     m_places = new WorkPlaces(*this, std::move(panels), std::move(places));
     connect(m_lessonPanel, &LessonPanel::closeRequested, m_lessons, &LessonPlayer::leave);
     connect(m_lessonPanel, &LessonPanel::linkFollowed, this, &MainWindow::followLessonLink);
-    connect(m_lessons, &LessonPlayer::changed, this, &MainWindow::showLesson);
-    connect(m_lessons, &LessonPlayer::failed, this, &MainWindow::showFailure);
     connect(m_places, &WorkPlaces::titled, this, [this](const char *panel, bool hasTitleBar) {
         if (qstrcmp(panel, kLessonPanel) == 0)
             m_lessonPanel->setClosesItself(!hasTitleBar);

@@ -40,7 +40,7 @@ void MainWindow::createLessonsMenu(QMenu &menu)
         back->setEnabled(m_lessons->hasPrevious());
         leave->setEnabled(m_lessons->lesson() != nullptr);
     };
-    connect(m_lessons, &LessonPlayer::changed, this, enable);
+    connect(m_lessons, &LessonPlayer::changed, &menu, enable);
     enable();
 }
 

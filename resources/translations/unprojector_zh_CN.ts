@@ -87,6 +87,14 @@
         <source>A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB; files of points beside them. Without any, the bundled scene.</source>
         <translation>一个场景，或模型文件：OBJ、STL、PLY、OFF、glTF、GLB；旁边可再给点文件。都不给时为自带的场景。</translation>
     </message>
+    <message>
+        <source>Language of the program: system (that of the desktop; default), en or zh_CN.</source>
+        <translation>程序的语言：system（随桌面；默认）、en 或 zh_CN。</translation>
+    </message>
+    <message>
+        <source>--language is %1; give system, en or zh_CN.</source>
+        <translation>--language 是 %1；请给出 system、en 或 zh_CN。</translation>
+    </message>
 </context>
 <context>
     <name>CopyMenu</name>
@@ -3308,6 +3316,26 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>The point is not in the picture as it is now. Put the picture back as the step has it.</source>
         <translation>该点不在现在的画面中。请恢复本步的画面。</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言 Language(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>跟随系统(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The language of the desktop, if the program speaks it</source>
+        <translation>用桌面的语言（程序有这种语言时）</translation>
+    </message>
+    <message>
+        <source>No font here has Chinese characters. Install one, such as the package fonts-noto-cjk of Debian and Ubuntu, and start the program again.</source>
+        <translation>本机没有含汉字的字体。请安装一种，例如 Debian 和 Ubuntu 的软件包 fonts-noto-cjk，然后重新启动程序。</translation>
+    </message>
+    <message>
+        <source>The program speaks Chinese, but no font here has its characters. Install one, such as the package fonts-noto-cjk of Debian and Ubuntu, and start the program again.</source>
+        <translation>程序有中文界面，但本机没有含汉字的字体。请安装一种，例如 Debian 和 Ubuntu 的软件包 fonts-noto-cjk，然后重新启动程序。</translation>
     </message>
 </context>
 <context>
@@ -7013,6 +7041,11 @@ of a point that needs no division</source>
     <message>
         <source>Rename object</source>
         <translation>重命名物体</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <extracomment>The name of this language&apos;s locale, such as zh_CN</extracomment>
+        <translation>zh_CN</translation>
     </message>
 </context>
 <context>

@@ -285,8 +285,8 @@ void TestLessonsWindow::whatCannotComeBackIsNotShown()
 {
     const auto window = windowOfSize(kWide);
     Session::KeptScene kept = window->session().keptScene();
-    const QString name = kept.name;
-    kept.name = QStringLiteral("other");
+    const QString name = window->session().name();
+    kept.name = {QStringLiteral("other")};
     kept.scene.camera.eye = kept.scene.camera.center;
     QVERIFY(!window->session().comeBackTo(kept));
     QCOMPARE(window->session().name(), name);

@@ -233,6 +233,11 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     row("two sizes", {"--screenshot", picture, "--size", "640x480", "--view-size", "640x480"}, "not both");
     row("unknown place", {"--screenshot", picture, "--place", "kitchen"}, "--place is kitchen");
     row("unknown colours", {"--screenshot", picture, "--appearance", "pink"}, "--appearance is pink");
+    row("unknown language", {"--screenshot", picture, "--language", "fr"}, "--language is fr");
+#ifdef UNPROJECTOR_IS_TRANSLATED
+    row("told in a language", {"--screenshot", picture, "--language", "zh_CN", "--place", "kitchen"},
+        "--place 是 kitchen");
+#endif
     row("gigantic size", {"--screenshot", picture, "--size", "99999x99999"}, "--size is 99999x99999");
     row("click with one number", {"--screenshot", picture, "--click", "12"}, "--click is 12");
     row("click with words", {"--screenshot", picture, "--click", "left,top"}, "--click is left,top");

@@ -1,0 +1,190 @@
+// The language of the window, and how it comes to speak another one.
+
+#include "gui/document/lesson_player.h"
+#include "gui/document/point_templates.h"
+#include "gui/document/scene_document.h"
+#include "gui/panels/doctor_panel.h"
+#include "gui/panels/map_panel.h"
+#include "gui/panels/observer_panel.h"
+#include "gui/panels/parameters_panel.h"
+#include "gui/panels/points_panel.h"
+#include "gui/text/translation.h"
+#include "gui/view/observer_view.h"
+#include "gui/view/scene_view.h"
+#include "gui/window/formulas_window.h"
+#include "gui/window/key_sheet.h"
+#include "gui/window/main_window.h"
+#include "gui/window/map_overlay.h"
+#include "gui/window/observer_inset.h"
+#include "gui/window/overlay_bars.h"
+#include "gui/window/scene_code_window.h"
+#include "gui/window/widget_state.h"
+#include "gui/window/work_places.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QEvent>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include <memory>
+#include <utility>
+
+namespace unprojector::gui {
+
+void MainWindow::createLanguageMenu(QMenu &menu)
+{
+    Translation &translation = *m_options.translation;
+    auto *group = new QActionGroup(&menu);
+    menu.setToolTipsVisible(true); // they say why there is no Chinese
+    const auto add = [&](Language language, const QString &text, const QString &tip) {
+        QAction *action = addAction(&menu, text, {}, tip, [this, &translation, language] {
+            if (m_options.remembers)
+                QSettings().setValue(QStringLiteral("window/language"), languageName(language));
+            translation.choose(language);
+        });
+        action->setCheckable(true);
+        action->setActionGroup(group);
+        action->setChecked(language == translation.choice());
+        return action;
+    };
+    add(Language::System, tr("&System"), tr("The language of the desktop, if the program speaks it"));
+    // In their own words: whoever cannot read the others finds them.
+    add(Language::English, QStringLiteral("&English"), QStringLiteral("All texts in English"));
+    QAction *chinese = add(Language::Chinese, QStringLiteral("简体中文(&C)"), QStringLiteral("所有文字用简体中文显示"));
+    if (!translation.hasHanzi()) {
+        chinese->setEnabled(false);
+        chinese->setText(QStringLiteral("&Chinese, simplified"));
+        chinese->setToolTip(
+            tr("No font here has Chinese characters. Install one, such as the package fonts-noto-cjk of "
+               "Debian and Ubuntu, and start the program again."));
+    }
+}
+
+void MainWindow::tellOfFont()
+{
+    const QString key = QStringLiteral("window/fontHintIsShown");
+    if (!m_options.remembers || !m_options.translation || !m_options.translation->lacksFont() || !message().isEmpty()
+        || QSettings().value(key, false).toBool())
+        return;
+    m_message->showMessage(
+        tr("The program speaks Chinese, but no font here has its characters. Install one, such as the "
+           "package fonts-noto-cjk of Debian and Ubuntu, and start the program again."));
+    QSettings().setValue(key, true);
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+void MainWindow::retranslate()
+{
+    setUpdatesEnabled(false);
+    emit m_session->typedToCount();
+    m_document->retranslate();
+    m_lessons->retranslate();
+    m_templates->retranslate();
+
+    const WorkPlaces::Standing standing = m_places->standing();
+    const QByteArray folds = m_parameters->saveState();
+    const QString said = message();
+    const bool isMapShown = m_map->isShown(), isObserverShown = m_observerAction->isChecked(),
+               isObserverDocked = m_observer && !m_inset;
+    m_map->setShown(false); // what is computed is given up; the other one asks again
+
+    // What was there, until that which takes its place has taken over from it.
+    QWidget former;
+    const std::vector<WorkPlaces::Panel> panels = m_places->panels();
+    for (const WorkPlaces::Panel &panel : panels) {
+        removeDockWidget(panel.dock);
+        panel.dock->setParent(&former);
+    }
+    const DoctorPanel &doctor = *m_doctor;
+    MapPanel &mapPanel = m_map->panel();
+    mapPanel.setParent(&former);
+    const std::unique_ptr<MapOverlay> map(std::exchange(m_map, nullptr));
+    // An OpenGL widget stays in its window.
+    const std::unique_ptr<ObserverPanel> observer(std::exchange(m_observer, nullptr));
+    if (observer) {
+        observer->hide();
+        observer->setParent(m_viewFrame);
+    }
+    if (m_inset)
+        m_insetShare = m_inset->share();
+    delete std::exchange(m_inset, nullptr);
+    delete std::exchange(m_places, nullptr);
+    delete std::exchange(m_overlays, nullptr);
+    for (QWidget *over : m_viewFrame->findChildren<QWidget *>(Qt::FindDirectChildrenOnly)) {
+        if (over != m_view && over != observer.get())
+            delete over;
+    }
+    m_firstSteps = nullptr;
+    QToolBar *bar = findChild<QToolBar *>(QStringLiteral("tools"));
+    removeToolBar(bar);
+    delete bar;
+    // At once: as long as there are two menus, no key is clear.
+    QMenuBar *menus = menuBar();
+    setMenuBar(new QMenuBar);
+    delete menus;
+    setStatusBar(nullptr);
+
+    build();
+    for (const WorkPlaces::Panel &panel : panels) {
+        if (!panel.widget->isAncestorOf(&doctor)) // it has rows of its own
+            takeOverState(*m_places->dock(panel.id)->widget(), *panel.widget);
+    }
+    m_doctor->takeOver(doctor);
+    takeOverState(m_map->panel(), mapPanel);
+    m_parameters->restoreState(folds);
+    if (isObserverShown) {
+        m_observerAction->setChecked(true);
+        if (isObserverDocked != !m_inset)
+            dockObserver(isObserverDocked);
+        m_observer->view().takeOver(observer->view());
+    }
+    m_places->restore(standing);
+    m_mapAction->setChecked(isMapShown);
+    m_placingAction->setChecked(m_view->isPlacing());
+    m_pointsPanel->setPlacing(m_view->isPlacing());
+    if (m_session->isLoading())
+        m_loading->start();
+    m_recovery->offer(m_session->offered());
+    if (!said.isEmpty())
+        m_message->showMessage(said);
+    if (m_areFirstStepsShown)
+        showFirstSteps(true);
+    showName();
+    reopenWindows();
+    activateWindow(); // the menu was this window's
+    m_view->setFocus();
+    setUpdatesEnabled(true);
+}
+
+void MainWindow::reopenWindows()
+{
+    const auto again = [](auto *&window, auto show) {
+        const auto *before = std::exchange(window, nullptr);
+        if (!before)
+            return;
+        const bool isShown = before->isVisible();
+        const QRect place = before->geometry();
+        if (isShown) {
+            show();
+            takeOverState(*window, *before);
+            window->setGeometry(place);
+        }
+        delete before;
+    };
+    again(m_formulas, [this] { showFormulas({}); });
+    again(m_keys, [this] { showKeys(); });
+    again(m_code, [this] { showCode(); });
+}
+
+} // namespace unprojector::gui
