@@ -1,6 +1,7 @@
 #include "gui/document/landmark_objects.h"
 
 #include "core/ray/closest_place.h"
+#include "gui/document/bundled_names.h"
 #include "gui/document/document_change.h"
 #include "gui/document/scene_points.h"
 #include "gui/text/number_text.h"
@@ -82,8 +83,8 @@ QString letGo(std::vector<Landmark> &points, const std::vector<SceneObject> &obj
                                          [&](const SceneObject &each) { return each.name == point.object; });
         if (!point.object.empty() && object == objects.end()) {
             if (absent++ == 0)
-                firstAbsent = Texts::tr("“%1” (on “%2”)")
-                                  .arg(ScenePoints::shownNameOf(points, i), QString::fromStdString(point.object));
+                firstAbsent =
+                    Texts::tr("“%1” (on “%2”)").arg(ScenePoints::shownNameOf(points, i), readName(point.object));
             point.object.clear();
             point.hold = landmarks::Free{};
             continue;

@@ -1,5 +1,6 @@
 #include "gui/document/scene_curves.h"
 
+#include "gui/document/bundled_names.h"
 #include "gui/document/scene_document.h"
 
 #include <QCoreApplication>
@@ -213,7 +214,7 @@ void SceneCurves::locate(Request &request) const
             return;
         }
     }
-    request.fault = tr("there is no object “%1”").arg(QString::fromStdString(points.front().object));
+    request.fault = tr("there is no object “%1”").arg(readName(points.front().object));
 }
 
 SceneCurves::Request SceneCurves::requestOf(const Curve &curve) const

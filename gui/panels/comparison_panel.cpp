@@ -1,5 +1,6 @@
 #include "gui/panels/comparison_panel.h"
 
+#include "gui/document/bundled_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/api_clicks_view.h"
 #include "gui/panels/comparison_model.h"
@@ -218,7 +219,7 @@ QString ComparisonPanel::nameOf(const std::optional<std::size_t> &object, const 
 {
     const std::vector<SceneObject> &objects = m_document.objects();
     const std::string &name = object && *object < objects.size() ? objects[*object].name : formerName;
-    return name.empty() ? tr("the surface") : shownName(name);
+    return name.empty() ? tr("the surface") : shownObjectName(name);
 }
 
 void ComparisonPanel::showRay()

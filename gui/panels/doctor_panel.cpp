@@ -2,6 +2,7 @@
 
 #include "core/doctor/written_points.h"
 #include "core/ray/mesh_depth.h"
+#include "gui/document/bundled_names.h"
 #include "gui/document/diagnoser.h"
 #include "gui/panels/candidates_table.h"
 #include "gui/panels/code_changes_view.h"
@@ -369,7 +370,7 @@ void DoctorPanel::showSpaces()
 {
     QStringList names{tr("World"), tr("Eye")};
     for (const SceneObject &object : m_document.objects())
-        names << tr("Object: %1").arg(QString::fromStdString(object.name));
+        names << tr("Object: %1").arg(readName(object.name));
     QStringList shown;
     for (int i = 0; i < m_space->count(); ++i)
         shown << m_space->itemText(i);

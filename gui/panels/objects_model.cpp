@@ -1,5 +1,6 @@
 #include "gui/panels/objects_model.h"
 
+#include "gui/document/bundled_names.h"
 #include "gui/document/scene_document.h"
 
 #include <QDir>
@@ -58,7 +59,7 @@ int ObjectsModel::columnCount(const QModelIndex &parent) const
 QString ObjectsModel::toolTip(const SceneObject &object) const
 {
     const QString file = QString::fromStdU16String(object.file.u16string());
-    QStringList lines{shownName(object.name)};
+    QStringList lines{shownObjectName(object.name)};
     lines << (file.isEmpty() ? tr("comes with the program") : QDir::toNativeSeparators(file));
     if (object.isHidden)
         lines << tr("hidden: neither drawn nor clicked");
@@ -76,9 +77,9 @@ QVariant ObjectsModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         if (index.column() == Triangles)
             return QLocale().toString(static_cast<qulonglong>(object.model->triangleCount()));
-        return shownName(object.name);
+        return shownObjectName(object.name);
     case Qt::EditRole:
-        return index.column() == Name ? QVariant(QString::fromStdString(object.name))
+        return index.column() == Name ? QVariant(readName(object.name))
                                       : QVariant(static_cast<qulonglong>(object.model->triangleCount()));
     case Qt::CheckStateRole:
         return index.column() == Name ? QVariant(object.isHidden ? Qt::Unchecked : Qt::Checked) : QVariant();
@@ -120,7 +121,9 @@ bool ObjectsModel::setData(const QModelIndex &index, const QVariant &value, int 
     if (role != Qt::EditRole)
         return false;
     const QString name = value.toString().trimmed();
-    switch (m_document.renameObject(place, name)) {
+    // What was left as it stood there is no other name.
+    const std::string &own = m_document.objects()[place].name;
+    switch (m_document.renameObject(place, name == readName(own) ? QString::fromStdString(own) : name)) {
     case NameFault::None: emit nameAccepted(); return true;
     case NameFault::Empty: emit nameRefused(tr("An object needs a name: it kept its own.")); return false;
     case NameFault::Taken:

@@ -2,6 +2,7 @@
 
 #include "core/geometry/matrix_projection.h"
 #include "core/text/expression.h"
+#include "gui/document/bundled_names.h"
 #include "gui/document/given_points.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
@@ -369,7 +370,7 @@ void PipelineModel::showGivenPoint(const Pipeline &pipeline)
     const bool isObject = std::holds_alternative<ObjectPoint>(given.point);
     if (isObject && !given.object.empty() && !placeOf(given, m_document.objects()))
         m_status = tr("Your point was given in the space of “%1”, which is not here: taken as a world point.")
-                       .arg(shownName(given.object));
+                       .arg(shownObjectName(given.object));
     else if (const QString outside = points.clip ? clipTestText(*points.clip) : QString(); !outside.isEmpty())
         m_status = tr("Your point, given in %1 coordinates, is outside the view volume: %2.").arg(space, outside);
     else

@@ -1,5 +1,6 @@
 #include "gui/panels/pipeline_panel.h"
 
+#include "gui/document/bundled_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/entry_derivation.h"
@@ -543,12 +544,12 @@ void PipelinePanel::showObjects()
         m_object->addItem(tr("None (identity)"));
         for (const SceneObject &object : objects) {
             m_objectNames.push_back(object.name);
-            m_object->addItem(shownName(object.name));
+            m_object->addItem(shownObjectName(object.name));
         }
     }
     const std::optional<std::size_t> shown = m_model->shownObject();
     const bool isAutomatic = m_model->object() == PipelineModel::kAutomaticObject;
-    const QString automatic = isAutomatic && shown ? tr("Automatic: %1").arg(shownName(objects[*shown].name))
+    const QString automatic = isAutomatic && shown ? tr("Automatic: %1").arg(shownObjectName(objects[*shown].name))
                               : isAutomatic        ? tr("None (identity)")
                                                    : tr("Automatic");
     if (m_object->itemText(kAutomaticItem) != automatic)

@@ -1,6 +1,7 @@
 #include "gui/panels/points_model.h"
 
 #include "core/text/expression.h"
+#include "gui/document/bundled_names.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
@@ -98,7 +99,7 @@ QVariant PointsModel::text(const QModelIndex &index) const
     case Y:
     case Z: return coordinateText(point, axisOf(index.column()));
     case PlusMinus: return plusMinusText(point);
-    case Object: return shownName(point.object);
+    case Object: return shownObjectName(point.object);
     case HeldBy: return heldByText(point);
     case Note: return shownName(point.note);
     default: return {};

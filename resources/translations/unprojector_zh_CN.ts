@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>BundledNames</name>
+    <message>
+        <source>Teapot</source>
+        <translation>茶壶</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>立方体</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>圆锥</translation>
+    </message>
+    <message>
+        <source>Cube of side 10</source>
+        <translation>边长为 10 的立方体</translation>
+    </message>
+</context>
+<context>
     <name>CommandLine</name>
     <message>
         <source>Click a pixel of a 3-D view and get its world coordinate, computed twice.</source>

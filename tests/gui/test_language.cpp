@@ -3,6 +3,7 @@
 #include "window_user.h"
 
 #include "core/scene_file/scene_file.h"
+#include "gui/document/bundled_names.h"
 #include "gui/document/lesson_player.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/doctor_panel.h"
@@ -19,6 +20,7 @@
 #include <QSettings>
 #include <QTabBar>
 #include <QTest>
+#include <QTreeView>
 
 #include <algorithm>
 #include <memory>
@@ -155,6 +157,7 @@ private slots:
     void initTestCase();
     void everythingSpeaksTheLanguageThatIsChosen();
     void nothingIsLost();
+    void objectsAreNamedInTheLanguage();
     void aLessonGoesOn();
     void whatTheDoctorWasToldStays();
     void theChoiceIsKept();
@@ -225,6 +228,8 @@ void TestLanguage::nothingIsLost()
     chooseChinese(*window);
     QVERIFY(document.undoStack().redoText().isEmpty()); // it has no name in this language
     QVERIFY(isSeen(*window, "points"));
+    const QString written = QString::fromStdString(sceneOf(*window)); // of a view of another size
+    QVERIFY(written.contains(QStringLiteral("\"Torus\"")) && !written.contains(QStringLiteral("圆环")));
     chooseEnglish(*window);
     QCOMPARE(state(), before);
     QVERIFY(sceneOf(*window) == scene);
@@ -235,6 +240,24 @@ void TestLanguage::nothingIsLost()
     while (document.undoStack().canUndo())
         document.undoStack().undo();
     QCOMPARE(document.objects().front().name, std::string("Teapot"));
+}
+
+void TestLanguage::objectsAreNamedInTheLanguage()
+{
+    QCOMPARE(readName("Teapot (2)"), QStringLiteral("Teapot (2)"));
+    Translation translation({QStringLiteral("zh-CN")});
+    QCOMPARE(readName("Teapot"), QStringLiteral("茶壶"));
+    QCOMPARE(readName("Teapot (2)"), QStringLiteral("茶壶 (2)"));
+    QCOMPARE(readName("Teapot of mine"), QStringLiteral("Teapot of mine"));
+    const auto window = windowIn(translation);
+    QAbstractItemModel *list = dockOf(*window, "objects")->findChild<QTreeView *>()->model();
+    const QModelIndex first = list->index(0, 0);
+    QCOMPARE(first.data().toString(), QStringLiteral("茶壶"));
+    const SceneDocument &document = window->document();
+    QVERIFY(list->setData(first, first.data(Qt::EditRole))); // looked at, and left as it was
+    QCOMPARE(document.objects().front().name, std::string("Teapot"));
+    QVERIFY(list->setData(first, QStringLiteral("壶")));
+    QCOMPARE(document.objects().front().name, std::string("壶"));
 }
 
 void TestLanguage::aLessonGoesOn()

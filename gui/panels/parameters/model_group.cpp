@@ -1,5 +1,6 @@
 #include "gui/panels/parameters/model_group.h"
 
+#include "gui/document/bundled_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
@@ -183,7 +184,7 @@ void ModelGroup::showObjects()
     const int shown = objects.empty() ? -1 : static_cast<int>(*m_shown->place());
     QStringList names;
     for (const SceneObject &object : objects)
-        names << QString::fromStdString(object.name);
+        names << readName(object.name);
     if (names != m_names) {
         m_names = names;
         m_object->clear();
