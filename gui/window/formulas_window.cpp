@@ -2,16 +2,21 @@
 
 #include "gui/text/formula_layout.h"
 #include "gui/text/formula_markup.h"
+#include "gui/window/figure_object.h"
 #include "gui/window/find_bar.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QFile>
 #include <QGuiApplication>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QTextBrowser>
+#include <QTextFormat>
 #include <QToolBar>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
@@ -31,6 +36,8 @@ constexpr double kColumnLetters = 104.0;
 /// One column in the middle of the window, as on paper.
 class Page : public QTextBrowser {
 public:
+    Page() : m_figures(*this) { document()->documentLayout()->registerHandler(QTextFormat::ImageObject, &m_figures); }
+
     void fitColumn()
     {
         const int column =
@@ -61,6 +68,25 @@ protected:
         }
         QTextBrowser::wheelEvent(event);
     }
+
+    /// What a figure shows, in words.
+    bool viewportEvent(QEvent *event) override
+    {
+        if (event->type() != QEvent::ToolTip)
+            return QTextBrowser::viewportEvent(event);
+        const auto *help = static_cast<QHelpEvent *>(event);
+        const QPointF inText =
+            QPointF(help->pos()) + QPointF(horizontalScrollBar()->value(), verticalScrollBar()->value());
+        const QTextFormat format = document()->documentLayout()->formatAt(inText);
+        const QString words = format.isImageFormat() ? format.stringProperty(QTextFormat::ImageAltText) : QString();
+        if (words.isEmpty())
+            return QTextBrowser::viewportEvent(event);
+        QToolTip::showText(help->globalPos(), QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped()), viewport());
+        return true;
+    }
+
+private:
+    FigureObject m_figures;
 };
 
 /// The page with the colours that are not those of its text.

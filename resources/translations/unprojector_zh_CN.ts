@@ -2169,6 +2169,61 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::HelpFigures</name>
+    <message>
+        <source>near</source>
+        <translation>近端</translation>
+    </message>
+    <message>
+        <source>cavalier: 1</source>
+        <translation>斜等测：1</translation>
+    </message>
+    <message>
+        <source>cabinet: ½</source>
+        <translation>斜二测：½</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>世界</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>观察</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>裁剪</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>widget</source>
+        <translation>屏幕</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>vectors</source>
+        <translation>向量</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>裁掉</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::KeySheet</name>
     <message>
         <source>Mouse and Keys</source>

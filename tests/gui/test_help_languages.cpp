@@ -68,6 +68,7 @@ void TestHelpLanguages::aPageIsTheEnglishOne_data()
         {"anchors", "<a name=\"[^\"]*\"|<formula[^>]*>"},
         {"links", "<a href=\"[^\"]*\""},
         {"formulas", "<formula.*?</formula>"},
+        {"figures", "<img src=\"[^\"]*\""},
         {"style", "<style>.*?</style>"},
     };
     QStringList names = QDir(QStringLiteral(":/help")).entryList();
