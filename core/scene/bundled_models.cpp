@@ -2,6 +2,7 @@
 
 #include "core/scene/bundled_scene.h"
 #include "core/scene/examples.h"
+#include "core/scene/head.h"
 
 namespace unprojector::scene {
 
@@ -13,6 +14,12 @@ std::map<std::string, std::shared_ptr<const Model>> bundledModels()
             models.try_emplace(object.model->name, object.model); // the first of a name is it
     };
     add(bundledScene());
+    const auto head = std::make_shared<Model>();
+    head->name = "Head";
+    head->meshes.push_back(headMesh());
+    head->meshes.front().baseColor = {0.85f, 0.75f, 0.67f, 1.0f};
+    head->bounds = boundsOf(head->meshes);
+    models.try_emplace(head->name, head);
     for (const Example &example : examples())
         add(example.scene.objects);
     return models;
