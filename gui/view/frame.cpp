@@ -119,7 +119,7 @@ void Frame::bind()
     glDepthRangef(m_begun->depthAtNear, m_begun->depthAtFar);
 }
 
-bool Frame::begin(const Drawable &drawable)
+bool Frame::begin(const Drawable &drawable, const QColor &around)
 {
     dropRequest();
     m_picture.reset();
@@ -128,9 +128,9 @@ bool Frame::begin(const Drawable &drawable)
     m_begun = drawable;
     m_isPaused = false;
     bind();
-    constexpr std::array<GLfloat, 4> kAround{0.80f, 0.82f, 0.84f, 1.0f};
+    const std::array<GLfloat, 4> cleared{around.redF(), around.greenF(), around.blueF(), 1.0f};
     glDrawBuffers(2, kColorsAndObjects.data());
-    glClearBufferfv(GL_COLOR, 0, kAround.data());
+    glClearBufferfv(GL_COLOR, 0, cleared.data());
     if (m_ids == ObjectIds::Integers)
         glClearBufferuiv(GL_COLOR, 1, std::array<GLuint, 4>{}.data());
     else

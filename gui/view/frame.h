@@ -4,6 +4,7 @@
 #include "core/unproject/pick.h"
 #include "gui/painters/object_ids.h"
 
+#include <QColor>
 #include <QOpenGLExtraFunctions>
 
 #include <array>
@@ -31,8 +32,9 @@ public:
     /// Makes the frame as large as the picture, clears it and binds it for drawing. Until beginObjects() only colours are
     /// written: what is drawn lies behind every object and is no surface to click. The depth is cleared to that of the far
     /// plane.
+    /// @param around  the colour of what the viewport leaves of the surface
     /// @return false when OpenGL gives no such framebuffer; then nothing is bound, and there is nothing to end
-    bool begin(const Drawable &drawable);
+    bool begin(const Drawable &drawable, const QColor &around = QColor(0xcc, 0xd1, 0xd6));
     /// From now on objects are drawn: colour, depth and object id. After pause() they are drawn on.
     void beginObjects();
     /// What was bound before is drawn into for a while; nothing of the frame is to be read yet.

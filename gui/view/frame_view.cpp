@@ -21,12 +21,22 @@ namespace {
 /// A frame that has not been drawn anew for so long is at rest.
 constexpr int kRestMilliseconds = 120;
 
+bool isDark(const QPalette &palette)
+{
+    return palette.color(QPalette::Window).lightnessF() < 0.5F;
+}
+
 /// Behind the objects, at the bottom and at the top: light or dark as the window is.
 std::array<QColor, 2> backgroundOf(const QPalette &palette)
 {
-    const bool isDark = palette.color(QPalette::Window).lightnessF() < 0.5F;
-    return isDark ? std::array{QColor(0x25, 0x27, 0x2a), QColor(0x36, 0x39, 0x3e)}
-                  : std::array{QColor(0xd4, 0xd9, 0xde), QColor(0xf2, 0xf5, 0xf7)};
+    return isDark(palette) ? std::array{QColor(0x25, 0x27, 0x2a), QColor(0x36, 0x39, 0x3e)}
+                           : std::array{QColor(0xd4, 0xd9, 0xde), QColor(0xf2, 0xf5, 0xf7)};
+}
+
+/// Beside the viewport: darker than any background, so that its edges are seen.
+QColor aroundOf(const QPalette &palette)
+{
+    return isDark(palette) ? QColor(0x17, 0x18, 0x1a) : QColor(0xcc, 0xd1, 0xd6);
 }
 
 /// Mesa's, Windows' and Chromium's OpenGL for machines without a graphics card, by their names.
@@ -115,7 +125,7 @@ void FrameView::releaseFrame()
 /// @return whether OpenGL gives such a frame
 bool FrameView::beginFrame(Frame &frame)
 {
-    if (!frame.begin(m_contents.drawn)) {
+    if (!frame.begin(m_contents.drawn, aroundOf(palette()))) {
         const Surface &surface = m_contents.drawn.picture.surface;
         emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
                        "driver.")

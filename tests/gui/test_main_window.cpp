@@ -318,6 +318,15 @@ void TestMainWindow::aDarkWindowHasADarkView()
     setAppearance(Appearance::Dark);
     QTest::qWait(50);
     QVERIFY(corner() < 96);
+    // What the viewport leaves of the view, too, and apart from what lies behind the objects.
+    ViewportRule lowerRight;
+    lowerRight.kind = ViewportRule::Kind::Quarter;
+    const int behindObjects = corner();
+    const DepthRange depths = window->document().scene().depthRange;
+    QVERIFY(window->document().editViewport(lowerRight, depths, {QStringLiteral("Viewport")}));
+    QTest::qWait(50);
+    QVERIFY(corner() < behindObjects - 10);
+    QVERIFY(window->document().editViewport({}, depths, {QStringLiteral("Viewport")}));
     setAppearance(Appearance::Desktop);
     QTest::qWait(50);
     QVERIFY(corner() > 160);
