@@ -12,10 +12,28 @@ namespace {
 
 constexpr char kContext[] = "BundledNames";
 /// Of core/scene/bundled_scene and the models of the lessons.
-constexpr std::array kNames{
-    QT_TRANSLATE_NOOP("BundledNames", "Teapot"), QT_TRANSLATE_NOOP("BundledNames", "Cube"),
-    QT_TRANSLATE_NOOP("BundledNames", "Torus"),  QT_TRANSLATE_NOOP("BundledNames", "Ball"),
-    QT_TRANSLATE_NOOP("BundledNames", "Cone"),   QT_TRANSLATE_NOOP("BundledNames", "Cube of side 10")};
+constexpr std::array kNames{QT_TRANSLATE_NOOP("BundledNames", "Teapot"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Cube"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Torus"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Ball"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Cone"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Head"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Cube of side 10"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Cube at 5"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Cube at 11"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Cube at 19"),
+                            QT_TRANSLATE_NOOP("BundledNames", "MC, with the point (1, 1)"),
+                            QT_TRANSLATE_NOOP("BundledNames", "MC, with the point (1, 1, 0)"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Plate and outline"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Triangle fan"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Circle of radius 5"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Line"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Quad"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Box"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Column"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Plate"),
+                            QT_TRANSLATE_NOOP("BundledNames", "The point"),
+                            QT_TRANSLATE_NOOP("BundledNames", "Its projection")};
 
 } // namespace
 

@@ -27,6 +27,70 @@
         <source>Cube of side 10</source>
         <translation>边长为 10 的立方体</translation>
     </message>
+    <message>
+        <source>Head</source>
+        <translation>头部</translation>
+    </message>
+    <message>
+        <source>Cube at 5</source>
+        <translation>距离 5 处的立方体</translation>
+    </message>
+    <message>
+        <source>Cube at 11</source>
+        <translation>距离 11 处的立方体</translation>
+    </message>
+    <message>
+        <source>Cube at 19</source>
+        <translation>距离 19 处的立方体</translation>
+    </message>
+    <message>
+        <source>MC, with the point (1, 1)</source>
+        <translation>MC 与点 (1, 1)</translation>
+    </message>
+    <message>
+        <source>MC, with the point (1, 1, 0)</source>
+        <translation>MC 与点 (1, 1, 0)</translation>
+    </message>
+    <message>
+        <source>Plate and outline</source>
+        <translation>平板与轮廓</translation>
+    </message>
+    <message>
+        <source>Triangle fan</source>
+        <translation>三角形扇</translation>
+    </message>
+    <message>
+        <source>Circle of radius 5</source>
+        <translation>半径为 5 的圆</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>线段</translation>
+    </message>
+    <message>
+        <source>Quad</source>
+        <translation>四边形</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>立柱</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>平板</translation>
+    </message>
+    <message>
+        <source>The point</source>
+        <translation>点本身</translation>
+    </message>
+    <message>
+        <source>Its projection</source>
+        <translation>它的投影</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
