@@ -1,6 +1,7 @@
 #include "core/cli/block_pipeline.h"
 
 #include "core/cli/progress_bar.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -11,6 +12,7 @@
 #include <vector>
 
 namespace unprojector::cli {
+using text::tr;
 namespace {
 
 class Pipeline {
@@ -135,7 +137,7 @@ ExitCode runBlocks(LineBlocks &blocks, ByteSource &source, ByteSink &sink, unsig
     pipeline.finish();
     const ExitCode written = sink.finish();
     if (source.hasFailed()) {
-        complain(source.name() + ": reading stopped at an error; the results are not complete");
+        complain(tr("%1: reading stopped at an error; the results are not complete", source.name()));
         return ExitCode::UnusableInput;
     }
     if (written != ExitCode::Done)

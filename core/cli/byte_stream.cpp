@@ -2,6 +2,7 @@
 
 #include "core/cli/progress_bar.h"
 #include "core/files/path_text.h"
+#include "core/text/translation.h"
 
 #include <cerrno>
 #include <csignal>
@@ -12,6 +13,7 @@
 namespace unprojector::cli {
 using namespace files;
 using geometry::Result;
+using text::tr;
 namespace {
 
 /// What is written to goes on behind what others have written there.
@@ -54,13 +56,13 @@ ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" :
     }
     std::error_code ignored;
     if (std::filesystem::is_directory(pathFromUtf8(file), ignored)) {
-        complain(file + ": this is a folder; give a file");
+        complain(tr("%1: this is a folder; give a file", file));
         return;
     }
     errno = 0;
     m_file.reset(opened(file, false));
     if (!m_file)
-        complain(file + ": cannot be read: " + std::generic_category().message(errno));
+        complain(tr("%1: cannot be read: %2", file, std::generic_category().message(errno)));
 }
 
 std::size_t ByteSource::read(char *buffer, std::size_t size)
@@ -107,7 +109,7 @@ ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : fi
         errno = 0;
         m_stream.reset(opened(file, true));
         if (!m_stream)
-            complain(file + ": cannot be written: " + std::generic_category().message(errno));
+            complain(tr("%1: cannot be written: %2", file, std::generic_category().message(errno)));
         return;
     }
     const InterruptionsWait untilItIsGuarded;
@@ -159,7 +161,7 @@ void ByteSink::failStream()
 #endif
     m_state = isReaderGone ? State::ReaderGone : State::Failed;
     if (!isReaderGone)
-        complain(m_name + ": cannot be written: " + std::generic_category().message(error));
+        complain(tr("%1: cannot be written: %2", m_name, std::generic_category().message(error)));
 }
 
 void ByteSink::check(const Written &written)
@@ -175,8 +177,8 @@ bool isOverInput(const std::string &output, std::initializer_list<std::string> i
     for (const std::string &input : inputs) {
         if (!isSameFile(namedPath(output, "/dev/stdout"), namedPath(input, "/dev/stdin")))
             continue;
-        complain((output == "-" ? "stdout" : output) + ": this is the input " + (input == "-" ? "stdin" : input)
-                 + " too and would be destroyed; give another name");
+        complain(tr("%1: this is the input %2 too and would be destroyed; give another name",
+                    output == "-" ? "stdout" : output, input == "-" ? "stdin" : input));
         return true;
     }
     return false;

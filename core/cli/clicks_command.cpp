@@ -2,6 +2,7 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/text/error_text.h"
+#include "core/text/translation.h"
 #include "core/unproject/object_from_world.h"
 
 namespace unprojector::cli {
@@ -84,7 +85,7 @@ private:
     void writeBackground(std::size_t place)
     {
         m_hasBad = true;
-        complainOf(place, "background: nothing was drawn there, so the click has no point, only a ray");
+        complainOf(place, tr("background: nothing was drawn there, so the click has no point, only a ray"));
         for (std::size_t k = kClickColumns.size(); k < m_names.size(); ++k)
             m_writer.nothing();
     }
@@ -116,7 +117,7 @@ private:
 ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &clicks)
 {
     if (options.isPixel) {
-        complain("--pixel is for tables of pixels; a click knows the centre of its own");
+        complain(tr("--pixel is for tables of pixels; a click knows the centre of its own"));
         return ExitCode::UnusableInput;
     }
     if (isOverInput("-", {options.rows.scene}))

@@ -5,6 +5,7 @@
 #include "core/cli/progress_bar.h"
 #include "core/cli/scene_input.h"
 #include "core/text/error_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <bit>
@@ -73,14 +74,16 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
     if (written != ExitCode::Done)
         return written;
     if (count < seen) {
-        complain(options.depth + ": " + std::to_string(seen - count) + " points lie beyond the range of "
-                 + (std::is_same_v<Scalar, double> ? "double precision"
-                                                   : "single precision; --precision double reaches further"));
+        complain(options.depth + ": "
+                 + tr(std::is_same_v<Scalar, double>
+                          ? "%1 points lie beyond the range of double precision"
+                          : "%1 points lie beyond the range of single precision; --precision double reaches further",
+                      seen - count));
         return ExitCode::SomeRowsBad;
     }
     if (options.output != "-") // in a pipe the next program has the word
-        complain(options.output + ": " + std::to_string(count) + (count == 1 ? " point" : " points") + " of "
-                 + std::to_string(pixelsOf(g)) + " pixels");
+        complain(options.output + ": "
+                 + tr(count == 1 ? "%1 point of %2 pixels" : "%1 points of %2 pixels", count, pixelsOf(g)));
     return ExitCode::Done;
 }
 

@@ -5,8 +5,10 @@
 #include "core/cli/exact_unprojection.h"
 #include "core/cli/progress_bar.h"
 #include "core/cli/scene_input.h"
+#include "core/text/columns.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 #include "core/unproject/unprojector.h"
 
 #include <algorithm>
@@ -51,13 +53,13 @@ struct Way {
         for (std::size_t k = 0; k < 3; ++k) {
             differences[k] = std::abs(static_cast<double>((*point)[static_cast<int>(k)] - exact[k]));
             if (!std::isfinite(differences[k]))
-                return addNoAnswer(std::string("the numbers leave the range of ") + precision);
+                return addNoAnswer(tr("the numbers leave the range of %1", precision));
             farthest = std::max(farthest, differences[k]);
             largest = std::max(largest, std::abs(static_cast<double>(exact[k])));
         }
         const double ulps = farthest / unitInTheLastPlace(largest);
         if (!std::isfinite(ulps))
-            return addNoAnswer(std::string("the numbers leave the range of ") + precision);
+            return addNoAnswer(tr("the numbers leave the range of %1", precision));
         for (std::size_t k = 0; k < 3; ++k)
             of[k].add(differences[k]);
         of[3].add(ulps);
@@ -160,32 +162,32 @@ constexpr const char *kQuantities[] = {"x", "y", "z", "ulps"};
 
 std::string table(const std::vector<Way> &ways, std::size_t points)
 {
-    std::string text = "Differences from extended precision over " + std::to_string(points)
-                       + " points, world units; ulps of"
-                         " the largest coordinate\n\n";
-    const auto line = [&](const char *method, const char *precision, const char *what, const std::string &a,
-                          const std::string &b, const std::string &c) {
-        std::array<char, 120> buffer;
-        std::snprintf(buffer.data(), buffer.size(), "%-8s %-7s %-5s %10s %10s %10s\n", method, precision, what,
-                      a.c_str(), b.c_str(), c.c_str());
-        text += buffer.data();
+    std::string text =
+        tr("Differences from extended precision over %1 points, world units; ulps of the largest coordinate", points)
+        + "\n\n";
+    const auto line = [&](const std::string &method, const std::string &precision, const char *what,
+                          const std::string &a, const std::string &b, const std::string &c) {
+        text += padded(method, 8) + ' ' + padded(precision, 7) + ' ' + padded(what, 5);
+        for (const std::string *number : {&a, &b, &c})
+            text += ' ' + paddedLeft(*number, 10);
+        text += '\n';
     };
     const auto number = [](double value) {
         std::array<char, 32> buffer;
         std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
         return std::string(buffer.data());
     };
-    line("method", "in", "", "largest", "mean", "99.99 %");
+    line(tr("method"), tr("in"), "", tr("largest"), tr("mean"), "99.99 %");
     for (const Way &way : ways) {
         for (std::size_t k = 0; k < 4; ++k) {
             const Distribution &d = way.of[k];
             const bool isThere = !d.isEmpty();
-            line(k == 0 ? way.method : "", k == 0 ? way.precision : "", kQuantities[k],
+            line(k == 0 ? tr(way.method) : std::string(), k == 0 ? way.precision : "", kQuantities[k],
                  isThere ? number(d.largest()) : "-", isThere ? number(d.mean()) : "-",
                  isThere ? number(d.percentile()) : "-");
         }
         if (way.withoutAnswer > 0)
-            text += "         " + std::to_string(way.withoutAnswer) + " points without an answer: " + way.reason + '\n';
+            text += "         " + tr("%1 points without an answer: %2", way.withoutAnswer, way.reason) + '\n';
     }
     return text;
 }
@@ -240,8 +242,8 @@ ExitCode runCompare(const CompareOptions &options)
     };
     const std::size_t most = static_cast<std::size_t>(options.pixels) * static_cast<std::size_t>(options.pixels)
                              * static_cast<std::size_t>(options.depths);
-    std::vector<Way> ways{{"formula", "double", false, most, by(Method::Formula)},
-                          {"matrix", "double", false, most, by(Method::Matrix)},
+    std::vector<Way> ways{{marked("formula"), "double", false, most, by(Method::Formula)},
+                          {marked("matrix"), "double", false, most, by(Method::Matrix)},
                           {"formula", "float", true, most, std::cref(formulaInFloat)},
                           {"matrix", "float", true, most, by(Method::MatrixInFloat)}};
     ProgressBar progress(most, ProgressBar::Unit::Points);

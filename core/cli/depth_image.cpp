@@ -1,6 +1,7 @@
 #include "core/cli/depth_image.h"
 
 #include "core/cli/byte_stream.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <cstring>
 
 namespace unprojector::cli {
+using text::tr;
 namespace {
 
 constexpr std::size_t kMostSide = 65536;
@@ -170,7 +172,7 @@ bool readIntegers(Bytes &bytes, const Layout &layout, double depthLow, double de
 
 std::string shown(const Size &size)
 {
-    return std::to_string(size.width) + 'x' + std::to_string(size.height) + " pixels";
+    return std::to_string(size.width) + 'x' + std::to_string(size.height);
 }
 
 } // namespace
@@ -193,7 +195,7 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
     if (!sizeText.empty()) {
         given = sizeOf(sizeText);
         if (!given) {
-            complain("--size " + sizeText + ": give width and height in pixels, as in 1920x1080");
+            complain(tr("%1: give width and height in pixels, as in 1920x1080", "--size " + sizeText));
             return std::nullopt;
         }
     }
@@ -201,24 +203,24 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
     if (!source.isOpen())
         return std::nullopt;
     const auto refuse = [&](const std::string &what) {
-        complain(source.name() + ": " + (source.hasFailed() ? "reading stopped at an error" : what));
+        complain(source.name() + ": " + (source.hasFailed() ? tr("reading stopped at an error") : what));
         return std::nullopt;
     };
     Bytes bytes(source);
     std::optional<Layout> layout = layoutOf(bytes);
     if (!layout)
-        return refuse("the header is broken");
+        return refuse(tr("the header is broken"));
     if (layout->kind == Layout::Kind::Raw) {
         if (!given)
-            return refuse("neither PFM nor PGM; for raw 32-bit floats give --size WxH");
+            return refuse(tr("neither PFM nor PGM; for raw 32-bit floats give --size WxH"));
         layout->size = *given;
     }
     const Size size = layout->size;
     if (given && (given->width != size.width || given->height != size.height))
-        return refuse("the picture has " + shown(size) + ", not " + sizeText);
+        return refuse(tr("the picture has %1 pixels, not %2", shown(size), sizeText));
     if (size.width != expectedWidth || size.height != expectedHeight)
-        return refuse("the picture has " + shown(size) + ", the scene's window "
-                      + shown({expectedWidth, expectedHeight}));
+        return refuse(tr("the picture has %1 pixels, the scene's window %2 pixels", shown(size),
+                         shown({expectedWidth, expectedHeight})));
 
     DepthImage image{size.width, size.height, std::make_unique_for_overwrite<float[]>(size.width * size.height),
                      layout->kind == Layout::Kind::Pfm};
@@ -227,12 +229,12 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
         const std::span<float> block = all.subspan(start, std::min(kBlock, all.size() - start));
         if (!(layout->kind == Layout::Kind::Pgm ? readIntegers(bytes, *layout, depthLow, depthHigh, block)
                                                 : readFloats(bytes, *layout, block)))
-            return refuse("the file is too short for " + shown(size));
+            return refuse(tr("the file is too short for %1 pixels", shown(size)));
         onRead(block);
     }
     char more = 0;
     if (bytes.read(&more, 1))
-        return refuse("the file is too long for " + shown(size));
+        return refuse(tr("the file is too long for %1 pixels", shown(size)));
     return image;
 }
 

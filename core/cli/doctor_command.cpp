@@ -9,6 +9,7 @@
 #include "core/ray/mesh_depth.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <memory>
@@ -64,7 +65,7 @@ std::optional<Case> caseOf(const std::string &file, bool isDepthMissing)
         return result;
     result = withoutMesh(file);
     if (result)
-        complain(file + ": without its models, pixels without a depth are judged by their rays alone");
+        complain(tr("%1: without its models, pixels without a depth are judged by their rays alone", file));
     return result;
 }
 
@@ -87,9 +88,9 @@ bool setSpace(std::vector<WrongPoint> &points, const std::string &space, const C
         const auto found = std::find_if(scene.models.begin(), scene.models.end(),
                                         [&](const PlacedModel &placed) { return placed.name == name; });
         if (found == scene.models.end()) {
-            complain("--got-space " + space + ": "
-                     + (scene.models.empty() ? "the scene has no objects"
-                                             : "give object:NAME with one of the scene's objects: " + names));
+            complain(scene.models.empty()
+                         ? tr("--got-space %1: the scene has no objects", space)
+                         : tr("--got-space %1: give object:NAME with one of the scene's objects: %2", space, names));
             return false;
         }
         model = std::size_t(found - scene.models.begin());
@@ -113,9 +114,8 @@ void leaveOutside(WrongPoints &given, const Surface &surface)
             continue;
         }
         inside.isComplete = false;
-        complain(given.names[i] + ": " + shortestText(at.x) + ',' + shortestText(at.y) + " lies outside the picture of "
-                 + std::to_string(surface.widthPixels) + 'x' + std::to_string(surface.heightPixels)
-                 + "; device pixels from its top left corner are meant");
+        complain(tr("%1: %2,%3 lies outside the picture of %4x%5; device pixels from its top left corner are meant",
+                    given.names[i], shortestText(at.x), shortestText(at.y), surface.widthPixels, surface.heightPixels));
     }
     given = std::move(inside);
 }
@@ -128,9 +128,9 @@ std::string depthRefused(const WrongPoints &given, double depth, const Picture &
     const std::string place = refused == given.points.end() || given.names.front() == "--pixel"
                                   ? "--depth"
                                   : given.names[std::size_t(refused - given.points.begin())] + ": depth";
-    return place + ' ' + shortestText(depth) + ": lies outside the depth range; the scene's go from "
-           + shortestText(picture.depthRange.atNear) + " to " + shortestText(picture.depthRange.atFar)
-           + ". A distance is no depth: leave it out";
+    return tr("%1: lies outside the depth range; the scene's go from %2 to %3. A distance is no depth: leave it out",
+              place + ' ' + shortestText(depth), shortestText(picture.depthRange.atNear),
+              shortestText(picture.depthRange.atFar));
 }
 
 } // namespace
@@ -145,7 +145,7 @@ ExitCode runDoctor(const DoctorOptions &options)
         given = {{*point}, {"--pixel"}};
     } else {
         if (options.points == "-" && options.scene == "-") {
-            complain("the scene and the points cannot both come from standard input; give a file for one of them");
+            complain(tr("the scene and the points cannot both come from standard input; give a file for one of them"));
             return ExitCode::UnusableInput;
         }
         std::optional<WrongPoints> read = wrongPoints(options.points);

@@ -2,12 +2,15 @@
 
 #include "core/doctor/remedies.h"
 #include "core/scene_file/json_text.h"
+#include "core/text/columns.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -84,16 +87,94 @@ std::string pointText(const glm::dvec3 &point, const glm::dvec3 &lastDigit)
            + coordinateText(point.z, lastDigit.z);
 }
 
+/// The ways of core/doctor that have no number in them.
+constexpr const char *kWays[] = {
+    marked("its x only"),
+    marked("its y only"),
+    marked("with its flip"),
+    marked("the flip only"),
+    marked("about the middle of the viewport"),
+    marked("lower left corner"),
+    marked("upper left corner"),
+    marked("x only"),
+    marked("y only, lower edge"),
+    marked("y only, upper edge"),
+    marked("lower left corner of the whole pixel"),
+    marked("upper left corner of the whole pixel"),
+    marked("before the flip"),
+    marked("the vertical angle spans the width"),
+    marked("the horizontal angle spans the height"),
+    marked("the depth too"),
+    marked("the depth only"),
+    marked("the horizontal angle is the vertical one times the aspect"),
+    marked("of the projection"),
+    marked("the size given"),
+    marked("z up given for y up"),
+    marked("y up given for z up"),
+    marked("y and z exchanged"),
+    marked("a share of the way is passed for the depth"),
+    marked("the depth is taken for a share of the way"),
+    marked("the depth is taken for a share of far"),
+    marked("the distance is passed for the depth"),
+    marked("the length of the ray is passed for the depth"),
+    marked("the depth is taken for the distance"),
+    marked("nor mapped by the depth range"),
+    marked("in the depth range"),
+    marked("before the depth range"),
+    marked("the row above"),
+    marked("the row below"),
+};
+
+/// Those that have one; the longer ones first.
+constexpr const char *kWaysWithNumber[] = {
+    marked("ratio %1, flipped in logical pixels"),
+    marked("ratio %1"),
+    marked("near times %1, the window of glFrustum as it was"),
+    marked("near times %1"),
+    marked("far times %1"),
+    marked("to %1 bits"),
+    marked("of %1"),
+};
+
+std::string wayText(const std::string &way)
+{
+    if (std::find(std::begin(kWays), std::end(kWays), way) != std::end(kWays))
+        return tr(way);
+    for (const std::string_view pattern : kWaysWithNumber) {
+        const std::size_t place = pattern.find("%1");
+        const std::string_view before = pattern.substr(0, place), behind = pattern.substr(place + 2);
+        if (way.size() > before.size() + behind.size() && way.starts_with(before) && way.ends_with(behind))
+            return tr(pattern, way.substr(before.size(), way.size() - before.size() - behind.size()));
+    }
+    return way;
+}
+
+/// Which ways the mistakes are made in: "its x only; ratio 2".
+std::string variantText(const std::string &variant)
+{
+    constexpr std::string_view kBetween = "; ";
+    std::string text;
+    for (std::size_t start = 0; start < variant.size();) {
+        const std::size_t end = std::min(variant.find(kBetween, start), variant.size());
+        const std::string way = wayText(variant.substr(start, end - start));
+        text = start > 0 ? tr("%1; %2", text, way) : way;
+        start = end + kBetween.size();
+    }
+    return text;
+}
+
 std::string nameOf(const Candidate &candidate)
 {
-    return candidate.id + (candidate.variant.empty() ? "" : " (" + candidate.variant + ')');
+    return candidate.variant.empty() ? candidate.id : tr("%1 (%2)", candidate.id, variantText(candidate.variant));
 }
 
 std::string sentenceOf(const std::string &id)
 {
     std::string sentence;
-    for (const std::string &part : partsOf(id))
-        sentence += (sentence.empty() ? "" : " ") + std::string(remedyOf(part).sentence);
+    for (const std::string &part : partsOf(id)) {
+        const std::string next = tr(remedyOf(part).sentence);
+        sentence = sentence.empty() ? next : tr("%1 %2", sentence, next);
+    }
     return sentence;
 }
 
@@ -102,64 +183,83 @@ std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis)
 {
     const int counted = diagnosis.digitsGiven;
     const bool countAll = counted == diagnosis.digitsWritten;
-    const std::string which = std::to_string(counted) + (countAll ? " digits given" : " digits that count")
-                              + (countAll ? "" : " of the " + std::to_string(diagnosis.digitsWritten) + " given");
-    return (candidate.digits == counted ? "all " : std::to_string(candidate.digits) + " of the ") + which
-           + (candidate.isCutOff ? ", the last not rounded but cut off" : "");
+    const bool hasAll = candidate.digits == counted;
+    const std::string text =
+        countAll
+            ? tr(hasAll ? "all %2 digits given" : "%1 of the %2 digits given", candidate.digits, counted)
+            : tr(hasAll ? "all %2 digits that count of the %3 given" : "%1 of the %2 digits that count of the %3 given",
+                 candidate.digits, counted, diagnosis.digitsWritten);
+    return candidate.isCutOff ? tr("%1, the last not rounded but cut off", text) : text;
 }
 
 std::string percent(double share)
 {
-    return share < 1e-6 ? "less than 0.0001 %" : shortText(100.0 * share, share >= 0.1 ? 3 : 2) + " %";
+    return share < 1e-6 ? tr("less than 0.0001 %") : shortText(100.0 * share, share >= 0.1 ? 3 : 2) + " %";
 }
 
 std::string verdictText(const Diagnosis &diagnosis)
 {
     const Candidate &first = diagnosis.candidates.front();
+    const auto said = [](const std::string &verdict, const std::string &sentence) {
+        return verdict + "\n  " + sentence + '\n';
+    };
     if (diagnosis.verdict == "right") {
         if (diagnosis.depthKnown == DepthKnown::ByRay)
-            return "right, as far as the ray tells\n  The point lies on the ray of this pixel, between near and far. "
-                   "Whether its depth is right is not known: give --depth.\n";
-        return "right\n  The point is right to the digits given.\n";
+            return said(
+                tr("right, as far as the ray tells"),
+                tr("The point lies on the ray of this pixel, between near and far. Whether its depth is right is not "
+                   "known: give --depth."));
+        return said(tr("right"), tr("The point is right to the digits given."));
     }
     if (diagnosis.verdict != "unknown")
-        return nameOf(first) + "\n  " + sentenceOf(first.id) + '\n';
+        return said(nameOf(first), sentenceOf(first.id));
     if (!first.explains)
-        return "unknown\n  Nothing that is known explains this point: none of " + std::to_string(diagnosis.tried)
-               + " mistakes and pairs of them.\n";
+        return said(
+            tr("unknown"),
+            tr("Nothing that is known explains this point: none of %1 mistakes and pairs of them.", diagnosis.tried));
     if (diagnosis.depthKnown == DepthKnown::ByRay && diagnosis.landing == Landing::Depth)
-        return "unknown\n  The pixel is right, and the depth is not; by the ray alone the mistakes of the depth cannot "
-               "be told from each other: give --depth.\n";
-    return "unknown\n  " + nameOf(first)
-           + " would explain the point, but that may be chance: give more digits, or another click.\n";
+        return said(tr("unknown"),
+                    tr("The pixel is right, and the depth is not; by the ray alone the mistakes of the depth "
+                       "cannot be told from each other: give --depth."));
+    return said(
+        tr("unknown"),
+        tr("%1 would explain the point, but that may be chance: give more digits, or another click.", nameOf(first)));
+}
+
+/// A line of the report, its name in the first column.
+std::string line(const std::string &name, const std::string &value)
+{
+    return "  " + padded(name, 13) + value + '\n';
+}
+
+std::string rightnessText(const Diagnosis &diagnosis)
+{
+    const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
+    switch (diagnosis.landing) {
+    case Landing::Right:
+        return tr(isByRay ? "as far as the digits given tell, the pixel is right"
+                          : "as far as the digits given tell, pixel and depth are right");
+    case Landing::Pixel: return tr("the depth is right, the pixel is not: pixel, viewport or lens");
+    case Landing::Depth: return tr("the pixel is right, the depth is not");
+    case Landing::Matrix: return tr(isByRay ? "the pixel is not right" : "neither pixel nor depth is right: a matrix");
+    }
+    return {};
 }
 
 std::string landingText(const Diagnosis &diagnosis)
 {
     if (!diagnosis.projected)
-        return "  lands        in the plane of the eye, by the right matrices\n";
+        return line(tr("lands"), tr("in the plane of the eye, by the right matrices"));
     const glm::dvec3 &at = *diagnosis.projected;
-    const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
-    std::string text = "  lands        on pixel " + shortText(at.x, 7) + ' ' + shortText(at.y, 7) + ", depth "
-                       + shortText(at.z, 7) + ", by the right matrices: ";
-    switch (diagnosis.landing) {
-    case Landing::Right:
-        return text
-               + (isByRay ? "as far as the digits given tell, the pixel is right\n"
-                          : "as far as the digits given tell, pixel and depth are right\n");
-    case Landing::Pixel: return text + "the depth is right, the pixel is not: pixel, viewport or lens\n";
-    case Landing::Depth: return text + "the pixel is right, the depth is not\n";
-    case Landing::Matrix:
-        return text + (isByRay ? "the pixel is not right\n" : "neither pixel nor depth is right: a matrix\n");
-    }
-    return text;
+    return line(tr("lands"), tr("on pixel %1 %2, depth %3, by the right matrices: %4", shortText(at.x, 7),
+                                shortText(at.y, 7), shortText(at.z, 7), rightnessText(diagnosis)));
 }
 
 std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis, const WrongPoint &first)
 {
-    return nameOf(candidate) + ": " + pointText(candidate.point, first.lastDigit) + ", "
-           + digitsText(candidate, diagnosis) + ", off by " + shortText(candidate.distance, 3)
-           + " units of the last digit\n";
+    return tr("%1: %2, %3, off by %4 units of the last digit", nameOf(candidate),
+              pointText(candidate.point, first.lastDigit), digitsText(candidate, diagnosis),
+              shortText(candidate.distance, 3));
 }
 
 std::string codeText(const std::string &id)
@@ -167,10 +267,14 @@ std::string codeText(const std::string &id)
     const std::vector<std::string> parts = partsOf(id);
     std::string text;
     if (parts.size() == 2)
-        text = "\nTwo changes: first that for " + parts[0] + ", then that for " + parts[1]
-               + " in what it leaves; each is written here as if it were the only one.\n";
+        text = '\n'
+               + tr("Two changes: first that for %1, then that for %2 in what it leaves; each is written here as if it "
+                    "were "
+                    "the only one.",
+                    parts[0], parts[1])
+               + '\n';
     for (const std::string &part : parts) {
-        text += "\nTo change for " + part + ":\n";
+        text += '\n' + tr("To change for %1:", part) + '\n';
         for (const CodeChange &change : remedyOf(part).code) {
             std::string name(change.library);
             name.resize(10, ' ');
@@ -211,6 +315,7 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["tried"] = diagnosis.tried;
     json["singlePrecision"] = diagnosis.isSinglePrecision;
     json["chance"] = jsonNumber(diagnosis.chance);
+    const InEnglish english;
     json["sentence"] = sentenceOf(diagnosis.verdict);
     json["code"] = Json::array();
     for (const std::string &part : partsOf(diagnosis.verdict)) {
@@ -226,21 +331,23 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
     const Candidate &best = diagnosis.candidates.front();
     std::string text = verdictText(diagnosis);
     if (diagnosis.isSinglePrecision)
-        text += "  More digits were given than single precision holds; this is to the digits that it leaves.\n";
-    text += (best.explains ? "  explains     " : "  closest      ") + candidateText(best, diagnosis, first);
+        text += "  " + tr("More digits were given than single precision holds; this is to the digits that it leaves.")
+                + '\n';
+    text += line(best.explains ? tr("explains") : tr("closest"), candidateText(best, diagnosis, first));
     if (diagnosis.candidates.size() > 1)
-        text += "  next best    " + candidateText(diagnosis.candidates[1], diagnosis, first);
+        text += line(tr("next best"), candidateText(diagnosis.candidates[1], diagnosis, first));
     if (diagnosis.next && diagnosis.verdict != "right")
-        text += "  tell apart   by a click at " + shortestText(diagnosis.next->x) + ' '
-                + shortestText(diagnosis.next->y) + ": the answers are " + shortText(diagnosis.nextApart, 3)
-                + " or more apart there\n";
+        text += line(tr("tell apart"),
+                     tr("by a click at %1 %2: the answers are %3 or more apart there", shortestText(diagnosis.next->x),
+                        shortestText(diagnosis.next->y), shortText(diagnosis.nextApart, 3)));
     text += landingText(diagnosis);
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
-        text += "  right is     " + pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)) + '\n';
+        text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
-        text += "  depth        from the scene's mesh\n";
+        text += line(tr("depth"), tr("from the scene's mesh"));
     if (best.explains && best.id != "right")
-        text += "  chance       " + percent(diagnosis.chance) + " that a point of other making is explained as well\n";
+        text +=
+            line(tr("chance"), tr("%1 that a point of other making is explained as well", percent(diagnosis.chance)));
     return text + codeText(diagnosis.verdict);
 }
 

@@ -1,30 +1,35 @@
 #include "core/cli/import_error_text.h"
 
 #include "core/files/path_text.h"
+#include "core/text/translation.h"
 
 namespace unprojector::cli {
 using namespace files;
+using text::tr;
 
 std::string importErrorText(const ImportError &error)
 {
     std::string file = utf8FromPath(error.file);
     switch (error.code) {
-    case ImportErrorCode::NotFound: return file + ": there is no such file";
-    case ImportErrorCode::IsDirectory: return file + ": is a folder; give a model file in it";
+    case ImportErrorCode::NotFound: return tr("%1: there is no such file", file);
+    case ImportErrorCode::IsDirectory: return tr("%1: is a folder; give a model file in it", file);
     case ImportErrorCode::NotReadable:
-        return file + ": cannot be read" + (error.detail.empty() ? std::string() : " (" + error.detail + ')');
-    case ImportErrorCode::EmptyFile: return file + ": is empty";
+        return tr(error.detail.empty() ? "%1: cannot be read" : "%1: cannot be read (%2)", file, error.detail);
+    case ImportErrorCode::EmptyFile: return tr("%1: is empty", file);
     case ImportErrorCode::UnknownFormat:
-        return file + ": is no model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB"
-               + (error.detail.empty() ? std::string() : "; " + error.detail);
-    case ImportErrorCode::Malformed: return file + ": is damaged: " + error.detail;
-    case ImportErrorCode::Unsupported: return file + ": cannot be shown: " + error.detail;
-    case ImportErrorCode::NoTriangles: return file + ": holds neither triangles nor points";
+        return tr(error.detail.empty()
+                      ? "%1: is no model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB"
+                      : "%1: is no model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB; %2",
+                  file, error.detail);
+    case ImportErrorCode::Malformed: return tr("%1: is damaged: %2", file, error.detail);
+    case ImportErrorCode::Unsupported: return tr("%1: cannot be shown: %2", file, error.detail);
+    case ImportErrorCode::NoTriangles: return tr("%1: holds neither triangles nor points", file);
     case ImportErrorCode::NotFinite:
-        return file + ": vertex " + std::to_string(error.index) + " is NaN, infinite, or beyond 3.4e38"
-               + (error.detail.empty() ? std::string() : ": " + error.detail);
-    case ImportErrorCode::Cancelled: return file + ": reading was stopped";
-    case ImportErrorCode::OutOfMemory: return file + ": is too large for the memory of this computer";
+        return tr(error.detail.empty() ? "%1: vertex %2 is NaN, infinite, or beyond 3.4e38"
+                                       : "%1: vertex %2 is NaN, infinite, or beyond 3.4e38: %3",
+                  file, error.index, error.detail);
+    case ImportErrorCode::Cancelled: return tr("%1: reading was stopped", file);
+    case ImportErrorCode::OutOfMemory: return tr("%1: is too large for the memory of this computer", file);
     }
     return file;
 }

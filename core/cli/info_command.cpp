@@ -5,10 +5,13 @@
 #include "core/cli/opened_scene.h"
 #include "core/mesh_import/note_text.h"
 #include "core/scene/measures.h"
+#include "core/text/columns.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace unprojector::cli {
@@ -23,7 +26,7 @@ std::string jsonOfNumber(double value)
 
 std::string tableText(double value)
 {
-    return std::isfinite(value) ? shortestText(value) : "missing";
+    return std::isfinite(value) ? shortestText(value) : tr("missing");
 }
 
 /// In as few digits as are held as the same floats: those of the file, most often.
@@ -31,7 +34,7 @@ std::string tableText(const glm::dvec3 &v, const glm::dvec3 &halfGap)
 {
     std::string text;
     for (int axis = 0; axis < 3; ++axis)
-        text += (axis > 0 ? " " : "") + (std::isfinite(v[axis]) ? shortestText(v[axis], halfGap[axis]) : "missing");
+        text += (axis > 0 ? " " : "") + (std::isfinite(v[axis]) ? shortestText(v[axis], halfGap[axis]) : tr("missing"));
     return text;
 }
 
@@ -51,14 +54,18 @@ std::string json(const Measures &m)
     return text + "{\"min\": " + jsonOfPoint(m.box.lowest) + ", \"max\": " + jsonOfPoint(m.box.highest) + '}';
 }
 
+std::string line(const std::string &name, const std::string &value)
+{
+    return "  " + padded(name, 11) + value + '\n';
+}
+
 std::string lines(const Measures &m)
 {
-    std::string text = "  vertices   " + std::to_string(m.vertices) + "\n  triangles  " + std::to_string(m.triangles);
-    text += "\n  area       " + tableText(m.area) + "\n  volume     " + tableText(m.volume) + '\n';
-    if (m.box.isEmpty())
-        return text + "  box        empty\n";
-    return text + "  box        " + tableText(m.box.lowest, m.lowestHalfGap) + "  to  "
-           + tableText(m.box.highest, m.highestHalfGap) + '\n';
+    return line(tr("vertices"), std::to_string(m.vertices)) + line(tr("triangles"), std::to_string(m.triangles))
+           + line(tr("area"), tableText(m.area)) + line(tr("volume"), tableText(m.volume))
+           + line(tr("box"), m.box.isEmpty() ? tr("empty")
+                                             : tr("%1  to  %2", tableText(m.box.lowest, m.lowestHalfGap),
+                                                  tableText(m.box.highest, m.highestHalfGap)));
 }
 
 /// One of each, in the order of the objects; with the object's name where there are several.
@@ -92,6 +99,10 @@ ExitCode runInfo(const InfoOptions &options)
     const std::optional<OpenedScene> opened = openScene(options.file);
     if (!opened)
         return ExitCode::UnusableInput;
+    // Programs read the notes too.
+    std::optional<InEnglish> english;
+    if (options.isJson)
+        english.emplace();
     Measures all;
     std::string objects, table;
     std::vector<std::string> openOnes;
@@ -101,15 +112,15 @@ ExitCode runInfo(const InfoOptions &options)
         if (measures.isOpen)
             openOnes.push_back(
                 (opened->objects.size() > 1 ? object.name + ": " : std::string())
-                + "the surface is open, so that the volume means nothing: about another origin it is another");
+                + tr("the surface is open, so that the volume means nothing: about another origin it is another"));
         objects += objects.empty() ? "" : ", ";
         objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
-        table += object.name + (object.isHidden ? " (hidden)\n" : "\n") + lines(measures);
+        table += (object.isHidden ? tr("%1 (hidden)", object.name) : object.name) + '\n' + lines(measures);
     }
     std::vector<std::string> notes = notesOf(opened->objects);
     notes.insert(notes.end(), openOnes.begin(), openOnes.end());
     if (!isFinite(all))
-        notes.push_back("what is missing is beyond what a double holds; look at the scales of the objects");
+        notes.push_back(tr("what is missing is beyond what a double holds; look at the scales of the objects"));
     std::string text;
     if (options.isJson) {
         text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";
@@ -117,9 +128,9 @@ ExitCode runInfo(const InfoOptions &options)
             text += (&note == notes.data() ? "" : ", ") + jsonOfText(note);
         text += "]}\n";
     } else {
-        text = opened->objects.size() == 1 ? table : "all\n" + lines(all) + table;
+        text = opened->objects.size() == 1 ? table : tr("all") + '\n' + lines(all) + table;
         for (const std::string &note : notes)
-            text += "note: " + note + '\n';
+            text += tr("note: %1", note) + '\n';
     }
     ByteSink sink;
     sink.write(text);

@@ -9,6 +9,7 @@
 #include "core/landmark_files/repeats_table.h"
 #include "core/mesh_import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@ namespace unprojector::cli {
 using namespace landmark_files;
 using namespace files;
 using geometry::Result;
+using text::tr;
 namespace {
 
 void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
@@ -45,7 +47,7 @@ std::optional<ReadLandmarks> readFile(const std::string &file, Format format)
         text.append(block.data(), size);
     } while (size > 0 && text.size() <= kMostLandmarkBytes);
     if (source.hasFailed()) {
-        complain(source.name() + ": the file cannot be read to its end");
+        complain(tr("%1: the file cannot be read to its end", source.name()));
         return std::nullopt;
     }
     Result<ReadLandmarks, LandmarkFileError> read = parseLandmarks(text, format, source.name());
@@ -86,8 +88,11 @@ std::optional<Format> formatOf(const std::string &file, const std::optional<Form
         std::string words;
         for (const Format known : kFormats)
             words += (words.empty() ? "" : ", ") + std::string(suffixOf(known));
-        complain((file == "-" ? std::string(option == std::string("--from") ? "stdin" : "stdout") : file)
-                 + ": the name does not say what this is; give " + option + ", one of " + words);
+        complain(tr("%1: the name does not say what this is; give %2, one of %3",
+                    file != "-"                       ? file
+                    : option == std::string("--from") ? "stdin"
+                                                      : "stdout",
+                    option, words));
     }
     return format;
 }
@@ -103,7 +108,7 @@ std::string shortText(double value)
 
 std::string nameOf(const Landmark &landmark, std::size_t place)
 {
-    return landmark.name.empty() ? "point " + std::to_string(place + 1) : '"' + landmark.name + '"';
+    return landmark.name.empty() ? tr("point %1", place + 1) : tr("\"%1\"", landmark.name);
 }
 
 /// Moves every point to the place of the mesh that is closest to it, and says how far that was.
@@ -136,9 +141,9 @@ public:
             }
             const double share = m_size > 0.0 ? tied->distance / m_size : tied->distance > 0.0 ? 1.0 : 0.0;
             if (share > ray::kFarFromMesh)
-                complain(m_mesh + ": " + nameOf(landmark, i) + " was " + shortText(tied->distance) + " from the mesh, "
-                         + shortText(100.0 * share)
-                         + " % of its size; are the points of another mesh, or in other axes?");
+                complain(tr(
+                    "%1: %2 was %3 from the mesh, %4 % of its size; are the points of another mesh, or in other axes?",
+                    m_mesh, nameOf(landmark, i), shortText(tied->distance), shortText(100.0 * share)));
         }
     }
 
@@ -146,9 +151,9 @@ public:
     void lead(LandmarkSet &set)
     {
         for (Curve &curve : set.curves) {
-            const std::string name = "the curve \"" + curve.name + '"';
+            const std::string name = tr("the curve \"%1\"", curve.name);
             if (curve.points.empty()) {
-                complain(m_mesh + ": " + name + " is left where it was: through which points it goes is not known");
+                complain(tr("%1: %2 is left where it was: through which points it goes is not known", m_mesh, name));
                 continue;
             }
             std::vector<const Landmark *> points;
@@ -160,7 +165,7 @@ public:
             }
             curve.semilandmarks.clear(); // of where it was they would tell something else
             if (points.size() < curve.points.size()) {
-                complain(m_mesh + ": " + name + " has no semilandmarks: not all of its points are there");
+                complain(tr("%1: %2 has no semilandmarks: not all of its points are there", m_mesh, name));
                 continue;
             }
             if (!m_surface)
@@ -169,16 +174,18 @@ public:
             if (line)
                 curve.semilandmarks = curves::resampled(line->path, curve.count);
             else
-                complain(m_mesh + ": " + name + " has no semilandmarks: there is no way on the mesh to its point \""
-                         + points[line.error().point]->name + '"');
+                complain(tr("%1: %2 has no semilandmarks: there is no way on the mesh to its point \"%3\"", m_mesh,
+                            name, points[line.error().point]->name));
         }
     }
 
     void tellFarthest() const
     {
         if (m_count > 0)
-            complain(m_mesh + ": " + std::to_string(m_count) + (m_count == 1 ? " point" : " points")
-                     + " moved onto the mesh, by at most " + shortText(m_farthest) + " (" + m_farthestName + ')');
+            complain(m_mesh + ": "
+                     + tr(m_count == 1 ? "%1 point moved onto the mesh, by at most %2 (%3)"
+                                       : "%1 points moved onto the mesh, by at most %2 (%3)",
+                          m_count, shortText(m_farthest), m_farthestName));
     }
 
 private:
@@ -243,16 +250,16 @@ ExitCode makeTable(const LandmarksOptions &options)
         readLandmarkFolder(pathFromUtf8(options.folder),
                            options.output == "-" ? std::filesystem::path() : pathFromUtf8(options.output), error);
     if (error) {
-        complain(options.folder + ": the folder cannot be read: " + error.message());
+        complain(tr("%1: the folder cannot be read: %2", options.folder, error.message()));
         return ExitCode::UnusableInput;
     }
     for (const std::string &report : folder.reports)
         complain(report);
     if (folder.sets.empty()) {
-        complain(options.folder
-                 + (folder.fileCount == 0
-                        ? ": there are no files of landmarks (.csv, .pp, .mrk.json, .fcsv, .pts, .tps)"
-                        : ": none of its files of landmarks could be read"));
+        complain(tr(folder.fileCount == 0
+                        ? "%1: there are no files of landmarks (.csv, .pp, .mrk.json, .fcsv, .pts, .tps)"
+                        : "%1: none of its files of landmarks could be read",
+                    options.folder));
         return ExitCode::UnusableInput;
     }
     const ExitCode written = write(options.output, tableOf(folder.sets, options.table));
@@ -295,7 +302,7 @@ ExitCode makeRepeats(const LandmarksOptions &options)
         specimensOf(files, specimenOf(pathFromUtf8(options.repeats.front())));
     for (const RepeatedSpecimen &specimen : specimens) {
         if (specimen.placings.size() < 2)
-            complain("the specimen \"" + specimen.name + "\" is in one file only: there is nothing to compare it with");
+            complain(tr("the specimen \"%1\" is in one file only: there is nothing to compare it with", specimen.name));
     }
     return write(options.output, WrittenLandmarks{repeatsTable(specimens), {}});
 }

@@ -2,6 +2,7 @@
 #include "core/cli/console.h"
 #include "core/cli/language_choice.h"
 #include "core/files/standard_streams.h"
+#include "core/text/translation.h"
 
 #include <cstdio>
 #include <exception>

@@ -6,6 +6,7 @@
 #include "core/files/path_text.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -52,12 +53,12 @@ bool hasSuffix(std::string_view name, std::string_view suffix)
 bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
 {
     if (hasSuffix(options.output, ".png")) {
-        complain(options.output
-                 + ": the command writes float maps only; give a name that ends in .pfm (the window exports PNG)");
+        complain(tr("%1: the command writes float maps only; give a name that ends in .pfm (the window exports PNG)",
+                    options.output));
         return false;
     }
     if (options.isJson && options.output == "-") {
-        complain("the map and --json cannot both go to standard output; give a file for the map");
+        complain(tr("the map and --json cannot both go to standard output; give a file for the map"));
         return false;
     }
     if (isOverInput(options.output, {options.scene}))
@@ -74,8 +75,8 @@ std::optional<SurfaceImage> surfaces(const MapOptions &options, const OpenedScen
     const Picture &picture = unprojector.picture();
     if (options.isDepthGiven) {
         if (needsRays(options.quantity)) {
-            complain("--depth: " + std::string(keyOf(options.quantity))
-                     + " is about surfaces; leave the depth out and give a model or a scene with objects");
+            complain(tr("--depth: %1 is about surfaces; leave the depth out and give a model or a scene with objects",
+                        keyOf(options.quantity)));
             return std::nullopt;
         }
         if (const Result<double> valid = unitDepth(picture.depthRange, options.depth); !valid) {
@@ -89,16 +90,16 @@ std::optional<SurfaceImage> surfaces(const MapOptions &options, const OpenedScen
     const bool isAnySeen = std::any_of(opened.objects.begin(), opened.objects.end(),
                                        [](const SceneObject &object) { return !object.isHidden; });
     if (!isAnySeen) {
-        complain(opened.name + ": no object is there to be seen; --depth gives a depth to every pixel, from "
-                 + shortestText(picture.depthRange.atNear) + " on the near plane to "
-                 + shortestText(picture.depthRange.atFar) + " on the far plane");
+        complain(tr("%1: no object is there to be seen; --depth gives a depth to every pixel, from %2 on the near "
+                    "plane to %3 on the far plane",
+                    opened.name, shortestText(picture.depthRange.atNear), shortestText(picture.depthRange.atFar)));
         return std::nullopt;
     }
     if (!areReachable(opened))
         return std::nullopt;
     const ray::SceneRays rays(unprojector, opened.objects, castersOf(opened.objects), opened.clipPlanes());
     if (rays.hasPoints())
-        complain(opened.name + ": the points of clouds are left out; maps are of surfaces");
+        complain(tr("%1: the points of clouds are left out; maps are of surfaces", opened.name));
     const Result<PixelRays> pixels = PixelRays::of(rays.rays());
     if (!pixels) {
         complain(opened.name + ": " + errorText(pixels.error()));
@@ -117,16 +118,16 @@ std::string threeDigits(double value)
 
 std::string statisticsText(const MapOptions &options, const MapStatistics &statistics, std::uint64_t pixels)
 {
-    std::string text = std::string(keyOf(options.quantity));
-    if (!options.convention.empty())
-        text += " of " + options.convention;
-    text += options.unit == Unit::Ulps ? ", ulps" : ", world units";
-    text += ": " + std::to_string(statistics.count) + " of " + std::to_string(pixels) + " pixels";
+    const std::string what = options.convention.empty() ? std::string(keyOf(options.quantity))
+                                                        : tr("%1 of %2", keyOf(options.quantity), options.convention);
+    std::string text =
+        tr(options.unit == Unit::Ulps ? "%1, ulps: %2 of %3 pixels" : "%1, world units: %2 of %3 pixels", what,
+           statistics.count, pixels);
     if (statistics.count == 0)
         return text;
-    return text + "; least " + threeDigits(statistics.least) + ", median " + threeDigits(statistics.median)
-           + ", 99 % at most " + threeDigits(statistics.percentile99) + ", greatest "
-           + threeDigits(statistics.greatest);
+    return text
+           + tr("; least %1, median %2, 99 % at most %3, greatest %4", threeDigits(statistics.least),
+                threeDigits(statistics.median), threeDigits(statistics.percentile99), threeDigits(statistics.greatest));
 }
 
 std::string statisticsJson(const MapOptions &options, const MapStatistics &statistics, const PixelMap &map)
@@ -160,10 +161,8 @@ ExitCode runMap(const MapOptions &options)
     if (!picture)
         return ExitCode::UnusableInput;
     if (pixelsOf(*picture) > kMostPixels) {
-        complain("a picture of " + std::to_string(picture->surface.widthPixels) + 'x'
-                 + std::to_string(picture->surface.heightPixels)
-                 + " is too large for a map; --size gives a smaller one, of at most " + std::to_string(kMostPixels)
-                 + " pixels");
+        complain(tr("a picture of %1x%2 is too large for a map; --size gives a smaller one, of at most %3 pixels",
+                    picture->surface.widthPixels, picture->surface.heightPixels, kMostPixels));
         return ExitCode::UnusableInput;
     }
     const Result<Unprojector> unprojector = Unprojector::of(*picture);
@@ -193,7 +192,7 @@ ExitCode runMap(const MapOptions &options)
         return written;
     const MapStatistics statistics = statisticsOf(made);
     if (statistics.count == 0)
-        complain(opened->name + ": no pixel has a number; the map holds NaN only");
+        complain(tr("%1: no pixel has a number; the map holds NaN only", opened->name));
     if (!options.isJson) {
         complain(statisticsText(options, statistics, pixelsOf(*picture)));
         return ExitCode::Done;

@@ -4,6 +4,7 @@
 #include "core/cli/scene_input.h"
 #include "core/text/error_text.h"
 #include "core/text/identifier.h"
+#include "core/text/translation.h"
 
 #include <cmath>
 #include <vector>
@@ -236,14 +237,15 @@ ExitCode runMatrices(const MatricesOptions &options)
     for (const NamedMatrix &m : matrices) {
         for (const double entry : memoryOrder(m.matrix)) {
             if (!std::isfinite(entry)) {
-                complain(options.scene + ": " + m.name + ": its numbers leave the range of double precision");
+                complain(tr("%1: %2: its numbers leave the range of double precision", options.scene, m.name));
                 return ExitCode::UnusableInput;
             }
         }
     }
     const std::vector<NamedRows> others = camera->hasClip ? std::vector<NamedRows>() : openCvRows(camera->camera);
     if (!camera->hasClip && !camera->camera.intrinsics)
-        complain(options.scene + ": no camera matrix K: OpenCV's camera is a perspective, this projection is none");
+        complain(
+            tr("%1: no camera matrix K: OpenCV's camera is a perspective, this projection is none", options.scene));
     ByteSink sink;
     sink.write(written(matrices, others, options, *camera));
     return sink.finish();

@@ -1,6 +1,7 @@
 #include "core/cli/number_table.h"
 
 #include "core/cli/csv_line.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,6 +9,7 @@
 #include <optional>
 
 namespace unprojector::cli {
+using text::tr;
 namespace {
 
 /// A cell as a message can show it: short, and on one line.
@@ -18,7 +20,7 @@ std::string shown(std::string_view cell)
     std::string text(cell.substr(0, kMost));
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
-    return '"' + text + (cell.size() > kMost ? "…\"" : "\"");
+    return tr("\"%1\"", cell.size() > kMost ? text + "…" : text);
 }
 
 /// The number of a cell, or nothing with the reason.
@@ -26,7 +28,7 @@ std::optional<double> numberOf(std::string_view cell, const std::string &column,
 {
     std::string_view digits = unquoted(cell);
     if (digits.empty()) {
-        reason = column + " is missing";
+        reason = tr("%1 is missing", column);
         return std::nullopt;
     }
     if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-')
@@ -35,11 +37,11 @@ std::optional<double> numberOf(std::string_view cell, const std::string &column,
     const char *end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, value);
     if (error == std::errc::result_out_of_range)
-        reason = column + ": " + shown(cell) + " is beyond the range of double precision";
+        reason = tr("%1: %2 is beyond the range of double precision", column, shown(cell));
     else if (error != std::errc{} || stop != end)
-        reason = column + ": " + shown(cell) + " is not a number";
+        reason = tr("%1: %2 is not a number", column, shown(cell));
     else if (!std::isfinite(value))
-        reason = column + ": " + shown(cell) + " is not finite";
+        reason = tr("%1: %2 is not finite", column, shown(cell));
     else
         return value;
     return std::nullopt;
@@ -63,18 +65,18 @@ std::size_t placeOf(std::string_view line, std::size_t cell)
 std::string hintFor(std::string_view header, std::string_view column, const std::vector<std::string_view> &found)
 {
     if (header.starts_with("\xFF\xFE") || header.starts_with("\xFE\xFF"))
-        return "; the file is UTF-16, save it as UTF-8";
+        return tr("; the file is UTF-16, save it as UTF-8");
     if (header.find(column) != std::string_view::npos) {
         for (const char *separator : {";", "\t"}) {
             if (header.find(separator) != std::string_view::npos)
-                return std::string("; columns are separated by commas here, not by ")
-                       + (*separator == ';' ? "semicolons" : "tabs");
+                return tr(*separator == ';' ? "; columns are separated by commas here, not by semicolons"
+                                            : "; columns are separated by commas here, not by tabs");
         }
     }
     for (const std::string_view name : found) {
         if (std::equal(name.begin(), name.end(), column.begin(), column.end(),
                        [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; }))
-            return "; " + shown(name) + " is written in small letters";
+            return tr("; %1 is written in small letters", shown(name));
     }
     return {};
 }
@@ -89,23 +91,22 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
     };
     std::string wanted = listed(alternatives.front());
     for (std::size_t k = 1; k < alternatives.size(); ++k)
-        wanted += " or " + listed(alternatives[k]);
+        wanted = tr("%1 or %2", wanted, listed(alternatives[k]));
     const auto refuse = [&source](const std::string &what) {
         complain(source.name() + what);
         return std::nullopt;
     };
     LineBlock first;
     if (!blocks.firstLine(first))
-        return refuse(source.hasFailed() ? ": cannot be read" : ": is empty; its first line must be " + wanted);
+        return refuse(tr(source.hasFailed() ? ": cannot be read" : ": is empty; its first line must be %1", wanted));
     if (first.isOverlong)
-        return refuse(":1: the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes; it must be "
-                      + wanted);
+        return refuse(":1: " + tr("the line is longer than %1 bytes; it must be %2", LineBlocks::kMostBytes, wanted));
     const std::string_view header = std::string_view(first.text).substr(0, first.text.find_last_not_of("\r\n") + 1);
     if (header.find('\r') != std::string_view::npos)
-        return refuse(":1: the lines end with CR alone, as on old Macs; save the file with LF or CRLF");
+        return refuse(":1: " + tr("the lines end with CR alone, as on old Macs; save the file with LF or CRLF"));
     if (const RowEnd row = rowEnd(header, 0); !row.isClosed)
-        return refuse(":1:" + std::to_string(placeOf(header, row.cell) + 1)
-                      + ": the quote is not closed; the names of the columns stand on one line");
+        return refuse(":1:" + std::to_string(placeOf(header, row.cell) + 1) + ": "
+                      + tr("the quote is not closed; the names of the columns stand on one line"));
     NumberColumns columns;
     columns.heads.clear();
     std::vector<std::string_view> found;
@@ -130,13 +131,13 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
             continue;
         const auto place = std::find(found.begin(), found.end(), name);
         if (place == found.end())
-            return refuse(":1:1: the header has no column " + name + "; the first line must be " + wanted
+            return refuse(":1:1: " + tr("the header has no column %1; the first line must be %2", name, wanted)
                           + hintFor(header, name, found));
         columns.places[k] = static_cast<std::size_t>(place - found.begin());
         const auto again = std::find(place + 1, found.end(), name);
         if (again != found.end()) {
             const std::size_t column = placeOf(header, static_cast<std::size_t>(again - found.begin()));
-            return refuse(":1:" + std::to_string(column + 1) + ": the header names the column " + name + " twice");
+            return refuse(":1:" + std::to_string(column + 1) + ": " + tr("the header names the column %1 twice", name));
         }
     }
     return columns;
@@ -196,7 +197,7 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, const 
     // Numbers with decimal commas would otherwise pass for others.
     if (fault == kNoColumn && surplus > 0) {
         fault = m_columns.count();
-        reason = "the row has " + std::to_string(surplus) + " cells, the header " + std::to_string(m_columns.count());
+        reason = tr("the row has %1 cells, the header %2", surplus, m_columns.count());
     }
     if (fault != kNoColumn) {
         refuseRow(block, line, place, fault, reason, rows, messages);
@@ -229,8 +230,7 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
     rows.places.clear();
     rows.bad.clear();
     if (block.isOverlong) {
-        complainOf(block, {}, kNoColumn, "the line is longer than " + std::to_string(LineBlocks::kMostBytes) + " bytes",
-                   messages);
+        complainOf(block, {}, kNoColumn, tr("the line is longer than %1 bytes", LineBlocks::kMostBytes), messages);
         rows.bad.push_back({0, {}});
         for (auto &column : rows.values)
             column.push_back(0.0);
@@ -269,7 +269,7 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
             }
         }
         if (!row.isClosed)
-            refuseRow(block, line, place, row.cell, "the quote is not closed; quotes in quotes are doubled", rows,
+            refuseRow(block, line, place, row.cell, tr("the quote is not closed; quotes in quotes are doubled"), rows,
                       messages);
         else if (!trimmed(line).empty())
             readRow(block, line, place, rows, messages);

@@ -10,6 +10,7 @@
 #include "core/scene/reach.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/text/error_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -86,7 +87,7 @@ std::optional<OpenedScene> openScene(const std::string &file)
             if (const auto found = bundled.find(object.bundled); found != bundled.end())
                 model = found->second;
             else
-                complain(opened.name + ": there is no bundled model \"" + object.bundled + '"');
+                complain(opened.name + ": " + tr("there is no bundled model \"%1\"", object.bundled));
         }
         if (!model)
             return std::nullopt;

@@ -6,6 +6,7 @@
 #include "core/cli/pick_texts.h"
 #include "core/cli/row_layout.h"
 #include "core/text/error_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <atomic>
@@ -31,7 +32,7 @@ std::optional<DevicePoint> positionGiven(const std::string &text)
     const auto y = std::from_chars(hasComma ? x.ptr + 1 : end, end, position.y);
     if (hasComma && y.ec == std::errc{} && y.ptr == end && std::isfinite(position.x) && std::isfinite(position.y))
         return position;
-    complain("--at " + text + ": give device pixels from the top left corner, as in 400.5,300.5");
+    complain(tr("--at %1: give device pixels from the top left corner, as in 400.5,300.5", text));
     return std::nullopt;
 }
 
@@ -48,8 +49,8 @@ struct Task {
 /// Where the viewport is, for those who look outside it.
 std::string viewportText(const Picture &picture)
 {
-    return "the viewport of the picture of " + shortestText(picture.surface.widthPixels) + 'x'
-           + shortestText(picture.surface.heightPixels);
+    return tr("the viewport of the picture of %1x%2", shortestText(picture.surface.widthPixels),
+              shortestText(picture.surface.heightPixels));
 }
 
 /// The scratch memory of a thread.
@@ -124,8 +125,10 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
         code = ExitCode::SomeRowsBad;
     // Empty cells alone would read as background.
     if (outside > 0)
-        complain(source.name() + ": " + std::to_string(outside) + (outside == 1 ? " pixel lies" : " pixels lie")
-                 + " outside " + viewportText(rays.rays().picture()) + ", where nothing is met");
+        complain(source.name() + ": "
+                 + tr(outside == 1 ? "%1 pixel lies outside %2, where nothing is met"
+                                   : "%1 pixels lie outside %2, where nothing is met",
+                      outside.load(), viewportText(rays.rays().picture())));
     return code;
 }
 
@@ -138,8 +141,8 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
     for (const DevicePoint &position : positions) {
         // Nothing is met there, for a reason that a wrong size gives away.
         if (!rays.rays().isInPicture(position)) {
-            complain("--at " + shortestText(position.x) + ',' + shortestText(position.y) + ": lies outside "
-                     + viewportText(picture));
+            complain(tr("--at %1,%2: lies outside %3", shortestText(position.x), shortestText(position.y),
+                        viewportText(picture)));
             code = ExitCode::SomeRowsBad;
         }
         const Result<std::optional<SceneHit>> hit = rays.at(position, options.snap);
@@ -168,7 +171,7 @@ ExitCode runPick(const PickOptions &options)
         positions.push_back(*position);
     }
     if (positions.empty() && options.scene == "-" && options.input == "-") {
-        complain("the scene and the pixels cannot both come from standard input; give a file for one of them");
+        complain(tr("the scene and the pixels cannot both come from standard input; give a file for one of them"));
         return ExitCode::UnusableInput;
     }
     const std::optional<OpenedScene> opened = openScene(options.scene);
@@ -185,7 +188,7 @@ ExitCode runPick(const PickOptions &options)
         return ExitCode::UnusableInput;
     }
     if (opened->objects.empty())
-        complain(opened->name + ": the scene has no objects; nothing will be met");
+        complain(tr("%1: the scene has no objects; nothing will be met", opened->name));
     const SceneRays rays(*unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes());
     return positions.empty() ? pickRows(options, *opened, rays) : pickPositions(options, positions, *opened, rays);
 }

@@ -3,7 +3,9 @@
 #include "core/scene/measures.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/ray_on_mesh.h"
+#include "core/text/columns.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -63,9 +65,12 @@ std::string pickJson(const DevicePoint &position, const std::optional<SceneHit> 
 std::string pickText(const DevicePoint &position, const std::optional<SceneHit> &hit,
                      const std::vector<SceneObject> &objects)
 {
-    std::string text = "pixel " + shortestText(position.x) + ' ' + shortestText(position.y) + '\n';
+    std::string text = tr("pixel %1 %2", shortestText(position.x), shortestText(position.y)) + '\n';
     if (!hit)
-        return text + "  nothing is met\n";
+        return text + "  " + tr("nothing is met") + '\n';
+    const auto add = [&text](const std::string &name, const std::string &value) {
+        text += "  " + padded(name, 13) + value + '\n';
+    };
     const SceneObject &object = objects[hit->object];
     const auto rounded = [](const WorldPoint &point, const WorldVector &uncertainty) {
         return spaced(point.coordinates(), kLeftOut * uncertainty.coordinates());
@@ -73,24 +78,22 @@ std::string pickText(const DevicePoint &position, const std::optional<SceneHit> 
     const auto distanceText = [&hit](double distance) {
         return shortestText(distance, kLeftOut * length(hit->uncertainty));
     };
-    text += "  object       " + object.name + '\n';
+    add(tr("object"), object.name);
     if (hit->triangle)
-        text += "  triangle     " + std::to_string(hit->triangle->triangle) + ", at "
-                + spaced(hit->triangle->barycentric) + '\n';
-    text += "  world        " + rounded(hit->world, hit->uncertainty) + '\n';
-    text += "  +-           " + boundsText(hit->uncertainty) + '\n';
-    text += "  object point "
-            + spaced(hit->objectPoint.coordinates(), kLeftOut * objectBounds(object, hit->uncertainty)) + '\n';
+        add(tr("triangle"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
+    add(tr("world"), rounded(hit->world, hit->uncertainty));
+    add("+-", boundsText(hit->uncertainty));
+    add(tr("object point"), spaced(hit->objectPoint.coordinates(), kLeftOut * objectBounds(object, hit->uncertainty)));
     if (hit->triangle)
-        text += "  normal       " + spaced(hit->triangle->normal.coordinates()) + '\n';
-    text += "  distance     " + distanceText(hit->distance) + '\n';
-    text += "  vertex       " + std::to_string(hit->vertex.id) + " at "
-            + spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)) + ", "
-            + distanceText(hit->vertex.distance) + " away\n";
+        add(tr("normal"), spaced(hit->triangle->normal.coordinates()));
+    add(tr("distance"), distanceText(hit->distance));
+    add(tr("vertex"), tr("%1 at %2, %3 away", hit->vertex.id,
+                         spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)),
+                         distanceText(hit->vertex.distance)));
     if (hit->triangle) {
         const NearEdge &edge = hit->triangle->edge;
-        text += "  edge         " + std::to_string(edge.ids[0]) + " to " + std::to_string(edge.ids[1]) + ", at "
-                + rounded(edge.world, edge.uncertainty) + ", " + distanceText(edge.distance) + " away\n";
+        add(tr("edge"), tr("%1 to %2, at %3, %4 away", edge.ids[0], edge.ids[1], rounded(edge.world, edge.uncertainty),
+                           distanceText(edge.distance)));
     }
     return text;
 }

@@ -3,6 +3,7 @@
 #include "core/cli/clicks_command.h"
 #include "core/cli/row_layout.h"
 #include "core/text/error_text.h"
+#include "core/text/translation.h"
 #include "core/unproject/batch/click_batch.h"
 
 #include <glm/geometric.hpp>
@@ -20,11 +21,12 @@ namespace {
 std::string noMethodText(Method method, const Error &error)
 {
     const std::string text = std::string(keyOf(method)) + ": " + errorText(error);
-    return text
-           + (error.code == ErrorCode::ViewNotRigid ? ". Its cells stay empty; 'unproject scene --from-matrices ... "
-                                                      "--orthonormal' takes the nearest view "
-                                                      "that only turns and moves"
-                                                    : ". Its cells stay empty");
+    return tr(
+        error.code == ErrorCode::ViewNotRigid
+            ? "%1. Its cells stay empty; 'unproject scene --from-matrices ... --orthonormal' takes the nearest view "
+              "that only turns and moves"
+            : "%1. Its cells stay empty",
+        text);
 }
 
 /// Where the formulas and the matrix are among the methods, if both are: their difference is told.
@@ -73,14 +75,15 @@ private:
         const double depth = m_rows.values[2][row];
         if (!(depth >= low && depth <= high)) {
             column = 2;
-            return "depth: " + shortestText(depth) + " lies outside the depth range " + shortestText(low) + " to "
-                   + shortestText(high);
+            return "depth: "
+                   + tr("%1 lies outside the depth range %2 to %3", shortestText(depth), shortestText(low),
+                        shortestText(high));
         }
         for (column = 0; m_task.options.isPixel && column < 2; ++column) {
             const double index = m_rows.values[column][row];
             if (index != std::floor(index))
-                return (column == 0 ? "px: " : "py: ") + shortestText(index)
-                       + " is not the index of a pixel: it has a fraction";
+                return (column == 0 ? "px: " : "py: ")
+                       + tr("%1 is not the index of a pixel: it has a fraction", shortestText(index));
         }
         return {};
     }

@@ -1,6 +1,8 @@
 #include "core/cli/progress_bar.h"
 
 #include "core/cli/console.h"
+#include "core/text/columns.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +13,9 @@
 #include <utility>
 
 namespace unprojector::cli {
+using text::columnsOf;
+using text::firstColumns;
+using text::tr;
 namespace {
 
 using namespace std::chrono_literals;
@@ -122,12 +127,12 @@ std::string ProgressBar::line(ProgressScreen::Time now) const
     const double share = std::min(done / total, 1.0); // a file may grow while it is read
     std::array<char, 8> percent;
     std::snprintf(percent.data(), percent.size(), "%3.0f%%", std::floor(100.0 * share));
-    std::string behind = ' ' + amountText(done, m_unit) + " of " + amountText(total, m_unit);
+    std::string behind = tr(" %1 of %2", amountText(done, m_unit), amountText(total, m_unit));
     if (m_done > 0)
-        behind += ", " + timeText(seconds * (1.0 - share) / share) + " left";
+        behind += tr(", %1 left", timeText(seconds * (1.0 - share) / share));
     text = percent.data();
     constexpr std::size_t kLeast = 10, kMost = 40;
-    const std::size_t taken = text.size() + behind.size() + 3;
+    const std::size_t taken = text.size() + columnsOf(behind) + 3;
     if (room >= taken + kLeast) {
         const std::size_t width = std::min(room - taken, kMost);
         const auto filled = static_cast<std::size_t>(share * static_cast<double>(width));
@@ -137,13 +142,13 @@ std::string ProgressBar::line(ProgressScreen::Time now) const
         bar.resize(width, ' ');
         text += " [" + bar + ']';
     }
-    return (text + behind).substr(0, room);
+    return std::string(firstColumns(text + behind, room));
 }
 
 void ProgressBar::draw(ProgressScreen::Time now)
 {
     std::string text = line(now);
-    const std::size_t width = text.size();
+    const std::size_t width = columnsOf(text);
     if (width < m_width)
         text.append(m_width - width, ' ');
     m_screen.write('\r' + text);

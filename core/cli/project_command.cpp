@@ -2,6 +2,7 @@
 
 #include "core/cli/row_layout.h"
 #include "core/text/error_text.h"
+#include "core/text/translation.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -122,8 +123,7 @@ public:
                     ++result.badRows;
                     m_task.reader.complainOf(
                         block, m_rows.places[i], NumberReader::kNoColumn,
-                        "the point has no place in the window: it lies in the plane of the eye, or "
-                        "too far away",
+                        tr("the point has no place in the window: it lies in the plane of the eye, or too far away"),
                         result.messages);
                 }
             }

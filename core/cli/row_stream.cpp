@@ -1,9 +1,12 @@
 #include "core/cli/row_stream.h"
 
+#include "core/text/translation.h"
+
 #include <optional>
 #include <utility>
 
 namespace unprojector::cli {
+using text::tr;
 
 RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const std::string &input)
     : scene(std::move(sceneRead)), space(spaceInIt), source(input)
@@ -19,7 +22,7 @@ std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClic
                                     const std::vector<ColumnNames> &columns)
 {
     if (options.scene == "-" && options.input == "-") {
-        complain("the scene and the points cannot both come from standard input; give a file for one of them");
+        complain(tr("the scene and the points cannot both come from standard input; give a file for one of them"));
         return nullptr;
     }
     std::optional<SceneInput> scene = sceneInput(given, options.scene);

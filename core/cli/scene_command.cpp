@@ -8,6 +8,7 @@
 #include "core/matrices/taken_apart.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cctype>
@@ -22,6 +23,7 @@
 namespace unprojector::cli {
 using namespace scene_file;
 using namespace files;
+using text::tr;
 namespace {
 
 struct Pasted {
@@ -32,10 +34,11 @@ struct Pasted {
 std::string pasteErrorText(const PasteError &error, const std::string &name)
 {
     if (!error.word.empty())
-        return name + ':' + std::to_string(error.line) + ':' + std::to_string(error.column) + ": \"" + error.word
-               + "\" is not a finite number";
-    return name + ": " + nameOf(error.part) + ": " + std::to_string(error.found)
-           + (error.found == 1 ? " number" : " numbers") + " found, " + std::to_string(error.wanted) + " are needed"
+        return name + ':' + std::to_string(error.line) + ':' + std::to_string(error.column) + ": "
+               + tr("\"%1\" is not a finite number", error.word);
+    return name + ": " + nameOf(error.part) + ": "
+           + tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed", error.found,
+                error.wanted)
            + (error.part == PastedPart::Viewport ? ": x y width height" : "");
 }
 
@@ -77,8 +80,8 @@ std::optional<Pasted> pasted(const std::vector<std::string> &words)
     text.resize(kMost);
     text.resize(source.read(text.data(), kMost));
     if (text.size() == kMost || source.hasFailed()) {
-        complain(source.name()
-                 + (source.hasFailed() ? ": cannot be read" : ": too long for two matrices and a viewport"));
+        complain(tr(source.hasFailed() ? "%1: cannot be read" : "%1: too long for two matrices and a viewport",
+                    source.name()));
         return std::nullopt;
     }
     return Pasted{text, source.name(), true};
@@ -100,14 +103,15 @@ std::optional<Viewport> setWindow(const SceneOptions &options, Viewport viewport
         const double width = std::ceil(viewport.x + viewport.width),
                      height = std::ceil(isFromTop ? bottomFromTop : viewport.y + viewport.height);
         if (!(width >= 1.0 && height >= 1.0 && width <= kMostWindowPixels && height <= kMostWindowPixels)) {
-            complain("viewport: it reaches beyond any window; give four numbers, x y width height, in pixels");
+            complain(tr("viewport: it reaches beyond any window; give four numbers, x y width height, in pixels"));
             return std::nullopt;
         }
         scene.windowWidth = static_cast<int>(width);
         scene.windowHeight = static_cast<int>(height);
         if (viewport.x > 0.0 || (isFromTop ? bottomFromTop - viewport.height : viewport.y) > 0.0)
-            complain("the window is taken to end where the viewport does, at " + std::to_string(scene.windowWidth) + "x"
-                     + std::to_string(scene.windowHeight) + "; py counts from its top: --window says its size");
+            complain(tr("the window is taken to end where the viewport does, at %1x%2; py counts from its top: "
+                        "--window says its size",
+                        scene.windowWidth, scene.windowHeight));
     }
     if (isFromTop)
         viewport.y += scene.windowHeight;
@@ -120,19 +124,19 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasC
 {
     switch (finding.fault) {
     case MatrixFault::Transposed:
-        return order == NumberOrder::ByColumns ? "; read by columns, --order row reads it by rows"
-                                               : "; read by rows, --order column reads it by columns";
-    case MatrixFault::Inverse: return "; if it is, give its inverse";
-    case MatrixFault::Exchanged: return "; give each behind its name, modelview and projection";
+        return tr(order == NumberOrder::ByColumns ? "; read by columns, --order row reads it by rows"
+                                                  : "; read by rows, --order column reads it by columns");
+    case MatrixFault::Inverse: return tr("; if it is, give its inverse");
+    case MatrixFault::Exchanged: return tr("; give each behind its name, modelview and projection");
     case MatrixFault::DepthZeroToOne:
-        return hasConventions ? "; --conventions of an API with such depths takes it so"
-                              : "; --depth zero-to-one takes it so, --depth minus-one-to-one does not";
-    case MatrixFault::DepthReversed: return "; --reversed says that they are";
+        return tr(hasConventions ? "; --conventions of an API with such depths takes it so"
+                                 : "; --depth zero-to-one takes it so, --depth minus-one-to-one does not");
+    case MatrixFault::DepthReversed: return tr("; --reversed says that they are");
     case MatrixFault::YDown:
-        return hasConventions ? "; it stays so: if it is not meant, give --conventions of the API that it is for"
-                              : "; --y down turns it back, --y up leaves it so";
-    case MatrixFault::Rounded: return "; --orthonormal takes the nearest that are, more decimals are better";
-    case MatrixFault::Negated: return "; its signs are turned round";
+        return tr(hasConventions ? "; it stays so: if it is not meant, give --conventions of the API that it is for"
+                                 : "; --y down turns it back, --y up leaves it so");
+    case MatrixFault::Rounded: return tr("; --orthonormal takes the nearest that are, more decimals are better");
+    case MatrixFault::Negated: return tr("; its signs are turned round");
     case MatrixFault::Mirrored:
     case MatrixFault::Scaled:
     case MatrixFault::UnknownForm:
@@ -198,9 +202,9 @@ public:
     {
         bool isReversed = false;
         if (pasted.isInverse)
-            say(part, lacksInverse(pasted)
-                          ? "by its name it is an inverse, but it has none itself: it is taken as it stands"
-                          : "by its name it is an inverse: its own inverse is taken");
+            say(part, tr(lacksInverse(pasted)
+                             ? "by its name it is an inverse, but it has none itself: it is taken as it stands"
+                             : "by its name it is an inverse: its own inverse is taken"));
         for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depth(), clipFromEye)) {
             const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
             isReversed = isReversed || isAboutDepth;
@@ -208,25 +212,26 @@ public:
                 continue;
             if (finding.fault == MatrixFault::Rounded && m_options.isOrthonormal)
                 continue;
-            say(part, taken() + findingText(finding, role)
+            say(part, taken(findingText(finding, role))
                           + adviceFor(finding, order(pasted), m_options.conventions.has_value()));
             if (finding.fault == MatrixFault::Scaled && m_options.isOrthonormal)
-                say(part, finding.repair == MatrixRepair::None
-                              ? "--orthonormal is for axes that were rounded: of these it makes another camera's; give "
-                                "the view without the model's scale"
-                              : "--orthonormal takes that scale out; near, far and the eye stay as they are, so what "
-                                "comes out is in units of the eye");
+                say(part,
+                    tr(finding.repair == MatrixRepair::None
+                           ? "--orthonormal is for axes that were rounded: of these it makes another camera's; give "
+                             "the view without the model's scale"
+                           : "--orthonormal takes that scale out; near, far and the eye stay as they are, so what "
+                             "comes out is in units of the eye"));
         }
         return isReversed;
     }
 
 private:
     /// What is to be seen is that of the matrix in OpenGL's conventions.
-    std::string taken() const
+    std::string taken(const std::string &finding) const
     {
         return api() == Api::OpenGl
-                   ? ""
-                   : "taken from " + std::string(conventionsOf(api()).name) + "'s conventions to OpenGL's, it ";
+                   ? finding
+                   : tr("taken from %1's conventions to OpenGL's, it %2", conventionsOf(api()).name, finding);
     }
     Api api() const { return m_options.conventions.value_or(Api::OpenGl); }
     /// Rows of row vectors are columns.
@@ -250,15 +255,22 @@ bool setViewport(const SceneOptions &options, const PastedScene &pasted, const s
     }
     const auto &[viewport, depthRange] = Taker(options, name).viewport(*pasted.viewportMatrix);
     if (viewport.height < 0.0) {
-        complain(name + ": viewport: its matrix turns y round, as where pixels count "
-                 + (isOriginTop(options) ? "from the bottom" : "from the top") + ": --conventions says whose it is");
+        complain(
+            name + ": viewport: "
+            + tr(isOriginTop(options)
+                     ? "its matrix turns y round, as where pixels count from the bottom: --conventions says whose it is"
+                     : "its matrix turns y round, as where pixels count from the top: --conventions says whose it is"));
         return false;
     }
     if (!isWindowsOwn(depthRange))
-        complain(name + ": viewport: its depths go from " + numberText(depthRange.atNear, Digits::Double, 5) + " to "
-                 + numberText(depthRange.atFar, Digits::Double, 5) + ", beyond the 0 to 1 of a window; "
-                 + (options.depth || options.conventions ? "the depths of clicks must be such ones"
-                                                         : "--depth says by which NDC depths they are to be read"));
+        complain(
+            name + ": viewport: "
+            + tr(options.depth || options.conventions
+                     ? "its depths go from %1 to %2, beyond the 0 to 1 of a window; the depths of clicks must be such "
+                       "ones"
+                     : "its depths go from %1 to %2, beyond the 0 to 1 of a window; --depth says by which NDC depths "
+                       "they are to be read",
+                 numberText(depthRange.atNear, Digits::Double, 5), numberText(depthRange.atFar, Digits::Double, 5)));
     scene.depthRange = depthRange;
     scene.viewport = setWindow(options, viewport, isOriginTop(options), scene);
     return scene.viewport.has_value();
@@ -297,7 +309,7 @@ std::string contradiction(const Taker &taker, const PastedScene &pasted)
     const glm::dmat4 product = taker.matrixAsGiven(*pasted.product),
                      clipFromEye = taker.matrixAsGiven(*pasted.projection);
     if (largestEntry(product) == 0.0)
-        return ", and it is not their product, but all zeros";
+        return tr(", and it is not their product, but all zeros");
     std::vector<glm::dmat4> others;
     for (const auto &view : {pasted.view, pasted.modelView}) {
         if (!view)
@@ -311,10 +323,11 @@ std::string contradiction(const Taker &taker, const PastedScene &pasted)
     double off = std::numeric_limits<double>::infinity();
     for (const glm::dmat4 &other : others)
         off = std::min(off, offUpToScale(product, other));
-    return off <= kSame ? ""
-                        : ", and it is not their product, but off by " + numberText(off, Digits::Double, 2)
-                              + " of its largest entry: one of them is of another picture, or has an object's own "
-                                "matrix in it";
+    return off <= kSame
+               ? ""
+               : tr(", and it is not their product, but off by %1 of its largest entry: one of them is of another "
+                    "picture, or has an object's own matrix in it",
+                    numberText(off, Digits::Double, 2));
 }
 
 /// Says that a matrix beside a product counts for nothing, and whether it goes with it.
@@ -328,9 +341,9 @@ void sayLeftOut(const Taker &taker, const PastedScene &pasted, PastedPart part, 
                         && offUpToScale(isProjection ? apart->clipFromEye : apart->eyeFromWorld,
                                         taker.matrix(*given, isProjection ? MatrixRole::Projection : MatrixRole::View))
                                <= kSame;
-    taker.say(part, std::string("left out, since ") + (isProjection ? "no view" : "no projection")
-                        + " is beside it: the product alone counts"
-                        + (isSame || !apart ? "" : ", and the product's own is another one"));
+    taker.say(part, tr(isProjection ? "left out, since no view is beside it: the product alone counts"
+                                    : "left out, since no projection is beside it: the product alone counts")
+                        + (isSame || !apart ? "" : tr(", and the product's own is another one")));
 }
 
 /// Projection and view as pasted; what options ask for is done to them, and what else is to be seen of them is said.
@@ -357,10 +370,10 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
                 clipFromEye = repaired(clipFromEye, finding);
         }
         if (pasted.product)
-            taker.say(PastedPart::Product, "left out, since the projection and the " + std::string(nameOf(viewPart))
-                                               + " are there" + contradiction(taker, pasted));
+            taker.say(PastedPart::Product, tr("left out, since the projection and the %1 are there", nameOf(viewPart))
+                                               + contradiction(taker, pasted));
         if (pasted.view && pasted.modelView)
-            taker.say(PastedPart::ModelView, "left out, since the view is there");
+            taker.say(PastedPart::ModelView, tr("left out, since the view is there"));
     } else {
         isReversed = taker.lookAt(lens, PastedPart::Product, MatrixRole::Product);
         const auto apart = takenApart(clipFromEye);
@@ -368,22 +381,23 @@ void setMatrices(const SceneOptions &options, const PastedScene &pasted, const s
             sayLeftOut(taker, pasted, part, apart);
         scene.view = apart ? apart->eyeFromWorld : glm::dmat4(1.0);
         clipFromEye = apart ? apart->clipFromEye : clipFromEye;
-        taker.say(PastedPart::Product,
-                  apart ? "taken apart into projection and view, which make it again up to "
-                              + numberText(apart->off, Digits::Double, 1) + " of its largest entry"
-                              + (apart->isBox
-                                     ? "; of a box the eye may be anywhere along the view: it is put on the near "
-                                       "plane"
-                                     : "")
-                        : "lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
-                          "projection and view");
+        taker.say(
+            PastedPart::Product,
+            !apart
+                ? tr("lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
+                     "projection and view")
+                : tr(apart->isBox
+                         ? "taken apart into projection and view, which make it again up to %1 of its largest entry; "
+                           "of a box the eye may be anywhere along the view: it is put on the near plane"
+                         : "taken apart into projection and view, which make it again up to %1 of its largest entry",
+                     numberText(apart->off, Digits::Double, 1)));
     }
     for (const PastedPart part : pasted.inversesLeft)
-        taker.say(part, "its inverse is left out, since the matrices that are needed are there themselves");
+        taker.say(part, tr("its inverse is left out, since the matrices that are needed are there themselves"));
     for (const PastedPart part : pasted.more)
-        taker.say(part, "there are several, of which the first counts");
+        taker.say(part, tr("there are several, of which the first counts"));
     if (pasted.model)
-        taker.say(PastedPart::Model, "left out: world coordinates have no need of it");
+        taker.say(PastedPart::Model, tr("left out: world coordinates have no need of it"));
     if (options.isYDown.value_or(false))
         clipFromEye = repaired(clipFromEye, {MatrixFault::YDown, MatrixRepair::TurnY});
     if (options.isReversed && !isReversed)
@@ -406,12 +420,14 @@ ExitCode runScene(const SceneOptions &options)
         const PasteError &error = numbers.error();
         const bool isFileMeant =
             error.word.empty() && error.all == 0 && !given->isFile && options.fromMatrices.size() == 1;
-        complain(isFileMeant ? options.fromMatrices[0] + ": there is no such file"
-                             : pasteErrorText(error, given->name)
-                                   + (namesOpenCv(given->text)
-                                          ? ". K, R and t are not read: give a 4 x 4 view and projection instead; the "
-                                            "README says under Conventions how they are made of these"
-                                          : ""));
+        if (isFileMeant)
+            complain(tr("%1: there is no such file", options.fromMatrices[0]));
+        else
+            complain(namesOpenCv(given->text) ? tr(
+                         "%1. K, R and t are not read: give a 4 x 4 view and projection instead; the README says under "
+                         "Conventions how they are made of these",
+                         pasteErrorText(error, given->name))
+                                              : pasteErrorText(error, given->name));
         return ExitCode::UnusableInput;
     }
 

@@ -5,6 +5,7 @@
 #include "core/mesh_import/file_contents.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@ namespace unprojector::cli {
 using namespace scene_file;
 using namespace files;
 using namespace mesh_import;
+using text::tr;
 
 namespace {
 
@@ -62,9 +64,10 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
     std::string advice = given ? std::string() : mesh_reader::adviceByContents(text->substr(0, kStart), "json");
     if (!advice.empty()) {
         if (const std::size_t dot = file.rfind('.'); dot != file.npos && advice.ends_with(file.substr(dot)))
-            advice = "it is a model; open it in the window, and give the scene that File > Save Scene writes";
-        complain(name + ": is no scene; "
-                 + (file == "-" ? "a model is not read from standard input, give it by its name" : advice));
+            advice = tr("it is a model; open it in the window, and give the scene that File > Save Scene writes");
+        if (file == "-")
+            advice = tr("a model is not read from standard input, give it by its name");
+        complain(tr("%1: is no scene; %2", name, advice));
         return std::nullopt;
     }
     if (!given) {
@@ -87,16 +90,17 @@ std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::stri
     if (const auto *scene = std::get_if<SceneFile>(&given)) {
         const ApiConventions &api = conventionsOf(scene->conventions.value_or(Api::OpenGl));
         if (api.isWorldMirrored)
-            complain((file == "-" ? "stdin" : file) + ": conventions: " + api.name
-                     + "'s own world has z negated; world coordinates here are the scene's, right-handed");
+            complain(
+                (file == "-" ? "stdin" : file) + ": conventions: "
+                + tr("%1's own world has z negated; world coordinates here are the scene's, right-handed", api.name));
         return sceneInput(*scene);
     }
     const auto &clicks = std::get<std::vector<Click>>(given);
     if (!clicks.empty() && haveOneScene(clicks))
         return sceneInput(clicks.front().scene);
-    complain((file == "-" ? "stdin" : file)
-             + (clicks.empty() ? ": no click is in it, and so no scene; give a scene file"
-                               : ": its clicks have different scenes; give one click, or the scene of one"));
+    complain((file == "-" ? "stdin: " : file + ": ")
+             + tr(clicks.empty() ? "no click is in it, and so no scene; give a scene file"
+                                 : "its clicks have different scenes; give one click, or the scene of one"));
     return std::nullopt;
 }
 
@@ -129,13 +133,15 @@ const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name
         std::string alike;
         for (const std::size_t place : places)
             alike += (alike.empty() ? "objects[" : ", objects[") + std::to_string(place) + ']';
-        complain("the scene has several objects called \"" + name + "\": " + alike + "; give each a name of its own");
+        complain(tr("the scene has several objects called \"%1\": %2; give each a name of its own", name, alike));
         return nullptr;
     }
     std::string names;
     for (const PlacedObject &object : scene.objects)
         names += (names.empty() ? "" : ", ") + object.name;
-    complain("the scene has no object \"" + name + "\"; " + (names.empty() ? "it has none" : "it has: " + names));
+    complain(
+        tr(names.empty() ? "the scene has no object \"%1\"; it has none" : "the scene has no object \"%1\"; it has: %2",
+           name, names));
     return nullptr;
 }
 
@@ -147,7 +153,7 @@ std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput 
     if (space == "world")
         return BatchSpace{};
     if (!space.starts_with(object)) {
-        complain("--space " + space + ": give world, eye or object:NAME");
+        complain(tr("--space %1: give world, eye or object:NAME", space));
         return std::nullopt;
     }
     const PlacedObject *placed = objectNamed(scene, space.substr(object.size()));

@@ -1,10 +1,12 @@
 #include "core/cli/size_text.h"
 
 #include "core/cli/byte_stream.h"
+#include "core/text/translation.h"
 
 #include <charconv>
 
 namespace unprojector::cli {
+using text::tr;
 
 std::optional<SizeGiven> sizeGiven(const std::string &option, const std::string &text)
 {
@@ -15,7 +17,7 @@ std::optional<SizeGiven> sizeGiven(const std::string &option, const std::string 
     const auto height = std::from_chars(hasCross ? width.ptr + 1 : end, end, size.height);
     if (hasCross && height.ec == std::errc{} && height.ptr == end)
         return size;
-    complain(option + ' ' + text + ": give width and height in pixels, as in 800x600");
+    complain(tr("%1: give width and height in pixels, as in 800x600", option + ' ' + text));
     return std::nullopt;
 }
 

@@ -2,12 +2,14 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/doctor/written_points.h"
+#include "core/text/translation.h"
 
 #include <array>
 #include <cstddef>
 
 namespace unprojector::cli {
 using namespace doctor;
+using text::tr;
 namespace {
 
 std::optional<std::string> allOf(ByteSource &source)
@@ -17,7 +19,7 @@ std::optional<std::string> allOf(ByteSource &source)
     while (const std::size_t size = source.read(buffer.data(), buffer.size()))
         text.append(buffer.data(), size);
     if (source.hasFailed()) {
-        complain(source.name() + ": cannot be read");
+        complain(tr("%1: cannot be read", source.name()));
         return std::nullopt;
     }
     return text;
@@ -28,10 +30,10 @@ std::string tableErrorText(const PointTableError &error)
     const std::string column(error.column);
     switch (error.kind) {
     case PointTableError::Kind::NoColumn:
-        return "there is no column \"" + column + "\"; give px,py,depth,x,y,z, where depth may be left out";
+        return tr("there is no column \"%1\"; give px,py,depth,x,y,z, where depth may be left out", column);
     case PointTableError::Kind::DoubledColumn:
-        return "the column \"" + column + "\" stands there twice; leave one of them out";
-    case PointTableError::Kind::OpenQuote: return "a quote is opened here and not closed at the end of its cell";
+        return tr("the column \"%1\" stands there twice; leave one of them out", column);
+    case PointTableError::Kind::OpenQuote: return tr("a quote is opened here and not closed at the end of its cell");
     }
     return {};
 }
@@ -39,23 +41,23 @@ std::string tableErrorText(const PointTableError &error)
 std::string rowErrorText(const PointRow &row, std::size_t place)
 {
     if (place >= kPointColumns.size())
-        return "the row has more than six cells; give px,py,depth,x,y,z, with a point for the decimals";
-    return std::string(kPointColumns[place]) + ": \"" + row.cells[place] + "\" is no number";
+        return tr("the row has more than six cells; give px,py,depth,x,y,z, with a point for the decimals");
+    return std::string(kPointColumns[place]) + ": " + tr("\"%1\" is no number", row.cells[place]);
 }
 
 /// What is wrong with numbers that were given, and what to do.
 std::string faultText(const NumbersFault &fault, const std::string &wanted)
 {
-    if (!fault.word.empty()) {
-        return '"' + fault.word
-               + (fault.isNotFinite()
-                      ? "\" is no finite number: nothing can be told from it; give a click for which the program "
-                        "has a point"
-                      : "\" is no number; give " + wanted);
-    }
+    if (!fault.word.empty())
+        return fault.isNotFinite()
+                   ? tr("\"%1\" is no finite number: nothing can be told from it; give a click for which "
+                        "the program has a point",
+                        fault.word)
+                   : tr("\"%1\" is no number; give %2", fault.word, wanted);
     if (fault.areCommasMixed)
-        return "commas stand between some of its numbers and not between others; for decimals give a point, " + wanted;
-    return "it has " + std::to_string(fault.found) + (fault.found == 1 ? " number" : " numbers") + "; give " + wanted;
+        return tr("commas stand between some of its numbers and not between others; for decimals give a point, %1",
+                  wanted);
+    return tr(fault.found == 1 ? "it has %1 number; give %2" : "it has %1 numbers; give %2", fault.found, wanted);
 }
 
 } // namespace
@@ -66,14 +68,14 @@ std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string
     const auto position = numbersOrFault(pixel, 2);
     if (!position) {
         complain("--pixel " + pixel + ": "
-                 + faultText(position.error(), "device pixels from the top left corner, as in 400.5,300.5"));
+                 + faultText(position.error(), tr("device pixels from the top left corner, as in 400.5,300.5")));
         return std::nullopt;
     }
     point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
     if (!depth.empty()) {
         const std::optional<WrittenNumber> number = writtenNumber(depth);
         if (!number) {
-            complain("--depth " + depth + ": give a depth in the scene's depth range, as in 0.838331, or leave it out");
+            complain(tr("--depth %1: give a depth in the scene's depth range, as in 0.838331, or leave it out", depth));
             return std::nullopt;
         }
         point.depth = number->value;
@@ -82,8 +84,8 @@ std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string
     const auto coordinates = numbersOrFault(got, 3);
     if (!coordinates) {
         complain("--got " + got + ": "
-                 + faultText(coordinates.error(), "the three coordinates as the program has printed them, as in "
-                                                  "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)"));
+                 + faultText(coordinates.error(), tr("the three coordinates as the program has printed them, as in "
+                                                     "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)")));
         return std::nullopt;
     }
     for (int axis = 0; axis < 3; ++axis) {
@@ -123,10 +125,11 @@ std::optional<WrongPoints> wrongPoints(const std::string &file)
         }
     }
     if (surplus > 0)
-        complain(source.name() + ": the first " + std::to_string(kMostWrongPoints) + " points are looked at; "
-                 + std::to_string(surplus) + (surplus == 1 ? " more is not" : " more are not"));
+        complain(tr(surplus == 1 ? "%1: the first %2 points are looked at; %3 more is not"
+                                 : "%1: the first %2 points are looked at; %3 more are not",
+                    source.name(), kMostWrongPoints, surplus));
     if (result.points.empty()) {
-        complain(source.name() + ": there is no point in it; give rows of px,py,depth,x,y,z");
+        complain(tr("%1: there is no point in it; give rows of px,py,depth,x,y,z", source.name()));
         return std::nullopt;
     }
     return result;

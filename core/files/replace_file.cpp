@@ -1,8 +1,11 @@
 #include "core/files/replace_file.h"
 
+#include "core/text/translation.h"
+
 #include <utility>
 
 namespace unprojector::files {
+using text::tr;
 using namespace geometry;
 namespace {
 
@@ -48,13 +51,13 @@ std::string fileErrorText(const FileError &error)
 {
     const std::string reason = error.reason.empty() ? std::string() : " (" + error.reason + ")";
     switch (error.code) {
-    case FileErrorCode::IsDirectory: return "this is a folder; give the name of a file";
+    case FileErrorCode::IsDirectory: return tr("this is a folder; give the name of a file");
     case FileErrorCode::IsReadOnly:
-        return "the file is read-only" + reason + "; allow writing to it or give another name";
-    case FileErrorCode::NotAFile: return "this is a device or a pipe; give the name of a file";
-    case FileErrorCode::NoFolder: return "there is no such folder; make it or give another name";
-    case FileErrorCode::ChangedMeanwhile: return "the file was changed by another program meanwhile";
-    case FileErrorCode::System: return "the file cannot be written" + reason;
+        return tr("the file is read-only%1; allow writing to it or give another name", reason);
+    case FileErrorCode::NotAFile: return tr("this is a device or a pipe; give the name of a file");
+    case FileErrorCode::NoFolder: return tr("there is no such folder; make it or give another name");
+    case FileErrorCode::ChangedMeanwhile: return tr("the file was changed by another program meanwhile");
+    case FileErrorCode::System: return tr("the file cannot be written%1", reason);
     }
     return {};
 }

@@ -2,38 +2,38 @@
 
 #include "core/landmark_files/landmark_file.h"
 
+#include "core/text/translation.h"
+
 namespace unprojector::landmark_files {
+using text::marked;
+using text::tr;
 namespace {
 
+/// A sentence with its number, of one or of several.
 std::string counted(std::size_t count, const char *one, const char *many)
 {
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
-/// "the notes of 3 points are left out"
-std::string left(const char *what, std::size_t count)
-{
-    return std::string("the ") + what + " of " + counted(count, "point", "points") + " are left out";
+    return tr(count == 1 ? one : many, count);
 }
 
 std::string suffixList()
 {
     std::string list;
     for (const Format format : kFormats)
-        list += (list.empty() ? "." : format == kFormats.back() ? " or ." : ", .") + std::string(suffixOf(format));
+        list = list.empty()                ? '.' + std::string(suffixOf(format))
+               : format == kFormats.back() ? tr("%1 or %2", list, '.' + std::string(suffixOf(format)))
+                                           : list + ", ." + std::string(suffixOf(format));
     return list;
 }
 
 std::string sentence(const LandmarkFileError &error)
 {
     switch (error.code) {
-    case LandmarkFileError::Code::NotFound: return "there is no such file";
-    case LandmarkFileError::Code::IsDirectory: return "this is a folder, not a file of landmarks";
-    case LandmarkFileError::Code::NotReadable: return "the file cannot be read; look at its permissions";
-    case LandmarkFileError::Code::UnknownFormat: return "the name must end in " + suffixList();
+    case LandmarkFileError::Code::NotFound: return tr("there is no such file");
+    case LandmarkFileError::Code::IsDirectory: return tr("this is a folder, not a file of landmarks");
+    case LandmarkFileError::Code::NotReadable: return tr("the file cannot be read; look at its permissions");
+    case LandmarkFileError::Code::UnknownFormat: return tr("the name must end in %1", suffixList());
     case LandmarkFileError::Code::TooLarge:
-        return "a file of landmarks may have at most " + std::to_string(kMostLandmarkBytes >> 20)
-               + " MiB (8 MiB of JSON)";
+        return tr("a file of landmarks may have at most %1 MiB (8 MiB of JSON)", kMostLandmarkBytes >> 20);
     case LandmarkFileError::Code::NotWritable:
     case LandmarkFileError::Code::Malformed:
     case LandmarkFileError::Code::CannotHold: return error.detail;
@@ -46,53 +46,80 @@ std::string sentence(const LandmarkFileError &error)
 std::string noteText(const LandmarkNote &note)
 {
     using Kind = LandmarkNote::Kind;
-    const auto specimens = [&note] { return counted(note.count, "specimen", "specimens"); };
+    const auto said = [&note](const char *one, const char *many) { return counted(note.count, one, many); };
     switch (note.kind) {
-    case Kind::NamesLeftOut: return left("names", note.count) + "; only their order is kept";
-    case Kind::PositionsLeftOut: return left("coordinates", note.count);
-    case Kind::ObjectsLeftOut: return left("objects", note.count);
-    case Kind::HoldsLeftOut: return left("triangles, vertices or edges", note.count);
-    case Kind::UncertaintiesLeftOut: return left("uncertainties", note.count);
-    case Kind::NotesLeftOut: return left("notes", note.count);
-    case Kind::ColorsLeftOut: return left("colours", note.count);
+    case Kind::NamesLeftOut:
+        return said(marked("the names of %1 point are left out; only their order is kept"),
+                    marked("the names of %1 points are left out; only their order is kept"));
+    case Kind::PositionsLeftOut:
+        return said(marked("the coordinates of %1 point are left out"),
+                    marked("the coordinates of %1 points are left out"));
+    case Kind::ObjectsLeftOut:
+        return said(marked("the objects of %1 point are left out"), marked("the objects of %1 points are left out"));
+    case Kind::HoldsLeftOut:
+        return said(marked("the triangles, vertices or edges of %1 point are left out"),
+                    marked("the triangles, vertices or edges of %1 points are left out"));
+    case Kind::UncertaintiesLeftOut:
+        return said(marked("the uncertainties of %1 point are left out"),
+                    marked("the uncertainties of %1 points are left out"));
+    case Kind::NotesLeftOut:
+        return said(marked("the notes of %1 point are left out"), marked("the notes of %1 points are left out"));
+    case Kind::ColorsLeftOut:
+        return said(marked("the colours of %1 point are left out"), marked("the colours of %1 points are left out"));
     case Kind::HiddenLeftOut:
-        return counted(note.count, "hidden point is", "hidden points are") + " written as any other";
-    case Kind::KeysLeftOut: return left("other values", note.count) + ": " + note.detail;
-    case Kind::SpecimenKeysLeftOut: return "other values of " + specimens() + " are left out: " + note.detail;
-    case Kind::SpecimenNameLeftOut: return "the name of the specimen, \"" + note.detail + "\", is left out";
-    case Kind::MeshLeftOut: return "the name of the mesh, \"" + note.detail + "\", is left out";
-    case Kind::UnitLeftOut: return "the unit, " + note.detail + ", is left out";
-    case Kind::NameChanged: return "the name " + note.detail;
-    case Kind::NoteChanged: return "the note of \"" + note.detail + "\" is written without line breaks and #";
-    case Kind::EmptySpecimenLeftOut: return "the specimen \"" + note.detail + "\" has no points and is left out";
+        return said(marked("%1 hidden point is written as any other"),
+                    marked("%1 hidden points are written as any other"));
+    case Kind::KeysLeftOut:
+        return said(marked("the other values of %1 point are left out"),
+                    marked("the other values of %1 points are left out"))
+               + ": " + note.detail;
+    case Kind::SpecimenKeysLeftOut:
+        return said(marked("other values of %1 specimen are left out"),
+                    marked("other values of %1 specimens are left out"))
+               + ": " + note.detail;
+    case Kind::SpecimenNameLeftOut: return tr("the name of the specimen, \"%1\", is left out", note.detail);
+    case Kind::MeshLeftOut: return tr("the name of the mesh, \"%1\", is left out", note.detail);
+    case Kind::UnitLeftOut: return tr("the unit, %1, is left out", note.detail);
+    case Kind::NameChanged: return tr("the name %1", note.detail);
+    case Kind::NoteChanged: return tr("the note of \"%1\" is written without line breaks and #", note.detail);
+    case Kind::EmptySpecimenLeftOut: return tr("the specimen \"%1\" has no points and is left out", note.detail);
     case Kind::LooksMissing:
-        return "\"" + note.detail + "\" has a coordinate of 9999, which readers take for a missing point";
+        return tr("\"%1\" has a coordinate of 9999, which readers take for a missing point", note.detail);
     case Kind::MissingAtOrigin:
-        return counted(note.count, "missing point is", "missing points are")
-               + " written at 0, 0, 0 with a field that older readers pass over";
+        return said(marked("%1 missing point is written at 0, 0, 0 with a field that older readers pass over"),
+                    marked("%1 missing points are written at 0, 0, 0 with a field that older readers pass over"));
     case Kind::AxesTurned:
-        return "the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads one (LPS)";
-    case Kind::FlatPoints: return counted(note.count, "point has", "points have") + " two coordinates; z is 0";
-    case Kind::Scaled: return "coordinates are multiplied by the SCALE of the file, " + note.detail;
+        return tr(
+            "the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads one (LPS)");
+    case Kind::FlatPoints:
+        return said(marked("%1 point has two coordinates; z is 0"), marked("%1 points have two coordinates; z is 0"));
+    case Kind::Scaled: return tr("coordinates are multiplied by the SCALE of the file, %1", note.detail);
     case Kind::CurvesLeftOut:
-        return counted(note.count, "point", "points") + " of curves are left out: a curve has two at least";
+        return said(marked("%1 point of curves are left out: a curve has two at least"),
+                    marked("%1 points of curves are left out: a curve has two at least"));
     case Kind::CurveCellsLeftOut:
-        return counted(note.count, "row of a curve says", "rows of curves say")
-               + " more than where a semilandmark is, which is left out";
+        return said(marked("%1 row of a curve says more than where a semilandmark is, which is left out"),
+                    marked("%1 rows of curves say more than where a semilandmark is, which is left out"));
     case Kind::CurvesAsPoints:
-        return counted(note.count, "semilandmark is", "semilandmarks are")
-               + " written as points behind the others, named by their curve; what the curves go through is left out";
+        return said(
+            marked("%1 semilandmark is written as points behind the others, named by their curve; what the curves go "
+                   "through is left out"),
+            marked("%1 semilandmarks are written as points behind the others, named by their curve; what the curves "
+                   "go through is left out"));
     case Kind::CurvesUnnamed:
-        return "the names of " + counted(note.count, "curve", "curves") + " and what they go through are left out";
+        return said(marked("the names of %1 curve and what they go through are left out"),
+                    marked("the names of %1 curves and what they go through are left out"));
     case Kind::CurveUnknown:
-        return "the curve \"" + note.detail
-               + "\" has no semilandmarks and is left out: where it goes is worked out where its mesh is open";
+        return tr(
+            "the curve \"%1\" has no semilandmarks and is left out: where it goes is worked out where its mesh is open",
+            note.detail);
     case Kind::MissingHadPosition:
-        return counted(note.count, "point is", "points are")
-               + " marked as not placed and had coordinates, which are left out";
+        return said(marked("%1 point is marked as not placed and had coordinates, which are left out"),
+                    marked("%1 points are marked as not placed and had coordinates, which are left out"));
     case Kind::BlanksLeftOut:
-        return "the blanks around " + counted(note.count, "text", "texts") + " are left out; quotes keep them";
-    case Kind::CommentsLeftOut: return counted(note.count, "comment is", "comments are") + " left out";
+        return said(marked("the blanks around %1 text are left out; quotes keep them"),
+                    marked("the blanks around %1 texts are left out; quotes keep them"));
+    case Kind::CommentsLeftOut: return said(marked("%1 comment is left out"), marked("%1 comments are left out"));
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/printed_digits.h"
 #include "core/matrices/taken_apart.h"
+#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -17,6 +18,7 @@
 #include <variant>
 
 namespace unprojector::matrices {
+using text::tr;
 namespace {
 
 using glm::dmat4;
@@ -346,45 +348,48 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
     const bool isView = role == MatrixRole::View;
     switch (finding.fault) {
     case MatrixFault::Transposed:
-        return isView ? "looks transposed: its last column, not its last row, is 0 0 0 1"
-                      : "looks transposed: only with rows for columns has it a projection's form";
+        return tr(isView ? "looks transposed: its last column, not its last row, is 0 0 0 1"
+                         : "looks transposed: only with rows for columns has it a projection's form");
     case MatrixFault::Inverse:
-        return isView ? "may be the camera's own matrix, world from eye: as a view it has the world's origin out of "
-                        "sight, its inverse has it in sight"
-                      : "is an inverse: its own inverse has a projection's form";
+        return tr(isView ? "may be the camera's own matrix, world from eye: as a view it has the world's origin out of "
+                           "sight, its inverse has it in sight"
+                         : "is an inverse: its own inverse has a projection's form");
     case MatrixFault::Exchanged:
-        return isView ? "has a projection's form: view and projection seem to be exchanged"
-                      : "has a view's form: view and projection seem to be exchanged";
+        return tr(isView ? "has a projection's form: view and projection seem to be exchanged"
+                         : "has a view's form: view and projection seem to be exchanged");
     case MatrixFault::UnknownForm:
-        return "has no form that formulas are known for: only the inverted matrix will answer";
+        return tr("has no form that formulas are known for: only the inverted matrix will answer");
     case MatrixFault::DepthZeroToOne:
         return std::isnan(finding.other)
-                   ? "goes by NDC depths from 0 to 1 (Direct3D, Vulkan), and is read so: near is "
-                         + number(finding.value)
-                   : "seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): near is then " + number(finding.value)
-                         + "; it is read by depths from -1 to 1, near " + number(finding.other);
+                   ? tr("goes by NDC depths from 0 to 1 (Direct3D, Vulkan), and is read so: near is %1",
+                        number(finding.value))
+                   : tr("seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): near is then %1; it is read by "
+                        "depths "
+                        "from -1 to 1, near %2",
+                        number(finding.value), number(finding.other));
     case MatrixFault::DepthReversed:
-        return "has reversed depths: near, " + number(finding.value)
-               + ", is at 1; the depths of clicks must be reversed ones too";
-    case MatrixFault::FarAtInfinity: return "has its far plane at infinity: depths there have no point";
-    case MatrixFault::YDown: return "turns y round, as is done for Vulkan: the picture is upside down for OpenGL";
-    case MatrixFault::Mirrored: return isView ? "is mirrored: its axes are left-handed" : "mirrors x";
-    case MatrixFault::LeftHanded: return "is for an eye space that looks along +z (Direct3D, OpenCV)";
+        return tr("has reversed depths: near, %1, is at 1; the depths of clicks must be reversed ones too",
+                  number(finding.value));
+    case MatrixFault::FarAtInfinity: return tr("has its far plane at infinity: depths there have no point");
+    case MatrixFault::YDown: return tr("turns y round, as is done for Vulkan: the picture is upside down for OpenGL");
+    case MatrixFault::Mirrored: return tr(isView ? "is mirrored: its axes are left-handed" : "mirrors x");
+    case MatrixFault::LeftHanded: return tr("is for an eye space that looks along +z (Direct3D, OpenCV)");
     case MatrixFault::Negated:
-        return "has every entry with the other sign: the same points, but w < 0 in front of the eye, which OpenGL cuts "
-               "off";
+        return tr("has every entry with the other sign: the same points, but w < 0 in front of the eye, which OpenGL "
+                  "cuts off");
     case MatrixFault::Rounded:
-        return "has axes that are " + numberText(finding.value, Digits::Double, 2)
-               + " off being perpendicular and of length 1, as few digits or many turns leave them; the formulas need "
-                 "them within 0.00001";
+        return tr("has axes that are %1 off being perpendicular and of length 1, as few digits or many turns leave "
+                  "them; the formulas need them within 0.00001",
+                  numberText(finding.value, Digits::Double, 2));
     case MatrixFault::Scaled: break;
     }
-    return finding.repair == MatrixRepair::None
-               ? "has axes of unlike lengths or not at right angles, the longest " + number(finding.value)
-                     + ": what comes out are the object's coordinates, not the world's"
-               : "scales by " + number(finding.value)
-                     + ": a model's scale is in it, and what comes out are the object's "
-                       "coordinates, not the world's";
+    return tr(
+        finding.repair == MatrixRepair::None
+            ? "has axes of unlike lengths or not at right angles, the longest %1: what comes out are the object's "
+              "coordinates, not the world's"
+            : "scales by %1: a model's scale is in it, and what comes out are the object's coordinates, not the "
+              "world's",
+        number(finding.value));
 }
 
 } // namespace unprojector::matrices

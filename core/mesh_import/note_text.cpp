@@ -1,6 +1,9 @@
 #include "core/mesh_import/note_text.h"
 
+#include "core/text/translation.h"
+
 namespace unprojector::mesh_import {
+using text::tr;
 namespace {
 
 std::string printable(const std::string &text)
@@ -16,13 +19,7 @@ std::string printable(const std::string &text)
 
 std::string quotedDetail(const ModelNote &note)
 {
-    return '"' + printable(note.detail) + '"';
-}
-
-/// "1 face is", "2 faces are".
-std::string counted(std::size_t count, const char *one, const char *many)
-{
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+    return tr("\"%1\"", printable(note.detail));
 }
 
 } // namespace
@@ -31,43 +28,53 @@ std::string noteText(const ModelNote &note)
 {
     switch (note.kind) {
     case ModelNote::Kind::TextureMissing:
-        return "the picture " + quotedDetail(note)
-               + " is not there or cannot be read: its surfaces are shown without it";
+        return tr("the picture %1 is not there or cannot be read: its surfaces are shown without it",
+                  quotedDetail(note));
     case ModelNote::Kind::TextureUnusable:
-        return "the picture " + quotedDetail(note)
-               + " is damaged, too large or neither PNG nor JPEG: its surfaces are shown without it";
+        return tr("the picture %1 is damaged, too large or neither PNG nor JPEG: its surfaces are shown without it",
+                  quotedDetail(note));
     case ModelNote::Kind::TextureScaledDown:
-        return "the picture " + quotedDetail(note) + " is too large and is shown with a width of "
-               + counted(note.count, "pixel", "pixels");
+        return tr(note.count == 1 ? "the picture %1 is too large and is shown with a width of %2 pixel"
+                                  : "the picture %1 is too large and is shown with a width of %2 pixels",
+                  quotedDetail(note), note.count);
     case ModelNote::Kind::MaterialsMissing:
-        return "the materials " + quotedDetail(note)
-               + " are not there or cannot be read: their surfaces are shown without colours and pictures";
+        return tr(
+            "the materials %1 are not there or cannot be read: their surfaces are shown without colours and pictures",
+            quotedDetail(note));
     case ModelNote::Kind::MaterialUnknown:
-        return "no material is called " + quotedDetail(note)
-               + (note.count > 1 ? " or by " + counted(note.count - 1, "other name", "other names") + " of the file"
-                                 : std::string())
-               + ": its surfaces are shown in grey";
+        return note.count > 1 ? tr(
+                   note.count == 2
+                       ? "no material is called %1 or by %2 other name of the file: its surfaces are shown in grey"
+                       : "no material is called %1 or by %2 other names of the file: its surfaces are shown in grey",
+                   quotedDetail(note), note.count - 1)
+                              : tr("no material is called %1: its surfaces are shown in grey", quotedDetail(note));
     case ModelNote::Kind::LinesLeftOut:
-        return counted(note.count, "line or point is not shown", "lines and points are not shown");
+        return tr(note.count == 1 ? "%1 line or point is not shown" : "%1 lines and points are not shown", note.count);
     case ModelNote::Kind::FacesLeftOut:
-        return counted(note.count, "face refers", "faces refer")
-               + " to vertices that the file does not have and cannot be shown";
+        return tr(note.count == 1 ? "%1 face refers to vertices that the file does not have and cannot be shown"
+                                  : "%1 faces refer to vertices that the file does not have and cannot be shown",
+                  note.count);
     case ModelNote::Kind::TexcoordsLeftOut:
-        return counted(note.count, "face refers", "faces refer")
-               + " to texture coordinates that the file does not have: shown without a picture";
+        return tr(note.count == 1
+                      ? "%1 face refers to texture coordinates that the file does not have: shown without a picture"
+                      : "%1 faces refer to texture coordinates that the file does not have: shown without a picture",
+                  note.count);
     case ModelNote::Kind::NormalsLeftOut:
-        return counted(note.count, "face refers", "faces refer")
-               + " to normals that the file does not have: they are computed instead";
+        return tr(note.count == 1 ? "%1 face refers to normals that the file does not have: they are computed instead"
+                                  : "%1 faces refer to normals that the file does not have: they are computed instead",
+                  note.count);
     case ModelNote::Kind::NumbersLeftOut:
-        return counted(note.count, "vertex has", "vertices have") + " words behind the coordinates that are not used";
+        return tr(note.count == 1 ? "%1 vertex has words behind the coordinates that are not used"
+                                  : "%1 vertices have words behind the coordinates that are not used",
+                  note.count);
     case ModelNote::Kind::BytesLeftOut:
-        return counted(note.count, "byte", "bytes") + " behind all that the file declares "
-               + (note.count == 1 ? "is" : "are") + " not used";
-    case ModelNote::Kind::PartLeftOut: {
-        const std::string howOften = note.count > 1 ? " (" + std::to_string(note.count) + " times)" : std::string();
-        return quotedDetail(note) + " is not shown" + howOften;
-    }
-    case ModelNote::Kind::PartUnusable: return "not used: " + printable(note.detail);
+        return tr(note.count == 1 ? "%1 byte behind all that the file declares is not used"
+                                  : "%1 bytes behind all that the file declares are not used",
+                  note.count);
+    case ModelNote::Kind::PartLeftOut:
+        return note.count > 1 ? tr("%1 is not shown (%2 times)", quotedDetail(note), note.count)
+                              : tr("%1 is not shown", quotedDetail(note));
+    case ModelNote::Kind::PartUnusable: return tr("not used: %1", printable(note.detail));
     }
     return {};
 }

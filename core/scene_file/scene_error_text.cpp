@@ -3,6 +3,7 @@
 #include "core/geometry/angle.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <cmath>
 
@@ -13,31 +14,33 @@ namespace {
 
 std::string bytesText(double bytes)
 {
-    return shortestText(bytes / (1 << 20)) + " MiB";
+    return tr("%1 MiB", shortestText(bytes / (1 << 20)));
 }
 
-const char *kindText(JsonKind kind)
+std::string kindText(JsonKind kind)
 {
     switch (kind) {
     case JsonKind::Null: return "null";
-    case JsonKind::Boolean: return "true or false";
-    case JsonKind::Number: return "a number";
-    case JsonKind::Text: return "a text in quotes";
-    case JsonKind::Array: return "a list in [ ]";
-    case JsonKind::Object: return "an object in { }";
-    case JsonKind::TwoNumbers: return "a list of 2 numbers";
-    case JsonKind::ThreeNumbers: return "a list of 3 numbers";
-    case JsonKind::FourNumbers: return "a list of 4 numbers";
-    case JsonKind::Matrix: return "a list of 16 numbers, column by column";
+    case JsonKind::Boolean: return tr("true or false");
+    case JsonKind::Number: return tr("a number");
+    case JsonKind::Text: return tr("a text in quotes");
+    case JsonKind::Array: return tr("a list in [ ]");
+    case JsonKind::Object: return tr("an object in { }");
+    case JsonKind::TwoNumbers: return tr("a list of 2 numbers");
+    case JsonKind::ThreeNumbers: return tr("a list of 3 numbers");
+    case JsonKind::FourNumbers: return tr("a list of 4 numbers");
+    case JsonKind::Matrix: return tr("a list of 16 numbers, column by column");
     }
-    return "";
+    return {};
 }
 
 std::string choicesText(const std::vector<std::string> &choices)
 {
     std::string list;
     for (std::size_t i = 0; i < choices.size(); ++i)
-        list += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i];
+        list = i == 0                    ? choices[i]
+               : i + 1 == choices.size() ? tr("%1 or %2", list, choices[i])
+                                         : list + ", " + choices[i];
     return list;
 }
 
@@ -51,39 +54,41 @@ std::string causeText(const Error &error)
 {
     const std::string value = shortestText(error.value), other = shortestText(error.other);
     switch (error.code) {
-    case ErrorCode::NotFinite: return value + " is not a finite number";
-    case ErrorCode::NearNotPositive: return value + " must be greater than 0";
-    case ErrorCode::NearNotBeforeFar: return value + " must be smaller than far (" + other + ")";
-    case ErrorCode::LeftEqualsRight: return value + " must differ from right";
-    case ErrorCode::BottomEqualsTop: return value + " must differ from top";
+    case ErrorCode::NotFinite: return tr("%1 is not a finite number", value);
+    case ErrorCode::NearNotPositive: return tr("%1 must be greater than 0", value);
+    case ErrorCode::NearNotBeforeFar: return tr("%1 must be smaller than far (%2)", value, other);
+    case ErrorCode::LeftEqualsRight: return tr("%1 must differ from right", value);
+    case ErrorCode::BottomEqualsTop: return tr("%1 must differ from top", value);
     case ErrorCode::FieldOfViewOutOfRange:
     case ErrorCode::ShearAngleOutOfRange:
-        return shortestText(degreesFromRadians(error.value)) + " must lie between 0 and 180 degrees, both excluded";
+        return tr("%1 must lie between 0 and 180 degrees, both excluded",
+                  shortestText(degreesFromRadians(error.value)));
     case ErrorCode::AspectNotPositive:
-    case ErrorCode::PixelRatioNotPositive: return value + " must be greater than 0";
-    case ErrorCode::EyeEqualsCenter: return "must be another point than the eye";
+    case ErrorCode::PixelRatioNotPositive: return tr("%1 must be greater than 0", value);
+    case ErrorCode::EyeEqualsCenter: return tr("must be another point than the eye");
     case ErrorCode::UpIsZero:
-    case ErrorCode::RotationAxisIsZero: return "the axis (0, 0, 0) has no direction";
-    case ErrorCode::UpParallelToView: return "must not point along the view direction";
+    case ErrorCode::RotationAxisIsZero: return tr("the axis (0, 0, 0) has no direction");
+    case ErrorCode::UpParallelToView: return tr("must not point along the view direction");
     case ErrorCode::EmptyViewport:
     case ErrorCode::EmptyFramebuffer:
-        return "the size " + value + " x " + other + " is empty; width and height must be greater than 0";
-    case ErrorCode::EmptyDepthRange: return "both ends are " + value + "; they must differ";
-    case ErrorCode::DepthOutsideRange: return value + " lies outside the depth range";
-    case ErrorCode::OutsideFramebuffer: return "(" + value + ", " + other + ") lies outside the window";
+        return tr("the size %1 x %2 is empty; width and height must be greater than 0", value, other);
+    case ErrorCode::EmptyDepthRange: return tr("both ends are %1; they must differ", value);
+    case ErrorCode::DepthOutsideRange: return tr("%1 lies outside the depth range", value);
+    case ErrorCode::OutsideFramebuffer: return tr("(%1, %2) lies outside the window", value, other);
     case ErrorCode::ViewportNotWhole:
     case ErrorCode::ViewportTooLarge:
     case ErrorCode::FramebufferTooLarge:
     case ErrorCode::DepthRangeNotDrawable:
     case ErrorCode::ObjectTooFar:
     case ErrorCode::ObjectTooSmall: return errorText(error); // of showing, not of the file
-    case ErrorCode::SingularMatrix: return "the matrix has no inverse";
-    case ErrorCode::PointAtInfinity: return "the point lies at infinity";
-    case ErrorCode::ScaleIsZero: return "a factor is 0; it must differ from 0";
-    case ErrorCode::MatrixNotAProjection: return "the entry " + value + " fits no projection of a known form";
+    case ErrorCode::SingularMatrix: return tr("the matrix has no inverse");
+    case ErrorCode::PointAtInfinity: return tr("the point lies at infinity");
+    case ErrorCode::ScaleIsZero: return tr("a factor is 0; it must differ from 0");
+    case ErrorCode::MatrixNotAProjection: return tr("the entry %1 fits no projection of a known form", value);
     case ErrorCode::ViewNotRigid: return viewFault(error);
-    case ErrorCode::ViewMirrored: return "the axes are left-handed; negate one of the first three rows";
-    case ErrorCode::ClipPlaneHasNoNormal: return "the first three numbers are all 0; one of them must differ from 0";
+    case ErrorCode::ViewMirrored: return tr("the axes are left-handed; negate one of the first three rows");
+    case ErrorCode::ClipPlaneHasNoNormal:
+        return tr("the first three numbers are all 0; one of them must differ from 0");
     }
     return {};
 }
@@ -91,43 +96,44 @@ std::string causeText(const Error &error)
 std::string sentence(const SceneFileError &e)
 {
     switch (e.code) {
-    case SceneFileErrorCode::NotFound: return "there is no such file";
-    case SceneFileErrorCode::IsDirectory: return "this is a folder, not a scene file";
-    case SceneFileErrorCode::NotReadable: return withDetail("the file cannot be read", e.detail);
-    case SceneFileErrorCode::NotAFile: return "this is a pipe or a device, not a scene file";
+    case SceneFileErrorCode::NotFound: return tr("there is no such file");
+    case SceneFileErrorCode::IsDirectory: return tr("this is a folder, not a scene file");
+    case SceneFileErrorCode::NotReadable: return withDetail(tr("the file cannot be read"), e.detail);
+    case SceneFileErrorCode::NotAFile: return tr("this is a pipe or a device, not a scene file");
     case SceneFileErrorCode::NotWritable: return e.detail;
     case SceneFileErrorCode::ChangedMeanwhile:
-        return "the file was changed by another program or window since it was opened";
+        return tr("the file was changed by another program or window since it was opened");
     case SceneFileErrorCode::IsOwnModel:
-        return "the scene shows this model and would be written over it; give another name";
-    case SceneFileErrorCode::EmptyFile: return "the file is empty";
-    case SceneFileErrorCode::TooLarge: return "a scene may have at most " + bytesText(e.limit);
+        return tr("the scene shows this model and would be written over it; give another name");
+    case SceneFileErrorCode::EmptyFile: return tr("the file is empty");
+    case SceneFileErrorCode::TooLarge: return tr("a scene may have at most %1", bytesText(e.limit));
     case SceneFileErrorCode::Syntax: return e.detail;
-    case SceneFileErrorCode::NumberTooLarge: return e.found + " is too large for a number";
-    case SceneFileErrorCode::TooDeep: return "brackets are nested deeper than " + shortestText(e.limit) + " levels";
-    case SceneFileErrorCode::DuplicateKey: return "the key \"" + e.found + "\" stands here for the second time";
+    case SceneFileErrorCode::NumberTooLarge: return tr("%1 is too large for a number", e.found);
+    case SceneFileErrorCode::TooDeep: return tr("brackets are nested deeper than %1 levels", shortestText(e.limit));
+    case SceneFileErrorCode::DuplicateKey: return tr("the key \"%1\" stands here for the second time", e.found);
     case SceneFileErrorCode::UnknownVersion:
-        return "version " + shortestText(e.value) + " cannot be read, only version " + shortestText(e.limit);
-    case SceneFileErrorCode::Missing: return "is missing";
+        return tr("version %1 cannot be read, only version %2", shortestText(e.value), shortestText(e.limit));
+    case SceneFileErrorCode::Missing: return tr("is missing");
     case SceneFileErrorCode::WrongType:
-        return "expected " + std::string(kindText(e.expectedKind)) + ", found "
-               + (e.found.empty() ? kindText(e.foundKind) : "\"" + e.found + "\"");
-    case SceneFileErrorCode::NotWhole: return shortestText(e.value) + " must be a whole number";
+        return tr("expected %1, found %2", kindText(e.expectedKind),
+                  e.found.empty() ? kindText(e.foundKind) : tr("\"%1\"", e.found));
+    case SceneFileErrorCode::NotWhole: return tr("%1 must be a whole number", shortestText(e.value));
     case SceneFileErrorCode::OutOfRange:
-        return shortestText(e.value) + " must lie between " + shortestText(e.lowest) + " and " + shortestText(e.limit);
+        return tr("%1 must lie between %2 and %3", shortestText(e.value), shortestText(e.lowest),
+                  shortestText(e.limit));
     case SceneFileErrorCode::WrongCount:
-        return "has " + shortestText(e.value) + " elements; it must have " + shortestText(e.limit);
+        return tr("has %1 elements; it must have %2", shortestText(e.value), shortestText(e.limit));
     case SceneFileErrorCode::TooMany:
-        return "has " + shortestText(e.value) + " elements; there may be at most " + shortestText(e.limit);
+        return tr("has %1 elements; there may be at most %2", shortestText(e.value), shortestText(e.limit));
     case SceneFileErrorCode::UnknownChoice:
-        return (e.foundKind == JsonKind::Array ? e.found : "\"" + e.found + "\"") + " must be "
-               + choicesText(e.choices);
-    case SceneFileErrorCode::NotOneChoice: return "must have exactly one of " + choicesText(e.choices);
+        return tr("%1 must be %2", e.foundKind == JsonKind::Array ? e.found : tr("\"%1\"", e.found),
+                  choicesText(e.choices));
+    case SceneFileErrorCode::NotOneChoice: return tr("must have exactly one of %1", choicesText(e.choices));
     case SceneFileErrorCode::OtherAngle:
-        return shortestText(e.value) + " is not the angle of " + e.found + ", " + shortestText(e.limit)
-               + " degrees; remove the one that does not hold";
-    case SceneFileErrorCode::BadFileName: return "this is no name of a file";
-    case SceneFileErrorCode::NotUtf8: return "the name is not UTF-8 and cannot be written; rename it";
+        return tr("%1 is not the angle of %2, %3 degrees; remove the one that does not hold", shortestText(e.value),
+                  e.found, shortestText(e.limit));
+    case SceneFileErrorCode::BadFileName: return tr("this is no name of a file");
+    case SceneFileErrorCode::NotUtf8: return tr("the name is not UTF-8 and cannot be written; rename it");
     case SceneFileErrorCode::InvalidValue: return e.cause ? causeText(*e.cause) : std::string();
     }
     return {};

@@ -78,6 +78,19 @@ std::size_t columnsOf(std::string_view text)
     return columns;
 }
 
+std::string_view firstColumns(std::string_view text, std::size_t columns)
+{
+    std::size_t at = 0;
+    for (std::size_t taken = 0; at < text.size();) {
+        const Character character = characterAt(text, at);
+        taken += character.columns();
+        if (taken > columns)
+            break;
+        at += character.bytes.size();
+    }
+    return text.substr(0, at);
+}
+
 std::string padded(std::string text, std::size_t columns)
 {
     const std::size_t taken = columnsOf(text);

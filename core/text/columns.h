@@ -11,6 +11,9 @@ namespace unprojector::text {
 /// Source: Unicode Standard Annex 11, its ranges of wide characters, emoji left out.
 std::size_t columnsOf(std::string_view text);
 
+/// As much of a text's beginning as so many columns have room for.
+std::string_view firstColumns(std::string_view text, std::size_t columns);
+
 /// A text with blanks behind it, as many as it needs to take so many columns.
 std::string padded(std::string text, std::size_t columns);
 

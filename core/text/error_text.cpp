@@ -2,6 +2,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <cmath>
 
@@ -12,49 +13,48 @@ std::string errorText(const Error &error)
 {
     const std::string value = shortestText(error.value), other = shortestText(error.other);
     switch (error.code) {
-    case ErrorCode::NotFinite: return value + " is not a finite number; give a number";
-    case ErrorCode::NearNotPositive: return "near is " + value + "; it must be greater than 0 and smaller than far";
-    case ErrorCode::NearNotBeforeFar: return "near is " + value + "; it must be smaller than far (" + other + ")";
-    case ErrorCode::LeftEqualsRight: return "left and right are both " + value + "; they must differ";
-    case ErrorCode::BottomEqualsTop: return "bottom and top are both " + value + "; they must differ";
+    case ErrorCode::NotFinite: return tr("%1 is not a finite number; give a number", value);
+    case ErrorCode::NearNotPositive: return tr("near is %1; it must be greater than 0 and smaller than far", value);
+    case ErrorCode::NearNotBeforeFar: return tr("near is %1; it must be smaller than far (%2)", value, other);
+    case ErrorCode::LeftEqualsRight: return tr("left and right are both %1; they must differ", value);
+    case ErrorCode::BottomEqualsTop: return tr("bottom and top are both %1; they must differ", value);
     case ErrorCode::FieldOfViewOutOfRange:
-        return "the vertical field of view is " + shortestText(degreesFromRadians(error.value))
-               + " degrees; it must lie between 0 and 180, both excluded";
-    case ErrorCode::AspectNotPositive: return "the aspect is " + value + "; it must be greater than 0";
+        return tr("the vertical field of view is %1 degrees; it must lie between 0 and 180, both excluded",
+                  shortestText(degreesFromRadians(error.value)));
+    case ErrorCode::AspectNotPositive: return tr("the aspect is %1; it must be greater than 0", value);
     case ErrorCode::ShearAngleOutOfRange:
-        return "the angle is " + shortestText(degreesFromRadians(error.value))
-               + " degrees; it must lie between 0 and 180, both excluded";
-    case ErrorCode::EyeEqualsCenter: return "eye and center are the same point; move one of them";
-    case ErrorCode::UpIsZero: return "up is (0, 0, 0); give it a length";
-    case ErrorCode::UpParallelToView: return "up points along the view direction; choose another one";
+        return tr("the angle is %1 degrees; it must lie between 0 and 180, both excluded",
+                  shortestText(degreesFromRadians(error.value)));
+    case ErrorCode::EyeEqualsCenter: return tr("eye and center are the same point; move one of them");
+    case ErrorCode::UpIsZero: return tr("up is (0, 0, 0); give it a length");
+    case ErrorCode::UpParallelToView: return tr("up points along the view direction; choose another one");
     case ErrorCode::EmptyViewport:
-        return "the viewport is " + value + " x " + other + " pixels; width and height must be greater than 0";
+        return tr("the viewport is %1 x %2 pixels; width and height must be greater than 0", value, other);
     case ErrorCode::EmptyFramebuffer:
-        return "the window is " + value + " x " + other + " pixels; width and height must be greater than 0";
-    case ErrorCode::PixelRatioNotPositive: return "the device pixel ratio is " + value + "; it must be greater than 0";
-    case ErrorCode::EmptyDepthRange: return "both ends of the depth range are " + value + "; they must differ";
-    case ErrorCode::DepthOutsideRange: return "the depth " + value + " lies outside the depth range";
-    case ErrorCode::OutsideFramebuffer: return "the position (" + value + ", " + other + ") lies outside the window";
-    case ErrorCode::ViewportNotWhole: return value + " is not a whole number of pixels";
-    case ErrorCode::ViewportTooLarge: return value + " pixels are too many; use at most " + other;
+        return tr("the window is %1 x %2 pixels; width and height must be greater than 0", value, other);
+    case ErrorCode::PixelRatioNotPositive: return tr("the device pixel ratio is %1; it must be greater than 0", value);
+    case ErrorCode::EmptyDepthRange: return tr("both ends of the depth range are %1; they must differ", value);
+    case ErrorCode::DepthOutsideRange: return tr("the depth %1 lies outside the depth range", value);
+    case ErrorCode::OutsideFramebuffer: return tr("the position (%1, %2) lies outside the window", value, other);
+    case ErrorCode::ViewportNotWhole: return tr("%1 is not a whole number of pixels", value);
+    case ErrorCode::ViewportTooLarge: return tr("%1 pixels are too many; use at most %2", value, other);
     case ErrorCode::FramebufferTooLarge:
-        return "the window is " + value + " x " + other + " pixels, which is more than is drawn; make it smaller";
-    case ErrorCode::DepthRangeNotDrawable: return "the depth is " + value + "; it must lie between 0 and 1";
-    case ErrorCode::SingularMatrix: return "the matrix has no inverse";
-    case ErrorCode::PointAtInfinity: return "the point lies at infinity";
-    case ErrorCode::ScaleIsZero: return "the scale is 0; it must differ from 0";
-    case ErrorCode::RotationAxisIsZero: return "the rotation axis is (0, 0, 0); give it a length";
-    case ErrorCode::ClipPlaneHasNoNormal: return "A, B and C of the clip plane are all 0; one of them must differ";
+        return tr("the window is %1 x %2 pixels, which is more than is drawn; make it smaller", value, other);
+    case ErrorCode::DepthRangeNotDrawable: return tr("the depth is %1; it must lie between 0 and 1", value);
+    case ErrorCode::SingularMatrix: return tr("the matrix has no inverse");
+    case ErrorCode::PointAtInfinity: return tr("the point lies at infinity");
+    case ErrorCode::ScaleIsZero: return tr("the scale is 0; it must differ from 0");
+    case ErrorCode::RotationAxisIsZero: return tr("the rotation axis is (0, 0, 0); give it a length");
+    case ErrorCode::ClipPlaneHasNoNormal: return tr("A, B and C of the clip plane are all 0; one of them must differ");
     case ErrorCode::MatrixNotAProjection:
-        return "the matrix is no projection of a known form: the entry " + value + " at place " + other
-               + " does not fit";
+        return tr("the matrix is no projection of a known form: the entry %1 at place %2 does not fit", value, other);
     case ErrorCode::ObjectTooFar:
-        return "an object reaches to " + value + ", farther than can be computed; look at its scales and translations";
+        return tr("an object reaches to %1, farther than can be computed; look at its scales and translations", value);
     case ErrorCode::ObjectTooSmall:
-        return "an object measures " + value + ", less than can be computed; look at its scales";
-    case ErrorCode::ViewNotRigid: return "the view matrix does more than turn and move: " + viewFault(error);
+        return tr("an object measures %1, less than can be computed; look at its scales", value);
+    case ErrorCode::ViewNotRigid: return tr("the view matrix does more than turn and move: %1", viewFault(error));
     case ErrorCode::ViewMirrored:
-        return "the view matrix is mirrored: its axes are left-handed; negate one of its first three rows";
+        return tr("the view matrix is mirrored: its axes are left-handed; negate one of its first three rows");
     }
     return {};
 }
@@ -64,11 +64,12 @@ std::string viewFault(const Error &error)
     const int column = static_cast<int>(error.other) / 4, row = static_cast<int>(error.other) % 4;
     const std::string rowName = std::to_string(row + 1), columnName = std::to_string(column + 1);
     if (row == 3)
-        return shortestText(error.value) + " stands in row 4, column " + columnName + "; it must be "
-               + (column == 3 ? "greater than 0" : "0");
+        return tr(column == 3 ? "%1 stands in row 4, column %2; it must be greater than 0"
+                              : "%1 stands in row 4, column %2; it must be 0",
+                  shortestText(error.value), columnName);
     if (row == column)
-        return "row " + rowName + " has the length " + shortestText(std::sqrt(1.0 + error.value)) + "; it must be 1";
-    return "rows " + rowName + " and " + columnName + " are not perpendicular";
+        return tr("row %1 has the length %2; it must be 1", rowName, shortestText(std::sqrt(1.0 + error.value)));
+    return tr("rows %1 and %2 are not perpendicular", rowName, columnName);
 }
 
 } // namespace unprojector::text

@@ -42,10 +42,15 @@ private slots:
     void englishIsNotTouched();
     void wrongWordsAreSaidInChinese_data();
     void wrongWordsAreSaidInChinese();
+    void messagesAreSaidInChinese_data();
+    void messagesAreSaidInChinese();
+    void reportsAreChinese_data();
+    void reportsAreChinese();
     void dataIsTheSameInEveryLanguage_data();
     void dataIsTheSameInEveryLanguage();
 
 private:
+    QStringList inFolder(const QStringList &words);
     Folder m_folder;
 };
 
@@ -155,6 +160,96 @@ void TestChinese::wrongWordsAreSaidInChinese()
     QVERIFY2(!hasEnglish(errors), qPrintable(errors));
 }
 
+/// The words of a command with the paths of its files, which are made.
+QStringList TestChinese::inFolder(const QStringList &words)
+{
+    m_folder.write(QStringLiteral("scene.json"), kFrustumScene);
+    // Open, and with a line, so that there is something to note of it.
+    m_folder.write(QStringLiteral("face.obj"), "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\nl 1 2\n");
+    static const QRegularExpression file(QStringLiteral("^(scene\\.json|map\\.pfm)$"));
+    QStringList placed;
+    for (const QString &word : words)
+        placed << (file.match(word).hasMatch() ? m_folder.path(word) : word);
+    return placed;
+}
+
+void TestChinese::messagesAreSaidInChinese_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("input");
+    QTest::addColumn<QString>("said");
+
+    QTest::newRow("cell") << QStringList{"points", "scene.json"} << QByteArray("px,py,depth\nfar,1,0\n")
+                          << "stdin:2:1: px: “far”不是数\n";
+    QTest::newRow("depth") << QStringList{"points", "scene.json"} << QByteArray("px,py,depth\n1,1,2.5\n")
+                           << "stdin:2:5: depth: 2.5 在深度范围 0 到 1 之外\n";
+    QTest::newRow("header") << QStringList{"project", "scene.json"} << QByteArray("x;y;z\n")
+                            << "stdin:1:1: 表头没有 x 列；首行应为 x,y,z 或 formula_x,formula_y,formula_z；"
+                               "这里各列以逗号分隔，而不是分号\n";
+    QTest::newRow("no-file") << QStringList{"info", "nothing.obj"} << QByteArray() << "nothing.obj: 没有这个文件\n";
+    QTest::newRow("scene-value") << QStringList{"matrices", "-"}
+                                 << QByteArray(R"({"unprojector": 1, "window": {"width": -3, "height": 2}})")
+                                 << "-3 必须在 1 与 65536 之间\n";
+    QTest::newRow("several") << QStringList{"pick", "scene.json"} << QByteArray("px,py\n-1,0\n900,0\n")
+                             << "stdin: 2 个像素在画面（800x600）的视口之外，那里什么也不会遇到\n";
+    QTest::newRow("finding") << QStringList{"scene", "--from-matrices",
+                                            "modelview 1 0 0 0 0 1 0 0 0 0 1 -5 0 0 0 1 projection 1 0 0 0 0 1 0 0 0 0 "
+                                            "-1.2 -1 0 0 -2.2 0 viewport 0 0 800 600"}
+                             << QByteArray()
+                             << "modelview: 看来被转置了：0 0 0 1 是它的最后一列，而不是最后一行；现按列读取，";
+    QTest::newRow("statistics") << QStringList{"map",    "scene.json", "--what", "formula-ray",
+                                               "--size", "40x30",      "-o",     "map.pfm"}
+                                << QByteArray() << "formula-ray，世界单位：1200 个像素中有 1200 个；最小 ";
+    QTest::newRow("landmarks") << QStringList{"landmarks", "--from", "csv", "--to", "pp", "-", "-"}
+                               << QByteArray("name,x,y,z,note\na,1,2,3,left\nb,1,2,3,\n")
+                               << "stdout: 1 个点的备注未写出\n";
+}
+
+void TestChinese::messagesAreSaidInChinese()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, input);
+    QFETCH(QString, said);
+    const QString errors = QString::fromUtf8(runCommand(inFolder(words), input, kChinese).errors);
+    QVERIFY2(errors.contains(said), qPrintable(errors));
+    QVERIFY2(!hasEnglish(errors), qPrintable(errors));
+}
+
+void TestChinese::reportsAreChinese_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QString>("said");
+
+    QTest::newRow("info") << QStringList{"info", "scene.json"}
+                          << "face\n  顶点       4\n  三角形     2\n  面积       16\n";
+    QTest::newRow("note") << QStringList{"info", "scene.json"} << "说明：未显示的线和点：1\n";
+    QTest::newRow("pick") << QStringList{"pick", "scene.json", "--at", "400.5,300.5"}
+                          << "像素 400.5 300.5\n  物体         face\n  三角形       0，重心坐标 ";
+    QTest::newRow("compare") << QStringList{"compare", "--pixels", "2", "--depths", "2", "scene.json"}
+                             << "8 个点与扩展精度结果之差，世界单位；ulp 指最大坐标的末位单位\n\n"
+                                "方法     精度                最大       平均    99.99 %\n公式     double  x    ";
+    QTest::newRow("doctor") << QStringList{"doctor",  "scene.json", "--pixel", "100.5,200.5",
+                                           "--depth", "0.6666667",  "--got",   "-1.4975,-0.4975,3.00000"}
+                            << "y-not-flipped\n  y 没有翻转：窗口的行从上往下数，OpenGL 的行从下往上数。\n"
+                               "  能解释       y-not-flipped：";
+    QTest::newRow("doctor-unknown") << QStringList{"doctor",  "scene.json", "--pixel", "100.5,200.5",
+                                                   "--depth", "0.66667",    "--got",   "1,2,3"}
+                                    << "像素比 ";
+}
+
+void TestChinese::reportsAreChinese()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QString, said);
+    const Run run = runCommand(inFolder(words), {}, kChinese);
+    VERIFY_SUCCEEDED(run);
+    const QString report = QString::fromUtf8(run.output);
+    QVERIFY2(report.contains(said), qPrintable(report));
+    static const QRegularExpression code(QStringLiteral("^ .*[ -+] .*[;=].*$"), QRegularExpression::MultilineOption);
+    for (const QString &line : report.split(u'\n'))
+        QVERIFY2(!hasEnglish(line) || code.match(line).hasMatch(), qPrintable(line));
+}
+
 void TestChinese::dataIsTheSameInEveryLanguage_data()
 {
     QTest::addColumn<QStringList>("words");
@@ -188,13 +283,7 @@ void TestChinese::dataIsTheSameInEveryLanguage()
 {
     QFETCH(QStringList, words);
     QFETCH(QByteArray, input);
-    m_folder.write(QStringLiteral("scene.json"), kFrustumScene);
-    // Open, so that there is something to note of it.
-    m_folder.write(QStringLiteral("face.obj"), "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
-    for (QString &word : words) {
-        if (word.endsWith(QStringLiteral(".json")) || word.endsWith(QStringLiteral(".pfm")))
-            word = word.startsWith(QStringLiteral("mrk")) ? word : m_folder.path(word);
-    }
+    words = inFolder(words);
     const Run english = runCommand(words, input, {{"LC_ALL", "C"}});
     const Run chinese = runCommand(words, input, kChinese);
     QVERIFY2(!english.output.isEmpty(), english.errors.constData());
