@@ -120,9 +120,8 @@ std::string statisticsText(const MapOptions &options, const MapStatistics &stati
 {
     const std::string what = options.convention.empty() ? std::string(keyOf(options.quantity))
                                                         : tr("%1 of %2", keyOf(options.quantity), options.convention);
-    std::string text =
-        tr(options.unit == Unit::Ulps ? "%1, ulps: %2 of %3 pixels" : "%1, world units: %2 of %3 pixels", what,
-           statistics.count, pixels);
+    std::string text = tr(options.unit == Unit::Ulps ? "%1, ulps: %2 of %3 pixels" : "%1, world units: %2 of %3 pixels",
+                          what, statistics.count, pixels);
     if (statistics.count == 0)
         return text;
     return text
