@@ -40,7 +40,8 @@
 ///       "set": {                                optional: what links change of the scene, see settingsWith
 ///         "other": {"point": {"coordinates": [2, 1, 0]}}},
 ///       "question": {                           optional
-///         "text": "Which z …?", "answer": "eye.z", "tolerance": 0.01, "reveal": ["…"]}
+///         "text": "Which z …?", "answer": "eye.z", "tolerance": 0.01, "reveal": ["…"],
+///         "hides": ["pipeline"]}                optional: panels that have the answer, closed until it is given
 ///     }]
 ///   }
 ///
@@ -85,6 +86,7 @@ struct Question {
     std::string answer;              ///< an expression of StepNumbers
     double tolerance = 0.0;          ///< how far off an answer may be
     std::vector<std::string> reveal; ///< paragraphs: why it is so
+    std::vector<std::string> hides;  ///< panels
 };
 
 struct Step {

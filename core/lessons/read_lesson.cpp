@@ -245,6 +245,7 @@ void readStep(LessonReader &reader, const JsonNode &node, const Step *before, St
                 describeTexts(fields, asked);
                 fields.required("answer", asked.answer);
                 fields.required("tolerance", asked.tolerance);
+                fields.list("hides", asked.hides);
             });
             if (!(asked.tolerance > 0.0))
                 reader.fail(question, "\"tolerance\" must be greater than 0");

@@ -112,6 +112,7 @@ bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
         return false;
     m_lesson = &lesson;
     m_place = place;
+    m_isRevealed = false;
     emit changed();
     return true;
 }
@@ -179,6 +180,12 @@ std::optional<double> LessonPlayer::answer() const
         return std::nullopt;
     const auto values = numbers->values(step().id, step().question->answer);
     return values && values->size() == 1 ? std::optional(values->front()) : std::nullopt;
+}
+
+void LessonPlayer::reveal()
+{
+    m_isRevealed = true;
+    emit revealed();
 }
 
 std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const

@@ -62,6 +62,10 @@ public:
     /// What the step asks for. @pre it asks
     /// @return nothing where it cannot be computed, which is a mistake of ours
     std::optional<double> answer() const;
+    /// Whether the answer was found or shown.
+    bool isRevealed() const { return m_isRevealed; }
+    /// @pre the step asks
+    void reveal();
     /// Where to click for a point that the step names; nothing where it is not in the picture as it is now.
     std::optional<DevicePixel> pixelOf(const std::string &point) const;
 
@@ -71,6 +75,7 @@ public:
 signals:
     /// Another step, another lesson, or none.
     void changed();
+    void revealed();
     void failed(const QString &reason);
 
 private:
@@ -84,6 +89,7 @@ private:
     bool m_areRead = false;
     const Lesson *m_lesson = nullptr; ///< one of m_lessons
     std::size_t m_place = 0;
+    bool m_isRevealed = false;
     int m_changes = 0;                          ///< by links
     std::optional<Scene> m_shown;               ///< the step's, as it was opened
     std::optional<Session::KeptScene> m_before; ///< what was shown before the lesson

@@ -33,6 +33,8 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     nameItself();
     m_hoverTimer.setSingleShot(true);
 
+    // Its pixel says nothing of another scene.
+    connect(&m_document, &SceneDocument::opened, this, [this] { m_crosshair.reset(); });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) // the former pick may be on one that went
             m_formerPick.reset();

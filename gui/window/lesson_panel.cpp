@@ -41,10 +41,11 @@ QLabel *wrapped()
 } // namespace
 
 LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget *parent)
-    : QWidget(parent), m_player(player), m_title(wrapped()), m_close(new QToolButton), m_steps(new QComboBox),
-      m_text(new QTextBrowser), m_hint(wrapped()), m_asking(new QWidget), m_answer(new QLineEdit),
-      m_check(new QPushButton(tr("&Check"))), m_reveal(new QPushButton(tr("Sho&w"))), m_verdict(wrapped()),
-      m_back(new QPushButton(tr("‹ Back"))), m_next(new QPushButton(tr("Next ›"))), m_source(wrapped())
+    : QWidget(parent), m_player(player), m_document(document), m_title(wrapped()), m_close(new QToolButton),
+      m_steps(new QComboBox), m_text(new QTextBrowser), m_hint(wrapped()), m_asking(new QWidget),
+      m_answer(new QLineEdit), m_check(new QPushButton(tr("&Check"))), m_reveal(new QPushButton(tr("Sho&w"))),
+      m_verdict(wrapped()), m_back(new QPushButton(tr("‹ Back"))), m_next(new QPushButton(tr("Next ›"))),
+      m_source(wrapped())
 {
     QFont bold = font();
     bold.setBold(true);
@@ -134,7 +135,6 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
 
 void LessonPanel::showStep()
 {
-    m_isRevealed = false;
     m_answer->clear();
     m_verdict->clear();
     const Lesson *lesson = m_player.lesson();
@@ -174,8 +174,10 @@ void LessonPanel::showText()
     QString html = lessonHtml(step.text);
     if (step.question) {
         html += QStringLiteral("<p><b>%1</b></p>").arg(lessonTitle(step.question->text));
-        if (m_isRevealed)
+        if (m_player.isRevealed())
             html += lessonHtml(step.question->reveal);
+        else if (!step.question->hides.empty())
+            html += QStringLiteral("<p><i>%1</i></p>").arg(tr("The panel that has the answer opens with it."));
     }
     m_text->setHtml(html);
 }
@@ -185,10 +187,13 @@ void LessonPanel::showHint()
     QString hint;
     if (m_player.lesson() && !m_player.isAsTheStep())
         hint = tr("The picture is not as the step has it. <a href='restart:'>Put it back</a>");
-    else if (m_player.lesson() && !m_player.hasViewOfStep())
-        hint = tr("The pixels that are spoken of are those of a view of <a href='view:%1x%2'>%1 × %2</a>.")
+    else if (const Surface surface = m_document.geometry().surface; m_player.lesson() && !m_player.hasViewOfStep())
+        hint = tr("The pixels that are spoken of are those of a view of <a href='view:%1x%2'>%1 × %2</a>. This one is "
+                  "%3 × %4.")
                    .arg(m_player.step().view->x)
-                   .arg(m_player.step().view->y);
+                   .arg(m_player.step().view->y)
+                   .arg(surface.widthPixels)
+                   .arg(surface.heightPixels);
     m_hint->setText(hint);
     m_hint->setVisible(!hint.isEmpty());
 }
@@ -227,7 +232,7 @@ void LessonPanel::check()
 
 void LessonPanel::reveal()
 {
-    m_isRevealed = true;
+    m_player.reveal();
     showText();
     m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
     if (const std::optional<double> answer = m_player.answer())

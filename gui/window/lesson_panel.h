@@ -47,6 +47,7 @@ private:
     void reveal();
 
     LessonPlayer &m_player;
+    SceneDocument &m_document;
     QLabel *m_title;
     QToolButton *m_close;
     QComboBox *m_steps;
@@ -60,7 +61,6 @@ private:
     QPushButton *m_back;
     QPushButton *m_next;
     QLabel *m_source;
-    bool m_isRevealed = false;
 };
 
 } // namespace unprojector::gui

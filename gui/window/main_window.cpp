@@ -134,7 +134,11 @@ void MainWindow::connectSession()
     connect(m_pointFiles, &PointFiles::noticed, m_session, &Session::noticed);
     connect(m_session, &Session::recentFilesChanged, this, &MainWindow::updateRecentMenu);
     connect(m_lessons, &LessonPlayer::changed, this, &MainWindow::showLesson);
+    connect(m_lessons, &LessonPlayer::revealed, this, &MainWindow::showPanelsOfStep);
     connect(m_lessons, &LessonPlayer::failed, this, &MainWindow::showFailure);
+    m_viewTimer.setSingleShot(true);
+    m_viewTimer.setInterval(kSettlingMilliseconds);
+    connect(&m_viewTimer, &QTimer::timeout, this, &MainWindow::fitViewOfLesson);
     connect(&m_document->rayCasters(), &RayCasters::progressed, this, &MainWindow::showPreparing);
     connect(&m_document->rayCasters(), &RayCasters::finished, this, [this] {
         m_sincePreparing.invalidate();

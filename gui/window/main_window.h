@@ -9,6 +9,7 @@
 #include <QMainWindow>
 #include <QSize>
 #include <QSizeF>
+#include <QTimer>
 
 #include <functional>
 #include <memory>
@@ -102,6 +103,8 @@ protected:
 private:
     /// How long the status bar tells what needs no answer.
     static constexpr int kNoticeMilliseconds = 12000;
+    /// After which panels and window manager have done what a change of the window's size makes them do.
+    static constexpr int kSettlingMilliseconds = 40;
 
     /// The view with all that stands around it, in the language that the program speaks.
     void build();
@@ -122,6 +125,10 @@ private:
     /// Another step, another lesson or none.
     void showLesson();
     void showPanelOfLesson(const char *panel);
+    /// Those that the step brings, less those that would show the answer that is still to be found.
+    void showPanelsOfStep();
+    /// Gives the view the size that a link asked for last, or says which size it has got.
+    void fitViewOfLesson();
     /// What the step letters, in both views.
     void showHighlights();
     /// Brings the view from outside, beside the view, of which a lesson may speak at any place.
@@ -208,6 +215,11 @@ private:
     const char *m_placeBeforeLesson = nullptr; ///< none: no lesson
     /// Places, and the panels that a lesson has brought there.
     std::vector<std::pair<const char *, const char *>> m_panelsOfLesson;
+    /// The same of those that it has hidden until the answer is given.
+    std::vector<std::pair<const char *, std::string>> m_panelsWithAnswer;
+    QSize m_viewOfLesson; ///< that a link asked for last, device pixels
+    QTimer m_viewTimer;   ///< until it is looked at again
+    int m_viewTrials = 0;
     /// How the view from outside was before a lesson brought it.
     struct ObserverBefore {
         bool isShown;

@@ -489,7 +489,9 @@ void MainWindow::placeFirstSteps()
 {
     if (!m_firstSteps)
         return;
-    m_firstSteps->setVisible(m_areFirstStepsShown && qstrcmp(m_places->current(), kClickPlace) == 0);
+    // Not in a lesson either: it is one of them, and the view can be smaller without the note.
+    m_firstSteps->setVisible(m_areFirstStepsShown && qstrcmp(m_places->current(), kClickPlace) == 0
+                             && !m_lessons->lesson());
     m_firstSteps->raise();
 }
 

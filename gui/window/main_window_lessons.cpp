@@ -58,9 +58,15 @@ void MainWindow::leaveLessonOrStay()
 void MainWindow::showLesson()
 {
     showHighlights();
+    placeFirstSteps();
     if (!m_lessons->lesson()) {
+        m_viewTimer.stop();
         m_places->dock(kLessonPanel)->hide();
         putObserverBack();
+        for (const auto &[at, panel] : std::exchange(m_panelsWithAnswer, {})) {
+            m_places->enter(at);
+            m_places->show(panel.c_str());
+        }
         for (const auto &[at, panel] : std::exchange(m_panelsOfLesson, {})) {
             m_places->enter(at);
             m_places->dock(panel)->hide();
@@ -80,8 +86,7 @@ void MainWindow::showLesson()
         if (!step.place.empty())
             followLessonLink(QStringLiteral("place"), QString::fromStdString(step.place));
     }
-    for (const std::string &panel : step.panels)
-        followLessonLink(QStringLiteral("panel"), QString::fromStdString(panel));
+    showPanelsOfStep();
     // What it letters is to be seen.
     const bool hasCube = step.highlights.contains(Highlight::Cube);
     const bool hasObserver = std::count(step.panels.begin(), step.panels.end(), kObserverPanel) > 0;
@@ -129,6 +134,33 @@ void MainWindow::showHighlights()
         m_observer->view().setHighlights(highlights);
 }
 
+void MainWindow::showPanelsOfStep()
+{
+    const lessons::Step &step = m_lessons->step();
+    const std::vector<std::string> none;
+    const std::vector<std::string> &hidden = step.question && !m_lessons->isRevealed() ? step.question->hides : none;
+    const auto isHidden = [&hidden](const std::string &panel) {
+        return std::count(hidden.begin(), hidden.end(), panel) > 0;
+    };
+    std::erase_if(m_panelsWithAnswer, [&](const auto &one) {
+        const bool comesBack = !isHidden(one.second) && qstrcmp(one.first, m_places->current()) == 0;
+        if (comesBack)
+            m_places->show(one.second.c_str());
+        return comesBack;
+    });
+    for (const std::string &panel : step.panels) {
+        if (!isHidden(panel))
+            followLessonLink(QStringLiteral("panel"), QString::fromStdString(panel));
+    }
+    for (const std::string &panel : hidden) {
+        QDockWidget *dock = m_places->dock(panel.c_str());
+        if (dock->isHidden())
+            continue;
+        dock->hide();
+        m_panelsWithAnswer.emplace_back(m_places->current(), panel);
+    }
+}
+
 void MainWindow::showPanelOfLesson(const char *panel)
 {
     if (qstrcmp(panel, kObserverPanel) == 0) { // which goes along from place to place
@@ -163,19 +195,41 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
             place != places.end() && qstrcmp(place->id, m_places->current()) != 0)
             m_places->enter(place->id);
     } else if (scheme == QLatin1String("view")) {
-        const double ratio = m_view->devicePixelRatioF();
-        const QSize pixels(target.section(u'x', 0, 0).toInt(), target.section(u'x', 1).toInt());
         if (!m_sizeBeforeLesson)
             m_sizeBeforeLesson = size();
-        const QSize wanted = (QSizeF(pixels) / ratio).toSize();
-        setViewSize(wanted);
-        // In a window that cannot be narrower the panel takes the rest, once all stands where it will.
-        QTimer::singleShot(0, this, [this, wanted] {
-            QDockWidget *dock = m_places->dock(kLessonPanel);
-            if (const int rest = m_view->width() - wanted.width(); rest > 0)
-                resizeDocks({dock}, {dock->width() + rest}, Qt::Horizontal);
-        });
+        m_viewOfLesson = QSize(target.section(u'x', 0, 0).toInt(), target.section(u'x', 1).toInt());
+        m_viewTrials = 0;
+        fitViewOfLesson();
     }
+}
+
+void MainWindow::fitViewOfLesson()
+{
+    constexpr int kMostTrials = 5;
+    const QSize wanted = (QSizeF(m_viewOfLesson) / m_view->devicePixelRatioF()).toSize();
+    if (m_view->size() == wanted && m_viewTrials > 0)
+        return;
+    if (m_viewTrials == kMostTrials) {
+        const Surface &surface = m_document->geometry().surface;
+        //: Sizes in pixels: what the view has, then what it should have.
+        m_message->showMessage(
+            tr("The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, "
+               "or take the window out of full screen.")
+                .arg(surface.widthPixels)
+                .arg(surface.heightPixels)
+                .arg(m_viewOfLesson.width())
+                .arg(m_viewOfLesson.height()));
+        return;
+    }
+    // Panels that came, went or had other sizes in a smaller window find their places a little later.
+    setViewSize(wanted);
+    if (const int rest = m_view->width() - wanted.width(); m_viewTrials > 0 && rest > 0) {
+        // In a window that cannot be narrower the panel takes the rest.
+        QDockWidget *dock = m_places->dock(kLessonPanel);
+        resizeDocks({dock}, {dock->width() + rest}, Qt::Horizontal);
+    }
+    ++m_viewTrials;
+    m_viewTimer.start();
 }
 
 } // namespace unprojector::gui

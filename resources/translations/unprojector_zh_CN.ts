@@ -2668,10 +2668,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>画面与本步不同。&lt;a href=&apos;restart:&apos;&gt;恢复原样&lt;/a&gt;</translation>
     </message>
     <message>
-        <source>The pixels that are spoken of are those of a view of &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt;.</source>
-        <translation>文中的像素以 &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt; 的视图为准。</translation>
-    </message>
-    <message>
         <source>Right: %1.</source>
         <translation>正确：%1。</translation>
     </message>
@@ -2682,6 +2678,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>It is %1.</source>
         <translation>答案是 %1。</translation>
+    </message>
+    <message>
+        <source>The panel that has the answer opens with it.</source>
+        <translation>显示答案的面板会随答案一起打开。</translation>
+    </message>
+    <message>
+        <source>The pixels that are spoken of are those of a view of &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt;. This one is %3 × %4.</source>
+        <translation>所说的像素是 &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt; 的视图中的像素。现在的视图是 %3 × %4。</translation>
     </message>
 </context>
 <context>
@@ -3482,6 +3486,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>The program speaks Chinese, but no font here has its characters. Install one, such as the package fonts-noto-cjk of Debian and Ubuntu, and start the program again.</source>
         <translation>程序有中文界面，但本机没有含汉字的字体。请安装一种，例如 Debian 和 Ubuntu 的软件包 fonts-noto-cjk，然后重新启动程序。</translation>
+    </message>
+    <message>
+        <source>The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, or take the window out of full screen.</source>
+        <extracomment>Sizes in pixels: what the view has, then what it should have.</extracomment>
+        <translation>视图现在是 %1 × %2：在这个窗口中无法达到 %3 × %4。请关闭旁边的面板，或退出全屏。</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,8 @@
 #include "gui/view/highlight_marks.h"
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_overlay.h"
+#include "gui/view/scene_view.h"
+#include "gui/window/first_steps.h"
 #include "gui/window/lesson_panel.h"
 #include "window_user.h"
 
@@ -17,6 +19,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSet>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTextBrowser>
@@ -127,6 +130,12 @@ private slots:
     void anotherSceneEndsTheLesson();
     void theKeysGoFromStepToStep();
     void theViewGetsTheSizeOfTheNumbers();
+    void theLastLinkSaysTheSize_data();
+    void theLastLinkSaysTheSize();
+    void theNoteForNewcomersWaits();
+    void aSizeThatCannotBeIsTold();
+    void theCrosshairIsInTheMiddleOfAnotherScene();
+    void whatHasTheAnswerWaitsForIt();
     void aLinkChangesTheScene();
     void aChangeThatDoesNotFitIsTold();
     void lettersAreDrawnWhereAStepWantsThem();
@@ -367,6 +376,122 @@ void TestLessonsWindow::theViewGetsTheSizeOfTheNumbers()
     QVERIFY(pick && pick->hit());
     const WorldPoint read = *pick->point.world[Method::Formula];
     QVERIFY(distance(read, WorldPoint(-1.5, 3.5, 5.0)) < 1e-5);
+}
+
+void TestLessonsWindow::theLastLinkSaysTheSize_data()
+{
+    QTest::addColumn<QStringList>("links");
+    QTest::newRow("larger") << QStringList{"view:300x300", "view:500x500"};
+    QTest::newRow("to and fro") << QStringList{"view:300x300", "view:700x400", "view:320x340"};
+}
+
+void TestLessonsWindow::theLastLinkSaysTheSize()
+{
+    QFETCH(QStringList, links);
+    for (const bool atOnce : {true, false}) {
+        const auto window = windowOfSize(kWide);
+        QVERIFY(window->lessons().start("rows"));
+        follow(*window, QStringLiteral("step:round_trip"));
+        const auto hasSize = [&](const QString &link) {
+            return QStringLiteral("view:%1x%2").arg(window->view().width()).arg(window->view().height()) == link;
+        };
+        for (const QString &link : links) {
+            follow(*window, link);
+            if (!atOnce)
+                QTRY_VERIFY(hasSize(link));
+        }
+        QTRY_VERIFY(hasSize(links.last()));
+        QTest::qWait(200); // and it stays so
+        QVERIFY2(hasSize(links.last()), qPrintable(links.last()));
+        QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    }
+}
+
+void TestLessonsWindow::theNoteForNewcomersWaits()
+{
+    QSettings().clear();
+    const auto window = windowOfSize({1100, 700}, true);
+    const auto *note = window->findChild<FirstSteps *>();
+    QVERIFY(note && note->isVisible());
+    QVERIFY(window->lessons().start("rows"));
+    QVERIFY(!note->isVisible());
+    follow(*window, QStringLiteral("step:round_trip"));
+    follow(*window, QStringLiteral("view:300x300"));
+    QTRY_COMPARE(window->view().size(), QSize(300, 300));
+    QVERIFY(window->lessons().leave());
+    QVERIFY(note->isVisible());
+}
+
+void TestLessonsWindow::aSizeThatCannotBeIsTold()
+{
+    const auto window = windowOfSize({1100, 700});
+    QVERIFY(window->lessons().start("rows"));
+    follow(*window, QStringLiteral("step:round_trip"));
+    QVERIFY(hintOf(*window));
+    window->setMinimumHeight(600);
+    follow(*window, QStringLiteral("view:300x300"));
+    QTRY_VERIFY2(window->message().contains(QStringLiteral("it cannot be 300 × 300")), qPrintable(window->message()));
+    const QString size = QStringLiteral("%1 × %2").arg(window->view().width()).arg(window->view().height());
+    QVERIFY2(window->message().contains(QStringLiteral("The view is ") + size), qPrintable(window->message()));
+    QVERIFY2(hintOf(*window)->text().endsWith(QStringLiteral("This one is %1.").arg(size)),
+             qPrintable(hintOf(*window)->text()));
+}
+
+void TestLessonsWindow::theCrosshairIsInTheMiddleOfAnotherScene()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = window->lessons();
+    QVERIFY(player.start("weng"));
+    SceneView &view = window->view();
+    const auto pixelOfEnter = [&] {
+        QTest::keyClick(&view, Qt::Key_Return);
+        const auto &pick = window->document().pick();
+        return pick ? QPoint(pick->devicePixel.i, pick->devicePixel.j) : QPoint(-1, -1);
+    };
+    follow(*window, QStringLiteral("click:clicked"));
+    const QPoint clicked = pixelOfEnter();
+    QVERIFY(player.next()); // the same scene
+    QCOMPARE(pixelOfEnter(), clicked);
+    QVERIFY(player.start("first"));
+    QVERIFY((pixelOfEnter() - view.rect().center()).manhattanLength() <= 2);
+}
+
+void TestLessonsWindow::whatHasTheAnswerWaitsForIt()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = window->lessons();
+    const auto goTo = [&](const char *id) {
+        return player.goTo(std::size_t(player.lesson()->step(id) - player.lesson()->steps.data()));
+    };
+    const auto isSaid = [&] {
+        return panelOf(*window).text().contains(QStringLiteral("The panel that has the answer"));
+    };
+    QVERIFY(player.start("pipeline"));
+    QVERIFY(dockOf(*window, "pipeline")->isHidden() && isSaid());
+    QVERIFY(goTo("load_identity")); // what it asks is of another step
+    QVERIFY(isSeen(*window, "pipeline") && !isSaid());
+    QVERIFY(goTo("look_at"));
+    QVERIFY(dockOf(*window, "pipeline")->isHidden() && isSaid());
+    answer(*window, QStringLiteral("0.5")); // which is not it
+    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    answer(*window, QStringLiteral("0.75"));
+    QVERIFY(isSeen(*window, "pipeline") && !isSaid());
+    QVERIFY(goTo("model_view"));
+    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    QTest::mouseClick(buttonOf(*window, QStringLiteral("Show")), Qt::LeftButton);
+    QVERIFY(isSeen(*window, "pipeline"));
+    QVERIFY(goTo("viewport_50"));
+    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    QVERIFY(goTo("viewport_quarter")); // never answered
+    QVERIFY(isSeen(*window, "pipeline"));
+    QVERIFY(player.leave());
+    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    // The user's own stays the user's.
+    window->places().show("pipeline");
+    QVERIFY(player.start("pipeline"));
+    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    QVERIFY(player.leave());
+    QVERIFY(isSeen(*window, "pipeline"));
 }
 
 void TestLessonsWindow::aClickMeetsTheStepsPointInEveryView_data()
