@@ -8,6 +8,7 @@
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/elided_label.h"
 #include "gui/panels/formula_view.h"
+#include "gui/panels/help_link.h"
 #include "gui/panels/other_programs_view.h"
 #include "gui/panels/ray_model.h"
 #include "gui/panels/ray_table.h"
@@ -166,11 +167,28 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_ray);
     layout->addWidget(m_rayDetail);
     layout->addLayout(tools);
-    layout->addWidget(m_certainty);
-    layout->addWidget(m_cause);
+    const auto addWithHelp = [layout](QWidget *label, const QString &anchor) {
+        auto *line = new QHBoxLayout;
+        line->setSpacing(2);
+        line->addWidget(label, 1, Qt::AlignTop);
+        line->addWidget(new HelpLink(anchor), 0, Qt::AlignTop);
+        layout->addLayout(line);
+    };
+    addWithHelp(m_certainty, QStringLiteral("certainty"));
+    addWithHelp(m_cause, QStringLiteral("matrix"));
     layout->addWidget(m_others);
     layout->addWidget(m_apis);
-    layout->addWidget(new QLabel(tr("The formula with its numbers:")));
+    auto *formulaLine = new QHBoxLayout;
+    formulaLine->addWidget(new QLabel(tr("The formula with its numbers:")), 1);
+    const auto addMethod = [formulaLine](const QString &method, const QString &anchor) {
+        auto *link = new HelpLink(anchor);
+        link->setText(QStringLiteral("%1 ?").arg(method));
+        link->setAccessibleName(QStringLiteral("%1: %2").arg(method, link->toolTip()));
+        formulaLine->addWidget(link);
+    };
+    addMethod(tr("Formula"), QStringLiteral("weng"));
+    addMethod(tr("Matrix"), QStringLiteral("matrix"));
+    layout->addLayout(formulaLine);
     layout->addWidget(m_formula, 1);
 
     connect(m_showsFloat, &QCheckBox::toggled, this, [this](bool shows) {

@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/panels/depth_precision_plot.h"
+#include "gui/panels/help_link.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
@@ -66,7 +67,8 @@ Place placeOf(const SceneDocument &document, const DepthScale &scale)
 } // namespace
 
 DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget *parent)
-    : QWidget(parent), m_document(document), m_plot(new DepthPrecisionPlot)
+    : QWidget(parent), m_document(document), m_plot(new DepthPrecisionPlot),
+      m_help(new HelpLink(QStringLiteral("certainty")))
 {
     const QString error = errorText(1.2e-5), distance = writtenText(12345.6, 6);
     m_words = new SteadyLabel(
@@ -85,7 +87,11 @@ DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget 
     // The panel says itself how small it can be: what is shown now must not keep it from becoming narrow.
     m_layout->setSizeConstraint(QLayout::SetNoConstraint);
     m_layout->addWidget(m_plot, 3);
-    m_layout->addWidget(m_words, 2, Qt::AlignTop);
+    auto *words = new QHBoxLayout;
+    words->setSpacing(kMargin / 2);
+    words->addWidget(m_words, 1, Qt::AlignTop);
+    words->addWidget(m_help, 0, Qt::AlignTop);
+    m_layout->addLayout(words, 2);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (isVisible()
             && changes
@@ -113,7 +119,8 @@ void DepthPrecisionPanel::arrange()
     const bool isBeside = room >= 2 * plot.width();
     m_layout->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_layout->setStretch(1, isBeside ? 2 : 0);
-    const int words = m_words->heightAt(isBeside ? 2 * (room - kMargin) / 5 : room);
+    const int words =
+        m_words->heightAt((isBeside ? 2 * (room - kMargin) / 5 : room) - m_help->sizeHint().width() - kMargin / 2);
     setMinimumHeight(2 * kMargin + (isBeside ? std::max(plot.height(), words) : plot.height() + kMargin + words));
 }
 

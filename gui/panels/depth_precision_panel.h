@@ -10,6 +10,7 @@ namespace unprojector::gui {
 using namespace unproject;
 
 class DepthPrecisionPlot;
+class HelpLink;
 class SceneDocument;
 class SteadyLabel;
 
@@ -39,6 +40,7 @@ private:
     QBoxLayout *m_layout;
     DepthPrecisionPlot *m_plot;
     SteadyLabel *m_words;
+    HelpLink *m_help;
 };
 
 } // namespace unprojector::gui

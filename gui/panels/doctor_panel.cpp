@@ -8,6 +8,7 @@
 #include "gui/panels/code_changes_view.h"
 #include "gui/panels/contrast.h"
 #include "gui/panels/diagnosis_view.h"
+#include "gui/panels/help_link.h"
 #include "gui/panels/typing_pause.h"
 #include "gui/panels/wrong_points_form.h"
 #include "gui/text/error_text.h"
@@ -190,7 +191,11 @@ QWidget *DoctorPanel::createProgram()
     auto *layout = new QVBoxLayout(whole);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    layout->addWidget(m_fold);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_fold);
+    head->addStretch();
+    head->addWidget(new HelpLink(QStringLiteral("wrong")));
+    layout->addLayout(head);
     layout->addWidget(m_program);
     connect(m_fold, &QToolButton::toggled, this, [this](bool isOpen) {
         m_fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);

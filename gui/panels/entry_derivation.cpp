@@ -108,7 +108,7 @@ QString resultText(const Numbers &numbers, const Sum &sum, double shown)
         return Texts::tr("%1; the number shown, %2, was given, and what leads to it was computed back from there")
             .arg(numbers.text(sum.value), numbers.text(shown));
     if (shown != 0.0 && std::abs(shown) <= rounding)
-        return Texts::tr("0: the %1 shown is what rounding leaves").arg(numbers.text(shown, 2));
+        return Texts::tr("0: the %1 shown is no more than rounding leaves").arg(numbers.text(shown, 2));
     if (shown == 0.0 || rounding == 0.0)
         return numbers.text(shown);
     const double certain = std::floor(std::log10(std::abs(shown) / rounding)) + 1.0;

@@ -2,6 +2,7 @@
 
 #include "gui/panels/matrix_model.h"
 #include "gui/panels/number_grid.h"
+#include "gui/text/help_anchors.h"
 #include "gui/text/number_text.h"
 
 #include <QLabel>
@@ -26,6 +27,23 @@ QString letterOf(MatrixStep step)
     case MatrixStep::NearToSquare: return QStringLiteral("B");
     case MatrixStep::FromConventions: return QStringLiteral("C′");
     case MatrixStep::ToConventions: return QStringLiteral("C");
+    }
+    Q_UNREACHABLE();
+}
+
+QString helpOf(MatrixStep step)
+{
+    switch (step) {
+    case MatrixStep::MoveEye:
+    case MatrixStep::TurnAxes: return QStringLiteral("view");
+    case MatrixStep::MoveBox:
+    case MatrixStep::ScaleBox:
+    case MatrixStep::TurnZ: return QStringLiteral("ortho-steps");
+    case MatrixStep::Shear: return QStringLiteral("oblique");
+    case MatrixStep::OntoNear: return QStringLiteral("depth-row");
+    case MatrixStep::NearToSquare: return QStringLiteral("scales");
+    case MatrixStep::FromConventions:
+    case MatrixStep::ToConventions: return QStringLiteral("axes");
     }
     Q_UNREACHABLE();
 }
@@ -64,6 +82,9 @@ FactorsView::FactorsView(QWidget *parent) : QWidget(parent), m_product(new QLabe
     for (Part &part : m_parts) {
         part.text = new QLabel;
         part.text->setWordWrap(true);
+        part.text->setTextFormat(Qt::RichText);
+        part.text->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+        part.text->setOpenExternalLinks(true);
         part.model = new MatrixModel(PipelineStage::WholeMatrix, this);
         part.grid = new NumberGrid(part.model);
         part.grid->setAccessibleName(tr("Factor"));
@@ -89,7 +110,9 @@ void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm
             continue;
         const QString letter = letterOf(factors[i].step), text = textOf(factors[i].step);
         letters << letter;
-        part.text->setText(tr("%1.  %2  %3").arg(i + 1).arg(letter, text));
+        // The letter leads to where Help derives the step.
+        const QString link = QStringLiteral("<a href=\"%1\">%2</a>").arg(helpAddress(helpOf(factors[i].step)), letter);
+        part.text->setText(QStringLiteral("%1.&nbsp; %2&nbsp; %3").arg(i + 1).arg(link, text.toHtmlEscaped()));
         part.model->setVariableName(letter);
         part.model->setView(view);
         part.model->setMatrix(factors[i].matrix, PipelineDirection::Forward, ProjectionKind::Perspective, false);

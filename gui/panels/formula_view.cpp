@@ -2,6 +2,8 @@
 
 #include "gui/panels/contrast.h"
 #include "gui/panels/copy_menu.h"
+#include "gui/panels/help_link.h"
+#include "gui/text/help_anchors.h"
 
 #include <QContextMenuEvent>
 #include <QHelpEvent>
@@ -19,6 +21,12 @@ namespace {
 constexpr double kMargin = 6.0;
 /// A serif looks smaller than the window's own type.
 constexpr double kTypeScale = 1.12;
+
+/// Of a formula's link: one without a number has a "?" as everything else.
+QString linkText(const FormulaWithNumbers &formula)
+{
+    return formula.number().isEmpty() ? QStringLiteral("?") : formula.number();
+}
 
 } // namespace
 
@@ -54,18 +62,23 @@ void FormulaView::set()
     m_lines.clear();
     double y = kMargin, widest = 0.0;
     for (const FormulaWithNumbers &formula : m_formulas.formulas) {
-        const double numberWidth =
-            formula.number().isEmpty() ? 0.0 : QFontMetricsF(font).horizontalAdvance(formula.number()) + em;
-        const auto add = [&](const QString &markup, double x, double right, const QString &number) {
-            Line line{FormulaLayout(markup, font), {kMargin + x, y}, number};
+        const QString number = linkText(formula);
+        const double numberWidth = QFontMetricsF(font).horizontalAdvance(number);
+        const auto add = [&](const QString &markup, double x, double right, bool isNumbered) {
+            Line line{FormulaLayout(markup, font), {kMargin + x, y}, {}, {}};
             line.layout.setWidth(width - x - right);
+            if (isNumbered) {
+                const double middle = y + line.layout.size().height() / 2.0;
+                line.number = formula.number();
+                line.numberPlace = {kMargin + width - numberWidth, middle - em / 2.0, numberWidth, em};
+            }
             y += line.layout.size().height();
             widest = std::max(widest, kMargin + x + line.layout.size().width() + right);
             m_lines.push_back(std::move(line));
         };
-        add(formula.symbols(), 0.0, numberWidth, formula.number());
+        add(formula.symbols(), 0.0, numberWidth + em, true);
         y += 0.15 * em;
-        add(formula.numbers(), indent, 0.0, {});
+        add(formula.numbers(), indent, 0.0, false);
         y += 0.7 * em;
     }
     m_size = {widest + kMargin, y};
@@ -93,12 +106,12 @@ void FormulaView::paintEvent(QPaintEvent *)
     for (const Line &line : m_lines) {
         const QPointF place = line.place + scrolled;
         line.layout.paint(painter, place, {ink, mark}, m_marked);
-        if (line.number.isEmpty())
+        if (line.numberPlace.isEmpty())
             continue;
         painter.setFont(formulaFont(font().pointSizeF() * kTypeScale));
-        painter.setPen(quiet);
-        painter.drawText(QRectF(kMargin, place.y(), viewport()->width() - 2.0 * kMargin, line.layout.size().height()),
-                         Qt::AlignRight | Qt::AlignVCenter, line.number);
+        painter.setPen(palette().color(QPalette::Link));
+        painter.drawText(line.numberPlace.translated(scrolled), Qt::AlignRight | Qt::AlignVCenter,
+                         line.number.isEmpty() ? QStringLiteral("?") : line.number);
     }
 }
 
@@ -135,6 +148,24 @@ std::vector<QRectF> FormulaView::placesOf(const QString &term) const
     return places;
 }
 
+const FormulaView::Line *FormulaView::numberAt(const QPoint &position) const
+{
+    const QPointF inContent = QPointF(position) + QPointF(0.0, verticalScrollBar()->value());
+    const auto found = std::find_if(m_lines.begin(), m_lines.end(), [&inContent](const Line &line) {
+        return !line.numberPlace.isEmpty() && line.numberPlace.adjusted(-3.0, -2.0, 3.0, 2.0).contains(inContent);
+    });
+    return found == m_lines.end() ? nullptr : &*found;
+}
+
+QRectF FormulaView::placeOfNumber(const QString &number) const
+{
+    for (const Line &line : m_lines) {
+        if (!line.numberPlace.isEmpty() && line.number == number)
+            return line.numberPlace.translated(0.0, -verticalScrollBar()->value());
+    }
+    return {};
+}
+
 QString FormulaView::toolTipOf(const QString &term) const
 {
     const auto found = m_formulas.terms.find(term);
@@ -158,6 +189,14 @@ void FormulaView::mark(const QString &term)
 void FormulaView::mouseMoveEvent(QMouseEvent *event)
 {
     mark(termAt(event->pos()));
+    viewport()->setCursor(numberAt(event->pos()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+}
+
+void FormulaView::mouseReleaseEvent(QMouseEvent *event)
+{
+    const Line *line = event->button() == Qt::LeftButton ? numberAt(event->pos()) : nullptr;
+    if (line)
+        openHelp(helpAnchorOf(line->number));
 }
 
 bool FormulaView::viewportEvent(QEvent *event)
@@ -166,7 +205,10 @@ bool FormulaView::viewportEvent(QEvent *event)
         mark({});
     if (event->type() == QEvent::ToolTip) {
         auto *help = static_cast<QHelpEvent *>(event);
-        const QString text = toolTipOf(termAt(help->pos()));
+        const Line *line = numberAt(help->pos());
+        const QString text = !line                    ? toolTipOf(termAt(help->pos()))
+                             : line->number.isEmpty() ? tr("This formula in Help")
+                                                      : tr("Formula %1 in Help").arg(line->number);
         if (text.isEmpty())
             QToolTip::hideText();
         else
@@ -183,13 +225,33 @@ void FormulaView::contextMenuEvent(QContextMenuEvent *event)
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("Copy the formulas"), this, &FormulaView::copyAll);
-    const QString term = termAt(viewport()->mapFromGlobal(event->globalPos()));
+    const QPoint position = viewport()->mapFromGlobal(event->globalPos());
+    const QString term = termAt(position);
     if (const auto found = m_formulas.terms.find(term);
         found != m_formulas.terms.end() && !found->second.exact.empty()) {
         menu->addSeparator();
         addCopyActions(*menu, {}, {term, found->second.exact});
     }
+    menu->addSeparator();
+    addHelpActions(*menu, position, event->reason() == QContextMenuEvent::Keyboard);
     menu->popup(event->globalPos());
+}
+
+/// To the formula under the pointer; from the keyboard to each.
+void FormulaView::addHelpActions(QMenu &menu, const QPoint &position, bool isOfAll) const
+{
+    const double y = position.y() + verticalScrollBar()->value();
+    QString before;
+    for (const Line &line : m_lines) {
+        const double top = line.place.y(), bottom = top + line.layout.size().height();
+        if (line.numberPlace.isEmpty() || (!isOfAll && (y < top || y > bottom)))
+            continue;
+        const QString name =
+            line.number.isEmpty() ? tr("This formula in Help") : tr("Formula %1 in Help").arg(line.number);
+        if (name != before) // (15) stands twice
+            menu.addAction(name, this, [anchor = helpAnchorOf(line.number)] { openHelp(anchor); });
+        before = name;
+    }
 }
 
 void FormulaView::keyPressEvent(QKeyEvent *event)

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+class QMenu;
+
 namespace unprojector::gui {
 
 /// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands, and
@@ -27,6 +29,8 @@ public:
     std::vector<QRectF> placesOf(const QString &term) const;
     /// What its tooltip says of a term: "n = 2" and its name.
     QString toolTipOf(const QString &term) const;
+    /// Where a formula's number stands in the viewport: a link to its place in Help. Empty where there is no such number.
+    QRectF placeOfNumber(const QString &number) const;
     /// Of all that is set, logical pixels.
     QSizeF contentSize() const { return m_size; }
 
@@ -38,6 +42,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
     bool viewportEvent(QEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
@@ -47,9 +52,12 @@ private:
         FormulaLayout layout;
         QPointF place; ///< top left in the content
         QString number;
+        QRectF numberPlace; ///< in the content; empty where the line has none
     };
     void set();
     QString termAt(const QPoint &position) const;
+    const Line *numberAt(const QPoint &position) const;
+    void addHelpActions(QMenu &menu, const QPoint &position, bool isOfAll) const;
     void mark(const QString &term);
     void copyAll() const;
 

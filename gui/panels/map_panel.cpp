@@ -1,5 +1,6 @@
 #include "gui/panels/map_panel.h"
 
+#include "gui/panels/help_link.h"
 #include "gui/text/map_text.h"
 #include "gui/text/number_text.h"
 
@@ -14,6 +15,21 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+namespace {
+
+QString helpOf(maps::Quantity quantity)
+{
+    switch (quantity) {
+    case maps::Quantity::FormulaMatrix:
+    case maps::Quantity::MatrixRay: return QStringLiteral("matrix");
+    case maps::Quantity::FormulaRay: return QStringLiteral("closed");
+    case maps::Quantity::Uncertainty: return QStringLiteral("certainty");
+    case maps::Quantity::Displacement: return QStringLiteral("half-pixel");
+    }
+    Q_UNREACHABLE();
+}
+
+} // namespace
 
 ColorScale::ColorScale(QWidget *parent) : QWidget(parent)
 {
@@ -71,7 +87,7 @@ void ColorScale::paintEvent(QPaintEvent *)
 MapPanel::MapPanel(QWidget *parent)
     : QFrame(parent), m_quantity(new QComboBox), m_convention(new QComboBox), m_unit(new QComboBox),
       m_colors(new QComboBox), m_scale(new ColorScale), m_value(new QLabel), m_note(new QLabel),
-      m_export(new QPushButton(tr("E&xport…")))
+      m_export(new QPushButton(tr("E&xport…"))), m_help(new HelpLink(helpOf(maps::kQuantities.front())))
 {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
@@ -113,6 +129,7 @@ MapPanel::MapPanel(QWidget *parent)
 
     auto *head = new QHBoxLayout;
     head->addWidget(m_quantity, 1);
+    head->addWidget(m_help);
     head->addWidget(close);
     auto *ways = new QHBoxLayout;
     ways->addWidget(m_unit, 1);
@@ -132,6 +149,7 @@ MapPanel::MapPanel(QWidget *parent)
 
     const auto ask = [this] {
         m_convention->setVisible(question().quantity == maps::Quantity::Displacement);
+        m_help->setAnchor(helpOf(question().quantity));
         emit questionChanged();
     };
     for (QComboBox *box : {m_quantity, m_convention, m_unit})

@@ -14,6 +14,8 @@ class QPushButton;
 namespace unprojector::gui {
 
 /// A logarithmic scale in colours with its numbers below.
+class HelpLink;
+
 class ColorScale : public QWidget {
     Q_OBJECT
 public:
@@ -61,6 +63,7 @@ private:
     ColorScale *m_scale;
     QLabel *m_value, *m_note;
     QPushButton *m_export;
+    HelpLink *m_help;
     std::optional<LogScale> m_shown;
 };
 

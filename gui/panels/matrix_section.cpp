@@ -2,6 +2,7 @@
 
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/factors_view.h"
+#include "gui/panels/help_link.h"
 #include "gui/panels/matrix_model.h"
 #include "gui/panels/number_grid.h"
 
@@ -46,6 +47,9 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     line->addWidget(m_heading);
     line->addStretch();
     line->addWidget(m_copy);
+    m_help = new HelpLink({});
+    m_help->hide();
+    line->addWidget(m_help);
 
     auto *grid = new NumberGrid(model);
     grid->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -104,6 +108,12 @@ FactorsView *MatrixSection::addFactors()
         m_factors->setVisible(isApart);
     });
     return m_factors;
+}
+
+void MatrixSection::setHelp(const QString &anchor)
+{
+    m_help->setAnchor(anchor);
+    m_help->show();
 }
 
 bool MatrixSection::showsFactors() const

@@ -8,6 +8,7 @@ class QToolButton;
 namespace unprojector::gui {
 
 class FactorsView;
+class HelpLink;
 class MatrixModel;
 
 /// A matrix under a heading that opens and closes it, with a menu that copies it.
@@ -20,6 +21,8 @@ public:
     void setTitle(const QString &name, const QString &variable, const QString &product);
     bool isOpen() const { return m_isOpen; }
     void setOpen(bool isOpen);
+    /// Where Help has the matrix; without it the heading has no link.
+    void setHelp(const QString &anchor);
 
     /// Adds a button that takes the matrix apart, and below the matrix its factors, folded at first.
     FactorsView *addFactors();
@@ -33,6 +36,7 @@ private:
     MatrixModel *m_model;
     QToolButton *m_heading;
     QToolButton *m_copy;
+    HelpLink *m_help;
     QLabel *m_product;
     QWidget *m_body;
     QToolButton *m_takeApart = nullptr;

@@ -1,5 +1,6 @@
 #include "gui/panels/other_programs_view.h"
 
+#include "gui/panels/help_link.h"
 #include "gui/text/map_text.h"
 #include "gui/text/number_text.h"
 
@@ -24,7 +25,11 @@ OtherProgramsView::OtherProgramsView(QWidget *parent) : QWidget(parent), m_fold(
     m_answers->hide();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_fold);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_fold);
+    head->addStretch();
+    head->addWidget(new HelpLink(QStringLiteral("half-pixel")));
+    layout->addLayout(head);
     layout->addWidget(m_answers);
     connect(m_fold, &QToolButton::toggled, this, [this](bool isOpen) {
         m_fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);

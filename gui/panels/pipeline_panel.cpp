@@ -5,6 +5,7 @@
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/entry_derivation.h"
 #include "gui/panels/factors_view.h"
+#include "gui/panels/help_link.h"
 #include "gui/panels/matrix_findings_view.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
@@ -12,6 +13,7 @@
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/api_text.h"
+#include "gui/text/help_anchors.h"
 #include "gui/text/number_text.h"
 
 #include <QClipboard>
@@ -100,7 +102,12 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     m_derivation = new SteadyLabel(longestDerivations(false));
     m_derivation->setObjectName(QStringLiteral("derivation"));
     m_derivation->setAccessibleName(tr("How the chosen number comes about"));
-    layout->addWidget(m_derivation);
+    m_derivationHelp = new HelpLink({});
+    auto *derivation = new QHBoxLayout;
+    derivation->setSpacing(2);
+    derivation->addWidget(m_derivation, 1, Qt::AlignTop);
+    derivation->addWidget(m_derivationHelp, 0, Qt::AlignTop);
+    layout->addLayout(derivation);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint | Change::Conventions))
@@ -241,6 +248,7 @@ QWidget *PipelinePanel::createSwitches()
     fourth->addWidget(conventionsLabel);
     fourth->addWidget(m_conventions);
     fourth->addStretch();
+    fourth->addWidget(new HelpLink(QStringLiteral("spaces")));
     for (QHBoxLayout *line : {fourth, first, second, third})
         lines->addLayout(line);
     lines->addWidget(m_apiNote);
@@ -393,12 +401,45 @@ void PipelinePanel::arrange()
     showTitles();
 }
 
+QString PipelinePanel::helpOf(PipelineStage stage) const
+{
+    if (m_model->direction() == PipelineDirection::Backward)
+        return QStringLiteral("matrix");
+    switch (stage) {
+    case PipelineStage::ModelMatrix: return QStringLiteral("model");
+    case PipelineStage::ViewMatrix: return QStringLiteral("view");
+    case PipelineStage::ProjectionMatrix: return helpAnchorOf(kindOf(m_document.geometry().projection()));
+    case PipelineStage::ViewportMatrix: return QStringLiteral("viewport");
+    case PipelineStage::ModelviewMatrix:
+    case PipelineStage::WholeMatrix: return QStringLiteral("mvpw");
+    }
+    Q_UNREACHABLE();
+}
+
+QString PipelinePanel::helpOf(const EntryDerivation &derivation) const
+{
+    if (derivation.stage)
+        return helpOf(*derivation.stage);
+    if (!m_chosen || !derivation.source)
+        return QStringLiteral("spaces");
+    // The flip, and the division.
+    return m_chosen->space == Space::Window || m_chosen->space == Space::Widget ? QStringLiteral("half-pixel")
+                                                                                : QStringLiteral("viewport");
+}
+
+void PipelinePanel::showHelp()
+{
+    for (const PipelineStage stage : kPipelineStages)
+        m_sections[static_cast<std::size_t>(stage)]->setHelp(helpOf(stage));
+}
+
 void PipelinePanel::showTitles()
 {
     for (const PipelineStage stage : kPipelineStages)
         m_sections[static_cast<std::size_t>(stage)]->setTitle(
             stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
             productText(stage, m_model->direction(), m_model->view().layout));
+    showHelp();
     m_derivation->setLongest(longestDerivations(m_model->view().isWhole));
     showFactors();
     showDerivation();
@@ -424,6 +465,7 @@ void PipelinePanel::showDerivation()
         m_chosen ? entryDerivation(*m_model, m_document.geometry(), m_chosen->space, m_chosen->coordinate)
                  : EntryDerivation{entryHint(), {}, 0, {}, {}};
     m_derivation->setText(unbrokenTerms(derivation.text));
+    m_derivationHelp->setAnchor(helpOf(derivation));
     m_derivation->setToolTip(derivation.text);
     for (const PipelineStage stage : kPipelineStages) {
         MatrixModel *matrix = m_model->matrix(stage);
@@ -478,6 +520,7 @@ void PipelinePanel::showStatus()
 {
     showGiven();
     showFollowed();
+    showHelp();
     showFactors();
     showDerivation();
     if (m_status->text() != m_model->status()) {

@@ -13,7 +13,9 @@ class QVBoxLayout;
 
 namespace unprojector::gui {
 
+struct EntryDerivation;
 class FactorsView;
+class HelpLink;
 class MatrixFindingsView;
 class MatrixSection;
 class NumberGrid;
@@ -66,6 +68,9 @@ private:
     void showFlip();
     /// How the chosen coordinate comes about, and what of the panel it comes from marked.
     void showDerivation();
+    QString helpOf(PipelineStage stage) const;
+    QString helpOf(const EntryDerivation &derivation) const;
+    void showHelp();
     /// Of the view's and the projection's matrix, where they are taken apart.
     void showFactors();
     void showGiven();
@@ -100,6 +105,7 @@ private:
     QLabel *m_division;
     QLabel *m_flip;
     SteadyLabel *m_derivation;
+    HelpLink *m_derivationHelp;
     struct Entry {
         PointModel::Space space;
         int coordinate;

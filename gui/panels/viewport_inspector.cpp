@@ -5,6 +5,7 @@
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/corners_model.h"
 #include "gui/panels/digits_font.h"
+#include "gui/panels/help_link.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/steady_label.h"
 #include "gui/panels/viewport_drawing.h"
@@ -87,7 +88,11 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
     layout->setSpacing(4);
     // The panel says itself how small it can be: what is shown now must not keep it from becoming narrow.
     layout->setSizeConstraint(QLayout::SetNoConstraint);
-    layout->addWidget(m_page, 0, Qt::AlignLeft);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_page);
+    head->addStretch();
+    head->addWidget(new HelpLink(QStringLiteral("w3")));
+    layout->addLayout(head);
     layout->addLayout(m_contents, 1);
 
     addCopyAction();

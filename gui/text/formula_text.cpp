@@ -117,25 +117,25 @@ PickFormulas surfaceFormulas(const Pick &pick)
     if (!eye || !world || !depth || !frame)
         return {};
     PickFormulas result{{}, termsOf(pick, *eye, *world, *depth, *frame)};
-    const auto add = [&result](const char *numberInPaper, const char *left, const char *expression) {
-        result.formulas.emplace_back(QString::fromUtf8(numberInPaper), QString::fromUtf8(left),
-                                     QString::fromUtf8(expression), result.terms);
+    const auto add = [&result](const char *number, const char *left, const char *expression) {
+        result.formulas.emplace_back(QString::fromUtf8(number), QString::fromUtf8(left), QString::fromUtf8(expression),
+                                     result.terms);
     };
     const bool isOblique = std::holds_alternative<Oblique>(pick.geometry.projection());
     if (isPerspective(pick.geometry.projection())) {
-        add("", "z", "{[n]*[f] | [f]*(1 − [d]) + [n]*[d]}");
+        add("(13)", "z", "{[n]*[f] | [f]*(1 − [d]) + [n]*[d]}");
         add("(9)", "x", "{([px] − [vx])*([r] − [l])*[z] | [width] · [n]} + {[l]*[z] | [n]}");
         add("(10)", "y", "{([H] − [py] − [vy])*([t] − [b])*[z] | [height] · [n]} + {[b]*[z] | [n]}");
     } else {
-        add("", "z", "[n]*(1 − [d]) + [f]*[d]");
+        add("(14)", "z", "[n]*(1 − [d]) + [f]*[d]");
         add("(11)", isOblique ? "x0" : "x", "{([px] − [vx])*([r] − [l]) | [width]} + [l]");
         add("(12)", isOblique ? "y0" : "y", "{([H] − [py] − [vy])*([t] − [b]) | [height]} + [b]");
     }
     if (isOblique) {
-        add("", "x", "[x0] + [cotTheta]*[z]");
-        add("", "y", "[y0] + [cotPhi]*[z]");
+        add("(15)", "x", "[x0] + [cotTheta]*[z]");
+        add("(15)", "y", "[y0] + [cotPhi]*[z]");
     }
-    add("", "world", "[eye] + [x]*[s] + [y]*[u] + [z]*[forward]");
+    add("(16)", "world", "[eye] + [x]*[s] + [y]*[u] + [z]*[forward]");
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include "gui/document/recent_files.h"
 #include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
+#include "gui/panels/help_link.h"
 #include "gui/panels/icons.h"
 #include "gui/panels/paste_matrices_dialog.h"
 #include "gui/panels/points_panel.h"
@@ -397,6 +398,7 @@ void MainWindow::createAppearanceMenu(QMenu &menu)
 void MainWindow::createHelpMenu()
 {
     QMenu *menu = menuBar()->addMenu(tr("&Help"));
+    new HelpOpener([this](const QString &anchor) { showFormulas(anchor); }, menu);
     addAction(menu, tr("&Formulas"), QKeySequence::HelpContents,
               tr("All formulas with their sources, and the errors in the originals"), [this] { showFormulas({}); });
     addAction(menu, tr("&Mouse and Keys"), Qt::Key_Question, tr("What the mouse and every key do"),

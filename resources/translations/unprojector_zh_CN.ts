@@ -1392,6 +1392,14 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>Show &amp;what float would give</source>
         <translation>显示单精度的结果(&amp;W)</translation>
     </message>
+    <message>
+        <source>Formula</source>
+        <translation>公式</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>矩阵</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::CornersModel</name>
@@ -1967,10 +1975,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>%1；显示的数 %2 是给定的，通向它的数是由它反算得到的</translation>
     </message>
     <message>
-        <source>0: the %1 shown is what rounding leaves</source>
-        <translation>0：显示的 %1 是舍入的残余</translation>
-    </message>
-    <message>
         <source>row %1 of %2 · %3</source>
         <translation>%2 的第 %1 行 · %3</translation>
     </message>
@@ -2005,6 +2009,10 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Click a number of a vector, or go to it with Tab and the arrow keys: how it comes about then stands here.</source>
         <translation>点击向量中的一个数，或用 Tab 和方向键移到它上面：这里会写出它是怎样算出来的。</translation>
+    </message>
+    <message>
+        <source>0: the %1 shown is no more than rounding leaves</source>
+        <translation>0：显示的 %1 不超过舍入的残余</translation>
     </message>
 </context>
 <context>
@@ -2056,10 +2064,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Factor</source>
         <translation>因子</translation>
-    </message>
-    <message>
-        <source>%1.  %2  %3</source>
-        <translation>%1.  %2  %3</translation>
     </message>
     <message>
         <source>= %1, to the last digit</source>
@@ -2133,6 +2137,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Copy the formulas</source>
         <translation>复制公式</translation>
+    </message>
+    <message>
+        <source>This formula in Help</source>
+        <translation>帮助中的这个公式</translation>
+    </message>
+    <message>
+        <source>Formula %1 in Help</source>
+        <translation>帮助中的公式 %1</translation>
     </message>
 </context>
 <context>
@@ -2285,6 +2297,13 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>cut off</source>
         <translation>裁掉</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::HelpLink</name>
+    <message>
+        <source>Its formulas in Help</source>
+        <translation>帮助中的相应公式</translation>
     </message>
 </context>
 <context>

@@ -108,14 +108,14 @@ void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
     // z = 20 / (2.5 + 1.5) = 5. x = 0.828427 x (2 x 412.5 / 800 - 1) x 5 / 2 = 0.0647209; y the same with 300.5 / 600.
     QTest::newRow("frustum") << picked(frustumGeometry(), 412.0, 299.0, 0.75)
                              << QStringLiteral(
-                                    "z = n f / (f (1 − d) + n d)\n"
+                                    "(13) z = n f / (f (1 − d) + n d)\n"
                                     "  = 2 × 10 / (10 × (1 − 0.75) + 2 × 0.75) = 5\n\n"
                                     "(9) x = (px − vx) (r − l) z / (width · n) + l z / n\n  = (412.5 − 0) × (0.828427 "
                                     "− (−0.828427)) × 5 / (800 × 2) + (−0.828427) × 5 / 2 = 0.0647209\n\n"
                                     "(10) y = (rect.bottom − py − vy) (t − b) z / (height · n) + b z / n\n  = (600 − "
                                     "299.5 − 0) × (0.62132 − (−0.62132)) × 5 / (600 × 2) + (−0.62132) × 5 / 2 = "
                                     "0.00258883\n\n"
-                                    "world = eye + x s + y u + z f\n"
+                                    "(16) world = eye + x s + y u + z f\n"
                                     "  = (0, 0, 5) + 0.0647209 × (1, 0, 0) + 0.00258883 × (0, 1, 0) + 5 × (0, 0, −1) = "
                                     "(0.0647209, 0.00258883, 0)");
 
@@ -127,13 +127,13 @@ void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
     QTest::newRow("off-centre frustum in an offset viewport")
         << picked(offset, 300.0, 449.0, 0.5)
         << QStringLiteral(
-               "z = n f / (f (1 − d) + n d)\n"
+               "(13) z = n f / (f (1 − d) + n d)\n"
                "  = 1 × 4 / (4 × (1 − 0.5) + 1 × 0.5) = 1.6\n\n"
                "(9) x = (px − vx) (r − l) z / (width · n) + l z / n\n  = (300.5 − 100) × (1.5 − 0.5) × 1.6 / (400 × 1) "
                "+ 0.5 × 1.6 / 1 = 1.602\n\n"
                "(10) y = (rect.bottom − py − vy) (t − b) z / (height · n) + b z / n\n  = (600 − 449.5 − 50) × (1 − "
                "(−0.5)) × 1.6 / (300 × 1) + (−0.5) × 1.6 / 1 = 0.004\n\n"
-               "world = eye + x s + y u + z f\n"
+               "(16) world = eye + x s + y u + z f\n"
                "  = (0, 0, 5) + 1.602 × (1, 0, 0) + 0.004 × (0, 1, 0) + 1.6 × (0, 0, −1) = (1.602, 0.004, 3.4)");
 
     // z = 0.75 + 2.25 = 3; x = 350.5 x 6 / 600 - 3 = 0.505; y = 279.5 x 4 / 400 - 2 = 0.795
@@ -141,38 +141,38 @@ void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
     QTest::newRow("ortho")
         << picked(boxGeometry(box), 350.0, 120.0, 0.25)
         << QStringLiteral(
-               "z = n (1 − d) + f d\n"
+               "(14) z = n (1 − d) + f d\n"
                "  = 1 × (1 − 0.25) + 9 × 0.25 = 3\n\n"
                "(11) x = (px − vx) (r − l) / width + l\n  = (350.5 − 0) × (3 − (−3)) / 600 + (−3) = 0.505\n\n"
                "(12) y = (rect.bottom − py − vy) (t − b) / height + b\n  = (400 − 120.5 − 0) × (2 − (−2)) / 400 + (−2) "
                "= 0.795\n\n"
-               "world = eye + x s + y u + z f\n"
+               "(16) world = eye + x s + y u + z f\n"
                "  = (10, 20, 30) + 0.505 × (1, 0, 0) + 0.795 × (0, 1, 0) + 3 × (0, 0, −1) = (10.505, 20.795, 27)");
 
     // The near plane of a box may lie behind the eye: z = -0.75 + 2.25 = 1.5 with n = -1.
     QTest::newRow("ortho, negative near")
         << picked(boxGeometry(Ortho{-3.0, 3.0, -2.0, 2.0, -1.0, 9.0}), 50.0, 120.0, 0.25)
         << QStringLiteral(
-               "z = n (1 − d) + f d\n"
+               "(14) z = n (1 − d) + f d\n"
                "  = (−1) × (1 − 0.25) + 9 × 0.25 = 1.5\n\n"
                "(11) x = (px − vx) (r − l) / width + l\n  = (50.5 − 0) × (3 − (−3)) / 600 + (−3) = −2.495\n\n"
                "(12) y = (rect.bottom − py − vy) (t − b) / height + b\n  = (400 − 120.5 − 0) × (2 − (−2)) / 400 + (−2) "
                "= 0.795\n\n"
-               "world = eye + x s + y u + z f\n"
+               "(16) world = eye + x s + y u + z f\n"
                "  = (10, 20, 30) + (−2.495) × (1, 0, 0) + 0.795 × (0, 1, 0) + 1.5 × (0, 0, −1) = (7.505, 20.795, "
                "28.5)");
 
     QTest::newRow("oblique")
         << picked(boxGeometry(Oblique{box, radiansFromDegrees(45.0), radiansFromDegrees(90.0)}), 350.0, 120.0, 0.25)
         << QStringLiteral(
-               "z = n (1 − d) + f d\n"
+               "(14) z = n (1 − d) + f d\n"
                "  = 1 × (1 − 0.25) + 9 × 0.25 = 3\n\n"
                "(11) x0 = (px − vx) (r − l) / width + l\n  = (350.5 − 0) × (3 − (−3)) / 600 + (−3) = 0.505\n\n"
                "(12) y0 = (rect.bottom − py − vy) (t − b) / height + b\n  = (400 − 120.5 − 0) × (2 − (−2)) / 400 + "
                "(−2) = 0.795\n\n"
-               "x = x0 + cot θ z\n  = 0.505 + cot 45° × 3 = 3.505\n\n"
-               "y = y0 + cot φ z\n  = 0.795 + cot 90° × 3 = 0.795\n\n"
-               "world = eye + x s + y u + z f\n"
+               "(15) x = x0 + cot θ z\n  = 0.505 + cot 45° × 3 = 3.505\n\n"
+               "(15) y = y0 + cot φ z\n  = 0.795 + cot 90° × 3 = 0.795\n\n"
+               "(16) world = eye + x s + y u + z f\n"
                "  = (10, 20, 30) + 3.505 × (1, 0, 0) + 0.795 × (0, 1, 0) + 3 × (0, 0, −1) = (13.505, 20.795, 27)");
 }
 

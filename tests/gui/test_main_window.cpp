@@ -2,11 +2,13 @@
 
 #include "window_user.h"
 
+#include "gui/panels/help_link.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/appearance.h"
 #include "gui/window/first_steps.h"
+#include "gui/window/formulas_window.h"
 #include "gui/window/key_sheet.h"
 #include "gui/window/place_ids.h"
 
@@ -14,11 +16,14 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSlider>
 #include <QTest>
 #include <QTextBrowser>
 #include <QTextTable>
+
+#include <algorithm>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -54,6 +59,7 @@ private slots:
     void noPanelTakesAMenusLetter();
     void aDarkWindowHasADarkView();
     void theKeySheetNamesEveryKey();
+    void aPanelLeadsToItsFormulas();
     void newcomersSeeThreeStepsUntilTheyClick();
     void anotherKindOfEdgesKeepsTheScene();
     void aChangeIsUndoneFromTheMenu();
@@ -397,6 +403,23 @@ void TestMainWindow::theKeySheetNamesEveryKey()
         QVERIFY2(said.count(row) == 1, qPrintable(row));
     }
     QVERIFY(keys > 20);
+}
+
+void TestMainWindow::aPanelLeadsToItsFormulas()
+{
+    const auto window = windowOfSize({1200, 800});
+    const QWidget *parameters = dockOf(*window, "parameters")->widget();
+    const QList<HelpLink *> links = parameters->findChildren<HelpLink *>();
+    const auto link = std::find_if(links.begin(), links.end(),
+                                   [](const HelpLink *one) { return one->anchor() == QLatin1String("viewport"); });
+    QVERIFY(link != links.end());
+    (*link)->click();
+    auto *formulas = window->findChild<FormulasWindow *>();
+    QVERIFY(formulas && formulas->isVisible());
+    const int there = formulas->page().verticalScrollBar()->value();
+    formulas->showFormula(QStringLiteral("viewport"));
+    QVERIFY(there > 0);
+    QCOMPARE(formulas->page().verticalScrollBar()->value(), there);
 }
 
 void TestMainWindow::newcomersSeeThreeStepsUntilTheyClick()

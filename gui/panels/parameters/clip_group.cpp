@@ -1,6 +1,7 @@
 #include "gui/panels/parameters/clip_group.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/panels/parameters/group_heading.h"
 #include "gui/text/number_text.h"
 
 #include <QCheckBox>
@@ -72,6 +73,7 @@ ClipGroup::ClipGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(document, Change::ClipPlanes,
                      {tr("Clip planes"), tr("Planes that cut the objects (glClipPlane)"), tr("No clip planes")}, parent)
 {
+    heading().setHelp(QStringLiteral("clip-planes"));
     content()->addWidget(wrappedLabel(tr("Kept is where A x + B y + C z + D ≥ 0, in world coordinates.")));
     m_list = new QVBoxLayout;
     m_list->setSpacing(2 * content()->spacing());

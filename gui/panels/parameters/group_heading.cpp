@@ -1,5 +1,7 @@
 #include "gui/panels/parameters/group_heading.h"
 
+#include "gui/panels/help_link.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QToolButton>
@@ -7,7 +9,7 @@
 namespace unprojector::gui {
 
 GroupHeading::GroupHeading(const QString &title, const QString &help, const QString &resetHelp, QWidget *parent)
-    : QWidget(parent), m_fold(new QToolButton), m_reset(new QToolButton)
+    : QWidget(parent), m_fold(new QToolButton), m_reset(new QToolButton), m_help(new HelpLink({}))
 {
     m_fold->setText(title);
     m_fold->setAccessibleName(title);
@@ -32,6 +34,8 @@ GroupHeading::GroupHeading(const QString &title, const QString &help, const QStr
     layout->setSpacing(0);
     layout->addWidget(m_fold, 1);
     layout->addWidget(m_reset);
+    layout->addWidget(m_help);
+    m_help->hide();
     connect(m_fold, &QToolButton::clicked, this, [this] { setOpen(!m_isOpen); });
     connect(m_reset, &QToolButton::clicked, this, &GroupHeading::resetRequested);
     setOpen(true);
@@ -40,6 +44,12 @@ GroupHeading::GroupHeading(const QString &title, const QString &help, const QStr
 QString GroupHeading::title() const
 {
     return m_fold->text();
+}
+
+void GroupHeading::setHelp(const QString &anchor)
+{
+    m_help->setAnchor(anchor);
+    m_help->show();
 }
 
 void GroupHeading::setOpen(bool isOpen)

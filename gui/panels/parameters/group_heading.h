@@ -6,6 +6,8 @@ class QToolButton;
 
 namespace unprojector::gui {
 
+class HelpLink;
+
 /// The heading of a folding group: a click, Space or Enter folds and unfolds it, Left folds, Right unfolds, Up and Down
 /// ask for another heading. At its end is a button that puts the group back to its defaults.
 class GroupHeading : public QWidget {
@@ -16,6 +18,8 @@ public:
     QString title() const;
     bool isOpen() const { return m_isOpen; }
     void setOpen(bool isOpen);
+    /// Where Help has the group's formulas; without it the heading has no link.
+    void setHelp(const QString &anchor);
     /// Where the keyboard reaches the heading.
     QToolButton *button() const { return m_fold; }
 
@@ -31,6 +35,7 @@ protected:
 private:
     QToolButton *m_fold;
     QToolButton *m_reset;
+    HelpLink *m_help;
     bool m_isOpen = true;
 };
 

@@ -2,6 +2,7 @@
 
 #include "gui/document/bundled_names.h"
 #include "gui/document/scene_document.h"
+#include "gui/panels/parameters/group_heading.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 
@@ -67,6 +68,7 @@ ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
                      parent),
       m_shown(new FollowedObject(document, this))
 {
+    heading().setHelp(QStringLiteral("model"));
     m_object = new QComboBox;
     m_object->setObjectName(QStringLiteral("object"));
     m_object->setAccessibleName(tr("Object"));

@@ -2,6 +2,8 @@
 #include "core/geometry/angle.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/panels/parameters/group_heading.h"
+#include "gui/text/help_anchors.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -261,6 +263,7 @@ void ProjectionGroup::showScene()
     if (kind == m_shownKind)
         return;
     m_shownKind = kind;
+    heading().setHelp(helpAnchorOf(kind));
     restoreFields();
     Projection projection = scene.projection;
     for (const Row &row : m_rows)

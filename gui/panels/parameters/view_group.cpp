@@ -1,6 +1,7 @@
 #include "gui/panels/parameters/view_group.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/panels/parameters/group_heading.h"
 
 #include <cmath>
 
@@ -20,6 +21,7 @@ ViewGroup::ViewGroup(SceneDocument &document, QWidget *parent)
         {tr("View"), tr("Where the camera stands (gluLookAt)"), tr("Back to the view that the scene opened with")},
         parent)
 {
+    heading().setHelp(QStringLiteral("view"));
     addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"), worldUnits(),
              tr("Where the camera stands, world units (gluLookAt: eye%1)"),
              [](LookAt &view, int i) { return component(view.eye, i); });

@@ -2,6 +2,7 @@
 
 #include "core/geometry/drawable.h"
 #include "gui/document/scene_document.h"
+#include "gui/panels/parameters/group_heading.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 
@@ -36,6 +37,7 @@ ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
         {tr("Viewport and depth"), tr("glViewport and glDepthRange"), tr("The whole window, depths from 0 to 1")},
         parent)
 {
+    heading().setHelp(QStringLiteral("viewport"));
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("viewportKind"));
     m_kind->setAccessibleName(tr("Part of the window"));

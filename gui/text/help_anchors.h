@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/geometry/projection.h"
+
+#include <QString>
+
+namespace unprojector::gui {
+
+/// Where Help has a formula of the paper or one of those numbered on from it.
+/// @param number  "(9)"; empty: a formula without one, whose place is the chapter of the way back
+QString helpAnchorOf(const QString &number);
+
+/// Where Help has the matrix of a kind of projection.
+QString helpAnchorOf(geometry::ProjectionKind kind);
+
+/// The link to a place of Help, for a label and QDesktopServices: "formulas:w9".
+QString helpAddress(const QString &anchor);
+
+} // namespace unprojector::gui
