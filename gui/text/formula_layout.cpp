@@ -5,6 +5,7 @@
 #include <QStringView>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace unprojector::gui {
@@ -282,7 +283,8 @@ QFont formulaFont(double pointSize)
 FormulaLayout::FormulaLayout(const QString &markup, const QFont &font) : m_markup(markup), m_font(font)
 {
     build(1.0);
-    breakLines(m_whole.width, false);
+    // In one line; its own width, summed in another order, would break it now and then.
+    breakLines(std::numeric_limits<double>::infinity(), false);
 }
 
 void FormulaLayout::build(double scale)

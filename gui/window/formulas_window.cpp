@@ -13,6 +13,7 @@
 #include <QKeyEvent>
 #include <QResizeEvent>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextFormat>
 #include <QToolBar>
@@ -203,6 +204,19 @@ void FormulasWindow::changeEvent(QEvent *event)
 void FormulasWindow::showFormula(const QString &anchor)
 {
     m_page->scrollToAnchor(anchor);
+}
+
+FormulasWindow::Reading FormulasWindow::reading() const
+{
+    return {zoomPercent(), m_page->cursorForPosition({0, 0}).blockNumber()};
+}
+
+void FormulasWindow::setReading(const Reading &reading)
+{
+    setZoomPercent(reading.zoomPercent);
+    QTextCursor place(m_page->document()->findBlockByNumber(reading.paragraph));
+    QScrollBar *bar = m_page->verticalScrollBar();
+    bar->setValue(bar->value() + m_page->cursorRect(place).top());
 }
 
 int FormulasWindow::zoomPercent() const

@@ -24,6 +24,14 @@ public:
     /// @param percent  kept between 60 and 300
     void setZoomPercent(int percent);
 
+    /// What is read, and in which size: the same paragraph in the page of every language.
+    struct Reading {
+        int zoomPercent;
+        int paragraph; ///< at the top, counted from 0
+    };
+    Reading reading() const;
+    void setReading(const Reading &reading);
+
     QTextBrowser &page() { return *m_page; }
     FindBar &findBar() { return *m_find; }
 

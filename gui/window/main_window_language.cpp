@@ -32,6 +32,7 @@
 #include <QVBoxLayout>
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace unprojector::gui {
@@ -182,7 +183,11 @@ void MainWindow::reopenWindows()
         }
         delete before;
     };
+    const std::optional<FormulasWindow::Reading> reading =
+        m_formulas ? std::optional(m_formulas->reading()) : std::nullopt;
     again(m_formulas, [this] { showFormulas({}); });
+    if (m_formulas)
+        m_formulas->setReading(*reading);
     again(m_keys, [this] { showKeys(); });
     again(m_code, [this] { showCode(); });
 }

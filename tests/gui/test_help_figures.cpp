@@ -6,12 +6,15 @@
 #include "gui/window/formulas_window.h"
 
 #include <QFile>
+#include <QFontMetricsF>
+#include <QHelpEvent>
 #include <QImage>
 #include <QPainter>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBrowser>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +94,8 @@ private slots:
     void aFigureIsDrawn();
     void thePageDrawsItInItsSize();
     void anUnknownFigureIsNone();
+    void aLabelIsOneLineInEverySize();
+    void itsWordsAreItsTooltip();
 };
 
 void TestHelpFigures::everyDerivationHasItsFigure_data()
@@ -220,6 +225,30 @@ void TestHelpFigures::thePageDrawsItInItsSize()
 void TestHelpFigures::anUnknownFigureIsNone()
 {
     QVERIFY(helpFigureSize(QStringLiteral("none"), formulaFont(kPointSize)).isEmpty());
+}
+
+void TestHelpFigures::aLabelIsOneLineInEverySize()
+{
+    for (double points = 6.0; points < 30.0; points += 0.3) {
+        const QFont font = formulaFont(points);
+        const FormulaLayout label(QStringLiteral("A x + B y + C z + D ≥ 0"), font);
+        QVERIFY2(label.size().height() < 1.7 * QFontMetricsF(font).height(), qPrintable(QString::number(points)));
+    }
+}
+
+void TestHelpFigures::itsWordsAreItsTooltip()
+{
+    FormulasWindow window;
+    window.resize(900, 700);
+    window.show();
+    window.page().setHtml(QStringLiteral("<p><img src='figure:frustum' alt='The view volume'></p><p>Words</p>"));
+    const auto toolTipAt = [&window](const QPoint &place) {
+        QWidget *viewport = window.page().viewport();
+        QHelpEvent help(QEvent::ToolTip, place, viewport->mapToGlobal(place));
+        QCoreApplication::sendEvent(viewport, &help);
+        return QToolTip::text();
+    };
+    QVERIFY(toolTipAt({100, 100}).contains(QStringLiteral("The view volume")));
 }
 
 } // namespace unprojector::gui
