@@ -125,28 +125,14 @@ constexpr const char *kWays[] = {
     marked("the row below"),
 };
 
-/// Those that have one; the longer ones first.
-constexpr const char *kWaysWithNumber[] = {
-    marked("ratio %1, flipped in logical pixels"),
-    marked("ratio %1"),
-    marked("near times %1, the window of glFrustum as it was"),
-    marked("near times %1"),
-    marked("far times %1"),
-    marked("to %1 bits"),
-    marked("of %1"),
-};
-
 std::string wayText(const std::string &way)
 {
     if (std::find(std::begin(kWays), std::end(kWays), way) != std::end(kWays))
         return tr(way);
-    for (const std::string_view pattern : kWaysWithNumber) {
-        const std::size_t place = pattern.find("%1");
-        const std::string_view before = pattern.substr(0, place), behind = pattern.substr(place + 2);
-        if (way.size() > before.size() + behind.size() && way.starts_with(before) && way.ends_with(behind))
-            return tr(pattern, way.substr(before.size(), way.size() - before.size() - behind.size()));
-    }
-    return way;
+    // The longer ones first.
+    return saidAgain(way, {marked("ratio %1, flipped in logical pixels"), marked("ratio %1"),
+                           marked("near times %1, the window of glFrustum as it was"), marked("near times %1"),
+                           marked("far times %1"), marked("to %1 bits"), marked("of %1")});
 }
 
 /// Which ways the mistakes are made in: "its x only; ratio 2".

@@ -4,6 +4,7 @@
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/strict_json.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <set>
 
 namespace unprojector::landmark_files {
+using text::tr;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -77,8 +79,8 @@ public:
         for (int i = 0; i < 3; ++i) {
             const auto column = Column(first + std::size_t(i));
             if ((*this)[column].empty())
-                throw Failure{line(), std::string(kColumnNames[column])
-                                          + " is empty and its neighbours are not; give all three, or none"};
+                throw Failure{line(), tr("%1 is empty and its neighbours are not; give all three, or none",
+                                         kColumnNames[column])};
             v[i] = numberOf((*this)[column], line(), kColumnNames[column]);
         }
         return v;
@@ -93,10 +95,10 @@ Hold holdOf(const Cells &cells)
 {
     const bool isFace = !cells[Face].empty(), isVertex = !cells[Vertex].empty(), isEdge = !cells[EdgeFrom].empty();
     if (isFace + isVertex + isEdge > 1)
-        throw Failure{cells.line(), "a point is held by one of face, vertex and edge; leave the others empty"};
+        throw Failure{cells.line(), tr("a point is held by one of face, vertex and edge; leave the others empty")};
     const std::optional<glm::dvec3> barycentric = cells.numbers(U);
     if (isFace != barycentric.has_value())
-        throw Failure{cells.line(), "face and u, v, w belong together; give all of them, or none"};
+        throw Failure{cells.line(), tr("face and u, v, w belong together; give all of them, or none")};
     if (isFace) {
         OnTriangle held; // in one piece GCC 12 calls its padding uninitialized
         held.triangle = countOf(cells[Face], cells.line(), "face");
@@ -122,7 +124,7 @@ std::optional<glm::u8vec3> colorOf(std::string_view text, std::size_t line)
     const bool isHex =
         text.size() == 7 && text.front() == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
     if (!isHex)
-        throw Failure{line, "color is \"" + std::string(text) + "\"; write it as #rrggbb"};
+        throw Failure{line, tr("color is \"%1\"; write it as #rrggbb", text)};
     return glm::u8vec3(value >> 16, (value >> 8) & 0xff, value & 0xff);
 }
 
@@ -130,7 +132,7 @@ bool hiddenOf(std::string_view text, std::size_t line)
 {
     if (text.empty() || text == "0" || text == "1")
         return text == "1";
-    throw Failure{line, "hidden is \"" + std::string(text) + "\"; write 1 or 0"};
+    throw Failure{line, tr("hidden is \"%1\"; write 1 or 0", text)};
 }
 
 /// A cell of a column of somebody else's: as JSON where it is what JSON writes, else as a text.
@@ -154,15 +156,14 @@ Header headerOf(const CsvRow &row)
     header.places.fill(std::size_t(-1));
     header.count = row.cells.size();
     if (row.cells.size() == 1 && row.cells.front().find(';') != std::string::npos)
-        throw Failure{row.line,
-                      "the columns are separated by semicolons; save the table with commas, and numbers with a "
-                      "decimal point"};
+        throw Failure{row.line, tr("the columns are separated by semicolons; save the table with commas, and numbers "
+                                   "with a decimal point")};
     std::set<std::string> names;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         const std::string name = lowerCase(trimmed(row.cells[i]));
         const auto known = std::find(kColumnNames.begin(), kColumnNames.end(), name);
         if (!name.empty() && !names.insert(known != kColumnNames.end() ? name : row.cells[i]).second)
-            throw Failure{row.line, "the column \"" + row.cells[i] + "\" is there twice; rename one of them"};
+            throw Failure{row.line, tr("the column \"%1\" is there twice; rename one of them", row.cells[i])};
         if (known != kColumnNames.end())
             header.places[static_cast<std::size_t>(known - kColumnNames.begin())] = i;
         else
@@ -170,8 +171,8 @@ Header headerOf(const CsvRow &row)
     }
     for (const Column column : {X, Y, Z}) {
         if (header.places[column] == std::size_t(-1))
-            throw Failure{row.line, std::string("there is no column ") + kColumnNames[column]
-                                        + "; the first line names the columns, name,x,y,z at least"};
+            throw Failure{row.line, tr("there is no column %1; the first line names the columns, name,x,y,z at least",
+                                       kColumnNames[column])};
     }
     return header;
 }
@@ -192,8 +193,9 @@ Landmark landmarkOf(const Header &header, const CsvRow &row)
     landmark.isHidden = hiddenOf(cells[Hidden], row.line);
     for (const auto &[place, name] : header.others) {
         if (name.empty() && !row.cells[place].empty())
-            throw Failure{row.line, "the cell \"" + row.cells[place]
-                                        + "\" stands in a column without a name; give it one in the first line"};
+            throw Failure{row.line,
+                          tr("the cell \"%1\" stands in a column without a name; give it one in the first line",
+                             row.cells[place])};
         if (!row.cells[place].empty())
             landmark.extra[name] = jsonOf(row.cells[place]);
     }
@@ -209,7 +211,7 @@ std::vector<std::string> namesOf(std::string_view text, std::size_t line)
     const bool isList = json && json->is_array()
                         && std::all_of(json->begin(), json->end(), [](const Json &j) { return j.is_string(); });
     if (!isList)
-        throw Failure{line, "curvePoints is " + std::string(text) + R"(; write the names as ["A","B"])"};
+        throw Failure{line, tr("curvePoints is %1; write the names as %2", text, R"(["A","B"])")};
     for (const Json &name : *json)
         names.push_back(name.get<std::string>());
     return names;
@@ -226,16 +228,15 @@ void addToCurve(LandmarkSet &set, const Cells &cells)
         curve->points = namesOf(cells[CurvePoints], cells.line());
         const auto kind = std::find(kCurveKinds.begin(), kCurveKinds.end(), cells[CurveWay]);
         if (kind == kCurveKinds.end() && !cells[CurveWay].empty())
-            throw Failure{cells.line(),
-                          "curveKind is \"" + std::string(cells[CurveWay]) + "\"; write geodesic or planeSection"};
+            throw Failure{cells.line(), tr("curveKind is \"%1\"; write geodesic or planeSection", cells[CurveWay])};
         if (kind != kCurveKinds.end())
             curve->kind = static_cast<CurveKind>(kind - kCurveKinds.begin());
         curve->count = 0;
         if (!cells[CurveCount].empty()) {
             curve->count = countOf(cells[CurveCount], cells.line(), "curveCount");
             if (curve->count < 2 || curve->count > kMostSemilandmarks)
-                throw Failure{cells.line(), "curveCount is " + std::string(cells[CurveCount]) + "; write 2 to "
-                                                + std::to_string(kMostSemilandmarks)};
+                throw Failure{cells.line(),
+                              tr("curveCount is %1; write 2 to %2", cells[CurveCount], kMostSemilandmarks)};
         }
     }
     if (const auto place = cells.numbers(X))
@@ -271,7 +272,7 @@ ReadLandmarks readCsv(std::string_view text)
 {
     const std::vector<CsvRow> rows = csvRows(text);
     if (rows.empty())
-        throw Failure{1, "the file is empty; the first line names the columns, name,x,y,z at least"};
+        throw Failure{1, tr("the file is empty; the first line names the columns, name,x,y,z at least")};
     const Header header = headerOf(rows.front());
     ReadLandmarks read;
     Notes notes;
@@ -279,9 +280,10 @@ ReadLandmarks readCsv(std::string_view text)
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const CsvRow &row = rows[i];
         if (row.cells.size() != header.count)
-            throw Failure{row.line, "here are " + std::to_string(row.cells.size()) + " cells, and the first line names "
-                                        + std::to_string(header.count)
-                                        + " columns; put cells that have commas in quotes"};
+            throw Failure{
+                row.line,
+                tr("here are %1 cells, and the first line names %2 columns; put cells that have commas in quotes",
+                   row.cells.size(), header.count)};
         if (const std::size_t count = trimmedTexts(header, row); count > 0)
             notes.add(LandmarkNote::Kind::BlanksLeftOut, count);
         const Cells cells(header.places, row);
@@ -296,9 +298,9 @@ ReadLandmarks readCsv(std::string_view text)
         LandmarkSet &set = read.sets[place->second];
         for (const auto &[column, known] : {std::pair(Mesh, &set.mesh), std::pair(Unit, &set.unit)}) {
             if (cells[column] != *known)
-                throw Failure{row.line, std::string(kColumnNames[column]) + " is \"" + std::string(cells[column])
-                                            + "\", and that of the rows before is \"" + *known
-                                            + "\"; a specimen has one, so give it in each of its rows"};
+                throw Failure{row.line, tr("%1 is \"%2\", and that of the rows before is \"%3\"; a specimen has one, "
+                                           "so give it in each of its rows",
+                                           kColumnNames[column], cells[column], *known)};
         }
         if (cells[CurveName].empty()) {
             set.landmarks.push_back(landmarkOf(header, row));

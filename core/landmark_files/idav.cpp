@@ -2,11 +2,14 @@
 
 #include "core/landmark_files/lines.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace unprojector::landmark_files {
+using text::marked;
+using text::tr;
 namespace {
 
 constexpr double kMissing = 9999.0;
@@ -17,30 +20,30 @@ ReadLandmarks readIdav(std::string_view text)
 {
     Lines lines(text);
     if (!lines.nextFilled())
-        throw Failure{1, "the file is empty; IDAV Landmark begins it with \"Version 1.0\""};
+        throw Failure{1, tr("the file is empty; IDAV Landmark begins it with \"Version 1.0\"")};
     const std::string first = lowerCase(lines.text());
     if (first.starts_with("version:"))
-        throw Failure{lines.number(),
-                      "this is a .pts of dlib, points in a picture; only those of IDAV Landmark, which begin "
-                      "with \"Version 1.0\", are points in space"};
+        throw Failure{lines.number(), tr("this is a .pts of dlib, points in a picture; only those of IDAV Landmark, "
+                                         "which begin with \"Version 1.0\", are points in space")};
     if (!first.starts_with("version"))
-        throw Failure{lines.number(), "this .pts begins with " + mesh_import::quoted(lines.text())
-                                          + ", not with \"Version 1.0\" as those of IDAV Landmark do; is it a point "
-                                            "cloud? Open it as a model then"};
+        throw Failure{lines.number(), tr("this .pts begins with %1, not with \"Version 1.0\" as those of IDAV Landmark "
+                                         "do; is it a point cloud? Open it as a model then",
+                                         mesh_import::quoted(lines.text()))};
     if (!lines.nextFilled())
-        throw Failure{lines.number(), "the number of points is missing; it stands behind \"Version 1.0\""};
+        throw Failure{lines.number(), tr("the number of points is missing; it stands behind \"Version 1.0\"")};
     const std::size_t countLine = lines.number();
-    const std::uint32_t count = countOf(lines.text(), countLine, "the number of points");
+    const std::uint32_t count = countOf(lines.text(), countLine, marked("the number of points"));
     ReadLandmarks read;
     LandmarkSet &set = read.sets.emplace_back();
     while (lines.nextFilled()) {
         if (set.landmarks.size() == count)
-            throw Failure{lines.number(), "line " + std::to_string(countLine) + " says " + std::to_string(count)
-                                              + " points, and here is one more; write the right number there"};
+            throw Failure{
+                lines.number(),
+                tr("line %1 says %2 points, and here is one more; write the right number there", countLine, count)};
         const std::vector<std::string_view> words = wordsOf(lines.text());
         if (words.size() < 4)
             throw Failure{lines.number(),
-                          mesh_import::quoted(lines.text()) + " is no point; write its name, x, y and z"};
+                          tr("%1 is no point; write its name, x, y and z", mesh_import::quoted(lines.text()))};
         Landmark landmark;
         // A name with blanks in it is one all the same: the coordinates are the last three.
         const std::string_view lastOfName = words[words.size() - 4];
@@ -57,8 +60,8 @@ ReadLandmarks readIdav(std::string_view text)
         set.landmarks.push_back(std::move(landmark));
     }
     if (set.landmarks.size() < count)
-        throw Failure{lines.number(), "the file ends after " + std::to_string(set.landmarks.size()) + " of "
-                                          + std::to_string(count) + " points; is it cut off?"};
+        throw Failure{lines.number(),
+                      tr("the file ends after %1 of %2 points; is it cut off?", set.landmarks.size(), count)};
     return read;
 }
 

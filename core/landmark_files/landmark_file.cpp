@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/lines.h"
+#include "core/text/translation.h"
 #include "core/text/utf8.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 namespace unprojector::landmark_files {
 using namespace files;
 using geometry::Result;
+using text::tr;
 
 const char *suffixOf(Format format)
 {
@@ -55,11 +57,11 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
         if (text.size() > kMostLandmarkBytes)
             throw Failure{0, {}, LandmarkFileError::Code::TooLarge};
         if (text.find('\0') != text.npos || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-            throw Failure{0, "this is no text in UTF-8; save it as UTF-8"};
+            throw Failure{0, tr("this is no text in UTF-8; save it as UTF-8")};
         // Written on as it is, a name in Latin-1 would make an XML or JSON file that others refuse.
         if (const std::size_t end = text::firstNotUtf8(text); end != text.npos)
             throw Failure{static_cast<std::size_t>(std::count(text.begin(), text.begin() + end, '\n')) + 1,
-                          "this is not UTF-8; save the file as UTF-8"};
+                          tr("this is not UTF-8; save the file as UTF-8")};
         if (text.starts_with("\xef\xbb\xbf"))
             text.remove_prefix(3);
         switch (format) {
@@ -71,7 +73,7 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
         case Format::Idav: return readIdav(text);
         case Format::Tps: return readTps(text);
         case Format::Nts:
-            throw Failure{0, ".nts is only written; give another file", LandmarkFileError::Code::CannotHold};
+            throw Failure{0, tr(".nts is only written; give another file"), LandmarkFileError::Code::CannotHold};
         }
         return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
     } catch (const Failure &failure) {
@@ -87,8 +89,8 @@ const LandmarkSet &onlyOf(std::span<const LandmarkSet> sets, Format format)
     if (sets.size() == 1)
         return sets.front();
     throw Failure{0,
-                  '.' + std::string(suffixOf(format)) + " holds one specimen, and there are "
-                      + std::to_string(sets.size()) + "; take .csv, .tps, .nts or .mrk.json",
+                  tr(".%1 holds one specimen, and there are %2; take .csv, .tps, .nts or .mrk.json", suffixOf(format),
+                     sets.size()),
                   LandmarkFileError::Code::CannotHold};
 }
 

@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/lines.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +84,7 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std
         const std::string name = utf8FromPath(file);
         ++read.fileCount;
         if (formatOf(file) == Format::MeshLabTemplate) {
-            read.reports.push_back(name + ": a template has names and no points; it is left out");
+            read.reports.push_back(name + ": " + text::tr("a template has names and no points; it is left out"));
             continue;
         }
         auto result = readLandmarkFile(file);

@@ -2,6 +2,7 @@
 
 #include "core/mesh_import/text_scanner.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 namespace unprojector::landmark_files {
 using mesh_import::quoted;
+using text::tr;
 
 bool Lines::next()
 {
@@ -62,10 +64,9 @@ double numberOf(std::string_view word, std::size_t line, std::string_view what)
     const std::optional<double> value = mesh_import::doubleFromWord(trimmed(word));
     if (value && std::isfinite(*value))
         return *value;
-    std::string text = std::string(what) + " is " + quoted(word) + "; write a number";
-    if (word.find(',') != word.npos)
-        text += " with a decimal point";
-    throw Failure{line, text};
+    throw Failure{line, tr(word.find(',') == word.npos ? "%1 is %2; write a number"
+                                                       : "%1 is %2; write a number with a decimal point",
+                           tr(what), quoted(word))};
 }
 
 std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what)
@@ -73,7 +74,7 @@ std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view 
     const std::optional<long long> value = mesh_import::integerFromWord(trimmed(word));
     if (value && *value >= 0 && *value <= std::numeric_limits<std::uint32_t>::max())
         return static_cast<std::uint32_t>(*value);
-    throw Failure{line, std::string(what) + " is " + quoted(word) + "; write a whole number, 0 or more"};
+    throw Failure{line, tr("%1 is %2; write a whole number, 0 or more", tr(what), quoted(word))};
 }
 
 void appendNumbers(std::string &text, const glm::dvec3 &v, char separator)
@@ -254,7 +255,7 @@ std::string PlainNames::of(const std::string &name, const std::string &instead)
             plain = stem + '_' + std::to_string(number);
     }
     if (plain != name)
-        m_notes.add(LandmarkNote::Kind::NameChanged, 1, '"' + name + "\" as \"" + plain + '"');
+        m_notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, plain));
     return plain;
 }
 
@@ -307,8 +308,10 @@ std::vector<CsvRow> csvRows(std::string_view text, std::size_t firstLine)
             endCell();
         } else if (state == State::Closed) {
             if (!isBlank)
-                throw Failure{line, std::string("behind the closing quote stands \"") + (c >= ' ' && c <= '~' ? c : '?')
-                                        + "\"; put the whole cell in quotes and double those in it"};
+                throw Failure{
+                    line, tr("behind the closing quote stands \"%1\"; put the whole cell in quotes and double those in "
+                             "it",
+                             std::string(1, c >= ' ' && c <= '~' ? c : '?'))};
         } else if (state == State::Start && c == '"') {
             state = State::Quoted;
             quoteLine = line;
@@ -320,7 +323,7 @@ std::vector<CsvRow> csvRows(std::string_view text, std::size_t firstLine)
         }
     }
     if (state == State::Quoted)
-        throw Failure{quoteLine, "a quote is opened here and never closed; close it, or double it within quotes"};
+        throw Failure{quoteLine, tr("a quote is opened here and never closed; close it, or double it within quotes")};
     endRow();
     return rows;
 }

@@ -2,6 +2,7 @@
 
 #include "core/landmark_files/lines.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -12,6 +13,7 @@
 #include <sstream>
 
 namespace unprojector::landmark_files {
+using text::tr;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -53,8 +55,9 @@ public:
                 if (!tag.ends_with('/'))
                     ++level;
                 if (level > kMostLevels)
-                    throw Failure{m_line, "elements are nested deeper than " + std::to_string(kMostLevels)
-                                              + " levels; a file of picked points has two"};
+                    throw Failure{
+                        m_line,
+                        tr("elements are nested deeper than %1 levels; a file of picked points has two", kMostLevels)};
                 i = end;
             }
         }
@@ -104,7 +107,7 @@ Tree treeOf(std::string_view text)
         boost::property_tree::read_xml(stream, tree, boost::property_tree::xml_parser::trim_whitespace);
         return tree;
     } catch (const boost::property_tree::xml_parser_error &error) {
-        throw Failure{error.line(), "this is no XML: " + error.message()};
+        throw Failure{error.line(), tr("this is no XML: %1", error.message())};
     }
 }
 
@@ -142,20 +145,20 @@ Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool i
 {
     Landmark landmark;
     landmark.name = attributeOf(point, "name").value_or(std::string());
-    const std::string who = "point " + std::to_string(number + 1)
-                            + (landmark.name.empty() ? "" : " (" + mesh_import::quoted(landmark.name) + ')');
+    const std::string who =
+        tr("point %1", number + 1) + (landmark.name.empty() ? "" : " (" + mesh_import::quoted(landmark.name) + ')');
     glm::dvec3 v(0.0);
     const std::string active = attributeOf(point, "active").value_or("1");
     if (active != "0" && active != "1")
-        throw Failure{line, "active of " + who + " is " + mesh_import::quoted(active)
-                                + "; write 1, or 0 where it is not placed"};
+        throw Failure{line,
+                      tr("active of %1 is %2; write 1, or 0 where it is not placed", who, mesh_import::quoted(active))};
     constexpr std::array kAxes{"x", "y", "z"};
     for (std::size_t i = 0; i < kAxes.size() && !isTemplate; ++i) {
         const std::optional<std::string> value = attributeOf(point, kAxes[i]);
         if (value)
-            v[static_cast<int>(i)] = numberOf(*value, line, std::string(kAxes[i]) + " of " + who);
+            v[static_cast<int>(i)] = numberOf(*value, line, tr("%1 of %2", kAxes[i], who));
         else if (active == "1")
-            throw Failure{line, std::string(kAxes[i]) + " of " + who + " is missing; give it, or write active=\"0\""};
+            throw Failure{line, tr("%1 of %2 is missing; give it, or write active=\"0\"", kAxes[i], who)};
     }
     if (active == "1" && !isTemplate)
         landmark.world = WorldPoint(v);
@@ -179,8 +182,7 @@ ReadLandmarks readMeshLab(std::string_view text, bool isTemplate)
     const Tree tree = treeOf(text);
     const auto points = tree.get_child_optional(root);
     if (!points)
-        throw Failure{1, "there is no <" + std::string(root)
-                             + ">, which holds the points of MeshLab; is it another file?"};
+        throw Failure{1, tr("there is no <%1>, which holds the points of MeshLab; is it another file?", root)};
     ReadLandmarks read;
     Notes notes;
     LandmarkSet &set = read.sets.emplace_back();
@@ -249,7 +251,7 @@ public:
                 c = '_';
         }
         if (held != name)
-            m_notes.add(LandmarkNote::Kind::NameChanged, 1, '"' + name + "\" as \"" + held + '"');
+            m_notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, held));
         return held;
     }
 

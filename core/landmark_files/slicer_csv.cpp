@@ -4,10 +4,13 @@
 #include "core/mesh_import/text_scanner.h"
 #include "core/scene_file/json_text.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <array>
 
 namespace unprojector::landmark_files {
+using text::marked;
+using text::tr;
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -49,7 +52,7 @@ Axes axesOf(std::string_view word, std::size_t line)
         return Axes::Lps;
     if (word == "RAS" || word == "0")
         return Axes::Ras;
-    throw Failure{line, "the coordinate system is " + mesh_import::quoted(word) + "; it must be LPS or RAS (1 or 0)"};
+    throw Failure{line, tr("the coordinate system is %1; it must be LPS or RAS (1 or 0)", mesh_import::quoted(word))};
 }
 
 bool flagOf(const std::string &cell, bool usual, std::size_t line, const char *what)
@@ -58,8 +61,8 @@ bool flagOf(const std::string &cell, bool usual, std::size_t line, const char *w
         return usual;
     if (cell == "0" || cell == "1")
         return cell == "1";
-    throw Failure{line, std::string(what) + " is " + mesh_import::quoted(cell)
-                            + "; it must be 0 or 1. Is there a comma in a label that is not in quotes?"};
+    throw Failure{line, tr("%1 is %2; it must be 0 or 1. Is there a comma in a label that is not in quotes?", tr(what),
+                           mesh_import::quoted(cell))};
 }
 
 WorldPoint positionOf(const CsvRow &row, std::size_t first, Axes axes)
@@ -112,7 +115,7 @@ Landmark landmarkOf(CsvRow row, Axes axes, std::size_t number, Notes &notes)
         landmark.extra["locked"] = true;
     if (!cells[AssociatedNode].empty())
         landmark.extra["associatedNodeID"] = cells[AssociatedNode];
-    if (flagOf(cells[AutoCreated], false, row.line, "the last field"))
+    if (flagOf(cells[AutoCreated], false, row.line, marked("the last field")))
         landmark.extra["autoCreated"] = true;
     return landmark;
 }
@@ -142,11 +145,12 @@ ReadLandmarks readSlicerCsv(std::string_view text)
         const std::size_t most = hasVersion ? kFieldCount : 6;
         if (rows.empty() || rows.front().cells.size() < 4 || rows.front().cells.size() > most)
             throw Failure{lines.number(),
-                          mesh_import::quoted(line)
-                              + (hasVersion ? " is no point; write id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,"
-                                              "associatedNodeID, with labels that have commas in quotes"
-                                            : " is no point; without a line \"# Markups fiducial file version "
-                                              "= 5.8\" points are label,x,y,z,sel,vis")};
+                          tr(hasVersion
+                                 ? "%1 is no point; write id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,"
+                                   "associatedNodeID, with labels that have commas in quotes"
+                                 : "%1 is no point; without a line \"# Markups fiducial file version = 5.8\" points "
+                                   "are label,x,y,z,sel,vis",
+                             mesh_import::quoted(line))};
         for (const std::size_t place : rows.front().trimmed) {
             if (hasVersion ? place == Label || place == Description : place == 0)
                 notes.add(LandmarkNote::Kind::BlanksLeftOut);
@@ -156,7 +160,7 @@ ReadLandmarks readSlicerCsv(std::string_view text)
     }
     if (!hasVersion && set.landmarks.empty())
         throw Failure{
-            1, "there are no points, and no line \"# Markups fiducial file version = 5.8\"; is it another file?"};
+            1, tr("there are no points, and no line \"# Markups fiducial file version = 5.8\"; is it another file?")};
     if (!hasVersion)
         set.axes = Axes::Ras;
     if (set.axes == Axes::Ras && !set.landmarks.empty())

@@ -5,11 +5,13 @@
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/strict_json.h"
+#include "core/text/translation.h"
 
 #include <array>
 #include <set>
 
 namespace unprojector::landmark_files {
+using text::tr;
 namespace {
 
 using namespace scene_file;
@@ -154,7 +156,7 @@ ReadLandmarks readSlicerJson(std::string_view text)
     JsonNode::FirstError error;
     const JsonNode root(*json, error);
     if (!json->is_object() || !json->contains("markups"))
-        throw Failure{1, "there is no list \"markups\", which holds the points of 3D Slicer; is it another file?"};
+        throw Failure{1, tr("there is no list \"markups\", which holds the points of 3D Slicer; is it another file?")};
     Document document;
     static_cast<void>(FieldReader::read(root, document, Plain{}));
     if (error)
@@ -164,7 +166,7 @@ ReadLandmarks readSlicerJson(std::string_view text)
     for (Markup &markup : document.markups)
         read.sets.push_back(setOf(std::move(markup), notes));
     if (read.sets.empty())
-        throw Failure{1, "the list \"markups\" is empty; there are no points"};
+        throw Failure{1, tr("the list \"markups\" is empty; there are no points")};
     for (auto it = document.extra.begin(); it != document.extra.end(); ++it)
         notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
     read.notes = notes.take();
@@ -214,7 +216,7 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
     }
     const auto text = readableJson(FieldWriter::write(document, Plain{}, nullptr));
     if (!text)
-        throw Failure{0, text.error().keyPath + " is not UTF-8 and cannot be written as JSON; rename it",
+        throw Failure{0, tr("%1 is not UTF-8 and cannot be written as JSON; rename it", text.error().keyPath),
                       LandmarkFileError::Code::CannotHold};
     return *text;
 }

@@ -3,12 +3,14 @@
 #include "core/geometry/finite.h"
 #include "core/landmark_files/lines.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
 
 namespace unprojector::landmark_files {
+using text::tr;
 namespace {
 
 /// "KEY=value", the key in capitals; nothing where a line is no such thing.
@@ -39,12 +41,12 @@ std::vector<std::string_view> rowOf(Lines &lines, std::size_t size, const std::s
 {
     if (!lines.nextFilled())
         throw Failure{lines.number(),
-                      "the file ends within the points that " + announced + " announces; is it cut off?"};
+                      tr("the file ends within the points that %1 announces; is it cut off?", announced)};
     std::vector<std::string_view> words = wordsOf(lines.text());
     if (words.size() != size || keyValueOf(lines.text()))
-        throw Failure{lines.number(), mesh_import::quoted(lines.text()) + " is no row of " + std::to_string(size)
-                                          + " numbers, which " + announced
-                                          + " announces; write the right number of points there"};
+        throw Failure{lines.number(),
+                      tr("%1 is no row of %2 numbers, which %3 announces; write the right number of points there",
+                         mesh_import::quoted(lines.text()), size, announced)};
     return words;
 }
 
@@ -54,7 +56,7 @@ Landmark landmarkOf(const std::vector<std::string_view> &words, std::size_t line
     if (missing == static_cast<std::ptrdiff_t>(words.size()))
         return {};
     if (missing > 0)
-        throw Failure{line, "some coordinates are NA and some are not; a point is missing as a whole"};
+        throw Failure{line, tr("some coordinates are NA and some are not; a point is missing as a whole")};
     glm::dvec3 v(0.0);
     for (std::size_t i = 0; i < words.size(); ++i)
         v[static_cast<int>(i)] = numberOf(words[i], line, i == 0 ? "x" : i == 1 ? "y" : "z");
@@ -75,11 +77,10 @@ ReadLandmarks readTps(std::string_view text)
     while (lines.nextFilled()) {
         const std::optional<KeyValue> entry = keyValueOf(lines.text());
         if (!entry)
-            throw Failure{lines.number(),
-                          mesh_import::quoted(lines.text())
-                              + " belongs to nothing; rows of numbers stand behind LM3= or LM= and their "
-                                "number, as many as it says"};
-        const std::string announced = "line " + std::to_string(lines.number());
+            throw Failure{lines.number(), tr("%1 belongs to nothing; rows of numbers stand behind LM3= or LM= and "
+                                             "their number, as many as it says",
+                                             mesh_import::quoted(lines.text()))};
+        const std::string announced = tr("line %1", lines.number());
         const auto &[key, value] = *entry;
         if (key == "LM3" || key == "LM") {
             const std::uint32_t count = countOf(value, lines.number(), key);
@@ -95,12 +96,13 @@ ReadLandmarks readTps(std::string_view text)
             continue;
         }
         if (read.sets.empty())
-            throw Failure{lines.number(), "before " + mesh_import::quoted(lines.text())
-                                              + " there must be points: LM3= and their number"};
+            throw Failure{lines.number(), tr("before %1 there must be points: LM3= and their number",
+                                             mesh_import::quoted(lines.text()))};
         LandmarkSet &set = read.sets.back();
         const bool isRepeated = key.starts_with("POINTS") || key.starts_with("CURVES");
         if (!isRepeated && !keys.insert(key).second)
-            throw Failure{lines.number(), key + " stands here for the second time in a specimen; remove one of them"};
+            throw Failure{lines.number(),
+                          tr("%1 stands here for the second time in a specimen; remove one of them", key)};
         if (key == "ID") {
             set.name = value;
         } else if (key == "IMAGE") {
@@ -111,9 +113,8 @@ ReadLandmarks readTps(std::string_view text)
             const auto enlarge = [&lines, scale, given = value](WorldPoint &point) {
                 point = WorldPoint(point.coordinates() * scale);
                 if (!isFinite(point))
-                    throw Failure{lines.number(), "SCALE is " + std::string(given)
-                                                      + ", which makes coordinates too large; "
-                                                        "write a smaller one"};
+                    throw Failure{lines.number(),
+                                  tr("SCALE is %1, which makes coordinates too large; write a smaller one", given)};
             };
             for (Landmark &landmark : set.landmarks) {
                 if (landmark.world)
@@ -129,19 +130,20 @@ ReadLandmarks readTps(std::string_view text)
             Curve curve;
             for (std::uint32_t i = 0; i < count; ++i) {
                 if (!lines.nextFilled() || keyValueOf(lines.text()))
-                    throw Failure{lines.number(), "there are fewer rows than the " + std::to_string(count) + " that "
-                                                      + announced + " announces; write the right number there"};
+                    throw Failure{lines.number(),
+                                  tr("there are fewer rows than the %1 that %2 announces; write the right number there",
+                                     count, announced)};
                 const std::vector<std::string_view> words = wordsOf(lines.text());
                 if (words.size() != 2 && words.size() != 3)
-                    throw Failure{lines.number(), mesh_import::quoted(lines.text())
-                                                      + " is no point of a curve; write two or three numbers"};
+                    throw Failure{lines.number(), tr("%1 is no point of a curve; write two or three numbers",
+                                                     mesh_import::quoted(lines.text()))};
                 const Landmark place = landmarkOf(words, lines.number());
                 if (place.isMissing())
-                    throw Failure{lines.number(), "a point of a curve is NA; a curve has all its points"};
+                    throw Failure{lines.number(), tr("a point of a curve is NA; a curve has all its points")};
                 curve.semilandmarks.push_back(WorldPoint(place.world->coordinates() * scaleOfSet));
                 if (!isFinite(curve.semilandmarks.back()))
                     throw Failure{lines.number(),
-                                  "SCALE makes this point's coordinates too large; write a smaller one"};
+                                  tr("SCALE makes this point's coordinates too large; write a smaller one")};
             }
             if (count < 2) {
                 notes.add(LandmarkNote::Kind::CurvesLeftOut, count);
@@ -155,7 +157,7 @@ ReadLandmarks readTps(std::string_view text)
         }
     }
     if (read.sets.empty())
-        throw Failure{1, "there are no points; TPS has them behind LM3= and their number"};
+        throw Failure{1, tr("there are no points; TPS has them behind LM3= and their number")};
     read.notes = notes.take();
     return read;
 }
@@ -236,16 +238,16 @@ std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
     constexpr double kMissing = 9999.0;
     addLosses(notes, sets, {.specimenName = true});
     if (sets.empty() || sets.front().landmarks.empty())
-        throw Failure{0, ".nts is a table, and there are no points; place some first",
+        throw Failure{0, tr(".nts is a table, and there are no points; place some first"),
                       LandmarkFileError::Code::CannotHold};
     const std::size_t points = sets.front().landmarks.size();
     bool hasMissing = false;
     for (const LandmarkSet &set : sets) {
         if (set.landmarks.size() != points)
             throw Failure{0,
-                          ".nts is a table, in which all specimens have the same points: \"" + set.name + "\" has "
-                              + std::to_string(set.landmarks.size()) + ", \"" + sets.front().name + "\" has "
-                              + std::to_string(points) + "; take .tps, or leave one of them out",
+                          tr(".nts is a table, in which all specimens have the same points: \"%1\" has %2, \"%3\" has "
+                             "%4; take .tps, or leave one of them out",
+                             set.name, set.landmarks.size(), sets.front().name, points),
                           LandmarkFileError::Code::CannotHold};
         for (const Landmark &landmark : set.landmarks)
             hasMissing = hasMissing || landmark.isMissing();

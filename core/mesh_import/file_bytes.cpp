@@ -1,5 +1,6 @@
 #include "core/mesh_import/file_bytes.h"
 
+#include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <system_error>
 
 namespace unprojector::mesh_import::mesh_reader {
+using text::tr;
 
 namespace {
 
@@ -23,7 +25,7 @@ FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progre
         throw Failure(ImportErrorCode::NotReadable, error.message());
     // A pipe or a device has no size and may never end.
     if (!std::filesystem::is_regular_file(status))
-        throw Failure(ImportErrorCode::NotReadable, "it is a pipe or a device");
+        throw Failure(ImportErrorCode::NotReadable, tr("it is a pipe or a device"));
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error || !std::ifstream(file, std::ios::binary))
         throw Failure(ImportErrorCode::NotReadable);
@@ -43,7 +45,7 @@ FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progre
         if (stream.read(reinterpret_cast<char *>(m_bytes.get() + begin), static_cast<std::streamsize>(end - begin)))
             return;
         if (stream.eof())
-            failMalformed("another program has made it shorter while it was read; open it again once that is done");
+            failMalformed(tr("another program has made it shorter while it was read; open it again once that is done"));
         throw Failure(ImportErrorCode::NotReadable);
     });
 }

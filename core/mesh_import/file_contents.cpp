@@ -1,5 +1,7 @@
 #include "core/mesh_import/file_contents.h"
 
+#include "core/text/translation.h"
+
 #include <algorithm>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -38,11 +40,11 @@ std::string_view suffixByContents(std::string_view start)
 std::string adviceByContents(std::string_view start, std::string_view suffix)
 {
     if (start.starts_with("\x1f\x8b") || start.starts_with("PK\x03\x04") || start.starts_with("7z\xbc\xaf"))
-        return "its contents are compressed: unpack it first";
+        return text::tr("its contents are compressed: unpack it first");
     const std::string_view known = suffixByContents(start);
     if (known.empty() || known == suffix)
         return {};
-    return "its contents look like " + std::string(known) + ": give it the suffix ." + std::string(known);
+    return text::tr("its contents look like %1: give it the suffix .%1", known);
 }
 
 } // namespace unprojector::mesh_import::mesh_reader

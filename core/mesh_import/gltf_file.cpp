@@ -1,10 +1,13 @@
 #include "core/mesh_import/gltf_file.h"
 
+#include "core/text/translation.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
+using text::tr;
 
 namespace {
 
@@ -35,20 +38,19 @@ Chunks chunksOfGlb(const Source &source)
 {
     const std::span<const std::uint8_t> bytes = source.bytes;
     if (bytes.size() < 4 || wordAt(bytes, 0) != kGlbMagic)
-        failMalformed("the file does not begin with a GLB header");
+        failMalformed(tr("the file does not begin with a GLB header"));
     if (bytes.size() < 20)
-        failMalformed("the file ends within the header");
+        failMalformed(tr("the file ends within the header"));
     if (wordAt(bytes, 4) != 2)
-        failMalformed("the file is GLB version " + std::to_string(wordAt(bytes, 4)) + ", only version 2 can be read");
+        failMalformed(tr("the file is GLB version %1, only version 2 can be read", wordAt(bytes, 4)));
     if (wordAt(bytes, 8) > bytes.size())
-        failMalformed("the header declares " + std::to_string(wordAt(bytes, 8)) + " bytes, the file has "
-                      + std::to_string(bytes.size()));
+        failMalformed(tr("the header declares %1 bytes, the file has %2", wordAt(bytes, 8), bytes.size()));
     Chunks chunks;
     for (std::size_t at = 12; at + 8 <= bytes.size();) {
         const std::size_t length = wordAt(bytes, at);
         const std::uint32_t kind = wordAt(bytes, at + 4);
         if (length > bytes.size() - at - 8)
-            failMalformed("a chunk of " + std::to_string(length) + " bytes goes beyond the end of the file");
+            failMalformed(tr("a chunk of %1 bytes goes beyond the end of the file", length));
         if (kind == kJsonChunk && chunks.json.empty())
             chunks.json = source.text().substr(at + 8, length);
         else if (kind == kBinChunk && chunks.binary.empty())
@@ -91,13 +93,13 @@ Json parsed(std::string_view text)
         text.remove_prefix(3);
     DepthMeter meter;
     if (!Json::sax_parse(text, &meter) && meter.depth > kDeepestJson)
-        failMalformed("the JSON is nested too deeply");
+        failMalformed(tr("the JSON is nested too deeply"));
     try {
         return Json::parse(text);
     } catch (const Json::parse_error &error) {
         const std::size_t end = std::min<std::size_t>(error.byte, text.size());
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-        failMalformed("line " + std::to_string(line) + ": the JSON is broken or ends too early");
+        failMalformed(tr("line %1: the JSON is broken or ends too early", line));
     }
 }
 
@@ -124,7 +126,7 @@ std::vector<std::uint8_t> fromBase64(std::string_view text)
             continue;
         const int value = valueOf(c);
         if (value < 0)
-            failMalformed("embedded data is no base64");
+            failMalformed(tr("embedded data is no base64"));
         bits = bits << 6 | static_cast<std::uint32_t>(value);
         count += 6;
         if (count >= 8) {
@@ -143,7 +145,7 @@ std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri)
         return std::nullopt;
     const std::size_t comma = uri.find(',');
     if (comma == uri.npos || !uri.substr(0, comma).ends_with(";base64"))
-        failMalformed("embedded data is no base64");
+        failMalformed(tr("embedded data is no base64"));
     return fromBase64(uri.substr(comma + 1));
 }
 
@@ -156,14 +158,14 @@ GltfFile::GltfFile(const Source &source) : m_source(source)
     const Json *asset = find(m_root, "asset");
     const Json *version = asset ? find(*asset, "version") : nullptr;
     if (!version || !version->is_string() || !version->get_ref<const std::string &>().starts_with("2."))
-        failMalformed("the file is no glTF version 2");
+        failMalformed(tr("the file is no glTF version 2"));
     m_buffers.resize(array("buffers").size());
 }
 
 const Json *GltfFile::find(const Json &object, const char *key)
 {
     if (!object.is_object())
-        failMalformed("something else stands where a JSON object belongs");
+        failMalformed(tr("something else stands where a JSON object belongs"));
     const auto found = object.find(key);
     return found == object.end() ? nullptr : &*found;
 }
@@ -173,7 +175,7 @@ const Json &GltfFile::array(const Json &object, const char *key)
     static const Json kNone = Json::array();
     const Json *found = find(object, key);
     if (found && !found->is_array())
-        failMalformed(std::string("\"") + key + "\" is no array");
+        failMalformed(tr("\"%1\" is no array", key));
     return found ? *found : kNone;
 }
 
@@ -183,14 +185,14 @@ std::uint64_t GltfFile::number(const Json &object, const char *key, std::uint64_
     if (!found)
         return otherwise;
     if (!found->is_number_unsigned() || found->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-        failMalformed(std::string("\"") + key + "\" is no number of a fitting size");
+        failMalformed(tr("\"%1\" is no number of a fitting size", key));
     return found->get<std::uint64_t>();
 }
 
 double GltfFile::real(const Json &value)
 {
     if (!value.is_number())
-        failMalformed("something else stands where a number belongs");
+        failMalformed(tr("something else stands where a number belongs"));
     return value.get<double>();
 }
 
@@ -199,8 +201,7 @@ const Json &GltfFile::reference(const Json &object, const char *key, const char 
     const std::uint64_t index = number(object, key, std::numeric_limits<std::uint64_t>::max());
     const Json &objects = array(target);
     if (index >= objects.size())
-        failMalformed(std::string("\"") + key + "\" refers to number " + std::to_string(index) + " of \"" + target
-                      + "\", the file has " + std::to_string(objects.size()));
+        failMalformed(tr("\"%1\" refers to number %2 of \"%3\", the file has %4", key, index, target, objects.size()));
     return objects[static_cast<std::size_t>(index)];
 }
 
@@ -213,11 +214,11 @@ GltfFile::Buffer GltfFile::readBuffer(const std::string &address) const
     }
     const std::filesystem::path file = resolveReference(m_source.file, address);
     if (file.empty())
-        failMalformed("the file \"" + address + "\", which it needs, is not there");
+        failMalformed(tr("the file \"%1\", which it needs, is not there", address));
     try {
         buffer.file = std::make_unique<FileBytes>(file);
     } catch (const Failure &) {
-        failMalformed("the file \"" + address + "\", which it needs, cannot be read; look at its permissions");
+        failMalformed(tr("the file \"%1\", which it needs, cannot be read; look at its permissions", address));
     }
     return buffer;
 }
@@ -229,19 +230,18 @@ std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
     const std::uint64_t declared = number(described, "byteLength", 0);
     if (!uri) {
         if (!m_isGlb || buffer != 0)
-            failMalformed("buffer " + std::to_string(buffer) + " has no bytes");
+            failMalformed(tr("buffer %1 has no bytes", buffer));
         if (declared > m_binary.size())
-            failMalformed("the binary chunk is shorter than the buffer");
+            failMalformed(tr("the binary chunk is shorter than the buffer"));
         return m_binary.first(static_cast<std::size_t>(declared));
     }
     if (!uri->is_string())
-        failMalformed("the address of a buffer is no text");
+        failMalformed(tr("the address of a buffer is no text"));
     auto &slot = m_buffers[static_cast<std::size_t>(buffer)];
     if (!slot)
         slot = std::make_unique<Buffer>(readBuffer(uri->get_ref<const std::string &>()));
     if (declared > slot->bytes().size())
-        failMalformed("a buffer of " + std::to_string(slot->bytes().size()) + " bytes is declared as "
-                      + std::to_string(declared));
+        failMalformed(tr("a buffer of %1 bytes is declared as %2", slot->bytes().size(), declared));
     return slot->bytes();
 }
 
@@ -252,7 +252,7 @@ std::span<const std::uint8_t> GltfFile::viewBytes(const Json &object)
     const std::span<const std::uint8_t> buffer = bufferBytes(number(view, "buffer", 0));
     const std::uint64_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
     if (offset + length > buffer.size())
-        failMalformed("a buffer view goes beyond its buffer of " + std::to_string(buffer.size()) + " bytes");
+        failMalformed(tr("a buffer view goes beyond its buffer of %1 bytes", buffer.size()));
     return buffer.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
 

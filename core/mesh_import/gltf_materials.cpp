@@ -1,10 +1,13 @@
 #include "core/mesh_import/gltf_materials.h"
 
+#include "core/text/translation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
+using text::tr;
 
 namespace {
 
@@ -122,7 +125,7 @@ Texture GltfMaterials::imageOf(const Json &image)
     texture.file = m_file.source().file;
     if (const Json *uri = GltfFile::find(image, "uri")) {
         if (!uri->is_string())
-            failMalformed("the address of an image is no text");
+            failMalformed(tr("the address of an image is no text"));
         texture.encoded = dataFromUri(uri->get_ref<const std::string &>()).value_or(std::vector<std::uint8_t>());
     } else {
         const std::span<const std::uint8_t> bytes = m_file.viewBytes(image);

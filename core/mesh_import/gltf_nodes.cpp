@@ -1,11 +1,14 @@
 #include "core/mesh_import/gltf_nodes.h"
 
+#include "core/text/translation.h"
+
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
+using text::tr;
 
 namespace {
 
@@ -13,7 +16,7 @@ constexpr std::size_t kDeepestNode = 512;
 
 [[noreturn]] void failNoTree()
 {
-    failMalformed("the nodes form a circle or are nested too deeply");
+    failMalformed(tr("the nodes form a circle or are nested too deeply"));
 }
 
 /// An array of so many numbers, or null.
@@ -21,7 +24,7 @@ const Json *numbers(const Json &node, const char *key, std::size_t count)
 {
     const Json *found = GltfFile::find(node, key);
     if (found && (!found->is_array() || found->size() != count))
-        failMalformed(std::string("\"") + key + "\" of a node has not " + std::to_string(count) + " numbers");
+        failMalformed(tr("\"%1\" of a node has not %2 numbers", key, count));
     return found;
 }
 
@@ -51,7 +54,7 @@ std::vector<std::size_t> GltfNodes::nodeList(const Json &object, const char *key
     const std::size_t count = m_file.array("nodes").size();
     for (const Json &entry : GltfFile::array(object, key)) {
         if (!entry.is_number_unsigned() || entry.get<std::uint64_t>() >= count)
-            failMalformed(std::string("\"") + key + "\" refers to a node that the file does not have");
+            failMalformed(tr("\"%1\" refers to a node that the file does not have", key));
         list.push_back(entry.get<std::size_t>());
     }
     return list;
@@ -64,7 +67,7 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
     for (const Json &node : nodes) {
         for (const std::size_t child : nodeList(node, "children")) {
             if (isChild[child])
-                failMalformed("node " + std::to_string(child) + " has two parents");
+                failMalformed(tr("node %1 has two parents", child));
             isChild[child] = true;
         }
     }

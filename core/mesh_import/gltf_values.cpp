@@ -1,5 +1,7 @@
 #include "core/mesh_import/gltf_values.h"
 
+#include "core/text/translation.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -7,6 +9,7 @@
 #include <utility>
 
 namespace unprojector::mesh_import::mesh_reader {
+using text::tr;
 
 namespace {
 
@@ -23,7 +26,7 @@ std::size_t bytesOf(int componentType)
     case 5123: return 2;
     case 5125:
     case 5126: return 4;
-    default: failMalformed("an accessor has an unknown component type");
+    default: failMalformed(tr("an accessor has an unknown component type"));
     }
 }
 
@@ -36,7 +39,7 @@ std::size_t componentsOf(const Json &accessor)
         if (type && *type == name)
             return components;
     }
-    failMalformed("an accessor has an unknown type");
+    failMalformed(tr("an accessor has an unknown type"));
 }
 
 /// Little-endian, whatever the machine.
@@ -67,11 +70,11 @@ GltfValues::GltfValues(GltfFile &file, const Json &accessor)
         const std::uint64_t bytes =
             m_count == 0 ? 0 : std::uint64_t{m_stride} * (m_count - 1) + std::uint64_t{elementBytes};
         if (offset + bytes > m_bytes.size())
-            failMalformed("an accessor of " + std::to_string(m_count) + " elements goes beyond its buffer view");
+            failMalformed(tr("an accessor of %1 elements goes beyond its buffer view", m_count));
         m_bytes = m_bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(bytes));
     } else {
         if (m_count > std::max<std::uint64_t>(kElementsOutOfNothing, file.source().bytes.size()))
-            failMalformed("an accessor declares " + std::to_string(m_count) + " elements without any bytes");
+            failMalformed(tr("an accessor declares %1 elements without any bytes", m_count));
         m_owned.resize(m_count * elementBytes);
         m_bytes = m_owned;
     }
@@ -84,7 +87,7 @@ void GltfValues::readSparse(GltfFile &file, const Json &accessor, const Json &sp
     const Json *indices = GltfFile::find(sparse, "indices");
     const Json *values = GltfFile::find(sparse, "values");
     if (!GltfFile::find(sparse, "count") || !indices || !values)
-        failMalformed("a sparse accessor lacks its count, its indices or its values");
+        failMalformed(tr("a sparse accessor lacks its count, its indices or its values"));
     // As accessors of their own, which is what they are.
     Json indexAccessor = *indices, valueAccessor = *values;
     indexAccessor["type"] = "SCALAR";
@@ -93,10 +96,10 @@ void GltfValues::readSparse(GltfFile &file, const Json &accessor, const Json &sp
     valueAccessor["componentType"] = accessor.at("componentType");
     valueAccessor["count"] = sparse.at("count");
     if (GltfFile::find(indexAccessor, "sparse") || GltfFile::find(valueAccessor, "sparse"))
-        failMalformed("a sparse accessor lies in another");
+        failMalformed(tr("a sparse accessor lies in another"));
     const GltfValues places(file, indexAccessor), patches(file, valueAccessor);
     if (!places.areIntegers())
-        failMalformed("the indices of a sparse accessor are no integers");
+        failMalformed(tr("the indices of a sparse accessor are no integers"));
     const std::size_t elementBytes = m_components * m_componentBytes;
     std::vector<std::uint8_t> whole(m_count * elementBytes);
     for (std::size_t element = 0; element < m_count; ++element)
@@ -104,8 +107,7 @@ void GltfValues::readSparse(GltfFile &file, const Json &accessor, const Json &sp
     for (std::size_t patch = 0; patch < places.count(); ++patch) {
         const std::int64_t place = places.integerAt(patch, 0);
         if (place < 0 || static_cast<std::uint64_t>(place) >= m_count)
-            failMalformed("a sparse accessor of " + std::to_string(m_count) + " elements changes number "
-                          + std::to_string(place));
+            failMalformed(tr("a sparse accessor of %1 elements changes number %2", m_count, place));
         std::memcpy(whole.data() + static_cast<std::size_t>(place) * elementBytes, patches.placeOf(patch, 0),
                     elementBytes);
     }

@@ -6,6 +6,7 @@
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
@@ -24,6 +25,7 @@
 namespace unprojector::mesh_import {
 using namespace threads;
 using namespace geometry;
+using text::tr;
 
 namespace mesh_reader {
 
@@ -84,8 +86,7 @@ Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(doub
         glm::vec3 lowest(kMost), highest(-kMost);
         for (std::size_t i = begin; i < end; ++i) {
             if (mesh.indices[i] >= vertexCount)
-                failMalformed("a face refers to vertex " + std::to_string(mesh.indices[i]) + ", the mesh has "
-                              + std::to_string(vertexCount));
+                failMalformed(tr("a face refers to vertex %1, the mesh has %2", mesh.indices[i], vertexCount));
             lowest = glm::min(lowest, mesh.positions[mesh.indices[i]]);
             highest = glm::max(highest, mesh.positions[mesh.indices[i]]);
         }

@@ -3,6 +3,7 @@
 #include "core/text/translation.h"
 
 namespace unprojector::mesh_import {
+using text::marked;
 using text::tr;
 namespace {
 
@@ -72,9 +73,21 @@ std::string noteText(const ModelNote &note)
                                   : "%1 bytes behind all that the file declares are not used",
                   note.count);
     case ModelNote::Kind::PartLeftOut:
+        if (note.detail == "a texture without a PNG or JPEG picture")
+            return tr("\"a texture without a PNG or JPEG picture\" is not shown");
         return note.count > 1 ? tr("%1 is not shown (%2 times)", quotedDetail(note), note.count)
                               : tr("%1 is not shown", quotedDetail(note));
-    case ModelNote::Kind::PartUnusable: return tr("not used: %1", printable(note.detail));
+    case ModelNote::Kind::PartUnusable:
+        return tr(
+            "not used: %1",
+            printable(text::saidAgain(
+                note.detail,
+                {marked("%1 triangle without an area, whose corners are equal or on one line in single precision"),
+                 marked("%1 triangles without an area, whose corners are equal or on one line in single precision"),
+                 marked("drawing, since graphics cards round %1, which the model measures, to 0 or to few digits; "
+                        "scale it up"),
+                 marked("the file has no scene, so all its nodes are shown"),
+                 marked("a mesh primitive has no positions")})));
     }
     return {};
 }

@@ -3,12 +3,15 @@
 #include "core/geometry/finite.h"
 #include "core/mesh_import/obj_cursor.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace unprojector::mesh_import::mesh_reader {
+using text::marked;
+using text::tr;
 
 namespace {
 
@@ -55,11 +58,11 @@ void ObjChunk::readStatement(ObjCursor &cursor)
         readFace(cursor);
     } else if (keyword == "vn") {
         double values[3] = {};
-        readVector(cursor, "a normal", 3, 3, values);
+        readVector(cursor, marked("a normal"), 3, 3, values);
         normals.emplace_back(values[0], values[1], values[2]);
     } else if (keyword == "vt") {
         double values[2] = {};
-        readVector(cursor, "a texture coordinate", 1, 2, values);
+        readVector(cursor, marked("a texture coordinate"), 1, 2, values);
         texcoords.emplace_back(values[0], values[1]);
     } else if (!keyword.empty()) {
         readOther(cursor, keyword);
@@ -74,8 +77,8 @@ void ObjChunk::readVertex(ObjCursor &cursor)
         ++count;
     if (count < 3) {
         const std::string_view word = cursor.word();
-        fail(cursor,
-             word.empty() ? "a vertex needs three numbers" : "a vertex needs three numbers, not " + quoted(word));
+        fail(cursor, word.empty() ? tr("a vertex needs three numbers")
+                                  : tr("a vertex needs three numbers, not %1", quoted(word)));
         return;
     }
     // x y z, x y z w, x y z r g b, x y z r g b a, x y z w r g b a.
@@ -108,9 +111,9 @@ void ObjChunk::readVector(ObjCursor &cursor, const char *what, int least, int mo
     if (count >= least)
         return;
     const std::string_view word = cursor.word();
-    std::string message = std::string(what) + " needs " + (least == 1 ? "a number" : "three numbers");
+    std::string message = tr(least == 1 ? "%1 needs a number" : "%1 needs three numbers", tr(what));
     if (!word.empty())
-        message += ", not " + quoted(word);
+        message = tr("%1, not %2", message, quoted(word));
     fail(cursor, std::move(message));
 }
 
@@ -172,7 +175,7 @@ void ObjChunk::readFace(ObjCursor &cursor)
         ObjCursor word = cursor;
         Corner corner;
         if (!readCorner(cursor, corner)) {
-            fail(cursor, quoted(word.word()) + " is no corner of a face");
+            fail(cursor, tr("%1 is no corner of a face", quoted(word.word())));
             return;
         }
         addCorner(ObjVertex, corner.numbers[ObjVertex], true);
@@ -291,12 +294,11 @@ void ObjChunk::failAtFace(std::size_t face, const ObjCounts &before, const ObjCo
             const std::int64_t number = corner.numbers[ObjVertex];
             const bool exists = number > 0 ? number <= total[ObjVertex] : number < 0 && number >= -soFar[ObjVertex];
             if (!exists)
-                failMalformed("line " + std::to_string(linesBefore + cursor.linesBefore() + 1)
-                              + ": a face refers to vertex " + std::to_string(number) + ", the file has "
-                              + std::to_string(total[ObjVertex]));
+                failMalformed(tr("line %1: a face refers to vertex %2, the file has %3",
+                                 linesBefore + cursor.linesBefore() + 1, number, total[ObjVertex]));
         }
     }
-    failMalformed("a face refers to a vertex that the file does not have");
+    failMalformed(tr("a face refers to a vertex that the file does not have"));
 }
 
 } // namespace unprojector::mesh_import::mesh_reader

@@ -1,6 +1,7 @@
 #include "core/mesh_import/ply_body.h"
 
 #include "core/mesh_import/line_ranges.h"
+#include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 namespace unprojector::mesh_import::mesh_reader {
 using namespace threads;
+using text::tr;
 
 namespace {
 
@@ -48,12 +50,12 @@ PlyBody::PlyBody(const Source &source, const PlyHeader &header)
 
 void PlyBody::failTruncated() const
 {
-    failMalformed("the file ends within " + where() + " of " + std::to_string(m_element->count));
+    failMalformed(tr("the file ends within %1 of %2", where(), m_element->count));
 }
 
 void PlyBody::failAtLine(const std::string &what) const
 {
-    failMalformed("line " + std::to_string(m_scanner.line()) + ": " + what);
+    failMalformed(tr("line %1: %2", m_scanner.line(), what));
 }
 
 void PlyBody::beginElement(const PlyElement &element, std::size_t number)
@@ -71,7 +73,7 @@ void PlyBody::endElement()
     if (m_format != PlyFormat::Ascii)
         return;
     if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
-        failAtLine(quoted(word) + " follows all that the header declares for " + where());
+        failAtLine(tr("%1 follows all that the header declares for %2", quoted(word), where()));
 }
 
 double PlyBody::value(PlyType type)
@@ -96,7 +98,7 @@ double PlyBody::asciiValue(PlyType type)
     if (word.empty()) {
         if (m_scanner.isAtEnd())
             failTruncated();
-        failAtLine("the line ends before all that the header declares for " + where());
+        failAtLine(tr("the line ends before all that the header declares for %1", where()));
     }
     if (!isFloating(type)) {
         if (const std::optional<long long> integer = integerFromWord(word))
@@ -104,7 +106,7 @@ double PlyBody::asciiValue(PlyType type)
     }
     const std::optional<double> number = doubleFromWord(word);
     if (!number)
-        failAtLine(quoted(word) + " is no number");
+        failAtLine(tr("%1 is no number", quoted(word)));
     return *number;
 }
 
@@ -113,7 +115,7 @@ std::size_t PlyBody::listLength(const PlyProperty &list)
     const double length = value(list.countType);
     const std::size_t bytesEach = m_format == PlyFormat::Ascii ? 2 : byteCount(list.type);
     if (!(length >= 0.0))
-        failMalformed(where() + " has a list of negative length");
+        failMalformed(tr("%1 has a list of negative length", where()));
     if (length > static_cast<double>((bytesLeft() + 1) / bytesEach))
         failTruncated();
     return static_cast<std::size_t>(length);
@@ -186,8 +188,8 @@ std::size_t PlyBody::end()
     if (m_format == PlyFormat::Ascii) {
         m_scanner.skipBlankLines();
         if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
-            failAtLine(quoted(word)
-                       + " follows all elements that the header declares; correct their numbers in the header");
+            failAtLine(tr("%1 follows all elements that the header declares; correct their numbers in the header",
+                          quoted(word)));
         return 0;
     }
     return bytesThatMean(m_bytes.subspan(m_at));

@@ -2,11 +2,13 @@
 
 #include "core/mesh_import/mesh_reader.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <optional>
 
 namespace unprojector::mesh_import::mesh_reader {
+using text::tr;
 
 namespace {
 
@@ -26,7 +28,7 @@ constexpr TypeName kTypeNames[] = {
 
 [[noreturn]] void failAtLine(std::size_t line, const std::string &what)
 {
-    failMalformed("line " + std::to_string(line) + ": " + what);
+    failMalformed(tr("line %1: %2", line, what));
 }
 
 PlyType typeNamed(std::string_view name, std::size_t line)
@@ -35,7 +37,7 @@ PlyType typeNamed(std::string_view name, std::size_t line)
         if (candidate.name == name)
             return candidate.type;
     }
-    failAtLine(line, quoted(name) + " is no PLY type");
+    failAtLine(line, tr("%1 is no PLY type", quoted(name)));
 }
 
 PlyFormat formatNamed(std::string_view name, std::size_t line)
@@ -46,7 +48,7 @@ PlyFormat formatNamed(std::string_view name, std::size_t line)
         return PlyFormat::LittleEndian;
     if (name == "binary_big_endian")
         return PlyFormat::BigEndian;
-    failAtLine(line, quoted(name) + " is no PLY format");
+    failAtLine(line, tr("%1 is no PLY format", quoted(name)));
 }
 
 PlyProperty readProperty(TextScanner &scanner)
@@ -57,7 +59,7 @@ PlyProperty readProperty(TextScanner &scanner)
         property.isList = true;
         property.countType = typeNamed(scanner.nextWordInLine(), scanner.line());
         if (isFloating(property.countType))
-            failAtLine(scanner.line(), "a list's length must be an integer");
+            failAtLine(scanner.line(), tr("a list's length must be an integer"));
         type = scanner.nextWordInLine();
     }
     property.type = typeNamed(type, scanner.line());
@@ -72,8 +74,8 @@ void checkSizes(const PlyHeader &header, std::size_t fileBytes)
     for (const PlyElement &element : header.elements) {
         const std::size_t least = element.leastBytes(header.format);
         if (least > 0 && element.count > available / least)
-            failMalformed("the header declares " + std::to_string(element.count) + " of element \"" + element.name
-                          + "\", the file is too short for them");
+            failMalformed(tr("the header declares %1 of element \"%2\", the file is too short for them", element.count,
+                             element.name));
     }
 }
 
@@ -126,13 +128,13 @@ PlyHeader readPlyHeader(std::string_view file)
     PlyHeader header;
     TextScanner scanner(file);
     if (scanner.nextWordInLine() != "ply")
-        failMalformed("the file does not begin with \"ply\"");
+        failMalformed(tr("the file does not begin with \"ply\""));
     scanner.skipLine();
     bool hasFormat = false;
     for (;;) {
         const std::string_view word = scanner.nextWordInLine();
         if (word.empty() && scanner.isAtEnd())
-            failMalformed("the header has no \"end_header\"");
+            failMalformed(tr("the header has no \"end_header\""));
         if (word == "end_header") {
             scanner.skipLine();
             break;
@@ -146,12 +148,12 @@ PlyHeader readPlyHeader(std::string_view file)
             const std::string_view count = scanner.nextWordInLine();
             const std::optional<long long> value = integerFromWord(count);
             if (!value || *value < 0)
-                failAtLine(scanner.line(), quoted(count) + " is no number of elements");
+                failAtLine(scanner.line(), tr("%1 is no number of elements", quoted(count)));
             element.count = static_cast<std::size_t>(*value);
             header.elements.push_back(std::move(element));
         } else if (word == "property") {
             if (header.elements.empty())
-                failAtLine(scanner.line(), "a property before the first element");
+                failAtLine(scanner.line(), tr("a property before the first element"));
             header.elements.back().properties.push_back(readProperty(scanner));
         } else if (word == "comment") {
             if (scanner.nextWordInLine() == "TextureFile" && header.textureFile.empty()) {
@@ -159,12 +161,12 @@ PlyHeader readPlyHeader(std::string_view file)
                 continue;
             }
         } else if (!word.empty() && word != "obj_info") {
-            failAtLine(scanner.line(), quoted(word) + " does not belong in a PLY header");
+            failAtLine(scanner.line(), tr("%1 does not belong in a PLY header", quoted(word)));
         }
         scanner.skipLine();
     }
     if (!hasFormat)
-        failMalformed("the header has no \"format\"");
+        failMalformed(tr("the header has no \"format\""));
     header.bodyOffset = scanner.offset();
     header.bodyLine = scanner.line();
     checkSizes(header, file.size());

@@ -1,5 +1,6 @@
 #include "core/mesh_import/ply_vertices.h"
 
+#include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 namespace unprojector::mesh_import::mesh_reader {
 using namespace threads;
 using namespace geometry;
+using text::tr;
 
 namespace {
 
@@ -48,7 +50,7 @@ struct VertexLayout {
           color(element)
     {
         if (position[0] < 0 || position[1] < 0 || position[2] < 0)
-            failMalformed("the vertices have no x, y and z");
+            failMalformed(tr("the vertices have no x, y and z"));
         hasNormals = normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0;
         hasTexcoords = texcoord[0] >= 0 && texcoord[1] >= 0;
     }

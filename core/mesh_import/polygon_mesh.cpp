@@ -3,15 +3,18 @@
 #include "core/mesh_import/material.h"
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
+#include "core/text/translation.h"
 
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
+using text::marked;
+using text::tr;
 
 void PolygonMesh::failAt(std::int64_t vertex, const char *what, std::size_t number) const
 {
-    failMalformed(std::string(what) + ' ' + std::to_string(number) + " refers to vertex " + std::to_string(vertex)
-                  + ", the file has " + std::to_string(m_vertexCount) + " (counted from 0)");
+    failMalformed(
+        tr("%1 %2 refers to vertex %3, the file has %4 (counted from 0)", tr(what), number, vertex, m_vertexCount));
 }
 
 std::uint32_t PolygonMesh::checked(std::int64_t vertex, const char *what, std::size_t number) const
@@ -25,7 +28,7 @@ void PolygonMesh::addPolygon(std::span<const std::int64_t> vertices, std::size_t
 {
     m_polygonBegin = mesh.indices.size();
     for (const std::int64_t vertex : vertices)
-        checked(vertex, "face", face);
+        checked(vertex, marked("face"), face);
     m_localTriangles.clear();
     m_lineCount += vertices.size() < 3 ? 1u : 0u;
     if (vertices.size() == 3) {
@@ -61,7 +64,7 @@ void PolygonMesh::addStrip(std::span<const std::int64_t> vertices, std::size_t s
             begin = i + 1;
             continue;
         }
-        const std::uint32_t c = checked(vertices[i], "triangle strip", strip);
+        const std::uint32_t c = checked(vertices[i], marked("triangle strip"), strip);
         if (i < begin + 2)
             continue;
         auto a = static_cast<std::uint32_t>(vertices[i - 2]);

@@ -4,6 +4,7 @@
 #include "core/mesh_import/gltf_materials.h"
 #include "core/mesh_import/gltf_nodes.h"
 #include "core/mesh_import/gltf_values.h"
+#include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
@@ -25,6 +26,7 @@
 
 namespace unprojector::mesh_import::mesh_reader {
 using namespace threads;
+using text::tr;
 
 namespace {
 
@@ -82,8 +84,8 @@ public:
             throw Failure(ImportErrorCode::NoTriangles);
         nodes.visit([this](const Json &node, const glm::dmat4 &) { m_totalVertices += vertexCountOf(node); });
         if (m_totalVertices > kMostVertices)
-            failMalformed("the nodes show " + std::to_string(m_totalVertices) + " vertices, of which at most "
-                          + std::to_string(kMostVertices) + " can be read");
+            failMalformed(
+                tr("the nodes show %1 vertices, of which at most %2 can be read", m_totalVertices, kMostVertices));
         nodes.visit([this](const Json &node, const glm::dmat4 &worldFromNode) { addNode(node, worldFromNode); });
         noteWhatIsLeftOut();
         return finished();
@@ -102,9 +104,9 @@ private:
     {
         for (const Json &extension : m_file.array("extensionsRequired")) {
             if (extension.is_string() && !isSupported(extension.get_ref<const std::string &>()))
-                throw Failure(ImportErrorCode::Unsupported, "it needs the glTF extension "
-                                                                + extension.get<std::string>()
-                                                                + ", which is not supported; export it without");
+                throw Failure(ImportErrorCode::Unsupported,
+                              tr("it needs the glTF extension %1, which is not supported; export it without",
+                                 extension.get<std::string>()));
         }
     }
 
@@ -112,7 +114,7 @@ private:
     {
         const Json *primitives = GltfFile::find(mesh, "primitives");
         if (!primitives || !primitives->is_array())
-            failMalformed("a mesh has no primitives");
+            failMalformed(tr("a mesh has no primitives"));
         return *primitives;
     }
 
@@ -154,8 +156,8 @@ private:
             return std::nullopt;
         GltfValues values(m_file, m_file.reference(attributes, name, "accessors"));
         if (values.count() != vertexCount)
-            failMalformed(std::string("the attribute ") + name + " of a mesh has " + std::to_string(values.count())
-                          + " values for " + std::to_string(vertexCount) + " vertices");
+            failMalformed(
+                tr("the attribute %1 of a mesh has %2 values for %3 vertices", name, values.count(), vertexCount));
         return values;
     }
 
@@ -164,7 +166,7 @@ private:
                                     const Json &weights)
     {
         if (values.components() != 3)
-            failMalformed(std::string("the attribute ") + name + " of a mesh has not three numbers each");
+            failMalformed(tr("the attribute %1 of a mesh has not three numbers each", name));
         std::vector<glm::dvec3> list;
         fillInParallel(list, values.count(), {}, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v)
@@ -178,7 +180,7 @@ private:
             if (!moved)
                 continue;
             if (moved->components() != 3)
-                failMalformed(std::string("the morph target ") + name + " of a mesh has not three numbers each");
+                failMalformed(tr("the morph target %1 of a mesh has not three numbers each", name));
             for (std::size_t v = 0; v < list.size(); ++v)
                 list[v] += weight * moved->vectorAt(v);
         }
@@ -202,10 +204,10 @@ private:
     {
         const Json *attributes = GltfFile::find(primitive, "attributes");
         if (!attributes || !attributes->is_object())
-            failMalformed("a mesh primitive has no attributes");
+            failMalformed(tr("a mesh primitive has no attributes"));
         const std::uint64_t mode = GltfFile::number(primitive, "mode", GltfCorners::Triangles);
         if (mode > GltfCorners::TriangleFan)
-            failMalformed("a mesh primitive has the mode " + std::to_string(mode) + ", which does not exist");
+            failMalformed(tr("a mesh primitive has the mode %1, which does not exist", mode));
         if (!GltfFile::find(*attributes, "POSITION")) {
             m_model.notes.push_back({ModelNote::Kind::PartUnusable, 1, "a mesh primitive has no positions"});
             return;
@@ -215,7 +217,7 @@ private:
         if (GltfFile::find(primitive, "indices")) {
             indices.emplace(m_file, m_file.reference(primitive, "indices", "accessors"));
             if (!indices->areIntegers() || indices->components() != 1)
-                failMalformed("the indices of a mesh are no integers");
+                failMalformed(tr("the indices of a mesh are no integers"));
         }
         const GltfCorners corners(mode, indices ? indices->count() : positions.count());
         const bool arePoints = mode == GltfCorners::Points;
@@ -333,7 +335,7 @@ private:
     static void addColors(const GltfValues &colors, Mesh &mesh)
     {
         if (colors.components() < 3)
-            failMalformed("the colours of a mesh have not three or four numbers each");
+            failMalformed(tr("the colours of a mesh have not three or four numbers each"));
         for (std::size_t v = 0; v < colors.count(); ++v)
             mesh.colors.emplace_back(byteFromShare(colors.at(v, 0)), byteFromShare(colors.at(v, 1)),
                                      byteFromShare(colors.at(v, 2)),
@@ -343,7 +345,7 @@ private:
     static void addTexcoords(const GltfValues &texcoords, const GltfMaterial &material, Mesh &mesh)
     {
         if (texcoords.components() != 2)
-            failMalformed("the texture coordinates of a mesh have not two numbers each");
+            failMalformed(tr("the texture coordinates of a mesh have not two numbers each"));
         for (std::size_t v = 0; v < texcoords.count(); ++v) {
             const glm::dvec3 uv =
                 material.textureFromTexcoord * glm::dvec3(texcoords.at(v, 0), texcoords.at(v, 1), 1.0);

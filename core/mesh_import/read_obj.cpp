@@ -4,6 +4,7 @@
 #include "core/mesh_import/obj_materials.h"
 #include "core/mesh_import/obj_vertices.h"
 #include "core/mesh_import/polygon_triangulation.h"
+#include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 
 namespace unprojector::mesh_import::mesh_reader {
 using namespace threads;
+using text::tr;
 
 namespace {
 
@@ -135,8 +137,7 @@ void ObjReader::throwFirstFailure()
             throw Failure(ImportErrorCode::NotFinite, {},
                           static_cast<std::size_t>(m_total[ObjVertex]) + chunk.positions.size());
         if (chunk.failure())
-            failMalformed("line " + std::to_string(lines + chunk.failure()->line + 1) + ": "
-                          + chunk.failure()->message);
+            failMalformed(tr("line %1: %2", lines + chunk.failure()->line + 1, chunk.failure()->message));
         lines += chunk.lineCount();
         for (std::size_t kind = 0; kind < kObjKinds; ++kind)
             m_total[kind] += chunk.counts()[kind];
@@ -145,9 +146,9 @@ void ObjReader::throwFirstFailure()
     m_hasFaces = faces > 0;
     // A file of any text would pass so far.
     if (m_total[ObjVertex] == 0 && !m_hasFaces)
-        failMalformed("the file holds no OBJ vertices and no faces");
+        failMalformed(tr("the file holds no OBJ vertices and no faces"));
     if (*std::max_element(m_total.begin(), m_total.end()) >= std::numeric_limits<std::int32_t>::max())
-        failMalformed("the file has more than 2147483646 vertices");
+        failMalformed(tr("the file has more than 2147483646 vertices"));
 }
 
 void ObjReader::placePositions()

@@ -1,6 +1,7 @@
 #include "core/mesh_import/mesh_reader.h"
 #include "core/mesh_import/polygon_mesh.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,6 +11,8 @@
 
 namespace unprojector::mesh_import::mesh_reader {
 using namespace geometry;
+using text::marked;
+using text::tr;
 
 namespace {
 
@@ -81,9 +84,9 @@ public:
     {
         std::vector<float> values;
         if (m_isBinary) {
-            const std::int64_t count = integer("face colour");
+            const std::int64_t count = integer(marked("face colour"));
             for (std::int64_t i = 0; i < count; ++i) {
-                const auto value = static_cast<float>(real("face colour"));
+                const auto value = static_cast<float>(real(marked("face colour")));
                 if (values.size() < 4)
                     values.push_back(value);
             }
@@ -109,7 +112,7 @@ public:
             return faceColor();
         std::vector<float> values(4);
         for (float &value : values)
-            value = static_cast<float>(real("vertex colour"));
+            value = static_cast<float>(real(marked("vertex colour")));
         m_areColorsIntegers = false;
         for (const float value : values)
             m_areColorsIntegers = m_areColorsIntegers || value > 1.0f;
@@ -130,8 +133,9 @@ public:
             word = m_scanner.nextWord();
         }
         if (!word.empty())
-            failMalformed("line " + std::to_string(m_scanner.line()) + ": " + quoted(word)
-                          + " follows all that the header declares; correct its numbers of vertices and faces");
+            failMalformed(
+                tr("line %1: %2 follows all that the header declares; correct its numbers of vertices and faces",
+                   m_scanner.line(), quoted(word)));
         return 0;
     }
 
@@ -159,12 +163,11 @@ private:
 
     [[noreturn]] void failTruncated(const char *what) const
     {
-        failMalformed(std::string("the file ends where a ") + what + " is expected");
+        failMalformed(tr("the file ends where a %1 is expected", tr(what)));
     }
     [[noreturn]] void failWord(std::string_view word, const char *what) const
     {
-        failMalformed("line " + std::to_string(m_scanner.line()) + ": " + quoted(word) + " stands where a " + what
-                      + " is expected");
+        failMalformed(tr("line %1: %2 stands where a %3 is expected", m_scanner.line(), quoted(word), tr(what)));
     }
 
     std::span<const std::uint8_t> m_bytes;
@@ -189,9 +192,9 @@ glm::u8vec4 colorFromNumbers(const std::vector<float> &values, bool areIntegers)
 std::size_t checkedCount(std::int64_t count, std::size_t numbersEach, const OffNumbers &numbers, const char *what)
 {
     if (count < 0)
-        failMalformed("the header declares " + std::to_string(count) + ' ' + what);
+        failMalformed(tr("the header declares %1 %2", count, tr(what)));
     if (static_cast<std::uint64_t>(count) > (numbers.bytesLeft() + 1) / (numbersEach * numbers.leastBytes()))
-        failMalformed("the header declares " + std::to_string(count) + ' ' + what + ", the file is too short for them");
+        failMalformed(tr("the header declares %1 %2, the file is too short for them", count, tr(what)));
     return static_cast<std::size_t>(count);
 }
 
@@ -203,24 +206,24 @@ void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, M
     for (std::size_t v = 0; v < count; ++v) {
         if (v % kElementsBetweenReports == 0)
             progress.report(0.5 * static_cast<double>(v) / static_cast<double>(count));
-        const double x = numbers.real("vertex");
-        const double y = numbers.real("vertex");
-        const double z = numbers.real("vertex");
-        const double w = kind.hasW ? numbers.real("vertex") : 1.0;
+        const double x = numbers.real(marked("vertex"));
+        const double y = numbers.real(marked("vertex"));
+        const double z = numbers.real(marked("vertex"));
+        const double w = kind.hasW ? numbers.real(marked("vertex")) : 1.0;
         positions.push_back(glm::dvec3(x, y, z) / w);
         box.add(positions.back());
         if (kind.hasNormals) {
-            const double nx = numbers.real("normal");
-            const double ny = numbers.real("normal");
-            mesh.normals.emplace_back(nx, ny, numbers.real("normal"));
+            const double nx = numbers.real(marked("normal"));
+            const double ny = numbers.real(marked("normal"));
+            mesh.normals.emplace_back(nx, ny, numbers.real(marked("normal")));
         }
         if (kind.hasColors) {
             const std::vector<float> values = numbers.vertexColor(!kind.hasTexcoords);
             mesh.colors.push_back(colorFromNumbers(values, numbers.areColorsIntegers()));
         }
         if (kind.hasTexcoords) {
-            const double u = numbers.real("texture coordinate");
-            mesh.texcoords.emplace_back(u, numbers.real("texture coordinate"));
+            const double u = numbers.real(marked("texture coordinate"));
+            mesh.texcoords.emplace_back(u, numbers.real(marked("texture coordinate")));
         }
     }
     setPositions(mesh, originFor(box), positions);
@@ -241,7 +244,7 @@ Model readOff(const Source &source)
     if (!kind) {
         // The word is optional: the file may begin with the counts.
         if (!integerFromWord(word))
-            failMalformed("the file does not begin with \"OFF\"");
+            failMalformed(tr("the file does not begin with \"OFF\""));
         kind = OffKind{};
         offset = 0;
     }
@@ -256,11 +259,11 @@ Model readOff(const Source &source)
         line = 1;
 
     OffNumbers numbers(source, offset, line, kind->isBinary);
-    const std::int64_t declaredVertices = numbers.integer("number of vertices");
-    const std::int64_t declaredFaces = numbers.integer("number of faces");
-    numbers.integer("number of edges");
-    const std::size_t vertexCount = checkedCount(declaredVertices, 3, numbers, "vertices");
-    const std::size_t faceCount = checkedCount(declaredFaces, 1, numbers, "faces");
+    const std::int64_t declaredVertices = numbers.integer(marked("number of vertices"));
+    const std::int64_t declaredFaces = numbers.integer(marked("number of faces"));
+    numbers.integer(marked("number of edges"));
+    const std::size_t vertexCount = checkedCount(declaredVertices, 3, numbers, marked("vertices"));
+    const std::size_t faceCount = checkedCount(declaredFaces, 1, numbers, marked("faces"));
 
     PolygonMesh polygons(vertexCount);
     readVertices(*kind, vertexCount, numbers, polygons.mesh, source.progress);
@@ -268,9 +271,9 @@ Model readOff(const Source &source)
     for (std::size_t f = 0; f < faceCount; ++f) {
         if (f % kElementsBetweenReports == 0)
             source.progress.report(0.5 + 0.5 * static_cast<double>(f) / static_cast<double>(faceCount));
-        corners.resize(checkedCount(numbers.integer("face"), 1, numbers, "corners of a face"));
+        corners.resize(checkedCount(numbers.integer(marked("face")), 1, numbers, marked("corners of a face")));
         for (std::int64_t &corner : corners)
-            corner = numbers.integer("face");
+            corner = numbers.integer(marked("face"));
         polygons.addPolygon(corners, f);
         const std::vector<float> color = numbers.faceColor();
         // One number is an index into a table that the file does not hold.

@@ -3,6 +3,7 @@
 #include "core/mesh_import/ply_header.h"
 #include "core/mesh_import/ply_vertices.h"
 #include "core/mesh_import/polygon_mesh.h"
+#include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 
 namespace unprojector::mesh_import::mesh_reader {
 using namespace threads;
+using text::tr;
 
 namespace {
 
@@ -129,7 +131,7 @@ void readFaces(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
     const PlyColor colors(element);
     const bool usesColors = colors.isComplete() && polygons.mesh.colors.empty();
     if (vertices < 0 || !element.properties[static_cast<std::size_t>(vertices)].isList)
-        failMalformed("the element \"" + element.name + "\" has no list \"vertex_indices\"");
+        failMalformed(tr("the element \"%1\" has no list \"vertex_indices\"", element.name));
 
     polygons.mesh.indices.reserve(3 * element.count);
     std::vector<double> values(element.properties.size());
@@ -195,7 +197,7 @@ Model readPly(const Source &source)
     const PlyHeader header = readPlyHeader(source.text());
     const PlyElement *vertices = header.find("vertex");
     if (!vertices)
-        failMalformed("the header declares no vertices");
+        failMalformed(tr("the header declares no vertices"));
     PlyBody body(source, header);
     PolygonMesh polygons(vertices->count);
     // Polygons are cut where their corners are.

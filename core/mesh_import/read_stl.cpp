@@ -3,6 +3,7 @@
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
@@ -18,6 +19,7 @@
 namespace unprojector::mesh_import::mesh_reader {
 using namespace threads;
 using namespace geometry;
+using text::tr;
 
 namespace {
 
@@ -77,12 +79,12 @@ public:
         m_count = littleEndian32(source.bytes.data() + kHeaderBytes);
         const std::size_t present = (source.bytes.size() - kBytesBeforeTriangles) / kTriangleBytes;
         if (m_count > present)
-            failMalformed("the header declares " + std::to_string(m_count) + " triangles, the file ends after "
-                          + std::to_string(present));
+            failMalformed(tr("the header declares %1 triangles, the file ends after %2", m_count, present));
         m_bytesBehind = bytesThatMean(source.bytes.subspan(kBytesBeforeTriangles + m_count * kTriangleBytes));
         if (m_bytesBehind >= kTriangleBytes)
-            failMalformed("the header declares " + std::to_string(m_count) + " triangles, the file has room for "
-                          + std::to_string(present) + "; correct the number in bytes 80 to 83 of the file");
+            failMalformed(tr("the header declares %1 triangles, the file has room for %2; correct the number in bytes "
+                             "80 to 83 of the file",
+                             m_count, present));
     }
 
     std::size_t count() const { return m_count; }
@@ -189,12 +191,12 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lowerCase)
 
 [[noreturn]] void failAtLine(std::size_t line, const std::string &what)
 {
-    failMalformed("line " + std::to_string(line) + ": " + what);
+    failMalformed(tr("line %1: %2", line, what));
 }
 
 [[noreturn]] void failUnended(std::size_t line)
 {
-    failMalformed("the file ends in line " + std::to_string(line) + " without \"endsolid\"");
+    failMalformed(tr("the file ends in line %1 without \"endsolid\"", line));
 }
 
 /// What stands in a text, or in whole facets of it.
@@ -221,8 +223,9 @@ AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<
                 const std::string_view number = scanner.nextWordInLine();
                 const std::optional<double> value = doubleFromWord(number);
                 if (!value)
-                    failAtLine(scanner.line(), number.empty() ? "a vertex needs three numbers"
-                                                              : "a vertex needs three numbers, not " + quoted(number));
+                    failAtLine(scanner.line(), number.empty()
+                                                   ? tr("a vertex needs three numbers")
+                                                   : tr("a vertex needs three numbers, not %1", quoted(number)));
                 position[axis] = *value;
             }
             if (!isFinite(position))
@@ -232,7 +235,7 @@ AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<
             ++cornersOfFacet;
         } else if (equalsIgnoringCase(word, "endfacet")) {
             if (cornersOfFacet != 3)
-                failAtLine(scanner.line(), "a facet has " + std::to_string(cornersOfFacet) + " vertices instead of 3");
+                failAtLine(scanner.line(), tr("a facet has %1 vertices instead of 3", cornersOfFacet));
             cornersOfFacet = 0;
         } else if (equalsIgnoringCase(word, "solid")) {
             part.isInSolid = true;
@@ -246,7 +249,7 @@ AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<
                 scanner.nextWordInLine();
         } else if (!equalsIgnoringCase(word, "facet") && !equalsIgnoringCase(word, "outer")
                    && !equalsIgnoringCase(word, "loop") && !equalsIgnoringCase(word, "endloop")) {
-            failAtLine(scanner.line(), quoted(word) + " does not belong in an STL file");
+            failAtLine(scanner.line(), tr("%1 does not belong in an STL file", quoted(word)));
         }
     }
     if (cornersOfFacet != 0)
@@ -351,7 +354,7 @@ Model readStl(const Source &source)
         mesh = readAscii(source);
     } else {
         if (source.bytes.size() < kBytesBeforeTriangles)
-            failMalformed("the file ends within the header");
+            failMalformed(tr("the file ends within the header"));
         mesh = readBinary(source, model.notes);
     }
     // The facets' normals are left out: they say nothing that the corners don't.

@@ -1,5 +1,7 @@
 #include "core/mesh_import/text_scanner.h"
 
+#include "core/text/translation.h"
+
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -129,11 +131,10 @@ std::optional<long long> integerFromWord(std::string_view word)
 
 std::string quoted(std::string_view word)
 {
-    std::string text(1, '"');
+    std::string printable;
     for (const char c : word.substr(0, 40))
-        text.push_back(c >= ' ' && c <= '~' ? c : '?');
-    text.push_back('"');
-    return text;
+        printable.push_back(c >= ' ' && c <= '~' ? c : '?');
+    return text::tr("\"%1\"", printable);
 }
 
 } // namespace unprojector::mesh_import

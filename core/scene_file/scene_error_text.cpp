@@ -5,7 +5,9 @@
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace unprojector::scene_file {
 using namespace geometry;
@@ -93,6 +95,31 @@ std::string causeText(const Error &error)
     return {};
 }
 
+/// What the parser has said, whose sentences are English.
+std::string syntaxText(const std::string &detail)
+{
+    if (language() == Language::English)
+        return detail;
+    // What it may have expected or found; the rest are signs of JSON in quotes.
+    constexpr const char *kWords[] = {
+        marked("value"),         marked("object key"),     marked("object separator"),      marked("array"),
+        marked("end of input"),  marked("string literal"), marked("number literal"),        marked("true literal"),
+        marked("false literal"), marked("null literal"),   marked("'[', '{', or a literal")};
+    const auto word = [&kWords](const std::string &english) {
+        if (english == "object")
+            return tr("an object in { }");
+        return std::find(std::begin(kWords), std::end(kWords), english) == std::end(kWords) ? english : tr(english);
+    };
+    if (const auto parts = valuesIn(detail, "while parsing %1 - unexpected %2; expected %3"))
+        return tr("while parsing %1 - unexpected %2; expected %3", word((*parts)[0]), word((*parts)[1]),
+                  word((*parts)[2]));
+    if (const auto parts = valuesIn(detail, "while parsing %1 - unexpected %2"))
+        return tr("while parsing %1 - unexpected %2", word((*parts)[0]), word((*parts)[1]));
+    if (const auto parts = valuesIn(detail, "while parsing %1 - %2"))
+        return tr("while parsing %1 - %2", word((*parts)[0]), (*parts)[1]);
+    return saidAgain(detail, {marked("the file is UTF-16; save it as UTF-8"), marked("unexpected zero byte")});
+}
+
 std::string sentence(const SceneFileError &e)
 {
     switch (e.code) {
@@ -107,7 +134,7 @@ std::string sentence(const SceneFileError &e)
         return tr("the scene shows this model and would be written over it; give another name");
     case SceneFileErrorCode::EmptyFile: return tr("the file is empty");
     case SceneFileErrorCode::TooLarge: return tr("a scene may have at most %1", bytesText(e.limit));
-    case SceneFileErrorCode::Syntax: return e.detail;
+    case SceneFileErrorCode::Syntax: return syntaxText(e.detail);
     case SceneFileErrorCode::NumberTooLarge: return tr("%1 is too large for a number", e.found);
     case SceneFileErrorCode::TooDeep: return tr("brackets are nested deeper than %1 levels", shortestText(e.limit));
     case SceneFileErrorCode::DuplicateKey: return tr("the key \"%1\" stands here for the second time", e.found);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <utility>
 
 namespace unprojector::text {
 
@@ -52,7 +53,7 @@ std::string translated(std::string_view english)
     return std::string(english);
 }
 
-std::string filled(std::string_view pattern, std::initializer_list<std::string> values)
+std::string filled(std::string_view pattern, const std::vector<std::string> &values)
 {
     std::string text;
     for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -64,10 +65,43 @@ std::string filled(std::string_view pattern, std::initializer_list<std::string> 
             text += pattern[i];
             continue;
         }
-        text += values.begin()[place - 1];
+        text += values[place - 1];
         ++i;
     }
     return text;
+}
+
+std::optional<std::vector<std::string>> valuesIn(std::string_view text, std::string_view pattern)
+{
+    constexpr std::size_t kPlaceSize = 2; // "%1"
+    std::vector<std::string> values;
+    std::size_t place = pattern.find('%');
+    if (!text.starts_with(pattern.substr(0, place)))
+        return std::nullopt;
+    text.remove_prefix(pattern.substr(0, place).size());
+    while (place != pattern.npos) {
+        pattern.remove_prefix(place + kPlaceSize);
+        place = pattern.find('%');
+        const std::string_view behind = pattern.substr(0, place);
+        const bool isLast = place == pattern.npos;
+        if (isLast && !text.ends_with(behind))
+            return std::nullopt;
+        const std::size_t end = isLast ? text.size() - behind.size() : text.find(behind);
+        if (end == text.npos || end == 0)
+            return std::nullopt;
+        values.emplace_back(text.substr(0, end));
+        text.remove_prefix(end + behind.size());
+    }
+    return text.empty() ? std::optional(std::move(values)) : std::nullopt;
+}
+
+std::string saidAgain(std::string_view english, std::initializer_list<std::string_view> patterns)
+{
+    for (const std::string_view pattern : patterns) {
+        if (const auto values = valuesIn(english, pattern))
+            return filled(translated(pattern), *values);
+    }
+    return std::string(english);
 }
 
 } // namespace unprojector::text

@@ -166,7 +166,8 @@ QStringList TestChinese::inFolder(const QStringList &words)
     m_folder.write(QStringLiteral("scene.json"), kFrustumScene);
     // Open, and with a line, so that there is something to note of it.
     m_folder.write(QStringLiteral("face.obj"), "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\nl 1 2\n");
-    static const QRegularExpression file(QStringLiteral("^(scene\\.json|map\\.pfm)$"));
+    m_folder.write(QStringLiteral("broken.obj"), "v 1 2 x\n");
+    static const QRegularExpression file(QStringLiteral("^(scene\\.json|broken\\.obj|map\\.pfm)$"));
     QStringList placed;
     for (const QString &word : words)
         placed << (file.match(word).hasMatch() ? m_folder.path(word) : word);
@@ -190,6 +191,12 @@ void TestChinese::messagesAreSaidInChinese_data()
     QTest::newRow("scene-value") << QStringList{"matrices", "-"}
                                  << QByteArray(R"({"unprojector": 1, "window": {"width": -3, "height": 2}})")
                                  << "-3 必须在 1 与 65536 之间\n";
+    QTest::newRow("syntax") << QStringList{"matrices", "-"} << QByteArray(R"({"unprojector" 1})")
+                            << "stdin:1:16: 读取键之后的分隔符时遇到意外的 数；应为 ':'\n";
+    QTest::newRow("model") << QStringList{"info", "broken.obj"} << QByteArray()
+                           << "broken.obj: 已损坏：第 1 行：顶点需要三个数，而不是 “x”\n";
+    QTest::newRow("landmark-row") << QStringList{"landmarks", "--from", "csv", "--to", "pp", "-", "-"}
+                                  << QByteArray("name,x,y,z\na,1,2,far\n") << "stdin:2: z 为 “far”；请写一个数\n";
     QTest::newRow("several") << QStringList{"pick", "scene.json"} << QByteArray("px,py\n-1,0\n900,0\n")
                              << "stdin: 2 个像素在画面（800x600）的视口之外，那里什么也不会遇到\n";
     QTest::newRow("finding") << QStringList{"scene", "--from-matrices",

@@ -113,6 +113,7 @@ private slots:
     void placesOfValuesAgree();
     void textsAreSaidInTheLanguageThatIsSet();
     void valuesStandInTheirPlaces();
+    void aTextIsSaidAgain();
     void wideCharactersTakeTwoColumns();
     void linesAreWrappedBetweenCharacters_data();
     void linesAreWrappedBetweenCharacters();
@@ -157,6 +158,26 @@ void TestCoreTexts::valuesStandInTheirPlaces()
     QCOMPARE(text::tr("99 % of %2 are %1", "%2", 7), std::string("99 % of 7 are %2"));
     QCOMPARE(filled("%1%3", {"a"}), std::string("a%3"));
     QCOMPARE(filled("%", {"a"}), std::string("%"));
+}
+
+/// What a mesh's reader has noted is English, and said in Chinese later.
+void TestCoreTexts::aTextIsSaidAgain()
+{
+    using Values = std::vector<std::string>;
+    QCOMPARE(valuesIn("ratio 1.5, flipped", "ratio %1, flipped"), std::optional(Values{"1.5"}));
+    QCOMPARE(valuesIn("a, b of c", "%1, %2 of %3"), std::optional(Values{"a", "b", "c"}));
+    QCOMPARE(valuesIn("right", "right"), std::optional(Values{}));
+    QCOMPARE(valuesIn("rightly", "right"), std::optional<Values>());
+    QCOMPARE(valuesIn("ratio ", "ratio %1"), std::optional<Values>());
+    QCOMPARE(valuesIn("a of ", "%1 of %2"), std::optional<Values>());
+    QCOMPARE(valuesIn("", "%1"), std::optional<Values>());
+
+    const std::initializer_list<std::string_view> patterns{"ratio %1", "to %1 bits"};
+    QCOMPARE(saidAgain("to 16 bits", patterns), std::string("to 16 bits"));
+    setLanguage(Language::Chinese);
+    QCOMPARE(saidAgain("to 16 bits", patterns), std::string("舍入到 16 位"));
+    QCOMPARE(saidAgain("to few bits", {}), std::string("to few bits"));
+    setLanguage(Language::English);
 }
 
 void TestCoreTexts::wideCharactersTakeTwoColumns()
