@@ -339,8 +339,17 @@ void PipelinePanel::createStages()
     showGiven();
     m_division = new QLabel;
     m_flip = new QLabel;
-    for (QLabel *step : {m_division, m_flip})
+    const auto stepRow = [](QLabel *step, const char *anchor) {
         step->setIndent(6);
+        auto *row = new QWidget;
+        auto *line = new QHBoxLayout(row);
+        line->setContentsMargins(0, 0, 0, 0);
+        line->addWidget(step, 1);
+        line->addWidget(new HelpLink(QString::fromLatin1(anchor)));
+        return row;
+    };
+    m_divisionRow = stepRow(m_division, "viewport");
+    m_flipRow = stepRow(m_flip, "half-pixel");
 
     m_scrollArea = new QScrollArea;
     m_scrollArea->setWidgetResizable(true);
@@ -368,11 +377,11 @@ void PipelinePanel::arrange()
     // The division comes after the projection on the way there, and after its inverse on the way back.
     if (isForward)
         rows << m_given << m_givenFindings << section(PipelineStage::ProjectionMatrix) << point(Space::Clip)
-             << m_division;
+             << m_divisionRow;
     else
-        rows << m_division << point(Space::Clip) << section(PipelineStage::ProjectionMatrix) << m_givenFindings
+        rows << m_divisionRow << point(Space::Clip) << section(PipelineStage::ProjectionMatrix) << m_givenFindings
              << m_given;
-    rows << point(Space::Ndc) << section(PipelineStage::ViewportMatrix) << point(Space::Window) << m_flip
+    rows << point(Space::Ndc) << section(PipelineStage::ViewportMatrix) << point(Space::Window) << m_flipRow
          << point(Space::Widget);
     if (!isForward)
         std::reverse(rows.begin(), rows.end());

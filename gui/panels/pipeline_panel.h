@@ -104,6 +104,8 @@ private:
     MatrixFindingsView *m_givenViewFindings = nullptr;
     QLabel *m_division;
     QLabel *m_flip;
+    QWidget *m_divisionRow; ///< with its link to Help
+    QWidget *m_flipRow;
     SteadyLabel *m_derivation;
     HelpLink *m_derivationHelp;
     struct Entry {

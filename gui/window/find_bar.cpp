@@ -70,7 +70,10 @@ FindBar::FindBar(QTextEdit &page, QWidget *parent)
     setFocusProxy(m_field);
     hide();
 
-    connect(m_field, &QLineEdit::textChanged, this, [this] { search(m_start); });
+    connect(m_field, &QLineEdit::textChanged, this, [this] {
+        if (isVisible()) // else the words are another window's, for when it is opened
+            search(m_start);
+    });
     connect(m_previous, &QToolButton::clicked, this, &FindBar::findPrevious);
     connect(m_next, &QToolButton::clicked, this, &FindBar::findNext);
     connect(closing, &QToolButton::clicked, this, &FindBar::closeField);

@@ -135,7 +135,7 @@ void TestHelpLinks::everyPanelLeadsToHelp_data()
 {
     QTest::addColumn<QStringList>("anchors");
     QTest::newRow("comparison") << QStringList{"weng", "matrix", "certainty", "half-pixel"};
-    QTest::newRow("pipeline") << QStringList{"spaces", "model", "view", "frustum", "viewport", "mvpw"};
+    QTest::newRow("pipeline") << QStringList{"spaces", "model", "view", "frustum", "viewport", "half-pixel", "mvpw"};
     QTest::newRow("parameters") << QStringList{"view", "frustum", "viewport", "model", "clip-planes"};
     QTest::newRow("depth precision") << QStringList{"certainty"};
     QTest::newRow("viewport") << QStringList{"w3"};

@@ -157,6 +157,9 @@ void TestHelpSearch::escapeClosesTheFieldAndThenTheWindow()
     QVERIFY(search.window.page().extraSelections().isEmpty());
     QCOMPARE(search.window.page().textCursor().selectedText(), QStringLiteral("cavalier"));
     QVERIFY(search.window.isVisible());
+    search.field().setText(QStringLiteral("cabinet"));
+    QVERIFY(search.window.page().extraSelections().isEmpty());
+    search.field().setText(QStringLiteral("cavalier"));
     QTest::keyClick(&search.window, Qt::Key_F3); // opens it again
     QCOMPARE(search.present(), QStringLiteral("cavalier"));
     for (int i = 0; i < 2; ++i)
