@@ -1,6 +1,6 @@
 #include "gui/document/object_names.h"
 
-#include <algorithm>
+#include "gui/document/bundled_names.h"
 
 namespace unprojector::gui {
 
@@ -8,8 +8,9 @@ NameFault faultOf(const std::string &name, std::size_t place, const std::vector<
 {
     if (name.empty())
         return NameFault::Empty;
+    const QString asRead = QString::fromStdString(name);
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (i != place && objects[i].name == name)
+        if (i != place && (objects[i].name == name || readName(objects[i].name) == asRead))
             return NameFault::Taken;
     }
     return NameFault::None;

@@ -16,6 +16,7 @@ using namespace scene;
 /// What is wrong with a name for an object.
 enum class NameFault { None, Empty, Taken };
 
+/// Taken is also the name that another one is read by, see readName: two lines of a list never look the same.
 /// @param place  of the object that is to have the name
 NameFault faultOf(const std::string &name, std::size_t place, const std::vector<SceneObject> &objects);
 

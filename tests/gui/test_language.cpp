@@ -263,6 +263,10 @@ void TestLanguage::objectsAreNamedInTheLanguage()
     const SceneDocument &document = window->document();
     QVERIFY(list->setData(first, first.data(Qt::EditRole))); // looked at, and left as it was
     QCOMPARE(document.objects().front().name, std::string("Teapot"));
+    for (const char *taken : {"圆环", "Torus"}) {
+        QVERIFY(!list->setData(first, QString::fromUtf8(taken)));
+        QCOMPARE(document.objects().front().name, std::string("Teapot"));
+    }
     QVERIFY(list->setData(first, QStringLiteral("壶")));
     QCOMPARE(document.objects().front().name, std::string("壶"));
 }
