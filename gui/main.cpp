@@ -237,6 +237,7 @@ int main(int argc, char **argv)
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.unprojector.unprojector"));
     std::optional<QApplication> application(std::in_place, argc, argv);
     speak();
+    preferHanziOfChina();
     QString problem = openGLProblem();
 #ifdef Q_OS_WIN
     if (!problem.isEmpty() && hasSoftwareOpenGL()) {
@@ -246,6 +247,7 @@ int main(int argc, char **argv)
         QCoreApplication::setAttribute(Qt::AA_UseSoftwareOpenGL);
         application.emplace(argc, argv);
         speak();
+        preferHanziOfChina();
         problem = openGLProblem();
     }
 #endif

@@ -1,9 +1,9 @@
 #include "gui/document/landmark_objects.h"
 
 #include "core/ray/closest_place.h"
-#include "gui/document/bundled_names.h"
 #include "gui/document/document_change.h"
 #include "gui/document/scene_points.h"
+#include "gui/text/bundled_names.h"
 #include "gui/text/number_text.h"
 #include "gui/text/point_text.h"
 #include "gui/text/sentences.h"

@@ -1,6 +1,6 @@
 #include "gui/document/object_names.h"
 
-#include "gui/document/bundled_names.h"
+#include "gui/text/bundled_names.h"
 
 namespace unprojector::gui {
 
@@ -21,6 +21,11 @@ QString shownName(const std::string &name)
     constexpr qsizetype kMost = 200;
     const QString shown = QString::fromStdString(name).simplified();
     return shown.size() > kMost ? shown.left(kMost) + u'…' : shown;
+}
+
+QString shownObjectName(const std::string &name)
+{
+    return shownName(readName(name).toStdString());
 }
 
 std::string freeName(const std::string &name, const std::vector<SceneObject> &objects)

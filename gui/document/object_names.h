@@ -23,6 +23,9 @@ NameFault faultOf(const std::string &name, std::size_t place, const std::vector<
 /// As a line of the window has it: one line, and not as long as a file may make it.
 QString shownName(const std::string &name);
 
+/// The same of an object as it is read, see readName.
+QString shownObjectName(const std::string &name);
+
 /// The name, or the name with the first number behind it that makes it another one than those of the objects: "cube (2)".
 std::string freeName(const std::string &name, const std::vector<SceneObject> &objects);
 

@@ -1,7 +1,7 @@
 #include "gui/document/scene_curves.h"
 
-#include "gui/document/bundled_names.h"
 #include "gui/document/scene_document.h"
+#include "gui/text/bundled_names.h"
 
 #include <QCoreApplication>
 #include <QScopedValueRollback>

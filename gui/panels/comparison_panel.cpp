@@ -1,6 +1,6 @@
 #include "gui/panels/comparison_panel.h"
 
-#include "gui/document/bundled_names.h"
+#include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/api_clicks_view.h"
 #include "gui/panels/comparison_model.h"

@@ -268,8 +268,8 @@ void CurvesView::showLengths()
             return; // the points have not been told yet
         item->setText(Length, curveLengthText(curves.line(i), unit));
         for (int column = 0; column <= Length; ++column)
-            item->setToolTip(column, plainToolTip(item->text(Name) + u' ' + item->text(Points) + QStringLiteral(": ")
-                                                  + item->text(Length)));
+            item->setToolTip(column, plainToolTip(tr("%1 %2: %3", "a curve, its points, its length")
+                                                      .arg(item->text(Name), item->text(Points), item->text(Length))));
     }
 }
 

@@ -101,9 +101,11 @@ void DiagnosisView::showAnswer(const Shown &shown)
     const auto addPlain = [&](const QString &name, const QString &plain) { add(name, plain.toHtmlEscaped(), plain); };
     const QString explained = explainedText(best, diagnosis);
     add(best.explains ? tr("Explains") : tr("Closest"),
-        QStringLiteral("%1<br>%2: %3").arg(gotMarkup(shown), candidateName(best).toHtmlEscaped(), explained),
-        pointText(shown.first.got, shown.first.lastDigit) + QStringLiteral(", ") + candidateName(best)
-            + QStringLiteral(": ") + explained);
+        gotMarkup(shown) + QStringLiteral("<br>")
+            + tr("%1: %2", "a mistake: how many digits it explains")
+                  .arg(candidateName(best).toHtmlEscaped(), explained),
+        pointText(shown.first.got, shown.first.lastDigit) + QStringLiteral(", ")
+            + tr("%1: %2", "a mistake: how many digits it explains").arg(candidateName(best), explained));
     if (diagnosis.candidates.size() > 1) {
         const Candidate &next = diagnosis.candidates[1];
         addPlain(tr("Runner-up"), tr("%1: %2, %3", "runner-up: its answer, how many digits it explains")

@@ -2,7 +2,6 @@
 
 #include "core/doctor/written_points.h"
 #include "core/ray/mesh_depth.h"
-#include "gui/document/bundled_names.h"
 #include "gui/document/diagnoser.h"
 #include "gui/panels/candidates_table.h"
 #include "gui/panels/code_changes_view.h"
@@ -11,6 +10,7 @@
 #include "gui/panels/help_link.h"
 #include "gui/panels/typing_pause.h"
 #include "gui/panels/wrong_points_form.h"
+#include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 
 #include <QComboBox>

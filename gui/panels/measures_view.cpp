@@ -125,7 +125,8 @@ void MeasuresView::showRows()
     for (const MeasureRow &row : m_listed) {
         auto *item = new QTreeWidgetItem(m_rows, {row.kind, row.points, row.value});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
-        QString tip = row.kind + u' ' + row.points + QStringLiteral(": ") + row.value;
+        QString tip =
+            tr("%1 %2: %3", "what is measured, of which points, its value").arg(row.kind, row.points, row.value);
         if (row.shown && row.shown->shape == ShownMeasure::Shape::Surface)
             tip +=
                 QStringLiteral(". ")

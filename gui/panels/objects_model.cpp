@@ -1,7 +1,8 @@
 #include "gui/panels/objects_model.h"
 
-#include "gui/document/bundled_names.h"
+#include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
+#include "gui/text/bundled_names.h"
 
 #include <QDir>
 #include <QFont>

@@ -62,8 +62,10 @@ void OtherProgramsView::setAnswers(const std::optional<OtherAnswers> &answers, c
                 m_plain += QLatin1Char('\t') + shortestText(number);
         }
         m_plain += QLatin1Char('\t') + reason + QLatin1Char('\n');
-        rows += QStringLiteral("<p style='margin:0 0 4px 0'><b>%1</b>: %2<br>%3</p>")
-                    .arg(name.toHtmlEscaped(), off.toHtmlEscaped(), why);
+        rows += QStringLiteral("<p style='margin:0 0 4px 0'>%1<br>%2</p>")
+                    .arg(tr("<b>%1</b>: %2", "a program: how far its point is off")
+                             .arg(name.toHtmlEscaped(), off.toHtmlEscaped()),
+                         why);
     }
     m_answers->setText(rows);
 }

@@ -2,12 +2,12 @@
 
 #include "core/geometry/matrix_projection.h"
 #include "core/text/expression.h"
-#include "gui/document/bundled_names.h"
 #include "gui/document/given_points.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/since_click_text.h"
 #include "gui/text/api_text.h"
+#include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 #include "gui/text/matrix_text.h"
 #include "gui/text/sentences.h"

@@ -1,6 +1,6 @@
 #include "gui/panels/pipeline_panel.h"
 
-#include "gui/document/bundled_names.h"
+#include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/entry_derivation.h"

@@ -1,9 +1,9 @@
 #include "gui/panels/points_model.h"
 
 #include "core/text/expression.h"
-#include "gui/document/bundled_names.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
+#include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 #include "gui/text/point_text.h"
 #include "gui/text/typed_numbers.h"

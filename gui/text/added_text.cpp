@@ -1,6 +1,6 @@
 #include "gui/text/added_text.h"
 
-#include "gui/document/bundled_names.h"
+#include "gui/text/bundled_names.h"
 
 #include <QCoreApplication>
 #include <QLocale>

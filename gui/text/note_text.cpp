@@ -73,7 +73,8 @@ QString notesText(const QString &fileName, const std::vector<ModelNote> &notes)
     QStringList sentences;
     for (const ModelNote &note : notes)
         sentences << noteText(note);
-    return sentences.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(fileName, inARow(sentences));
+    return sentences.isEmpty() ? QString()
+                               : NoteTexts::tr("%1: %2", "a file: what is said of it").arg(fileName, inARow(sentences));
 }
 
 } // namespace unprojector::gui

@@ -1,13 +1,16 @@
 #include "gui/window/appearance.h"
 
 #include <QApplication>
+#include <QFontDatabase>
+#include <QFontInfo>
+#include <QLocale>
 #include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyle>
-#include <QStyleFactory>
 #include <QStyleOption>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -17,17 +20,37 @@ namespace {
 constexpr std::array<std::pair<Appearance, const char *>, 3> kNames{
     {{Appearance::Desktop, "desktop"}, {Appearance::Light, "light"}, {Appearance::Dark, "dark"}}};
 
+const QString kFusion = QStringLiteral("fusion");
+
+/// Those with the Hanzi of China, of Windows, macOS and Linux.
+const QStringList kChineseFonts{QStringLiteral("Microsoft YaHei UI"), QStringLiteral("PingFang SC"),
+                                QStringLiteral("Noto Sans CJK SC"),   QStringLiteral("Noto Sans SC"),
+                                QStringLiteral("Source Han Sans SC"), QStringLiteral("WenQuanYi Micro Hei")};
+
 Appearance &current()
 {
     static Appearance appearance = Appearance::Desktop;
     return appearance;
 }
 
-/// Fusion draws the edge of a check box darker than the window: on a dark one nobody sees it.
-class DarkFusion : public QProxyStyle {
+/// Fusion shortens "浅色(&L)" to the room of "浅色(L)", in which Qt's elision still counts the ampersand.
+class RoomyFusion : public QProxyStyle {
 public:
-    DarkFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
+    RoomyFusion() : QProxyStyle(kFusion) {}
 
+    QSize sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &size,
+                           const QWidget *widget) const override
+    {
+        QSize needed = QProxyStyle::sizeFromContents(type, option, size, widget);
+        if (type == CT_MenuItem)
+            needed.rwidth() += option->fontMetrics.horizontalAdvance(u'&');
+        return needed;
+    }
+};
+
+/// Fusion draws the edge of a check box darker than the window: on a dark one nobody sees it.
+class DarkFusion : public RoomyFusion {
+public:
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                        const QWidget *widget) const override
     {
@@ -95,13 +118,15 @@ void setAppearance(Appearance appearance)
     static const QString desktopStyle = QApplication::style()->objectName();
     current() = appearance;
     if (appearance == Appearance::Desktop) {
-        QApplication::setStyle(desktopStyle);
+        if (desktopStyle == kFusion)
+            QApplication::setStyle(new RoomyFusion);
+        else
+            QApplication::setStyle(desktopStyle);
         QApplication::setPalette(QPalette()); // none of ours: the desktop's is asked for
         return;
     }
     // The one style that draws every control in any colours.
-    QApplication::setStyle(appearance == Appearance::Dark ? new DarkFusion
-                                                          : QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(appearance == Appearance::Dark ? new DarkFusion : new RoomyFusion);
     QApplication::setPalette(
         appearance == Appearance::Dark
             ? paletteOf(QColor(0x2b, 0x2d, 0x30), QColor(0x1f, 0x20, 0x23), QColor(0x26, 0x28, 0x2b),
@@ -109,6 +134,21 @@ void setAppearance(Appearance appearance)
                         QColor(0x2f, 0x6c, 0xb3), QColor(0x8b, 0x8f, 0x96))
             : paletteOf(QColor(0xef, 0xef, 0xef), Qt::white, QColor(0xf6, 0xf6, 0xf6), QColor(0xef, 0xef, 0xef),
                         Qt::black, QColor(0x1f, 0x4e, 0x8c), QColor(0x30, 0x8c, 0xc6), QColor(0x80, 0x80, 0x80)));
+}
+
+void preferHanziOfChina()
+{
+    const QLocale::Language desktops = QLocale::system().language();
+    if (desktops == QLocale::Chinese || desktops == QLocale::Japanese || desktops == QLocale::Korean)
+        return;
+    const auto found = std::find_if(kChineseFonts.begin(), kChineseFonts.end(),
+                                    [](const QString &family) { return QFontDatabase::hasFamily(family); });
+    if (found == kChineseFonts.end())
+        return;
+    QFont font = QApplication::font();
+    // By its own name: a family such as "Sans Serif" would be taken for one that is not there.
+    font.setFamilies({QFontInfo(font).family(), *found});
+    QApplication::setFont(font);
 }
 
 } // namespace unprojector::gui

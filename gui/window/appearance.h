@@ -21,4 +21,9 @@ QString appearanceName(Appearance appearance);
 void setAppearance(Appearance appearance);
 Appearance currentAppearance();
 
+/// Hanzi in one font, in their shapes of China: on a desktop of another language each would come from whichever font has
+/// it, some from a Japanese one. What the desktop's own font has, it draws as before.
+/// @pre no window is there yet
+void preferHanziOfChina();
+
 } // namespace unprojector::gui

@@ -36,6 +36,18 @@
 #include <utility>
 
 namespace unprojector::gui {
+namespace {
+
+QString whereToGetFont()
+{
+#ifdef Q_OS_WIN
+    return MainWindow::tr("Add Chinese in Settings > Time & Language > Language.");
+#else
+    return MainWindow::tr("Install one, such as the package fonts-noto-cjk of Debian and Ubuntu.");
+#endif
+}
+
+} // namespace
 
 void MainWindow::createLanguageMenu(QMenu &menu)
 {
@@ -61,8 +73,7 @@ void MainWindow::createLanguageMenu(QMenu &menu)
         chinese->setEnabled(false);
         chinese->setText(QStringLiteral("&Chinese, simplified"));
         chinese->setToolTip(
-            tr("No font here has Chinese characters. Install one, such as the package fonts-noto-cjk of "
-               "Debian and Ubuntu, and start the program again."));
+            tr("No font here has Chinese characters. %1 Then start the program again.").arg(whereToGetFont()));
     }
 }
 
@@ -73,8 +84,8 @@ void MainWindow::tellOfFont()
         || QSettings().value(key, false).toBool())
         return;
     m_message->showMessage(
-        tr("The program speaks Chinese, but no font here has its characters. Install one, such as the "
-           "package fonts-noto-cjk of Debian and Ubuntu, and start the program again."));
+        tr("The program speaks Chinese, but no font here has its characters. %1 Then start the program again.")
+            .arg(whereToGetFont()));
     QSettings().setValue(key, true);
 }
 

@@ -730,19 +730,19 @@
     </message>
     <message>
         <source>Vertex %1 of %2</source>
-        <translation>%2 的顶点 %1</translation>
+        <translation>“%2”的顶点 %1</translation>
     </message>
     <message>
         <source>Point %1 of %2</source>
-        <translation>%2 的点 %1</translation>
+        <translation>“%2”的点 %1</translation>
     </message>
     <message>
         <source>A point of edge %1–%2 of %3</source>
-        <translation>%3 的边 %1–%2 上的点</translation>
+        <translation>“%3”的边 %1–%2 上的点</translation>
     </message>
     <message>
         <source>A point of face %1 of %2</source>
-        <translation>%2 的面 %1 上的点</translation>
+        <translation>“%2”的面 %1 上的点</translation>
     </message>
     <message>
         <source>The vertex taken is certain to ± %1: it is the file&apos;s, in single precision. The table above is of the surface under the pixel.</source>
@@ -1346,7 +1346,7 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     </message>
     <message>
         <source>A point on %1</source>
-        <translation>%1 上的一点</translation>
+        <translation>“%1”上的一点</translation>
     </message>
     <message>
         <source>No point yet</source>
@@ -1589,6 +1589,11 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <source>n is “%1”; a curve has 2 to %2 semilandmarks.</source>
         <translation>n 为“%1”；一条曲线有 2 到 %2 个半标志点。</translation>
     </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <comment>a curve, its points, its length</comment>
+        <translation>%1 %2：%3</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::DepthPrecisionPanel</name>
@@ -1750,6 +1755,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Click &amp;there: %1</source>
         <translation>点击那里(&amp;T)：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a mistake: how many digits it explains</comment>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -3499,12 +3509,20 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>用桌面的语言（程序有这种语言时）</translation>
     </message>
     <message>
-        <source>No font here has Chinese characters. Install one, such as the package fonts-noto-cjk of Debian and Ubuntu, and start the program again.</source>
-        <translation>本机没有含汉字的字体。请安装一种，例如 Debian 和 Ubuntu 的软件包 fonts-noto-cjk，然后重新启动程序。</translation>
+        <source>Add Chinese in Settings &gt; Time &amp; Language &gt; Language.</source>
+        <translation>请在“设置 &gt; 时间和语言 &gt; 语言”中添加中文。</translation>
     </message>
     <message>
-        <source>The program speaks Chinese, but no font here has its characters. Install one, such as the package fonts-noto-cjk of Debian and Ubuntu, and start the program again.</source>
-        <translation>程序有中文界面，但本机没有含汉字的字体。请安装一种，例如 Debian 和 Ubuntu 的软件包 fonts-noto-cjk，然后重新启动程序。</translation>
+        <source>Install one, such as the package fonts-noto-cjk of Debian and Ubuntu.</source>
+        <translation>请安装一种，例如 Debian 和 Ubuntu 的软件包 fonts-noto-cjk。</translation>
+    </message>
+    <message>
+        <source>No font here has Chinese characters. %1 Then start the program again.</source>
+        <translation>这里没有含汉字的字体。%1然后重新启动本程序。</translation>
+    </message>
+    <message>
+        <source>The program speaks Chinese, but no font here has its characters. %1 Then start the program again.</source>
+        <translation>本程序有中文界面，但这里没有含汉字的字体。%1然后重新启动本程序。</translation>
     </message>
     <message>
         <source>The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, or take the window out of full screen.</source>
@@ -4321,6 +4339,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>A point whose name says neither left nor right is taken to be in the middle. One that is hidden is left out.</source>
         <translation>名称中没有左右之分的点视为位于正中。隐藏的点不计入。</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3</source>
+        <comment>what is measured, of which points, its value</comment>
+        <translation>%1 %2：%3</translation>
     </message>
 </context>
 <context>
@@ -5285,6 +5308,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>The picture %1 is damaged, too large or of a kind that is not known (JPEG is not known here: Qt&apos;s plugin for it is missing): its surfaces are shown without it. Convert it to PNG, or make it smaller.</source>
         <translation>图片 %1 已损坏、过大或格式未知（此处连 JPEG 也无法读取：缺少 Qt 的相应插件）：其表面不带图片显示。请将其转换为 PNG，或将其缩小。</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a file: what is said of it</comment>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::NumberGrid</name>
@@ -5526,6 +5554,11 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Measured from the formula&apos;s point, whatever vertex, edge or place of the mesh the click takes.</source>
         <translation>均从公式所得的点量起，无论点击取的是网格的哪个顶点、边或位置。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2</source>
+        <comment>a program: how far its point is off</comment>
+        <translation>&lt;b&gt;%1&lt;/b&gt;：%2</translation>
     </message>
 </context>
 <context>

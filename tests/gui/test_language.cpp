@@ -4,22 +4,27 @@
 
 #include "core/scene/bundled_models.h"
 #include "core/scene_file/scene_file.h"
-#include "gui/document/bundled_names.h"
 #include "gui/document/lesson_player.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/doctor_panel.h"
+#include "gui/text/bundled_names.h"
 #include "gui/text/translation.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/appearance.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QComboBox>
 #include <QDirIterator>
 #include <QFile>
+#include <QFontDatabase>
+#include <QFontInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -164,6 +169,8 @@ private slots:
     void everythingSpeaksTheLanguageThatIsChosen();
     void nothingIsLost();
     void objectsAreNamedInTheLanguage();
+    void menusHaveRoomForTheirTexts();
+    void hanziAreThoseOfChina();
     void everyBundledNameIsChinese();
     void aLessonGoesOn();
     void whatTheDoctorWasToldStays();
@@ -290,6 +297,48 @@ void TestLanguage::everyBundledNameIsChinese()
     const QStringList letters{QStringLiteral("WC"), QStringLiteral("VC")}; // as the sources have them
     for (const QString &name : names)
         QVERIFY2(letters.contains(name) || readName(name.toStdString()) != name, qPrintable(name));
+}
+
+void TestLanguage::menusHaveRoomForTheirTexts()
+{
+    const QFont own = QApplication::font();
+    QFont large = own;
+    large.setPointSizeF(13.0);
+    QApplication::setFont(large);
+    setAppearance(Appearance::Light);
+    Translation translation({QStringLiteral("zh-CN")});
+    const auto window = windowIn(translation);
+    constexpr int kFrame = 4; // of the menu, at the right
+    for (const QMenu *menu : window->menuBar()->findChildren<QMenu *>()) {
+        QMenu narrow, wide;
+        narrow.addActions(menu->actions());
+        narrow.resize(narrow.sizeHint());
+        wide.addActions(menu->actions());
+        wide.setMinimumWidth(narrow.width() + 100);
+        wide.resize(wide.sizeHint());
+        const QImage picture = narrow.grab().toImage(), roomy = wide.grab().toImage();
+        for (QAction *action : menu->actions()) {
+            const QRect place = narrow.actionGeometry(action).adjusted(0, 0, -kFrame, 0);
+            if (action->isSeparator() || action->menu() || !action->shortcut().isEmpty())
+                continue; // something stands at the right
+            QVERIFY2(picture.copy(place) == roomy.copy(place), qPrintable(action->text()));
+        }
+    }
+    setAppearance(Appearance::Desktop);
+    QApplication::setFont(own);
+}
+
+void TestLanguage::hanziAreThoseOfChina()
+{
+    const QFont own = QApplication::font();
+    preferHanziOfChina();
+    const QFont font = QApplication::font();
+    QCOMPARE(QFontInfo(font).family(), QFontInfo(own).family());
+    QCOMPARE(font.pointSizeF(), own.pointSizeF());
+    const QString chinese = QStringLiteral("Noto Sans CJK SC");
+    if (QFontDatabase::hasFamily(chinese) && QLocale::system().language() == QLocale::C)
+        QCOMPARE(font.families().constLast(), chinese);
+    QApplication::setFont(own);
 }
 
 void TestLanguage::aLessonGoesOn()

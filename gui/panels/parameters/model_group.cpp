@@ -1,8 +1,8 @@
 #include "gui/panels/parameters/model_group.h"
 
-#include "gui/document/bundled_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/parameters/group_heading.h"
+#include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 

@@ -1,6 +1,4 @@
-#include "gui/document/bundled_names.h"
-
-#include "gui/document/object_names.h"
+#include "gui/text/bundled_names.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -48,11 +46,6 @@ QString readName(const std::string &name)
             return QCoreApplication::translate(kContext, bundled) + number;
     }
     return whole;
-}
-
-QString shownObjectName(const std::string &name)
-{
-    return shownName(readName(name).toStdString());
 }
 
 } // namespace unprojector::gui

@@ -10,7 +10,4 @@ namespace unprojector::gui {
 /// numbered or not ("Cube (2)"); scenes and their files know them by the English one, and so are the same in all languages.
 QString readName(const std::string &name);
 
-/// The same as a line of the window has it, see shownName.
-QString shownObjectName(const std::string &name);
-
 } // namespace unprojector::gui
