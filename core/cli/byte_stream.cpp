@@ -2,6 +2,7 @@
 
 #include "core/cli/progress_bar.h"
 #include "core/files/path_text.h"
+#include "core/text/system_error.h"
 #include "core/text/translation.h"
 
 #include <cerrno>
@@ -62,7 +63,7 @@ ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" :
     errno = 0;
     m_file.reset(opened(file, false));
     if (!m_file)
-        complain(tr("%1: cannot be read: %2", file, std::generic_category().message(errno)));
+        complain(tr("%1: cannot be read: %2", file, text::systemErrorText(errno)));
 }
 
 std::size_t ByteSource::read(char *buffer, std::size_t size)
@@ -109,7 +110,7 @@ ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : fi
         errno = 0;
         m_stream.reset(opened(file, true));
         if (!m_stream)
-            complain(tr("%1: cannot be written: %2", file, std::generic_category().message(errno)));
+            complain(tr("%1: cannot be written: %2", file, text::systemErrorText(errno)));
         return;
     }
     const InterruptionsWait untilItIsGuarded;
@@ -161,7 +162,7 @@ void ByteSink::failStream()
 #endif
     m_state = isReaderGone ? State::ReaderGone : State::Failed;
     if (!isReaderGone)
-        complain(tr("%1: cannot be written: %2", m_name, std::generic_category().message(error)));
+        complain(tr("%1: cannot be written: %2", m_name, text::systemErrorText(error)));
 }
 
 void ByteSink::check(const Written &written)

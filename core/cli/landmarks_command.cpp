@@ -9,6 +9,7 @@
 #include "core/landmark_files/repeats_table.h"
 #include "core/mesh_import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
+#include "core/text/system_error.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -250,7 +251,7 @@ ExitCode makeTable(const LandmarksOptions &options)
         readLandmarkFolder(pathFromUtf8(options.folder),
                            options.output == "-" ? std::filesystem::path() : pathFromUtf8(options.output), error);
     if (error) {
-        complain(tr("%1: the folder cannot be read: %2", options.folder, error.message()));
+        complain(tr("%1: the folder cannot be read: %2", options.folder, text::systemErrorText(error)));
         return ExitCode::UnusableInput;
     }
     for (const std::string &report : folder.reports)

@@ -21,7 +21,7 @@ struct FileError {
     std::string reason; ///< in the system's words, UTF-8; may be empty
 };
 
-/// What is wrong and what to do, as half a sentence to stand behind the file's name. English.
+/// What is wrong and what to do, as half a sentence to stand behind the file's name.
 std::string fileErrorText(const FileError &error);
 
 /// The result of something that only succeeds or fails.

@@ -1,5 +1,6 @@
 #include "core/files/replace_file.h"
 
+#include "core/text/system_error.h"
 #include "core/text/translation.h"
 
 #include <utility>
@@ -11,7 +12,7 @@ namespace {
 
 FileError systemError(const std::error_code &error)
 {
-    return {FileErrorCode::System, error.message()};
+    return {FileErrorCode::System, text::systemErrorText(error)};
 }
 
 Written checked(const std::error_code &error)
@@ -41,7 +42,7 @@ Written checkTarget(const std::filesystem::path &target)
     if ((status.permissions() & (perms::owner_write | perms::group_write | perms::others_write)) == perms::none)
         return FileError{FileErrorCode::IsReadOnly, {}};
     if (const std::error_code closed = checkWritable(target))
-        return FileError{FileErrorCode::IsReadOnly, closed.message()};
+        return FileError{FileErrorCode::IsReadOnly, text::systemErrorText(closed)};
     return std::monostate{};
 }
 
@@ -49,7 +50,7 @@ Written checkTarget(const std::filesystem::path &target)
 
 std::string fileErrorText(const FileError &error)
 {
-    const std::string reason = error.reason.empty() ? std::string() : " (" + error.reason + ")";
+    const std::string reason = error.reason.empty() ? std::string() : tr(" (%1)", error.reason);
     switch (error.code) {
     case FileErrorCode::IsDirectory: return tr("this is a folder; give the name of a file");
     case FileErrorCode::IsReadOnly:

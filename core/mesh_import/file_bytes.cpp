@@ -1,5 +1,6 @@
 #include "core/mesh_import/file_bytes.h"
 
+#include "core/text/system_error.h"
 #include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
@@ -22,7 +23,7 @@ FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progre
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (error)
-        throw Failure(ImportErrorCode::NotReadable, error.message());
+        throw Failure(ImportErrorCode::NotReadable, text::systemErrorText(error));
     // A pipe or a device has no size and may never end.
     if (!std::filesystem::is_regular_file(status))
         throw Failure(ImportErrorCode::NotReadable, tr("it is a pipe or a device"));

@@ -48,7 +48,7 @@ std::string choicesText(const std::vector<std::string> &choices)
 
 std::string withDetail(const std::string &sentence, const std::string &detail)
 {
-    return detail.empty() ? sentence : sentence + " (" + detail + ")";
+    return detail.empty() ? sentence : sentence + tr(" (%1)", detail);
 }
 
 /// Of a value under its key: the value comes first, the key is named before.

@@ -1,6 +1,7 @@
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/scene_file/scene_file.h"
+#include "core/text/system_error.h"
 
 #include <array>
 #include <cerrno>
@@ -47,8 +48,7 @@ Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &f
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !isOwnDescriptor(file))
         return failed(file, SceneFileErrorCode::NotAFile);
     const auto notReadable = [&file] {
-        return failed(file, SceneFileErrorCode::NotReadable,
-                      errno != 0 ? std::generic_category().message(errno) : std::string());
+        return failed(file, SceneFileErrorCode::NotReadable, errno != 0 ? text::systemErrorText(errno) : std::string());
     };
     errno = 0;
     std::ifstream stream(file, std::ios::binary);

@@ -191,8 +191,10 @@ void TestChinese::messagesAreSaidInChinese_data()
     QTest::newRow("scene-value") << QStringList{"matrices", "-"}
                                  << QByteArray(R"({"unprojector": 1, "window": {"width": -3, "height": 2}})")
                                  << "-3 必须在 1 与 65536 之间\n";
+    QTest::newRow("system") << QStringList{"landmarks", "nothing.pp", "-", "--to", "csv"} << QByteArray()
+                            << "nothing.pp: 无法读取：没有那个文件或目录\n";
     QTest::newRow("syntax") << QStringList{"matrices", "-"} << QByteArray(R"({"unprojector" 1})")
-                            << "stdin:1:16: 读取键之后的分隔符时遇到意外的 数；应为 ':'\n";
+                            << "stdin:1:16: 读取键之后的分隔符时遇到意外的数；应为':'\n";
     QTest::newRow("model") << QStringList{"info", "broken.obj"} << QByteArray()
                            << "broken.obj: 已损坏：第 1 行：顶点需要三个数，而不是 “x”\n";
     QTest::newRow("landmark-row") << QStringList{"landmarks", "--from", "csv", "--to", "pp", "-", "-"}
