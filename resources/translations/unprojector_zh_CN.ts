@@ -7994,7 +7994,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     </message>
     <message>
         <source>Save the changes to %1?</source>
-        <translation>要保存对 %1 的更改吗？</translation>
+        <translation>要保存对“%1”的更改吗？</translation>
     </message>
     <message>
         <source>Save Scene</source>
@@ -8018,7 +8018,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     </message>
     <message>
         <source>Delete the unsaved changes to %1 for good?</source>
-        <translation>要永久删除对 %1 的未保存更改吗？</translation>
+        <translation>要永久删除对“%1”的未保存更改吗？</translation>
     </message>
     <message>
         <source>Import Points</source>
@@ -8042,7 +8042,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     </message>
     <message>
         <source>Save what was made of %1 as a scene? Models stay as they are.</source>
-        <translation>将对 %1 所做的内容另存为场景吗？模型文件保持不变。</translation>
+        <translation>要把对“%1”的更改另存为场景吗？模型文件保持不变。</translation>
     </message>
     <message>
         <source>Points that are placed already: %1. Points in the file: %2. Replace them, or put the new ones behind them?</source>

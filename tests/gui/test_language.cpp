@@ -1,5 +1,6 @@
 // Another language is chosen while the program runs.
 
+#include "cut_texts.h"
 #include "window_user.h"
 
 #include "core/scene/bundled_models.h"
@@ -170,6 +171,8 @@ private slots:
     void nothingIsLost();
     void objectsAreNamedInTheLanguage();
     void menusHaveRoomForTheirTexts();
+    void noTextOfAPanelIsCut_data();
+    void noTextOfAPanelIsCut();
     void hanziAreThoseOfChina();
     void everyBundledNameIsChinese();
     void aLessonGoesOn();
@@ -326,6 +329,41 @@ void TestLanguage::menusHaveRoomForTheirTexts()
     }
     setAppearance(Appearance::Desktop);
     QApplication::setFont(own);
+}
+
+void TestLanguage::noTextOfAPanelIsCut_data()
+{
+    QTest::addColumn<double>("points");
+    QTest::newRow("9 pt") << 9.0;
+    QTest::newRow("13 pt") << 13.0;
+}
+
+void TestLanguage::noTextOfAPanelIsCut()
+{
+    QFETCH(double, points);
+    const QFont own = QApplication::font();
+    QFont font = own;
+    font.setPointSizeF(points);
+    QApplication::setFont(font);
+    Translation translation({QStringLiteral("zh-CN")});
+    const auto window = windowIn(translation);
+    QStringList cut;
+    for (const char *place : {"click", "pipeline", "points", "doctor"}) {
+        window->places().enter(place);
+        for (const WorkPlaces::Panel &panel : window->places().panels()) {
+            if (qstrcmp(panel.id, "lesson") == 0 || qstrcmp(panel.id, "observer") == 0)
+                continue; // there is none of them
+            window->places().show(panel.id);
+            QTest::qWait(20);
+            QStringList texts;
+            for (int trial = 0; trial < 5 && !(texts = cutTexts(*panel.widget)).isEmpty(); ++trial)
+                QTest::qWait(50); // until it is laid out
+            for (const QString &text : texts)
+                cut << QStringLiteral("%1 in %2: %3").arg(QLatin1String(panel.id), QLatin1String(place), text);
+        }
+    }
+    QApplication::setFont(own);
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
 }
 
 void TestLanguage::hanziAreThoseOfChina()
