@@ -290,8 +290,8 @@ void TestLanguage::everyBundledNameIsChinese()
     while (lessons.hasNext()) {
         QFile file(lessons.next());
         QVERIFY(file.open(QIODevice::ReadOnly));
-        for (const QJsonValue &step : QJsonDocument::fromJson(file.readAll())[u"steps"].toArray()) {
-            for (const QJsonValue &object : step[u"scene"][u"objects"].toArray())
+        for (const QJsonValue step : QJsonDocument::fromJson(file.readAll())[u"steps"].toArray()) {
+            for (const QJsonValue object : step[u"scene"][u"objects"].toArray())
                 names << object[u"name"].toString();
         }
     }
