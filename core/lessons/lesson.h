@@ -55,7 +55,8 @@
 /// takes none that has no path in it: {1 = 1} would always be right.
 ///
 /// Links lead on: formulas:NAME in the page of formulas, click:POINT ("point" is
-/// the followed one), set:CHANGE, panel:ID, place:ID, step:ID, view:300x300.
+/// the followed one), set:CHANGE, panel:ID, place:ID, step:ID, view:300x300,
+/// apart:projection (the factors of its matrix, in the pipeline's panel).
 namespace unprojector::lessons {
 using namespace geometry;
 

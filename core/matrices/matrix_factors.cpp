@@ -89,13 +89,25 @@ std::vector<MatrixFactor> inConventions(std::vector<MatrixFactor> factors, const
     return factors;
 }
 
+glm::dmat4 partOf(const glm::dmat4 &factor, double share)
+{
+    return glm::dmat4(1.0) * (1.0 - share) + factor * share;
+}
+
+glm::dmat4 productOf(const std::vector<MatrixFactor> &factors, const std::vector<double> &shares)
+{
+    glm::dmat4 product(1.0);
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        product = partOf(factors[i].matrix, shares.at(i)) * product;
+    return product;
+}
+
 double differenceUlps(const std::vector<MatrixFactor> &factors, const glm::dmat4 &matrix)
 {
-    glm::dmat4 product(1.0), sizes(1.0);
-    for (const MatrixFactor &factor : factors) {
-        product = factor.matrix * product;
+    const glm::dmat4 product = productOf(factors, std::vector<double>(factors.size(), 1.0));
+    glm::dmat4 sizes(1.0);
+    for (const MatrixFactor &factor : factors)
         sizes = absolute(factor.matrix) * sizes;
-    }
     double greatest = 0.0;
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {

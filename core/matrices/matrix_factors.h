@@ -51,6 +51,16 @@ Result<std::vector<MatrixFactor>> factors(const LookAt &view);
 std::vector<MatrixFactor> inConventions(std::vector<MatrixFactor> factors, const AxisChange &source,
                                         const AxisChange &target);
 
+/// What a factor does where only a part of it acts: (1 - share) I + share M, entry by entry. I at 0; M, to the last bit, at 1.
+/// Half of TurnZ is flat. Of OntoNear w is 1 - share - share z, which is above 0 in front of the eye.
+/// @param share  in [0, 1]
+glm::dmat4 partOf(const glm::dmat4 &factor, double share);
+
+/// The product of the factors' parts. Where every share is 1 it is that of the factors, see differenceUlps.
+/// @param factors  in the order in which they act
+/// @param shares   in [0, 1], one of each factor
+glm::dmat4 productOf(const std::vector<MatrixFactor> &factors, const std::vector<double> &shares);
+
 /// The greatest difference of an entry of the factors' product from that of a matrix, in units in the last place of the entry;
 /// where terms of other signs cancel, of the sum of their sizes, which is what rounding goes by.
 /// @param factors  in the order in which they act; at least one

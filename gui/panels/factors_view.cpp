@@ -1,5 +1,6 @@
 #include "gui/panels/factors_view.h"
 
+#include "gui/panels/factor_shares.h"
 #include "gui/panels/matrix_model.h"
 #include "gui/panels/number_grid.h"
 #include "gui/text/help_anchors.h"
@@ -70,7 +71,7 @@ QString textOf(MatrixStep step)
 
 } // namespace
 
-FactorsView::FactorsView(QWidget *parent) : QWidget(parent), m_product(new QLabel)
+FactorsView::FactorsView(QWidget *parent) : QWidget(parent), m_product(new QLabel), m_shares(new FactorShares)
 {
     m_product->setWordWrap(true);
     m_product->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -94,13 +95,16 @@ FactorsView::FactorsView(QWidget *parent) : QWidget(parent), m_product(new QLabe
         part.text->hide();
         part.grid->hide();
     }
+    layout->addWidget(m_shares);
+    m_shares->hide();
 }
 
 void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm::dmat4 &matrix, const MatrixView &view,
-                             bool isGiven)
+                             bool isGiven, const Projection *projection)
 {
     Q_ASSERT(!factors.empty() && factors.size() <= m_parts.size());
     QStringList letters;
+    std::vector<FactorShares::Told> told;
     for (std::size_t i = 0; i < m_parts.size(); ++i) {
         const Part &part = m_parts[i];
         const bool isThere = i < factors.size();
@@ -110,6 +114,7 @@ void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm
             continue;
         const QString letter = letterOf(factors[i].step), text = textOf(factors[i].step);
         letters << letter;
+        told.push_back({letter, text});
         // The letter leads to where Help derives the step.
         const QString link = QStringLiteral("<a href=\"%1\">%2</a>").arg(helpAddress(helpOf(factors[i].step)), letter);
         part.text->setText(QStringLiteral("%1.&nbsp; %2&nbsp; %3").arg(i + 1).arg(link, text.toHtmlEscaped()));
@@ -130,6 +135,14 @@ void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm
         text += u'\n'
                 + tr("As sixteen numbers, as it was given, there is nothing to take apart; this is its conversion's.");
     m_product->setText(text);
+    // The cube from −1 to 1 is OpenGL's.
+    const bool areOurs = std::none_of(factors.begin(), factors.end(), [](const MatrixFactor &factor) {
+        return factor.step == MatrixStep::FromConventions || factor.step == MatrixStep::ToConventions;
+    });
+    const bool canBeTried = projection && areOurs;
+    if (canBeTried)
+        m_shares->setFactors(factors, told, *projection, matrix, view);
+    m_shares->setVisible(canBeTried);
 }
 
 void FactorsView::setNone(const QString &reason)
@@ -138,6 +151,7 @@ void FactorsView::setNone(const QString &reason)
         part.text->hide();
         part.grid->hide();
     }
+    m_shares->hide();
     m_product->setText(reason);
 }
 

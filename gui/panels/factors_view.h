@@ -12,11 +12,12 @@ class QLabel;
 namespace unprojector::gui {
 using namespace matrices;
 
+class FactorShares;
 class MatrixModel;
 class NumberGrid;
 
 /// The factors that a matrix is made of, in the order in which they act on a point, each with what it does; above them their
-/// product as it is written, and how far it is from the matrix.
+/// product as it is written, and how far it is from the matrix; below a projection's, how much of each acts.
 class FactorsView : public QWidget {
     Q_OBJECT
 public:
@@ -24,8 +25,9 @@ public:
 
     /// @param matrix   that the factors' product is compared with
     /// @param isGiven  whether it is the conversion of one that was given as sixteen numbers
+    /// @param projection  whose factors they are: what a part of them does can be tried. Null: a view's.
     void setFactors(const std::vector<MatrixFactor> &factors, const glm::dmat4 &matrix, const MatrixView &view,
-                    bool isGiven);
+                    bool isGiven, const Projection *projection);
     /// There is nothing to take apart, and why.
     void setNone(const QString &reason);
 
@@ -37,6 +39,7 @@ private:
     };
     QLabel *m_product;
     std::array<Part, 6> m_parts{}; ///< a sheared box in another API's conventions has as many
+    FactorShares *m_shares;
 };
 
 } // namespace unprojector::gui

@@ -116,6 +116,12 @@ void MatrixSection::setHelp(const QString &anchor)
     m_help->show();
 }
 
+void MatrixSection::takeApart()
+{
+    setOpen(true);
+    m_takeApart->setChecked(true);
+}
+
 bool MatrixSection::showsFactors() const
 {
     return m_isOpen && m_takeApart && m_takeApart->isChecked();

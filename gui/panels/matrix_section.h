@@ -26,6 +26,8 @@ public:
 
     /// Adds a button that takes the matrix apart, and below the matrix its factors, folded at first.
     FactorsView *addFactors();
+    /// Shows the factors. @pre addFactors()
+    void takeApart();
     /// Whether the factors are to be seen; only then they need be kept up to date.
     bool showsFactors() const;
 

@@ -27,6 +27,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -456,16 +457,28 @@ void PipelinePanel::showTitles()
 
 void PipelinePanel::showFactors()
 {
-    const auto show = [this](PipelineStage stage, FactorsView *view, bool isGiven) {
+    const Projection projection = m_document.geometry().projection();
+    const auto show = [this](PipelineStage stage, FactorsView *view, bool isGiven, const Projection *of) {
         if (!m_sections[static_cast<std::size_t>(stage)]->showsFactors())
             return;
         if (const auto factors = m_model->factors(stage))
-            view->setFactors(*factors, m_model->matrix(stage)->matrix(), m_model->view(), isGiven);
+            view->setFactors(*factors, m_model->matrix(stage)->matrix(), m_model->view(), isGiven, of);
         else if (m_model->direction() == PipelineDirection::Backward) // else they stay, as the matrices do
             view->setNone(tr("Forward shows the factors; this matrix is the inverse of their product."));
     };
-    show(PipelineStage::ViewMatrix, m_viewFactors, m_document.givenView() != nullptr);
-    show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_document.givenProjection() != nullptr);
+    show(PipelineStage::ViewMatrix, m_viewFactors, m_document.givenView() != nullptr, nullptr);
+    show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_document.givenProjection() != nullptr, &projection);
+}
+
+void PipelinePanel::takeProjectionApart()
+{
+    setDirection(PipelineDirection::Forward);
+    m_sections[static_cast<std::size_t>(PipelineStage::ProjectionMatrix)]->takeApart();
+    // Once all stands where it will.
+    QTimer::singleShot(0, this, [this] {
+        const QWidget *section = m_sections[static_cast<std::size_t>(PipelineStage::ProjectionMatrix)];
+        m_scrollArea->verticalScrollBar()->setValue(section->mapTo(m_scrollArea->widget(), QPoint()).y());
+    });
 }
 
 void PipelinePanel::showDerivation()

@@ -40,6 +40,9 @@ public:
     const MatrixView &matrixView() const { return m_model->view(); }
     void setMatrixView(const MatrixView &view);
 
+    /// Shows the factors of the projection's matrix, forward.
+    void takeProjectionApart();
+
     /// What is being typed counts now.
     void applyTyped();
 

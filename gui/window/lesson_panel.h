@@ -35,7 +35,7 @@ public:
 signals:
     /// Its own button was pressed.
     void closeRequested();
-    /// A link was followed: "formulas", "click", "set", "panel", "place" or "view", and what stands behind the colon.
+    /// A link was followed: "formulas", "click", "set", "panel", "apart", "place" or "view", and what stands behind the colon.
     void linkFollowed(const QString &scheme, const QString &target);
 
 private:

@@ -103,7 +103,7 @@ void MainWindow::createPanels()
     const auto scrolled = [](QWidget *panel) { return new PanelScroll(panel); };
     std::vector<WorkPlaces::Panel> panels = {
         {"comparison", tr("Comparison"), scrolled(m_comparison), kRight, Qt::ALT | Qt::Key_1},
-        {"pipeline", tr("Pipeline"), scrolled(pipeline), kRight, Qt::ALT | Qt::Key_2},
+        {kPipelinePanel, tr("Pipeline"), scrolled(pipeline), kRight, Qt::ALT | Qt::Key_2},
         {"parameters", tr("Parameters"), m_parameters, kLeft, Qt::ALT | Qt::Key_3},
         {"inspector", tr("Viewport"), scrolled(m_inspector), kBottom, Qt::ALT | Qt::Key_4},
         {"lifecycle", tr("Life of the View"), new LifecyclePanel(*m_lifecycle), kBottom, Qt::ALT | Qt::Key_5},

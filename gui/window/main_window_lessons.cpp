@@ -2,6 +2,7 @@
 
 #include "gui/document/lesson_player.h"
 #include "gui/panels/observer_panel.h"
+#include "gui/panels/pipeline_panel.h"
 #include "gui/text/lesson_text.h"
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
@@ -189,6 +190,9 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
         const auto &panels = m_places->panels();
         if (const auto panel = std::find_if(panels.begin(), panels.end(), isIt); panel != panels.end())
             showPanelOfLesson(panel->id);
+    } else if (scheme == QLatin1String("apart")) {
+        showPanelOfLesson(kPipelinePanel);
+        m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>()->takeProjectionApart();
     } else if (scheme == QLatin1String("place")) {
         const auto &places = m_places->places();
         if (const auto place = std::find_if(places.begin(), places.end(), isIt);

@@ -11,6 +11,8 @@ inline constexpr char kPointsPlace[] = "points";
 inline constexpr char kDoctorPlace[] = "doctor";
 /// The panel of lessons, as layouts keep it.
 inline constexpr char kLessonPanel[] = "lesson";
+/// Every number between an object and its pixel.
+inline constexpr char kPipelinePanel[] = "pipeline";
 /// The view from outside, where it has a dock.
 inline constexpr char kObserverPanel[] = "observer";
 /// In the order of the tool bar; the first is where one starts.

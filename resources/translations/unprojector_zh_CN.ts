@@ -2026,6 +2026,92 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::FactorDrawing</name>
+    <message>
+        <source>The view volume and the cube from −1 to 1</source>
+        <translation>视景体与从 −1 到 1 的立方体</translation>
+    </message>
+    <message>
+        <source>Solid: the view volume as the factors leave it, its near side blue, its far side orange.
+Dashed: the cube from −1 to 1 with its axes, which the whole product takes it to.
+Both are as large as fits.</source>
+        <translation>实线：经过各因子之后的视景体，近侧为蓝色，远侧为橙色。
+虚线：从 −1 到 1 的立方体及其坐标轴，完整的乘积把视景体变成它。
+两者都按能容纳的大小绘制。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::FactorShares</name>
+    <message>
+        <source>the oblique projection</source>
+        <translation>斜投影</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>全不用</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Set every factor to 0 %: nothing is done to the view volume</source>
+        <translation>把每个因子设为 0 %：视景体保持原样</translation>
+    </message>
+    <message>
+        <source>Set every factor to 100 %: the whole matrix</source>
+        <translation>把每个因子设为 100 %：完整的矩阵</translation>
+    </message>
+    <message>
+        <source>None of the factors</source>
+        <translation>所有因子都不用</translation>
+    </message>
+    <message>
+        <source>All of the factors</source>
+        <translation>使用所有因子</translation>
+    </message>
+    <message>
+        <source>How much of each acts:</source>
+        <translation>每个因子起多少作用：</translation>
+    </message>
+    <message>
+        <source>The product of what acts</source>
+        <translation>起作用的部分的乘积</translation>
+    </message>
+    <message>
+        <source>Whether it is the projection&apos;s matrix</source>
+        <translation>它是否为投影矩阵</translation>
+    </message>
+    <message>
+        <source>Where the view volume is</source>
+        <translation>视景体所在的范围</translation>
+    </message>
+    <message>
+        <source>Their product:</source>
+        <translation>它们的乘积：</translation>
+    </message>
+    <message>
+        <source>How much of %1, percent</source>
+        <translation>%1 起多少作用，百分比</translation>
+    </message>
+    <message>
+        <source>This is the matrix of %1, to the last digit.</source>
+        <translation>这就是 %1 的矩阵，每一位都相同。</translation>
+    </message>
+    <message>
+        <source>This is the matrix of %1, to within %2 ulp (units in the last place).</source>
+        <translation>这就是 %1 的矩阵，相差不超过 %2 ulp（末位单位）。</translation>
+    </message>
+    <message>
+        <source>At 100 % of each it is the matrix of %1.</source>
+        <translation>每个都为 100 % 时，它就是 %1 的矩阵。</translation>
+    </message>
+    <message>
+        <source>The view volume reaches from %1 to %2 in x, from %3 to %4 in y, from %5 to %6 in z.</source>
+        <translation>视景体的范围：x 从 %1 到 %2，y 从 %3 到 %4，z 从 %5 到 %6。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::FactorsView</name>
     <message>
         <source>moves the eye to the origin</source>

@@ -1,5 +1,6 @@
 // A view's and a projection's matrix taken apart into the steps of their derivation.
 
+#include "core/geometry/view_volume.h"
 #include "core/matrices/matrix_factors.h"
 
 #include <QTest>
@@ -33,6 +34,8 @@ private slots:
     void aViewIsMovedAndTurned();
     void theirProductIsTheMatrixToAnUlp();
     void theConventionsAreFactorsOfTheirOwn();
+    void aPartLiesBetweenNothingAndAll();
+    void theVolumeStaysInFrontOfTheEye();
     void cancellingTermsCountByTheirSize();
     void parametersThatMakeNoMatrixAreRefused();
 };
@@ -116,6 +119,38 @@ void TestMatrixFactors::theConventionsAreFactorsOfTheirOwn()
     const glm::dmat4 theirs = spaces.clip.matrix() * *clipFromEye(projection) * spaces.eye.inverse().matrix();
     QVERIFY(differenceUlps(parts, theirs) <= 1.0);
     QCOMPARE(inConventions(*factors(projection), {}, {}).size(), std::size_t(2));
+}
+
+void TestMatrixFactors::aPartLiesBetweenNothingAndAll()
+{
+    const Ortho box{-0.1, 0.7, -0.3, 1.1, 0.3, 7.7};
+    const auto parts = factors(Projection(box));
+    QVERIFY(parts);
+    QVERIFY(productOf(*parts, {0, 0, 0}) == glm::dmat4(1.0));
+    for (const MatrixFactor &part : *parts)
+        QVERIFY(partOf(part.matrix, 1.0) == part.matrix && partOf(part.matrix, 0.0) == glm::dmat4(1.0));
+    const glm::dmat4 all = productOf(*parts, {1, 1, 1});
+    QVERIFY(all == (*parts)[2].matrix * (*parts)[1].matrix * (*parts)[0].matrix);
+    QVERIFY(differenceUlps(*parts, *clipFromEye(Projection(box))) <= 1.0);
+    // The box's middle at z = -4 goes halfway to the origin, then all is twice as large, half of that by half of the scale.
+    const auto moved = factors(Projection(Ortho{-1, 1, -1, 1, 2, 6}));
+    QVERIFY(moved);
+    QVERIFY(productOf(*moved, {0.5, 0, 0}) * glm::dvec4(0, 0, -4, 1) == glm::dvec4(0, 0, -2, 1));
+    QVERIFY(productOf(*moved, {1, 0.5, 0}) * glm::dvec4(1, 1, -2, 1) == glm::dvec4(1, 1, 1.5, 1));
+    QVERIFY(productOf(*moved, {1, 1, 0.5}) * glm::dvec4(1, 1, -2, 1) == glm::dvec4(1, 1, 0, 1)); // flat
+}
+
+void TestMatrixFactors::theVolumeStaysInFrontOfTheEye()
+{
+    const Frustum frustum{-1, 3, -2, 2, 2, 10};
+    const auto parts = factors(Projection(frustum));
+    QVERIFY(parts);
+    for (const double onto : {0.0, 0.25, 0.5, 1.0}) {
+        for (const double square : {0.0, 0.5, 1.0}) {
+            for (const EyePoint &corner : viewVolumeCorners(Projection(frustum)))
+                QVERIFY((productOf(*parts, {onto, square}) * glm::dvec4(corner.coordinates(), 1.0)).w > 0.0);
+        }
+    }
 }
 
 void TestMatrixFactors::cancellingTermsCountByTheirSize()

@@ -3,6 +3,7 @@
 
 #include "core/lessons/lesson.h"
 #include "gui/document/lesson_player.h"
+#include "gui/panels/factor_shares.h"
 #include "gui/text/formula_markup.h"
 #include "gui/view/highlight_marks.h"
 #include "gui/view/observer_view.h"
@@ -193,6 +194,9 @@ void TestLessonsWindow::everyStepOpensAndItsLinksLead()
                 follow(*window, link);
                 QVERIFY2(window->document().undoStack().count() == steps + 1, where);
                 window->document().undoStack().undo();
+            } else if (link.startsWith(QLatin1String("apart:"))) {
+                follow(*window, link);
+                QVERIFY2(dockOf(*window, "pipeline")->findChildren<FactorShares *>().back()->isVisible(), where);
             } else if (link.startsWith(QLatin1String("place:"))) {
                 QVERIFY2(has(window->places().places(), to), where);
             } else if (link.startsWith(QLatin1String("formulas:"))) {

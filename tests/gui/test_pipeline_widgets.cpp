@@ -2,6 +2,8 @@
 
 #include "pipeline_figures.h"
 
+#include "gui/panels/factor_drawing.h"
+#include "gui/panels/factor_shares.h"
 #include "gui/panels/factors_view.h"
 #include "gui/panels/matrix_section.h"
 #include "gui/panels/number_grid.h"
@@ -11,9 +13,13 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QToolButton>
 #include <QWheelEvent>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -28,6 +34,8 @@ private slots:
     void numbersThatAreTooLongLoseDigitsNotPlaces();
     void theHeadingOpensAndCloses();
     void aMatrixIsTakenApartAndItsFactorsFollow();
+    void partsOfTheFactorsActAsTheSlidersSay();
+    void theVolumeIsDrawnAsItIsCarried();
     void copyingTakesAllDigits();
     void theWheelOverAMatrixIsLeftToThePanel();
     void everyControlHasAName();
@@ -130,7 +138,7 @@ void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
     const auto grids = [view] {
         QList<const MatrixModel *> shown;
         for (const NumberGrid *grid : view->findChildren<NumberGrid *>()) {
-            if (grid->isVisible())
+            if (grid->isVisible() && !view->findChild<FactorShares *>()->isAncestorOf(grid))
                 shown << qobject_cast<const MatrixModel *>(grid->model());
         }
         return shown;
@@ -169,6 +177,86 @@ void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
         document.editMatrices(MatrixProjection{*clipFromEye(Projection(Frustum{-1, 3, -2, 2, 2, 10})), std::nullopt},
                               std::nullopt, {QStringLiteral("Matrix")}));
     QVERIFY2(product().contains(QStringLiteral("nothing to take apart")), qPrintable(product()));
+}
+
+void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
+{
+    SceneDocument document;
+    openFigures(document);
+    document.setProjection(Ortho{-9, 9, -9, 9, 2, 9});
+    PipelinePanel panel(document);
+    panel.resize(420, 2500);
+    panel.show();
+    panel.takeProjectionApart();
+    const FactorShares *shares = panel.findChildren<FactorShares *>().back();
+    QVERIFY(shares->isVisible());
+    QVERIFY(!panel.findChildren<FactorShares *>().front()->isVisible()); // a view carries no volume to the cube
+    const auto sliders = [shares] {
+        QList<QSlider *> shown;
+        for (QSlider *slider : shares->findChildren<QSlider *>()) {
+            if (slider->isVisible())
+                shown << slider;
+        }
+        return shown;
+    };
+    const auto has = [shares](const QString &text) {
+        const QList<QLabel *> labels = shares->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel *label) { return label->text().contains(text); });
+    };
+    const auto product = [shares] {
+        return qobject_cast<const MatrixModel *>(shares->findChild<NumberGrid *>()->model())->matrix();
+    };
+    QCOMPARE(sliders().size(), 3);
+    QVERIFY(has(QStringLiteral("This is the matrix of glOrtho, to ")));
+    QVERIFY(std::abs(product()[3][2] + 11.0 / 7.0) < kRounding);
+    QVERIFY(has(QStringLiteral("from −1 to 1 in x, from −1 to 1 in y, from −1 to 1 in z")));
+    QCOMPARE(sliders()[0]->accessibleName(), QStringLiteral("How much of T, percent"));
+    // By keys alone.
+    sliders()[2]->setFocus();
+    QTest::keyClick(sliders()[2], Qt::Key_Home);
+    QCOMPARE(product()[2][2], 2.0 / 7.0);
+    QVERIFY(has(QStringLiteral("At 100 % of each it is the matrix of glOrtho.")));
+    QPushButton *none = nullptr;
+    for (QPushButton *button : shares->findChildren<QPushButton *>())
+        none = button->text() == QStringLiteral("None") ? button : none;
+    QVERIFY(none);
+    QTest::keyClick(none, Qt::Key_Space);
+    QVERIFY(product() == glm::dmat4(1.0));
+    QVERIFY(has(QStringLiteral("from −9 to 9 in x, from −9 to 9 in y, from −9 to −2 in z")));
+    QTest::keyClick(sliders()[0], Qt::Key_End);
+    QVERIFY(has(QStringLiteral("from −3.5 to 3.5 in z")));
+    // They stay while the projection has the same factors.
+    document.setProjection(Ortho{-9, 9, -9, 9, 2, 4});
+    QVERIFY(has(QStringLiteral("from −1 to 1 in z")));
+    QCOMPARE(sliders()[1]->value(), 0);
+    document.setProjection(Frustum{-1, 3, -2, 2, 2, 10});
+    QCOMPARE(sliders().size(), 2);
+    QVERIFY(has(QStringLiteral("This is the matrix of glFrustum, to ")));
+    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(!shares->isVisible()); // whose cube is another
+}
+
+void TestPipelineWidgets::theVolumeIsDrawnAsItIsCarried()
+{
+    FactorDrawing drawing;
+    drawing.resize(300, 220);
+    const Projection box(Ortho{-1, 1, -1, 1, 1, 3});
+    const auto grabbed = [&](const glm::dmat4 &carried) {
+        drawing.setVolume(box, carried);
+        return drawing.grab().toImage();
+    };
+    const QImage start = grabbed(glm::dmat4(1.0)), end = grabbed(*clipFromEye(box));
+    QVERIFY(start != end);
+    QVERIFY(drawing.extent().least == glm::dvec3(-1) && drawing.extent().most == glm::dvec3(1));
+    // Nothing is drawn at the edges: all of it, letters included, is inside.
+    for (const QImage &image : {start, end, grabbed(glm::scale(glm::dmat4(1.0), glm::dvec3(1e6, 1, 1e-6)))}) {
+        const QColor base = image.pixelColor(0, 0);
+        for (int x = 0; x < image.width(); ++x)
+            QVERIFY(image.pixelColor(x, 0) == base && image.pixelColor(x, image.height() - 1) == base);
+        for (int y = 0; y < image.height(); ++y)
+            QVERIFY(image.pixelColor(0, y) == base && image.pixelColor(image.width() - 1, y) == base);
+    }
 }
 
 void TestPipelineWidgets::copyingTakesAllDigits()
