@@ -170,12 +170,17 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     const auto addWithHelp = [layout](QWidget *label, const QString &anchor) {
         auto *line = new QHBoxLayout;
         line->setSpacing(2);
+        auto *link = new HelpLink(anchor);
+        QSizePolicy policy = link->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        link->setSizePolicy(policy);
         line->addWidget(label, 1, Qt::AlignTop);
-        line->addWidget(new HelpLink(anchor), 0, Qt::AlignTop);
+        line->addWidget(link, 0, Qt::AlignTop);
         layout->addLayout(line);
+        return link;
     };
-    addWithHelp(m_certainty, QStringLiteral("certainty"));
-    addWithHelp(m_cause, QStringLiteral("matrix"));
+    m_certaintyHelp = addWithHelp(m_certainty, QStringLiteral("certainty"));
+    m_causeHelp = addWithHelp(m_cause, QStringLiteral("matrix"));
     layout->addWidget(m_others);
     layout->addWidget(m_apis);
     auto *formulaLine = new QHBoxLayout;
@@ -300,6 +305,8 @@ void ComparisonPanel::showPick()
     m_apis->setPick(pick);
     showSinceClick();
     showRay();
+    m_certaintyHelp->setVisible(pick.has_value());
+    m_causeHelp->setVisible(pick.has_value());
     if (!pick) {
         m_heading->setFullText(tr("No point yet"));
         m_sinceClick->setText(tr("Press the left button on the model"));

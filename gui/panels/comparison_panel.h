@@ -18,6 +18,7 @@ class ComparisonModel;
 class ComparisonTable;
 class ElidedLabel;
 class FormulaView;
+class HelpLink;
 class OtherProgramsView;
 class RayModel;
 class RayTable;
@@ -71,6 +72,8 @@ private:
     ComparisonModel *m_model;
     SteadyLabel *m_certainty;
     SteadyLabel *m_cause;
+    HelpLink *m_certaintyHelp; ///< where there is something to explain
+    HelpLink *m_causeHelp;
     RayModel *m_rayModel;
     RayTable *m_rayTable;
     SteadyLabel *m_ray;

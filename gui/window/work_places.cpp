@@ -27,7 +27,7 @@ constexpr int kLayoutVersion = 4;
 constexpr int kWideWindow = 150;
 constexpr int kHighWindow = 40;
 constexpr int kLeftDigits = 34;
-constexpr int kNoteDigits = 44; // on the left, where only a text is read there
+constexpr int kNoteDigits = 41; // on the left, where only a text is read there
 constexpr int kRightDigits = 54;
 /// Of a panel, pixels: more comes of a damaged file.
 constexpr int kMostKeptSize = 1 << 14;

@@ -165,6 +165,9 @@ void TestHelpLinks::everyPanelLeadsToHelp()
     else
         panel = std::make_unique<MapPanel>();
     panel->show();
+    if (name == "comparison")
+        QVERIFY(!linksOf(*panel).contains(QStringLiteral("certainty"))); // nothing is said of it yet
+    document.setPick(picked(frustumGeometry(), 412.0, 299.0, 0.75));
     const QMap<QString, QString> all = places();
     const QSet<QString> links = linksOf(*panel);
     for (const QString &link : links)
