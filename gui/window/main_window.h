@@ -139,6 +139,8 @@ private:
     /// A lesson's text and the view from outside, in a dock, go along from place to place.
     void showAccompanying();
     void showObserver(bool isShown);
+    /// Shown, in a dock or over the view.
+    void createObserver(bool isDocked);
     /// Into a dock, or over the view.
     void dockObserver(bool isDocked);
 

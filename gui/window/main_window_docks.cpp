@@ -194,21 +194,26 @@ void MainWindow::showObserver(bool isShown)
     if (!m_observer) {
         if (!isShown)
             return;
-        m_observer = new ObserverPanel(*m_document);
-        m_observer->view().setSmoothEdges(m_smoothEdges);
-        m_observer->view().setModelStore(m_session->models());
-        connect(&m_observer->view(), &ObserverView::failed, this, &MainWindow::showFailure);
-        connect(m_observer, &ObserverPanel::dockRequested, this, &MainWindow::dockObserver);
-        connect(m_observer, &ObserverPanel::closeRequested, m_observerAction,
-                [this] { m_observerAction->setChecked(false); });
-        dockObserver(m_options.remembers && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool());
-        showHighlights();
+        createObserver(m_options.remembers && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool());
     }
     if (m_inset)
         m_inset->setVisible(isShown);
     else
         m_places->dock(kObserverPanel)->setVisible(isShown);
     m_observer->setVisible(isShown);
+}
+
+void MainWindow::createObserver(bool isDocked)
+{
+    m_observer = new ObserverPanel(*m_document);
+    m_observer->view().setSmoothEdges(m_smoothEdges);
+    m_observer->view().setModelStore(m_session->models());
+    connect(&m_observer->view(), &ObserverView::failed, this, &MainWindow::showFailure);
+    connect(m_observer, &ObserverPanel::dockRequested, this, &MainWindow::dockObserver);
+    connect(m_observer, &ObserverPanel::closeRequested, m_observerAction,
+            [this] { m_observerAction->setChecked(false); });
+    dockObserver(isDocked);
+    showHighlights();
 }
 
 void MainWindow::dockObserver(bool isDocked)

@@ -155,11 +155,11 @@ void MainWindow::retranslate()
     m_doctor->takeOver(doctor);
     takeOverState(m_map->panel(), mapPanel);
     m_parameters->restoreState(folds);
-    if (isObserverShown) {
-        m_observerAction->setChecked(true);
-        if (isObserverDocked != !m_inset)
-            dockObserver(isObserverDocked);
+    if (observer) { // hidden too: a lesson may know how it was before
+        createObserver(isObserverDocked);
         m_observer->view().takeOver(observer->view());
+        m_observerAction->setChecked(isObserverShown);
+        showObserver(isObserverShown);
     }
     m_places->restore(standing);
     m_mapAction->setChecked(isMapShown);

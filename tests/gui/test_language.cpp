@@ -8,6 +8,7 @@
 #include "gui/document/lesson_player.h"
 #include "gui/panels/comparison_panel.h"
 #include "gui/panels/doctor_panel.h"
+#include "gui/panels/observer_panel.h"
 #include "gui/text/bundled_names.h"
 #include "gui/text/translation.h"
 #include "gui/view/scene_view.h"
@@ -176,6 +177,8 @@ private slots:
     void hanziAreThoseOfChina();
     void everyBundledNameIsChinese();
     void aLessonGoesOn();
+    void aLessonLeavesTheObserverAsItWas_data();
+    void aLessonLeavesTheObserverAsItWas();
     void whatTheDoctorWasToldStays();
     void theChoiceIsKept();
     void withoutAFontThereIsNoChinese();
@@ -399,6 +402,43 @@ void TestLanguage::aLessonGoesOn()
     QVERIFY(lessons.leave());
     QVERIFY(window->windowTitle().contains(Session::tr("Bundled scene")));
     QVERIFY(Session::tr("Bundled scene") != QStringLiteral("Bundled scene"));
+}
+
+void TestLanguage::aLessonLeavesTheObserverAsItWas_data()
+{
+    QTest::addColumn<bool>("wasShown");
+    QTest::addColumn<bool>("isHidden");
+    QTest::newRow("brought by the lesson") << false << false;
+    QTest::newRow("brought, then hidden") << false << true;
+    QTest::newRow("there before") << true << false;
+    QTest::newRow("there before, then hidden") << true << true;
+}
+
+void TestLanguage::aLessonLeavesTheObserverAsItWas()
+{
+    QFETCH(bool, wasShown);
+    QFETCH(bool, isHidden);
+    Translation translation(m_english);
+    const auto window = windowIn(translation);
+    const auto observer = [&] { return window->findChild<ObserverPanel *>(); };
+    const auto action = [&] { return actionOf(*window, MainWindow::tr("&View from Outside").remove(u'&')); };
+    action()->setChecked(wasShown);
+    LessonPlayer &lessons = window->lessons();
+    QVERIFY(lessons.start("first"));
+    while (!lessons.step().highlights.contains(lessons::Highlight::Volume))
+        QVERIFY(lessons.next());
+    const auto isShown = [&] { return !dockOf(*window, "observer")->isHidden(); };
+    QVERIFY(isShown());
+    action()->setChecked(!isHidden);
+    chooseChinese(*window);
+    QVERIFY(observer());
+    QCOMPARE(action()->isChecked(), !isHidden);
+    QCOMPARE(isShown(), !isHidden);
+    QVERIFY(lessons.next()); // which lets it go
+    QVERIFY(!isShown());
+    QCOMPARE(action()->isChecked(), wasShown);
+    QCOMPARE(observer()->isVisible(), wasShown); // over the view
+    QVERIFY(lessons.leave());
 }
 
 void TestLanguage::whatTheDoctorWasToldStays()
