@@ -74,8 +74,9 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
     if (written != ExitCode::Done)
         return written;
     if (count < seen) {
+        constexpr bool isDouble = std::is_same_v<Scalar, double>;
         complain(options.depth + ": "
-                 + tr(std::is_same_v<Scalar, double>
+                 + tr(isDouble
                           ? "%1 points lie beyond the range of double precision"
                           : "%1 points lie beyond the range of single precision; --precision double reaches further",
                       seen - count));

@@ -5,6 +5,7 @@
 #include "core/cli/exact_unprojection.h"
 #include "core/cli/progress_bar.h"
 #include "core/cli/scene_input.h"
+#include "core/geometry/unit_in_last_place.h"
 #include "core/text/columns.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -57,7 +57,7 @@ struct Way {
             farthest = std::max(farthest, differences[k]);
             largest = std::max(largest, std::abs(static_cast<double>(exact[k])));
         }
-        const double ulps = farthest / unitInTheLastPlace(largest);
+        const double ulps = farthest / ulpOf(largest);
         if (!std::isfinite(ulps))
             return addNoAnswer(tr("the numbers leave the range of %1", precision));
         for (std::size_t k = 0; k < 3; ++k)
@@ -71,12 +71,10 @@ struct Way {
             reason = why;
     }
 
-    double unitInTheLastPlace(double value) const
+    /// Of the precision that it computes in.
+    double ulpOf(double value) const
     {
-        if (!isFloat)
-            return std::nextafter(value, std::numeric_limits<double>::infinity()) - value;
-        const auto rounded = static_cast<float>(value);
-        return static_cast<double>(std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded);
+        return isFloat ? static_cast<double>(unitInLastPlace(static_cast<float>(value))) : unitInLastPlace(value);
     }
 };
 
@@ -177,7 +175,7 @@ std::string table(const std::vector<Way> &ways, std::size_t points)
         std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
         return std::string(buffer.data());
     };
-    line(tr("method"), tr("in"), "", tr("largest"), tr("mean"), "99.99 %");
+    line(tr("method|column"), tr("in|column"), "", tr("largest|column"), tr("mean|column"), "99.99 %");
     for (const Way &way : ways) {
         for (std::size_t k = 0; k < 4; ++k) {
             const Distribution &d = way.of[k];
@@ -194,10 +192,11 @@ std::string table(const std::vector<Way> &ways, std::size_t points)
 
 std::string json(const std::vector<Way> &ways, std::size_t points)
 {
+    const InEnglish english;
     std::string text = "{\n  \"points\": " + std::to_string(points) + ",\n  \"methods\": [";
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const Way &way = ways[i];
-        text += std::string(i == 0 ? "" : ",") + "\n    {\"method\": \"" + way.method + "\", \"precision\": \""
+        text += std::string(i == 0 ? "" : ",") + "\n    {\"method\": \"" + tr(way.method) + "\", \"precision\": \""
                 + way.precision + "\", \"withoutAnswer\": " + std::to_string(way.withoutAnswer);
         for (std::size_t k = 0; k < 4; ++k) {
             const Distribution &d = way.of[k];
@@ -242,10 +241,10 @@ ExitCode runCompare(const CompareOptions &options)
     };
     const std::size_t most = static_cast<std::size_t>(options.pixels) * static_cast<std::size_t>(options.pixels)
                              * static_cast<std::size_t>(options.depths);
-    std::vector<Way> ways{{marked("formula"), "double", false, most, by(Method::Formula)},
-                          {marked("matrix"), "double", false, most, by(Method::Matrix)},
-                          {"formula", "float", true, most, std::cref(formulaInFloat)},
-                          {"matrix", "float", true, most, by(Method::MatrixInFloat)}};
+    std::vector<Way> ways{{marked("formula|method"), "double", false, most, by(Method::Formula)},
+                          {marked("matrix|method"), "double", false, most, by(Method::Matrix)},
+                          {marked("formula|method"), "float", true, most, std::cref(formulaInFloat)},
+                          {marked("matrix|method"), "float", true, most, by(Method::MatrixInFloat)}};
     ProgressBar progress(most, ProgressBar::Unit::Points);
     std::size_t points = 0;
     forEachPoint(scene->geometry, options, [&](const WindowPoint &window) {

@@ -1,5 +1,6 @@
 #include "core/cli/doctor_texts.h"
 
+#include "core/doctor/mistake_texts.h"
 #include "core/doctor/remedies.h"
 #include "core/scene_file/json_text.h"
 #include "core/text/columns.h"
@@ -10,7 +11,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -25,17 +25,6 @@ using Json = nlohmann::ordered_json;
 Json jsonOf(const glm::dvec3 &v)
 {
     return Json::array({jsonNumber(v.x), jsonNumber(v.y), jsonNumber(v.z)});
-}
-
-/// The mistakes of an id: none, one or two.
-std::vector<std::string> partsOf(const std::string &id)
-{
-    if (id == "right" || id == "unknown")
-        return {};
-    const std::size_t plus = id.find('+');
-    if (plus == std::string::npos)
-        return {id};
-    return {id.substr(0, plus), id.substr(plus + 1)};
 }
 
 std::string_view landingName(Landing landing)
@@ -87,81 +76,9 @@ std::string pointText(const glm::dvec3 &point, const glm::dvec3 &lastDigit)
            + coordinateText(point.z, lastDigit.z);
 }
 
-/// The ways of core/doctor that have no number in them.
-constexpr const char *kWays[] = {
-    marked("its x only"),
-    marked("its y only"),
-    marked("with its flip"),
-    marked("the flip only"),
-    marked("about the middle of the viewport"),
-    marked("lower left corner"),
-    marked("upper left corner"),
-    marked("x only"),
-    marked("y only, lower edge"),
-    marked("y only, upper edge"),
-    marked("lower left corner of the whole pixel"),
-    marked("upper left corner of the whole pixel"),
-    marked("before the flip"),
-    marked("the vertical angle spans the width"),
-    marked("the horizontal angle spans the height"),
-    marked("the depth too"),
-    marked("the depth only"),
-    marked("the horizontal angle is the vertical one times the aspect"),
-    marked("of the projection"),
-    marked("the size given"),
-    marked("z up given for y up"),
-    marked("y up given for z up"),
-    marked("y and z exchanged"),
-    marked("a share of the way is passed for the depth"),
-    marked("the depth is taken for a share of the way"),
-    marked("the depth is taken for a share of far"),
-    marked("the distance is passed for the depth"),
-    marked("the length of the ray is passed for the depth"),
-    marked("the depth is taken for the distance"),
-    marked("nor mapped by the depth range"),
-    marked("in the depth range"),
-    marked("before the depth range"),
-    marked("the row above"),
-    marked("the row below"),
-};
-
-std::string wayText(const std::string &way)
-{
-    if (std::find(std::begin(kWays), std::end(kWays), way) != std::end(kWays))
-        return tr(way);
-    // The longer ones first.
-    return saidAgain(way, {marked("ratio %1, flipped in logical pixels"), marked("ratio %1"),
-                           marked("near times %1, the window of glFrustum as it was"), marked("near times %1"),
-                           marked("far times %1"), marked("to %1 bits"), marked("of %1")});
-}
-
-/// Which ways the mistakes are made in: "its x only; ratio 2".
-std::string variantText(const std::string &variant)
-{
-    constexpr std::string_view kBetween = "; ";
-    std::string text;
-    for (std::size_t start = 0; start < variant.size();) {
-        const std::size_t end = std::min(variant.find(kBetween, start), variant.size());
-        const std::string way = wayText(variant.substr(start, end - start));
-        text = start > 0 ? tr("%1; %2", text, way) : way;
-        start = end + kBetween.size();
-    }
-    return text;
-}
-
 std::string nameOf(const Candidate &candidate)
 {
-    return candidate.variant.empty() ? candidate.id : tr("%1 (%2)", candidate.id, variantText(candidate.variant));
-}
-
-std::string sentenceOf(const std::string &id)
-{
-    std::string sentence;
-    for (const std::string &part : partsOf(id)) {
-        const std::string next = tr(remedyOf(part).sentence);
-        sentence = sentence.empty() ? next : tr("%1 %2", sentence, next);
-    }
-    return sentence;
+    return candidate.ways.empty() ? candidate.id : tr("%1 (%2)", candidate.id, waysText(candidate.ways));
 }
 
 /// Digits that rounding leaves nothing of are given, and explained by nobody.
@@ -195,20 +112,20 @@ std::string verdictText(const Diagnosis &diagnosis)
                 tr("right, as far as the ray tells"),
                 tr("The point lies on the ray of this pixel, between near and far. Whether its depth is right is not "
                    "known: give --depth."));
-        return said(tr("right"), tr("The point is right to the digits given."));
+        return said(tr("right|verdict"), tr("The point is right to the digits given."));
     }
     if (diagnosis.verdict != "unknown")
-        return said(nameOf(first), sentenceOf(first.id));
+        return said(nameOf(first), mistakeSentence(first.id));
     if (!first.explains)
         return said(
-            tr("unknown"),
+            tr("unknown|verdict"),
             tr("Nothing that is known explains this point: none of %1 mistakes and pairs of them.", diagnosis.tried));
     if (diagnosis.depthKnown == DepthKnown::ByRay && diagnosis.landing == Landing::Depth)
-        return said(tr("unknown"),
+        return said(tr("unknown|verdict"),
                     tr("The pixel is right, and the depth is not; by the ray alone the mistakes of the depth "
                        "cannot be told from each other: give --depth."));
     return said(
-        tr("unknown"),
+        tr("unknown|verdict"),
         tr("%1 would explain the point, but that may be chance: give more digits, or another click.", nameOf(first)));
 }
 
@@ -235,10 +152,10 @@ std::string rightnessText(const Diagnosis &diagnosis)
 std::string landingText(const Diagnosis &diagnosis)
 {
     if (!diagnosis.projected)
-        return line(tr("lands"), tr("in the plane of the eye, by the right matrices"));
+        return line(tr("lands|row"), tr("in the plane of the eye, by the right matrices"));
     const glm::dvec3 &at = *diagnosis.projected;
-    return line(tr("lands"), tr("on pixel %1 %2, depth %3, by the right matrices: %4", shortText(at.x, 7),
-                                shortText(at.y, 7), shortText(at.z, 7), rightnessText(diagnosis)));
+    return line(tr("lands|row"), tr("on pixel %1 %2, depth %3, by the right matrices: %4", shortText(at.x, 7),
+                                    shortText(at.y, 7), shortText(at.z, 7), rightnessText(diagnosis)));
 }
 
 std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis, const WrongPoint &first)
@@ -275,6 +192,7 @@ std::string codeText(const std::string &id)
 
 std::string doctorJson(const Diagnosis &diagnosis)
 {
+    const InEnglish english;
     Json json;
     json["verdict"] = diagnosis.verdict;
     json["candidates"] = Json::array();
@@ -284,8 +202,8 @@ std::string doctorJson(const Diagnosis &diagnosis)
                  {"distance", jsonNumber(candidate.distance)},
                  {"digits", candidate.digits},
                  {"explains", candidate.explains}};
-        if (!candidate.variant.empty())
-            one["variant"] = candidate.variant;
+        if (!candidate.ways.empty())
+            one["variant"] = waysText(candidate.ways);
         json["candidates"].push_back(one);
     }
     json["projected"] = diagnosis.projected ? jsonOf(*diagnosis.projected) : Json();
@@ -301,8 +219,7 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["tried"] = diagnosis.tried;
     json["singlePrecision"] = diagnosis.isSinglePrecision;
     json["chance"] = jsonNumber(diagnosis.chance);
-    const InEnglish english;
-    json["sentence"] = sentenceOf(diagnosis.verdict);
+    json["sentence"] = mistakeSentence(diagnosis.verdict);
     json["code"] = Json::array();
     for (const std::string &part : partsOf(diagnosis.verdict)) {
         for (const CodeChange &change : remedyOf(part).code)
@@ -319,7 +236,7 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
     if (diagnosis.isSinglePrecision)
         text += "  " + tr("More digits were given than single precision holds; this is to the digits that it leaves.")
                 + '\n';
-    text += line(best.explains ? tr("explains") : tr("closest"), candidateText(best, diagnosis, first));
+    text += line(best.explains ? tr("explains|row") : tr("closest|row"), candidateText(best, diagnosis, first));
     if (diagnosis.candidates.size() > 1)
         text += line(tr("next best"), candidateText(diagnosis.candidates[1], diagnosis, first));
     if (diagnosis.next && diagnosis.verdict != "right")
@@ -330,10 +247,10 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
-        text += line(tr("depth"), tr("from the scene's mesh"));
+        text += line(tr("depth|row"), tr("from the scene's mesh"));
     if (best.explains && best.id != "right")
-        text +=
-            line(tr("chance"), tr("%1 that a point of other making is explained as well", percent(diagnosis.chance)));
+        text += line(tr("chance|row"),
+                     tr("%1 that a point of other making is explained as well", percent(diagnosis.chance)));
     return text + codeText(diagnosis.verdict);
 }
 

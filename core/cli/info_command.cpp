@@ -26,7 +26,7 @@ std::string jsonOfNumber(double value)
 
 std::string tableText(double value)
 {
-    return std::isfinite(value) ? shortestText(value) : tr("missing");
+    return std::isfinite(value) ? shortestText(value) : tr("missing|number");
 }
 
 /// In as few digits as are held as the same floats: those of the file, most often.
@@ -34,7 +34,8 @@ std::string tableText(const glm::dvec3 &v, const glm::dvec3 &halfGap)
 {
     std::string text;
     for (int axis = 0; axis < 3; ++axis)
-        text += (axis > 0 ? " " : "") + (std::isfinite(v[axis]) ? shortestText(v[axis], halfGap[axis]) : tr("missing"));
+        text += (axis > 0 ? " " : "")
+                + (std::isfinite(v[axis]) ? shortestText(v[axis], halfGap[axis]) : tr("missing|number"));
     return text;
 }
 
@@ -61,11 +62,11 @@ std::string line(const std::string &name, const std::string &value)
 
 std::string lines(const Measures &m)
 {
-    return line(tr("vertices"), std::to_string(m.vertices)) + line(tr("triangles"), std::to_string(m.triangles))
-           + line(tr("area"), tableText(m.area)) + line(tr("volume"), tableText(m.volume))
-           + line(tr("box"), m.box.isEmpty() ? tr("empty")
-                                             : tr("%1  to  %2", tableText(m.box.lowest, m.lowestHalfGap),
-                                                  tableText(m.box.highest, m.highestHalfGap)));
+    return line(tr("vertices|row"), std::to_string(m.vertices)) + line(tr("triangles|row"), std::to_string(m.triangles))
+           + line(tr("area|row"), tableText(m.area)) + line(tr("volume|row"), tableText(m.volume))
+           + line(tr("box|row"), m.box.isEmpty() ? tr("empty|box")
+                                                 : tr("%1  to  %2", tableText(m.box.lowest, m.lowestHalfGap),
+                                                      tableText(m.box.highest, m.highestHalfGap)));
 }
 
 /// One of each, in the order of the objects; with the object's name where there are several.
@@ -128,7 +129,7 @@ ExitCode runInfo(const InfoOptions &options)
             text += (&note == notes.data() ? "" : ", ") + jsonOfText(note);
         text += "]}\n";
     } else {
-        text = opened->objects.size() == 1 ? table : tr("all") + '\n' + lines(all) + table;
+        text = opened->objects.size() == 1 ? table : tr("all|objects") + '\n' + lines(all) + table;
         for (const std::string &note : notes)
             text += tr("note: %1", note) + '\n';
     }

@@ -78,22 +78,22 @@ std::string pickText(const DevicePoint &position, const std::optional<SceneHit> 
     const auto distanceText = [&hit](double distance) {
         return shortestText(distance, kLeftOut * length(hit->uncertainty));
     };
-    add(tr("object"), object.name);
+    add(tr("object|row"), object.name);
     if (hit->triangle)
-        add(tr("triangle"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
-    add(tr("world"), rounded(hit->world, hit->uncertainty));
+        add(tr("triangle|row"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
+    add(tr("world|row"), rounded(hit->world, hit->uncertainty));
     add("+-", boundsText(hit->uncertainty));
     add(tr("object point"), spaced(hit->objectPoint.coordinates(), kLeftOut * objectBounds(object, hit->uncertainty)));
     if (hit->triangle)
-        add(tr("normal"), spaced(hit->triangle->normal.coordinates()));
-    add(tr("distance"), distanceText(hit->distance));
-    add(tr("vertex"), tr("%1 at %2, %3 away", hit->vertex.id,
-                         spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)),
-                         distanceText(hit->vertex.distance)));
+        add(tr("normal|row"), spaced(hit->triangle->normal.coordinates()));
+    add(tr("distance|row"), distanceText(hit->distance));
+    add(tr("vertex|row"), tr("%1 at %2, %3 away", hit->vertex.id,
+                             spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)),
+                             distanceText(hit->vertex.distance)));
     if (hit->triangle) {
         const NearEdge &edge = hit->triangle->edge;
-        add(tr("edge"), tr("%1 to %2, at %3, %4 away", edge.ids[0], edge.ids[1], rounded(edge.world, edge.uncertainty),
-                           distanceText(edge.distance)));
+        add(tr("edge|row"), tr("%1 to %2, at %3, %4 away", edge.ids[0], edge.ids[1],
+                               rounded(edge.world, edge.uncertainty), distanceText(edge.distance)));
     }
     return text;
 }

@@ -1,5 +1,6 @@
 #include "core/doctor/variant_list.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 
@@ -9,6 +10,7 @@
 #include <string>
 
 namespace unprojector::doctor {
+using text::marked;
 namespace {
 
 /// What near and far are off by where they are another frustum's.
@@ -35,28 +37,28 @@ void addMeaningOfDepth(VariantList &list)
             const double n = run.given.nearDistance, f = run.given.farDistance;
             run.depth = (rightDistance(run) - n) / (f - n);
         },
-        0.0, "a share of the way is passed for the depth");
+        0.0, marked("a share of the way is passed for the depth"));
     list.add(
         "depth-linear", Stage::Eye,
         [](Run &run, const Variant &) {
             const double n = run.nearDistance, f = run.farDistance;
             run.setDistance(n + run.shareFromNear(run.depth) * (f - n));
         },
-        0.0, "the depth is taken for a share of the way");
+        0.0, marked("the depth is taken for a share of the way"));
     list.add(
         "depth-linear", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(run.depth * run.farDistance); },
-        0.0, "the depth is taken for a share of far");
+        0.0, marked("the depth is taken for a share of far"));
     list.add(
         "depth-is-eye-distance", Stage::Depth,
         [](Run &run, const Variant &) { run.depth = unitDepth(run, rightDistance(run)); }, 0.0,
-        "the distance is passed for the depth");
+        marked("the distance is passed for the depth"));
     list.add(
         "depth-is-eye-distance", Stage::Depth,
         [](Run &run, const Variant &) { run.depth = unitDepth(run, glm::length(run.click.eye)); }, 0.0,
-        "the length of the ray is passed for the depth");
+        marked("the length of the ray is passed for the depth"));
     list.add(
         "depth-is-eye-distance", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(run.click.depth); }, 0.0,
-        "the depth is taken for the distance");
+        marked("the depth is taken for the distance"));
     list.add("ray-length-as-z", Stage::Eye, [](Run &run, const Variant &) { run.setDistance(glm::length(run.eye)); });
     list.add("z-as-ray-length", Stage::Eye, [](Run &run, const Variant &) {
         const double distance = run.distance();
@@ -92,24 +94,23 @@ void setClipDistances(Run &run, double nearDistance, double farDistance)
 void addClipDistances(VariantList &list, const Given &given)
 {
     for (const double factor : kClipFactors) {
-        const std::string times = " times " + text::shortestText(factor);
+        const std::string times = text::shortestText(factor);
         list.add(
             "near-differs", Stage::Lens,
             [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance * v.parameter, run.farDistance); },
-            factor, "near" + times);
+            factor, {marked("near times %1"), times});
         list.add(
             "far-differs", Stage::Lens,
             [](Run &run, const Variant &v) { setClipDistances(run, run.nearDistance, run.farDistance * v.parameter); },
-            factor, "far" + times);
+            factor, {marked("far times %1"), times});
         if (given.isFrustum)
-            list.add(
-                "near-differs", Stage::Lens,
-                [](Run &run, const Variant &v) {
-                    run.clipFromEye[0][0] *= v.parameter;
-                    run.clipFromEye[1][1] *= v.parameter;
-                    setClipDistances(run, run.nearDistance * v.parameter, run.farDistance);
-                },
-                factor, "near" + times + ", the window of glFrustum as it was");
+            list.add("near-differs", Stage::Lens,
+                     [](Run &run, const Variant &v) {
+                         run.clipFromEye[0][0] *= v.parameter;
+                         run.clipFromEye[1][1] *= v.parameter;
+                         setClipDistances(run, run.nearDistance * v.parameter, run.farDistance);
+                     },
+                     factor, {marked("near times %1, the window of glFrustum as it was"), times});
     }
 }
 
@@ -128,22 +129,23 @@ void addDepthMistakes(VariantList &list, const Given &given)
         list.add(
             "depth-not-remapped", Stage::Depth,
             [](Run &run, const Variant &) { run.depth = (1.0 + run.click.depth) / 2.0; }, 0.0,
-            "nor mapped by the depth range");
+            marked("nor mapped by the depth range"));
         list.add("depth-range-ignored", Stage::Depth, [](Run &run, const Variant &) { run.depth = run.click.depth; });
         list.add(
-            "depth-zero", Stage::Depth, [](Run &run, const Variant &) { run.depth = 0.0; }, 0.0, "in the depth range");
+            "depth-zero", Stage::Depth, [](Run &run, const Variant &) { run.depth = 0.0; }, 0.0,
+            marked("in the depth range"));
         list.add(
-            "depth-one", Stage::Depth, [](Run &run, const Variant &) { run.depth = 1.0; }, 0.0, "in the depth range");
+            "depth-one", Stage::Depth, [](Run &run, const Variant &) { run.depth = 1.0; }, 0.0,
+            marked("in the depth range"));
         list.add(
             "depth-reversed", Stage::Depth,
             [](Run &run, const Variant &) { run.depth = unitDepth(run, 1.0 - run.click.depth); }, 0.0,
-            "before the depth range");
+            marked("before the depth range"));
     }
     for (const int bits : {16, 24, 8}) {
-        list.add(
-            "depth-rounded", Stage::Depth,
-            [](Run &run, const Variant &v) { run.depth = std::round(run.depth * v.parameter) / v.parameter; },
-            double((std::int64_t{1} << bits) - 1), "to " + std::to_string(bits) + " bits");
+        list.add("depth-rounded", Stage::Depth,
+                 [](Run &run, const Variant &v) { run.depth = std::round(run.depth * v.parameter) / v.parameter; },
+                 double((std::int64_t{1} << bits) - 1), {marked("to %1 bits"), std::to_string(bits)});
     }
     list.add(
         "depth-of-another-row", Stage::Depth,
@@ -151,14 +153,14 @@ void addDepthMistakes(VariantList &list, const Given &given)
             run.isLost = !run.click.depthAbove;
             run.depth = unitDepth(run, run.click.depthAbove.value_or(0.0));
         },
-        0.0, "the row above");
+        0.0, marked("the row above"));
     list.add(
         "depth-of-another-row", Stage::Depth,
         [](Run &run, const Variant &) {
             run.isLost = !run.click.depthBelow;
             run.depth = unitDepth(run, run.click.depthBelow.value_or(0.0));
         },
-        0.0, "the row below");
+        0.0, marked("the row below"));
     addMeaningOfDepth(list);
     addClipDistances(list, given);
 }

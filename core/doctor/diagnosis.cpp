@@ -236,7 +236,7 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
 {
     Candidate candidate;
     candidate.id = idOf(hypothesis);
-    candidate.variant = variantOf(hypothesis);
+    candidate.ways = waysOf(hypothesis);
     candidate.point = hypothesis.point;
     candidate.distance = hypothesis.distance;
     candidate.explains = hypothesis.worst <= kCutOff;

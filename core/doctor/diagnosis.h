@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Which mistake makes this wrong coordinate: every mistake is a function from what the wrong program was given to what it
@@ -50,10 +51,20 @@ struct WrongPoint {
     double depthLastDigit = 0.0; ///< the unit of the depth's last digit; 0: the depth is exact
 };
 
+/// In which of several ways a mistake is made.
+struct Way {
+    const char *words = nullptr; ///< marked for text::tr, %1 is the value: "ratio %1"; null: the value says it all
+    std::string value;
+
+    Way() = default;
+    Way(const char *marked, std::string ofIt = {}) : words(marked), value(std::move(ofIt)) {}
+    bool isEmpty() const { return words == nullptr && value.empty(); } ///< there are no others
+};
+
 /// One mistake, or two of them, and what it answers.
 struct Candidate {
     std::string id;        ///< "right", "y-not-flipped", …, of two "a+b"
-    std::string variant;   ///< which of several ways to make it, in words: "ratio 1.5"; empty where there is one
+    std::vector<Way> ways; ///< of those of its mistakes that are made in several; see waysText
     glm::dvec3 point{0.0}; ///< its answer to the first point, in that point's space
     double distance =
         0.0;        ///< the greatest difference of a coordinate, in units of its last digit; mean over the points

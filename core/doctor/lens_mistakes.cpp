@@ -1,10 +1,12 @@
 #include "core/doctor/variant_list.h"
 #include "core/geometry/angle.h"
+#include "core/text/translation.h"
 
 #include <cmath>
 #include <string>
 
 namespace unprojector::doctor {
+using text::marked;
 namespace {
 
 /// Of the half angle that spans the height, as a symmetric frustum has it.
@@ -55,10 +57,10 @@ void addPerspective(VariantList &list)
     list.add("fov-double", Stage::Lens, [](Run &run, const Variant &) { setTangent(run, std::tan(verticalFov(run))); });
     list.add(
         "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, 1.0 / aspectOf(run)); }, 0.0,
-        "the vertical angle spans the width");
+        marked("the vertical angle spans the width"));
     list.add(
         "fov-horizontal", Stage::Lens, [](Run &run, const Variant &) { widen(run, aspectOf(run)); }, 0.0,
-        "the horizontal angle spans the height");
+        marked("the horizontal angle spans the height"));
     list.add("frustum-centred", Stage::Lens,
              [](Run &run, const Variant &) { run.clipFromEye[2][0] = run.clipFromEye[2][1] = 0.0; });
     list.add("ortho-formula", Stage::Eye, [](Run &run, const Variant &) {
@@ -74,7 +76,7 @@ void addPerspective(VariantList &list)
             run.eye = {run.eye.x * factor, run.eye.y * factor,
                        run.given.side * (n + run.shareFromNear(run.depth) * (f - n))};
         },
-        0.0, "the depth too");
+        0.0, marked("the depth too"));
     list.add("divided-by-far", Stage::Eye, [](Run &run, const Variant &) {
         const double factor = run.nearDistance / run.farDistance;
         run.eye.x *= factor;
@@ -97,7 +99,7 @@ void addPerspective(VariantList &list)
             run.eye.x = z * std::tan(run.ndc.x * half * aspectOf(run));
             run.eye.y = z * std::tan(run.ndc.y * half);
         },
-        0.0, "the horizontal angle is the vertical one times the aspect");
+        0.0, marked("the horizontal angle is the vertical one times the aspect"));
 }
 
 void addBox(VariantList &list)
@@ -114,7 +116,7 @@ void addBox(VariantList &list)
             const double d = run.shareFromNear(run.depth), z = n * f / (f * (1.0 - d) + n * d);
             run.eye = {run.eye.x * z / n, run.eye.y * z / n, run.given.side * z};
         },
-        0.0, "the depth too");
+        0.0, marked("the depth too"));
     list.add(
         "perspective-formula", Stage::Eye,
         [](Run &run, const Variant &) {
@@ -122,7 +124,7 @@ void addBox(VariantList &list)
             const double d = run.shareFromNear(run.depth);
             run.setDistance(n * f / (f * (1.0 - d) + n * d));
         },
-        0.0, "the depth only");
+        0.0, marked("the depth only"));
 }
 
 } // namespace
@@ -137,7 +139,7 @@ void addLensMistakes(VariantList &list, const Given &given, const std::optional<
              [](Run &run, const Variant &) { setAspect(run, std::floor(run.viewport.width / run.viewport.height)); });
     list.add(
         "aspect-integer", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, std::floor(aspectOf(run))); },
-        0.0, "of the projection");
+        0.0, marked("of the projection"));
     list.add("aspect-inverted", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, 1.0 / aspectOf(run)); });
     list.add("aspect-of-window", Stage::Lens, [](Run &run, const Variant &) {
         setAspect(run, double(run.given.surface.widthPixels) / run.given.surface.heightPixels);
@@ -145,9 +147,9 @@ void addLensMistakes(VariantList &list, const Given &given, const std::optional<
     const auto setAspectGiven = [](Run &run, const Variant &v) { setAspect(run, v.parameter / v.second); };
     for (const Surface &usual : kUsualSizes)
         list.add("aspect-stale", Stage::Lens, setAspectGiven, usual,
-                 std::to_string(usual.widthPixels) + ':' + std::to_string(usual.heightPixels));
+                 {nullptr, std::to_string(usual.widthPixels) + ':' + std::to_string(usual.heightPixels)});
     if (otherSize)
-        list.add("aspect-stale", Stage::Lens, setAspectGiven, *otherSize, "the size given");
+        list.add("aspect-stale", Stage::Lens, setAspectGiven, *otherSize, marked("the size given"));
     list.add("aspect-left-out", Stage::Lens, [](Run &run, const Variant &) { setAspect(run, 1.0); });
     list.add("eye-z-positive", Stage::Eye, [](Run &run, const Variant &) { run.eye.z = -run.eye.z; });
     list.add("eye-xy-mirrored", Stage::Eye, [](Run &run, const Variant &) {
@@ -160,7 +162,7 @@ void addLensMistakes(VariantList &list, const Given &given, const std::optional<
             const Viewport &v = run.viewport;
             run.window = glm::dvec2(2.0 * v.x + v.width, 2.0 * v.y + v.height) - run.window;
         },
-        0.0, "about the middle of the viewport");
+        0.0, marked("about the middle of the viewport"));
 }
 
 } // namespace unprojector::doctor

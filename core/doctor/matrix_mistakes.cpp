@@ -1,8 +1,10 @@
 #include "core/doctor/variant_list.h"
+#include "core/text/translation.h"
 
 #include <glm/matrix.hpp>
 
 namespace unprojector::doctor {
+using text::marked;
 namespace {
 
 glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
@@ -54,19 +56,19 @@ void addPointMistakes(VariantList &list, std::span<const PlacedModel> models)
         [](Run &run, const Variant &) {
             run.point = {run.point.x, -run.point.z, run.point.y};
         },
-        0.0, "z up given for y up");
+        0.0, marked("z up given for y up"));
     list.add(
         "axes-swapped", Stage::Point,
         [](Run &run, const Variant &) {
             run.point = {run.point.x, run.point.z, -run.point.y};
         },
-        0.0, "y up given for z up");
+        0.0, marked("y up given for z up"));
     list.add(
         "axes-swapped", Stage::Point,
         [](Run &run, const Variant &) {
             run.point = {run.point.x, run.point.z, run.point.y};
         },
-        0.0, "y and z exchanged");
+        0.0, marked("y and z exchanged"));
 }
 
 } // namespace unprojector::doctor

@@ -1,6 +1,7 @@
 #include "core/doctor/mistakes.h"
 
 #include "core/doctor/variant_list.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,6 +9,7 @@
 #include <utility>
 
 namespace unprojector::doctor {
+using text::marked;
 namespace {
 
 constexpr Mistake kMistakes[] = {
@@ -81,24 +83,24 @@ std::span<const Mistake> mistakes()
     return kMistakes;
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, std::string words)
+void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, Way way)
 {
     const auto *place = std::find_if(std::begin(kMistakes), std::end(kMistakes),
                                      [&](const Mistake &mistake) { return mistake.id == id; });
     assert(place != std::end(kMistakes));
     m_variants.push_back(
-        {std::size_t(place - kMistakes), stage, apply, parameter, 0.0, glm::dmat4(1.0), std::move(words)});
+        {std::size_t(place - kMistakes), stage, apply, parameter, 0.0, glm::dmat4(1.0), std::move(way)});
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, std::string words)
+void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, Way way)
 {
-    add(id, stage, apply, double(size.widthPixels), std::move(words));
+    add(id, stage, apply, double(size.widthPixels), std::move(way));
     m_variants.back().second = size.heightPixels;
 }
 
 void VariantList::add(std::string_view id, Apply apply, const PlacedModel &model)
 {
-    add(id, Stage::Point, apply, 0.0, "of " + model.name);
+    add(id, Stage::Point, apply, 0.0, {marked("of %1"), model.name});
     m_variants.back().matrix = model.worldFromObject;
 }
 

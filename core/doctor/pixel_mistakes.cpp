@@ -1,5 +1,6 @@
 #include "core/doctor/variant_list.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <glm/common.hpp>
 
@@ -8,6 +9,7 @@
 #include <vector>
 
 namespace unprojector::doctor {
+using text::marked;
 namespace {
 
 constexpr std::array kUsualRatios{2.0, 1.5, 1.25, 1.75, 3.0};
@@ -21,28 +23,28 @@ void scaleViewport(Run &run, double factor)
 
 void addRatio(VariantList &list, double ratio)
 {
-    const std::string words = "ratio " + text::shortestText(ratio);
+    const std::string value = text::shortestText(ratio);
+    const Way way(marked("ratio %1"), value);
     list.add(
         "ratio-logical-in-device", Stage::Pixel, [](Run &run, const Variant &v) { run.position /= v.parameter; }, ratio,
-        words);
+        way);
     list.add(
         "ratio-logical-both", Stage::Pixel,
         [](Run &run, const Variant &v) {
             run.position /= v.parameter;
             run.flipHeight /= v.parameter;
         },
-        ratio, words);
+        ratio, way);
     list.add(
         "ratio-device-in-logical", Stage::Pixel,
-        [](Run &run, const Variant &v) { scaleViewport(run, 1.0 / v.parameter); }, ratio, words);
+        [](Run &run, const Variant &v) { scaleViewport(run, 1.0 / v.parameter); }, ratio, way);
     // A ratio that is applied twice gives the same.
-    list.add(
-        "ratio-device-in-logical", Stage::Pixel,
-        [](Run &run, const Variant &v) {
-            scaleViewport(run, 1.0 / v.parameter);
-            run.flipHeight /= v.parameter;
-        },
-        ratio, words + ", flipped in logical pixels");
+    list.add("ratio-device-in-logical", Stage::Pixel,
+             [](Run &run, const Variant &v) {
+                 scaleViewport(run, 1.0 / v.parameter);
+                 run.flipHeight /= v.parameter;
+             },
+             ratio, {marked("ratio %1, flipped in logical pixels"), value});
 }
 
 /// A place in the pixel other than the one clicked, device pixels to the right and up.
@@ -77,10 +79,10 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
     if (given.viewport.x != 0.0 && given.viewport.y != 0.0) {
         list.add(
             "viewport-origin-ignored", Stage::Pixel, [](Run &run, const Variant &) { run.viewport.y = 0.0; }, 0.0,
-            "its y only");
+            marked("its y only"));
         list.add(
             "viewport-origin-ignored", Stage::Pixel, [](Run &run, const Variant &) { run.viewport.x = 0.0; }, 0.0,
-            "its x only");
+            marked("its x only"));
     }
     list.add("flipped-with-viewport-height", Stage::Pixel,
              [](Run &run, const Variant &) { run.flipHeight = run.viewport.height; });
@@ -94,7 +96,7 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
                 run.viewport = {0.0, 0.0, v.parameter, v.second};
                 run.flipHeight = v.second;
             },
-            *otherSize, "with its flip");
+            *otherSize, marked("with its flip"));
         list.add(
             "viewport-stale", Stage::Pixel,
             [](Run &run, const Variant &v) {
@@ -103,7 +105,7 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
             *otherSize);
         list.add(
             "viewport-stale", Stage::Pixel, [](Run &run, const Variant &v) { run.flipHeight = v.second; }, *otherSize,
-            "the flip only");
+            marked("the flip only"));
     }
     list.add("viewport-y-from-top", Stage::Pixel, [](Run &run, const Variant &) {
         run.viewport.y = run.given.surface.heightPixels - run.viewport.y - run.viewport.height;
@@ -112,15 +114,15 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
     list.add(
         "y-not-flipped", Stage::Window,
         [](Run &run, const Variant &) { run.window.y = 2.0 * run.viewport.y + run.viewport.height - run.window.y; },
-        0.0, "about the middle of the viewport");
+        0.0, marked("about the middle of the viewport"));
 
-    list.add("pixel-corner", Stage::Pixel, shift<-1, -1>, 0.0, "lower left corner");
-    list.add("pixel-corner", Stage::Pixel, shift<-1, 1>, 0.0, "upper left corner");
-    list.add("pixel-corner", Stage::Pixel, shift<-1, 0>, 0.0, "x only");
-    list.add("pixel-corner", Stage::Pixel, shift<0, -1>, 0.0, "y only, lower edge");
-    list.add("pixel-corner", Stage::Pixel, shift<0, 1>, 0.0, "y only, upper edge");
-    list.add("pixel-corner", Stage::Pixel, toCorner<1>, 0.0, "lower left corner of the whole pixel");
-    list.add("pixel-corner", Stage::Pixel, toCorner<0>, 0.0, "upper left corner of the whole pixel");
+    list.add("pixel-corner", Stage::Pixel, shift<-1, -1>, 0.0, marked("lower left corner"));
+    list.add("pixel-corner", Stage::Pixel, shift<-1, 1>, 0.0, marked("upper left corner"));
+    list.add("pixel-corner", Stage::Pixel, shift<-1, 0>, 0.0, marked("x only"));
+    list.add("pixel-corner", Stage::Pixel, shift<0, -1>, 0.0, marked("y only, lower edge"));
+    list.add("pixel-corner", Stage::Pixel, shift<0, 1>, 0.0, marked("y only, upper edge"));
+    list.add("pixel-corner", Stage::Pixel, toCorner<1>, 0.0, marked("lower left corner of the whole pixel"));
+    list.add("pixel-corner", Stage::Pixel, toCorner<0>, 0.0, marked("upper left corner of the whole pixel"));
     list.add("row-above", Stage::Pixel, shift<0, 2>);
     list.add("row-below", Stage::Pixel, shift<0, -2>);
     list.add("xy-swapped", Stage::Window, [](Run &run, const Variant &) { run.window = {run.window.y, run.window.x}; });
@@ -129,7 +131,7 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
         [](Run &run, const Variant &) {
             run.position = {run.position.y, run.position.x};
         },
-        0.0, "before the flip");
+        0.0, marked("before the flip"));
 }
 
 } // namespace unprojector::doctor

@@ -100,7 +100,7 @@ struct Variant {
     void (*apply)(Run &, const Variant &) = nullptr;
     double parameter = 0.0, second = 0.0;
     glm::dmat4 matrix{1.0}; ///< of a model
-    std::string words;      ///< which way, where a mistake has several
+    Way way;                ///< empty where the mistake has one
 };
 
 /// What a program with these mistakes answers; nothing where it has no finite answer.

@@ -61,14 +61,14 @@ std::string idOf(const Hypothesis &hypothesis)
     return id;
 }
 
-std::string variantOf(const Hypothesis &hypothesis)
+std::vector<Way> waysOf(const Hypothesis &hypothesis)
 {
-    std::string words;
+    std::vector<Way> ways;
     for (std::size_t i = 0; i < hypothesis.count; ++i) {
-        const std::string &more = hypothesis.parts[i]->words;
-        words += (words.empty() || more.empty() ? "" : "; ") + more;
+        if (const Way &way = hypothesis.parts[i]->way; !way.isEmpty())
+            ways.push_back(way);
     }
-    return words;
+    return ways;
 }
 
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)

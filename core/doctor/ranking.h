@@ -15,8 +15,8 @@ constexpr double kCutOff = 1.1;
 
 /// The id of a hypothesis: "right", that of its mistake, or those of both with a plus.
 std::string idOf(const Hypothesis &hypothesis);
-/// Which of several ways to make its mistakes.
-std::string variantOf(const Hypothesis &hypothesis);
+/// In which ways its mistakes are made, where there are several.
+std::vector<Way> waysOf(const Hypothesis &hypothesis);
 
 /// Hypotheses by how well they explain the points, the best first, each pair of mistakes once, by its best variant.
 ///

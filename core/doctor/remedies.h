@@ -15,7 +15,8 @@ struct CodeChange {
 /// its whole column and row, W, H the framebuffer's size, d the depth, (vx, vy, w, h) the viewport.
 struct Remedy {
     std::string_view id;
-    std::string_view sentence; ///< what the program does, English, with its full stop
+    const char *name;     ///< of the mistake, in a few words, marked for text::tr
+    const char *sentence; ///< what the program does, with its full stop; marked too
     std::span<const CodeChange> code;
 };
 

@@ -15,10 +15,10 @@ class VariantList {
 public:
     using Apply = void (*)(Run &, const Variant &);
 
-    /// @param words  which way, where there are several
-    void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, std::string words = {});
+    /// @param way  where there are several
+    void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, Way way = {});
     /// One of another size of the window; its parameters are width and height.
-    void add(std::string_view id, Stage stage, Apply apply, const Surface &size, std::string words = {});
+    void add(std::string_view id, Stage stage, Apply apply, const Surface &size, Way way = {});
     /// One of a model's matrix.
     void add(std::string_view id, Apply apply, const PlacedModel &model);
 

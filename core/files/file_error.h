@@ -18,7 +18,8 @@ enum class FileErrorCode {
 
 struct FileError {
     FileErrorCode code = FileErrorCode::System;
-    std::string reason; ///< in the system's words, UTF-8; may be empty
+    /// Of the system, as text::systemErrorText says it: in the language of tr() where it is a usual one. UTF-8; may be empty.
+    std::string reason;
 };
 
 /// What is wrong and what to do, as half a sentence to stand behind the file's name.

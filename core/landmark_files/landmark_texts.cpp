@@ -12,7 +12,7 @@ namespace {
 /// A sentence with its number, of one or of several.
 std::string counted(std::size_t count, const char *one, const char *many)
 {
-    return tr(count == 1 ? one : many, count);
+    return count == 1 ? tr(one, count) : tr(many, count);
 }
 
 std::string suffixList()

@@ -1,8 +1,9 @@
 #include "core/matrices/matrix_factors.h"
 
+#include "core/geometry/unit_in_last_place.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace unprojector::matrices {
 namespace {
@@ -112,8 +113,7 @@ double differenceUlps(const std::vector<MatrixFactor> &factors, const glm::dmat4
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             const double size = std::max(std::abs(matrix[column][row]), sizes[column][row]);
-            const double ulp = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-            greatest = std::max(greatest, std::abs(product[column][row] - matrix[column][row]) / ulp);
+            greatest = std::max(greatest, std::abs(product[column][row] - matrix[column][row]) / unitInLastPlace(size));
         }
     }
     return greatest;

@@ -99,8 +99,7 @@ std::optional<int> GltfMaterials::textureNumber(const Json &texture)
         wrapRepeat = GltfFile::number(sampler, "wrapS", 0) != kClampToEdge;
     }
     if (!GltfFile::find(texture, "source")) {
-        // Its picture is of an extension's kind.
-        m_model.notes.push_back({ModelNote::Kind::PartLeftOut, 1, "a texture without a PNG or JPEG picture"});
+        m_model.notes.push_back({ModelNote::Kind::PictureUnknown, 1, {}}); // but to an extension
         return std::nullopt;
     }
     const Json &image = m_file.reference(texture, "source", "images");

@@ -80,7 +80,7 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
         m_roots = nodeList(scenes[0], "nodes");
         return;
     }
-    notes.push_back({ModelNote::Kind::PartUnusable, 0, "the file has no scene, so all its nodes are shown"});
+    notes.push_back({ModelNote::Kind::SceneMissing, 0, {}});
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         if (!isChild[n])
             m_roots.push_back(n);

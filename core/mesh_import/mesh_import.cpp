@@ -129,18 +129,13 @@ void noteWhatIsNotSeen(Model &model)
     for (const Mesh &mesh : model.meshes)
         flat += flatTriangles(mesh);
     if (flat > 0)
-        model.notes.push_back({ModelNote::Kind::PartUnusable, 0,
-                               (flat == 1 ? "1 triangle without an area, whose"
-                                          : std::to_string(flat) + " triangles without an area, whose")
-                                   + std::string(" corners are equal or on one line in single precision")});
+        model.notes.push_back({ModelNote::Kind::FlatTriangles, flat, {}});
     // Graphics cards take what is below 1.2e-38 as 0; so much more keeps the digits of singles.
     constexpr double kLeastDrawn = 1e-30;
     const glm::dvec3 size = model.bounds.highest - model.bounds.lowest;
     const double largest = std::max({size.x, size.y, size.z});
     if (largest > 0.0 && largest < kLeastDrawn)
-        model.notes.push_back({ModelNote::Kind::PartUnusable, 0,
-                               "drawing, since graphics cards round " + text::shortestText(largest)
-                                   + ", which the model measures, to 0 or to few digits; scale it up"});
+        model.notes.push_back({ModelNote::Kind::TooSmallToDraw, 0, text::shortestText(largest)});
 }
 
 /// Keeps normals that can be used, makes those that are missing where that pays.

@@ -3,7 +3,6 @@
 #include "core/text/translation.h"
 
 namespace unprojector::mesh_import {
-using text::marked;
 using text::tr;
 namespace {
 
@@ -73,21 +72,29 @@ std::string noteText(const ModelNote &note)
                                   : "%1 bytes behind all that the file declares are not used",
                   note.count);
     case ModelNote::Kind::PartLeftOut:
-        if (note.detail == "a texture without a PNG or JPEG picture")
-            return tr("\"a texture without a PNG or JPEG picture\" is not shown");
         return note.count > 1 ? tr("%1 is not shown (%2 times)", quotedDetail(note), note.count)
                               : tr("%1 is not shown", quotedDetail(note));
-    case ModelNote::Kind::PartUnusable:
+    case ModelNote::Kind::FlatTriangles:
         return tr(
-            "not used: %1",
-            printable(text::saidAgain(
-                note.detail,
-                {marked("%1 triangle without an area, whose corners are equal or on one line in single precision"),
-                 marked("%1 triangles without an area, whose corners are equal or on one line in single precision"),
-                 marked("drawing, since graphics cards round %1, which the model measures, to 0 or to few digits; "
-                        "scale it up"),
-                 marked("the file has no scene, so all its nodes are shown"),
-                 marked("a mesh primitive has no positions")})));
+            note.count == 1
+                ? "not used: %1 triangle without an area, whose corners are equal or on one line in single precision"
+                : "not used: %1 triangles without an area, whose corners are equal or on one line in single "
+                  "precision",
+            note.count);
+    case ModelNote::Kind::TooSmallToDraw:
+        return tr(
+            "cannot be drawn: graphics cards round %1, which the model measures, to 0 or to few digits; scale it up",
+            note.detail);
+    case ModelNote::Kind::SceneMissing: return tr("the file has no scene: all its nodes are shown");
+    case ModelNote::Kind::PositionsMissing:
+        return tr(note.count == 1 ? "%1 part of a mesh has no positions and is not shown"
+                                  : "%1 parts of meshes have no positions and are not shown",
+                  note.count);
+    case ModelNote::Kind::PictureUnknown:
+        return tr(note.count == 1
+                      ? "%1 texture has neither a PNG nor a JPEG picture: its surfaces are shown without it"
+                      : "%1 textures have neither PNG nor JPEG pictures: their surfaces are shown without them",
+                  note.count);
     }
     return {};
 }

@@ -7,7 +7,7 @@
 namespace unprojector::mesh_import {
 using namespace scene;
 
-/// One line in plain English UTF-8 that says what of a model file is not shown, or not as the file has it:
+/// One line in the language of text::tr(), UTF-8, that says what of a model file is not shown, or not as the file has it:
 ///
 ///   3 lines and points are not shown
 ///   the picture "skin.png" is not there or cannot be read: its surfaces are shown without it

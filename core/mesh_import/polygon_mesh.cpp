@@ -28,7 +28,7 @@ void PolygonMesh::addPolygon(std::span<const std::int64_t> vertices, std::size_t
 {
     m_polygonBegin = mesh.indices.size();
     for (const std::int64_t vertex : vertices)
-        checked(vertex, marked("face"), face);
+        checked(vertex, marked("face|of a mesh"), face);
     m_localTriangles.clear();
     m_lineCount += vertices.size() < 3 ? 1u : 0u;
     if (vertices.size() == 3) {

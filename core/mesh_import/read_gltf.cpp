@@ -209,7 +209,7 @@ private:
         if (mode > GltfCorners::TriangleFan)
             failMalformed(tr("a mesh primitive has the mode %1, which does not exist", mode));
         if (!GltfFile::find(*attributes, "POSITION")) {
-            m_model.notes.push_back({ModelNote::Kind::PartUnusable, 1, "a mesh primitive has no positions"});
+            m_model.notes.push_back({ModelNote::Kind::PositionsMissing, 1, {}});
             return;
         }
         const GltfValues positions(m_file, m_file.reference(*attributes, "POSITION", "accessors"));

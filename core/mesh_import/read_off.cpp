@@ -206,16 +206,16 @@ void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, M
     for (std::size_t v = 0; v < count; ++v) {
         if (v % kElementsBetweenReports == 0)
             progress.report(0.5 * static_cast<double>(v) / static_cast<double>(count));
-        const double x = numbers.real(marked("vertex"));
-        const double y = numbers.real(marked("vertex"));
-        const double z = numbers.real(marked("vertex"));
-        const double w = kind.hasW ? numbers.real(marked("vertex")) : 1.0;
+        const double x = numbers.real(marked("vertex|of a mesh"));
+        const double y = numbers.real(marked("vertex|of a mesh"));
+        const double z = numbers.real(marked("vertex|of a mesh"));
+        const double w = kind.hasW ? numbers.real(marked("vertex|of a mesh")) : 1.0;
         positions.push_back(glm::dvec3(x, y, z) / w);
         box.add(positions.back());
         if (kind.hasNormals) {
-            const double nx = numbers.real(marked("normal"));
-            const double ny = numbers.real(marked("normal"));
-            mesh.normals.emplace_back(nx, ny, numbers.real(marked("normal")));
+            const double nx = numbers.real(marked("normal|of a mesh"));
+            const double ny = numbers.real(marked("normal|of a mesh"));
+            mesh.normals.emplace_back(nx, ny, numbers.real(marked("normal|of a mesh")));
         }
         if (kind.hasColors) {
             const std::vector<float> values = numbers.vertexColor(!kind.hasTexcoords);
@@ -262,8 +262,8 @@ Model readOff(const Source &source)
     const std::int64_t declaredVertices = numbers.integer(marked("number of vertices"));
     const std::int64_t declaredFaces = numbers.integer(marked("number of faces"));
     numbers.integer(marked("number of edges"));
-    const std::size_t vertexCount = checkedCount(declaredVertices, 3, numbers, marked("vertices"));
-    const std::size_t faceCount = checkedCount(declaredFaces, 1, numbers, marked("faces"));
+    const std::size_t vertexCount = checkedCount(declaredVertices, 3, numbers, marked("vertices|of a mesh"));
+    const std::size_t faceCount = checkedCount(declaredFaces, 1, numbers, marked("faces|of a mesh"));
 
     PolygonMesh polygons(vertexCount);
     readVertices(*kind, vertexCount, numbers, polygons.mesh, source.progress);
@@ -271,9 +271,10 @@ Model readOff(const Source &source)
     for (std::size_t f = 0; f < faceCount; ++f) {
         if (f % kElementsBetweenReports == 0)
             source.progress.report(0.5 + 0.5 * static_cast<double>(f) / static_cast<double>(faceCount));
-        corners.resize(checkedCount(numbers.integer(marked("face")), 1, numbers, marked("corners of a face")));
+        corners.resize(
+            checkedCount(numbers.integer(marked("face|of a mesh")), 1, numbers, marked("corners of a face")));
         for (std::int64_t &corner : corners)
-            corner = numbers.integer(marked("face"));
+            corner = numbers.integer(marked("face|of a mesh"));
         polygons.addPolygon(corners, f);
         const std::vector<float> color = numbers.faceColor();
         // One number is an index into a table that the file does not hold.

@@ -74,7 +74,11 @@ struct ModelNote {
         NumbersLeftOut,    ///< count: vertices with words behind their coordinates that mean nothing there
         BytesLeftOut,      ///< count: bytes behind all that the file declares
         PartLeftOut,       ///< detail: what the format calls it, such as an extension; count: how many, or 0
-        PartUnusable,      ///< detail: what it is and why it is not used
+        FlatTriangles,     ///< count: triangles that have no area in single precision
+        TooSmallToDraw,    ///< detail: what the model measures, less than graphics cards can draw
+        SceneMissing,      ///< the file has no scene: all its nodes are shown
+        PositionsMissing,  ///< count: parts of meshes without any positions
+        PictureUnknown,    ///< count: textures whose picture is of a kind that is not known
     };
     Kind kind;
     std::size_t count = 0;

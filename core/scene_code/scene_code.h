@@ -24,6 +24,7 @@ enum class CodeDialect {
 /// origin and the camera alone. Where to read the depth (row H - 1 - j) is in the code.
 ///
 /// What the code does not hold is said in its comments: the models, which it only names, and what the dialect has no word for.
+/// They are English whatever language is set, as its names are: the code is the same for everybody.
 /// @pre check(pictureOf(scene))
 /// @return UTF-8, lines ending in \n
 std::string sceneCode(const SceneFile &scene, CodeDialect dialect);

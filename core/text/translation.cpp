@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -17,7 +18,8 @@ namespace {
 
 using Catalogue = std::map<std::string, std::string, std::less<>>;
 
-Language spoken = Language::English;
+std::atomic<Language> spoken = Language::English;
+thread_local bool isInEnglish = false;
 
 const Catalogue &chinese()
 {
@@ -36,21 +38,28 @@ const Catalogue &chinese()
 
 void setLanguage(Language language)
 {
-    spoken = language;
+    spoken.store(language, std::memory_order_relaxed);
 }
 
 Language language()
 {
-    return spoken;
+    return isInEnglish ? Language::English : spoken.load(std::memory_order_relaxed);
+}
+
+InEnglish::InEnglish() : m_before(std::exchange(isInEnglish, true)) {}
+
+InEnglish::~InEnglish()
+{
+    isInEnglish = m_before;
 }
 
 std::string translated(std::string_view english)
 {
-    if (spoken == Language::Chinese) {
+    if (language() == Language::Chinese) {
         if (const auto found = chinese().find(english); found != chinese().end())
             return found->second;
     }
-    return std::string(english);
+    return std::string(english.substr(0, english.find('|')));
 }
 
 std::string filled(std::string_view pattern, const std::vector<std::string> &values)

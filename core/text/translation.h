@@ -14,20 +14,21 @@ namespace unprojector::text {
 
 enum class Language { English, Chinese };
 
-/// What tr() speaks from now on: English until a program says otherwise, once, before it starts threads.
+/// What tr() speaks from now on, in every thread: English until a program says otherwise. What has been worded stays.
 void setLanguage(Language language);
+/// What tr() speaks in this thread.
 Language language();
 
-/// While it lives, tr() speaks English: for what programs read. Not while other threads say something.
+/// While it lives, tr() speaks English in this thread: for what programs read.
 class InEnglish {
 public:
-    InEnglish() : m_before(language()) { setLanguage(Language::English); }
-    ~InEnglish() { setLanguage(m_before); }
+    InEnglish();
+    ~InEnglish();
     InEnglish(const InEnglish &) = delete;
     InEnglish &operator=(const InEnglish &) = delete;
 
 private:
-    Language m_before;
+    bool m_before;
 };
 
 /// A text as it is, that tr() gets later, out of a table.
@@ -36,7 +37,7 @@ constexpr const char *marked(const char *english)
     return english;
 }
 
-/// A text in the language that is set; the English one where it has no other.
+/// A text in the language that is set; the English one, without its context, where it has no other.
 std::string translated(std::string_view english);
 
 /// A pattern with values in the places of %1 to %9, whatever stands in the values.
@@ -62,7 +63,8 @@ std::string valueText(Integer value)
 }
 
 /// @param english  a literal, so that the texts of the source and of the translation can be compared; with %1 to %9 where
-///                 there are values
+///                 there are values. A word alone is not the same in every place: where it stands is said behind a bar,
+///                 which is not said to people: "right|verdict"
 template <class... Values>
 std::string tr(std::string_view english, const Values &...values)
 {

@@ -72,7 +72,7 @@ QString sizesText(const std::vector<SceneObject> &objects, std::size_t added)
     const std::optional<Misfit> misfit = misfitAmong(objects, added);
     if (!misfit)
         return {};
-    const QString name = readName(misfit->object->name);
+    const QString name = readName(misfit->object->name, objects);
     const double times = std::max(misfit->ratio, 1.0 / misfit->ratio);
     const QString ratio = QLocale().toString(std::round(times), 'f', 0);
     return misfit->ratio > 1.0
@@ -86,7 +86,7 @@ QString addedText(const std::vector<SceneObject> &objects, std::size_t added)
     for (std::size_t i = objects.size() - added; i < objects.size(); ++i)
         triangles += objects[i].model->triangleCount();
     const QString text =
-        added == 1 ? AddedText::tr("%1 added: %2").arg(readName(objects.back().name), trianglesText(triangles))
+        added == 1 ? AddedText::tr("%1 added: %2").arg(readName(objects.back().name, objects), trianglesText(triangles))
                    : AddedText::tr("%1 models added: %2").arg(added).arg(trianglesText(triangles));
     const QString sizes = sizesText(objects, added);
     //: two sentences, the second with its full stop

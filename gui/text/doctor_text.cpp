@@ -51,7 +51,7 @@ QString verdictText(const Diagnosis &diagnosis)
 QString candidateName(const Candidate &candidate)
 {
     const QString name = candidate.id == "right" ? DoctorText::tr("right") : mistakeName(candidate.id);
-    return candidate.variant.empty() ? name : DoctorText::tr("%1 (%2)").arg(name, variantText(candidate.variant));
+    return candidate.ways.empty() ? name : DoctorText::tr("%1 (%2)").arg(name, waysText(candidate.ways));
 }
 
 QString explainedText(const Candidate &candidate, const Diagnosis &diagnosis)

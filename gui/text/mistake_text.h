@@ -1,18 +1,21 @@
 #pragma once
 
+#include "core/doctor/diagnosis.h"
+
 #include <QString>
 
 #include <string>
+#include <vector>
 
 namespace unprojector::gui {
 
-// What core/doctor finds, in the language of the window. Ids are its own, of two mistakes "a+b".
+// What core/doctor says of what it finds, in the language of the window. Ids are its own, of two mistakes "a+b".
 
 /// In a few words: "y not flipped".
 QString mistakeName(const std::string &id);
 /// What the program does, a sentence for each of its mistakes.
 QString mistakeSentence(const std::string &id);
-/// Which of several ways to make it, as core/doctor says it: "ratio 1.5".
-QString variantText(const std::string &variant);
+/// In which of several ways they are made: "ratio 1.5".
+QString waysText(const std::vector<doctor::Way> &ways);
 
 } // namespace unprojector::gui

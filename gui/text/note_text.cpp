@@ -63,7 +63,20 @@ QString noteText(const ModelNote &note)
     case ModelNote::Kind::PartLeftOut:
         return note.count > 1 ? NoteTexts::tr("Not shown: %1 (%2 times).").arg(detail, count)
                               : NoteTexts::tr("Not shown: %1.").arg(detail);
-    case ModelNote::Kind::PartUnusable: return NoteTexts::tr("Not used: %1.").arg(detail);
+    case ModelNote::Kind::FlatTriangles:
+        return NoteTexts::tr(
+                   "Triangles without an area, whose corners are equal or on one line in single precision, and "
+                   "that cannot be clicked: %1.")
+            .arg(count);
+    case ModelNote::Kind::TooSmallToDraw:
+        return NoteTexts::tr("The model measures %1, which graphics cards round to 0 or to few digits. Scale it up.")
+            .arg(detail);
+    case ModelNote::Kind::SceneMissing: return NoteTexts::tr("The file has no scene: all its nodes are shown.");
+    case ModelNote::Kind::PositionsMissing:
+        return NoteTexts::tr("Parts of meshes that have no positions, and are not shown: %1.").arg(count);
+    case ModelNote::Kind::PictureUnknown:
+        return NoteTexts::tr("Textures without a PNG or JPEG picture, whose surfaces are shown without it: %1.")
+            .arg(count);
     }
     return {};
 }
@@ -75,6 +88,15 @@ QString notesText(const QString &fileName, const std::vector<ModelNote> &notes)
         sentences << noteText(note);
     return sentences.isEmpty() ? QString()
                                : NoteTexts::tr("%1: %2", "a file: what is said of it").arg(fileName, inARow(sentences));
+}
+
+QString pointNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes)
+{
+    QStringList lines;
+    for (const landmark_files::LandmarkNote &note : notes)
+        lines << NoteTexts::tr("%1: %2.", "a file of points: what is said of it, without its full stop")
+                     .arg(fileName, QString::fromStdString(landmark_files::noteText(note)));
+    return lines.join(u'\n');
 }
 
 } // namespace unprojector::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/landmark_files/landmark_file.h"
 #include "core/scene/mesh.h"
 
 #include <QString>
@@ -13,5 +14,7 @@ using namespace scene;
 QString noteText(const ModelNote &note);
 /// The same of all of a model's notes, with the file's name before them; empty without any.
 QString notesText(const QString &fileName, const std::vector<ModelNote> &notes);
+/// What a file of points does not have as it was given: core's words, a line each, the file's name before them.
+QString pointNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes);
 
 } // namespace unprojector::gui

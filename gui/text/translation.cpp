@@ -1,40 +1,37 @@
 #include "gui/text/translation.h"
 
+#include "core/text/translation.h"
+#include "gui/text/named_values.h"
+
 #include <QCoreApplication>
 #include <QLibraryInfo>
-
-#include <array>
-#include <utility>
 
 namespace unprojector::gui {
 namespace {
 
-constexpr std::array<std::pair<Language, const char *>, 3> kNames{
+constexpr NamedValues<Language, 3> kNames{
     {{Language::System, "system"}, {Language::English, "en"}, {Language::Chinese, "zh_CN"}}};
 
 } // namespace
 
 std::optional<Language> languageOf(const QString &name)
 {
-    for (const auto &[language, itsName] : kNames) {
-        if (name == QLatin1String(itsName))
-            return language;
-    }
-    return std::nullopt;
+    return valueNamed(name, kNames);
 }
 
 QString languageName(Language language)
 {
-    for (const auto &[candidate, name] : kNames) {
-        if (candidate == language)
-            return QLatin1String(name);
-    }
-    return {};
+    return nameAmong(kNames, language);
 }
 
 Translation::Translation(const QStringList &languages, bool hasHanzi) : m_system(languages), m_hasHanzi(hasHanzi)
 {
     speak(m_system);
+}
+
+Translation::~Translation()
+{
+    text::setLanguage(text::Language::English);
 }
 
 void Translation::choose(Language language)
@@ -65,15 +62,21 @@ void Translation::speak(const QStringList &languages)
     QCoreApplication::removeTranslator(&m_program);
     QCoreApplication::removeTranslator(&m_qt);
     m_spoken = spoken;
+    const bool isChinese = !spoken.isEmpty() && QLocale(spoken).language() == QLocale::Chinese;
+    text::setLanguage(isChinese ? text::Language::Chinese : text::Language::English);
     if (spoken.isEmpty())
         return;
     const QLocale locale(spoken);
     if (m_program.load(locale, QStringLiteral("unprojector"), QStringLiteral("_"), QStringLiteral(":/translations")))
         QCoreApplication::installTranslator(&m_program);
-    // The programs that pack Qt for Windows and macOS put all its modules into one file, "qt".
-    const QString folder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
-    if (m_qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), folder)
-        || m_qt.load(locale, QStringLiteral("qt"), QStringLiteral("_"), folder))
+    // Qt's own texts are where Qt is, or where the program was packed with it. Some that pack it put all its modules into
+    // one file, "qt".
+    const auto loadsQt = [&](const QString &folder) {
+        return m_qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), folder)
+               || m_qt.load(locale, QStringLiteral("qt"), QStringLiteral("_"), folder);
+    };
+    if (loadsQt(QLibraryInfo::path(QLibraryInfo::TranslationsPath))
+        || loadsQt(QCoreApplication::applicationDirPath() + QStringLiteral("/translations")))
         QCoreApplication::installTranslator(&m_qt);
 }
 

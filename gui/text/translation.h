@@ -20,12 +20,15 @@ enum class Language {
 std::optional<Language> languageOf(const QString &name);
 QString languageName(Language language);
 
-/// As long as it lives, the program and Qt's own dialogs speak the first of these languages that they have; the
-/// texts of the source are English. The application must live longer.
+/// As long as it lives, the program, what core words, and Qt's own dialogs speak the first of these languages that they
+/// have; the texts of the source are English. The application must live longer.
 class Translation {
 public:
     /// @param hasHanzi  whether Chinese can be shown: without it, it is passed over and English spoken
     explicit Translation(const QStringList &languages = QLocale().uiLanguages(), bool hasHanzi = true);
+    ~Translation();
+    Translation(const Translation &) = delete;
+    Translation &operator=(const Translation &) = delete;
 
     Language choice() const { return m_choice; }
     bool hasHanzi() const { return m_hasHanzi; }

@@ -250,11 +250,11 @@
     </message>
     <message>
         <source>Near is %1; it must be greater than 0 and smaller than far (%2).</source>
-        <translation>近裁剪面距离为 %1；它必须大于 0 且小于远裁剪面距离（%2）。</translation>
+        <translation>近平面距离为 %1；它必须大于 0 且小于远平面距离（%2）。</translation>
     </message>
     <message>
         <source>Near is %1; it must be smaller than far (%2).</source>
-        <translation>近裁剪面距离为 %1；它必须小于远裁剪面距离（%2）。</translation>
+        <translation>近平面距离为 %1；它必须小于远平面距离（%2）。</translation>
     </message>
     <message>
         <source>Left and right are both %1; they must differ.</source>
@@ -438,7 +438,7 @@
     </message>
     <message>
         <source>The vertical field of view is %1°; it must lie between 0° and 180°, both excluded.</source>
-        <translation>垂直视角为 %1°；必须在 0° 与 180° 之间，不含两端。</translation>
+        <translation>垂直视场角为 %1°；必须在 0° 与 180° 之间，不含两端。</translation>
     </message>
     <message>
         <source>The angle is %1°; it must lie between 0° and 180°, both excluded.</source>
@@ -529,15 +529,15 @@
     </message>
     <message>
         <source>Distance of the near plane, eye units</source>
-        <translation>近裁剪面的距离，观察坐标单位</translation>
+        <translation>近平面的距离，观察坐标单位</translation>
     </message>
     <message>
         <source>Distance of the far plane, eye units</source>
-        <translation>远裁剪面的距离，观察坐标单位</translation>
+        <translation>远平面的距离，观察坐标单位</translation>
     </message>
     <message>
         <source>The depth that was read, 0 at the near and 1 at the far plane</source>
-        <translation>读出的深度，近裁剪面为 0，远裁剪面为 1</translation>
+        <translation>读出的深度，近平面为 0，远平面为 1</translation>
     </message>
     <message>
         <source>Distance of the point in front of the eye, eye units</source>
@@ -585,7 +585,7 @@
     </message>
     <message>
         <source>The share of the way from the near to the far plane</source>
-        <translation>从近裁剪面到远裁剪面的路程比例</translation>
+        <translation>从近平面到远平面的路程比例</translation>
     </message>
     <message>
         <source>Where the ray enters the view volume, world units</source>
@@ -777,11 +777,11 @@
     </message>
     <message>
         <source>z &lt; −w: before the near plane</source>
-        <translation>z &lt; −w：在近裁剪面之前</translation>
+        <translation>z &lt; −w：在近平面之前</translation>
     </message>
     <message>
         <source>z &gt; w: behind the far plane</source>
-        <translation>z &gt; w：在远裁剪面之后</translation>
+        <translation>z &gt; w：在远平面之后</translation>
     </message>
     <message>
         <source>w = 0: in the plane of the eye</source>
@@ -809,7 +809,7 @@
     </message>
     <message>
         <source>The object of this click is hidden now.</source>
-        <translation>这次点击的对象现已隐藏。</translation>
+        <translation>这次点击的物体现已隐藏。</translation>
     </message>
     <message>
         <source>A clip plane cuts the point of this click away now.</source>
@@ -1056,7 +1056,7 @@
     </message>
     <message>
         <source>Clip planes</source>
-        <translation>裁剪面</translation>
+        <translation>裁剪平面</translation>
     </message>
     <message>
         <source>Planes that cut the objects (glClipPlane)</source>
@@ -1064,11 +1064,11 @@
     </message>
     <message>
         <source>No clip planes</source>
-        <translation>没有裁剪面</translation>
+        <translation>没有裁剪平面</translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation>法向</translation>
+        <translation>法线</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -1165,7 +1165,7 @@
     </message>
     <message>
         <source>By the closed-form formulas (9) to (12), in double; world units</source>
-        <translation>用封闭形式公式 (9) 至 (12) 计算，double；世界单位</translation>
+        <translation>用解析公式 (9) 至 (12) 计算，double；世界单位</translation>
     </message>
     <message>
         <source>By the inverse of projection × view, in double, as gluUnProject does; world units</source>
@@ -1230,7 +1230,7 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <name>unprojector::gui::ComparisonPanel</name>
     <message>
         <source>What was clicked</source>
-        <translation>点击的对象</translation>
+        <translation>点击的物体</translation>
     </message>
     <message>
         <source>Widget position</source>
@@ -1330,7 +1330,7 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     </message>
     <message>
         <source>%1, the far plane&apos;s: nothing to read</source>
-        <translation>%1，远裁剪面的值：没有可读的深度</translation>
+        <translation>%1，远平面的值：没有可读的深度</translation>
     </message>
     <message>
         <source>Since the click</source>
@@ -1338,7 +1338,7 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     </message>
     <message>
         <source>From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane</source>
-        <translation>来自深度缓冲，在深度范围内：默认 0 为近裁剪面，1 为远裁剪面</translation>
+        <translation>来自深度缓冲，在深度范围内：默认 0 为近平面，1 为远平面</translation>
     </message>
     <message>
         <source>Depth:</source>
@@ -1389,8 +1389,8 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <translation>表面</translation>
     </message>
     <message>
-        <source>Show &amp;what float would give</source>
-        <translation>显示单精度的结果(&amp;W)</translation>
+        <source>Show what float woul&amp;d give</source>
+        <translation>显示单精度的结果(&amp;D)</translation>
     </message>
     <message>
         <source>Formula</source>
@@ -2118,8 +2118,8 @@ Both are as large as fits.</source>
         <translation>把视点移到原点</translation>
     </message>
     <message>
-        <source>turns the world: its rows are the eye&apos;s axes, right, up and backward (s, u, −f)</source>
-        <translation>旋转世界：各行是观察坐标系的轴，向右、向上、向后（s、u、−f）</translation>
+        <source>turns the world: the eye&apos;s axes, right, up and backward (s, u, −f), become x, y and z</source>
+        <translation>旋转世界：观察坐标系的轴，向右、向上、向后（s、u、−f），成为 x、y、z 轴</translation>
     </message>
     <message>
         <source>shears: x and y go along with z, by cot θ and cot φ</source>
@@ -2152,6 +2152,10 @@ Both are as large as fits.</source>
     <message>
         <source>from OpenGL&apos;s axes to those of the conventions shown</source>
         <translation>从 OpenGL 的坐标轴变到所示约定的坐标轴</translation>
+    </message>
+    <message>
+        <source>To try a part of each factor, choose OpenGL&apos;s conventions: it is OpenGL&apos;s cube that the view volume is drawn beside.</source>
+        <translation>要试着让每个因子只作用一部分，请选择 OpenGL 的约定：视景体旁边画的是 OpenGL 的立方体。</translation>
     </message>
     <message>
         <source>The product of the factors</source>
@@ -2225,7 +2229,7 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>&lt;p&gt;&lt;b&gt;Three things to try&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click&lt;/b&gt; a point of the model: its world coordinate stands beside, computed twice.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Drag&lt;/b&gt;: the view turns about the point under the pointer. The wheel zooms.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Take a lesson&lt;/b&gt; of five minutes: &lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;, more in File &amp;gt; Lessons.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;可以试试这三件事&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击&lt;/b&gt;模型上的一点：旁边会显示它的世界坐标，计算两遍。&lt;/p&gt;&lt;p&gt;&lt;b&gt;拖动&lt;/b&gt;：视图绕指针下的点转动；滚轮缩放。&lt;/p&gt;&lt;p&gt;&lt;b&gt;上一节五分钟的课&lt;/b&gt;：&lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;，更多课程在“文件 &amp;gt; 课程”中。&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;&lt;b&gt;可以试试这三件事&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击&lt;/b&gt;模型上的一点：旁边会显示它的世界坐标，计算两遍。&lt;/p&gt;&lt;p&gt;&lt;b&gt;拖动&lt;/b&gt;：视图绕指针下的点转动；滚轮缩放。&lt;/p&gt;&lt;p&gt;&lt;b&gt;花五分钟上一课&lt;/b&gt;：&lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;，更多课程在“文件 &amp;gt; 课程”中。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -2356,7 +2360,7 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>object</source>
-        <translation>模型</translation>
+        <translation>物体</translation>
     </message>
     <message>
         <source>world</source>
@@ -2376,7 +2380,7 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>widget</source>
-        <translation>屏幕</translation>
+        <translation>控件</translation>
     </message>
     <message>
         <source>points</source>
@@ -2541,12 +2545,32 @@ Both are as large as fits.</source>
         <translation>将光标处的数位增减一、增减十</translation>
     </message>
     <message>
+        <source>Keys in Help</source>
+        <translation>帮助中的按键</translation>
+    </message>
+    <message>
+        <source>find words in the page</source>
+        <translation>在页面中查找词语</translation>
+    </message>
+    <message>
+        <source>go to the next place that has them, to the one before</source>
+        <translation>转到下一处、上一处</translation>
+    </message>
+    <message>
+        <source>larger text, smaller, in its usual size</source>
+        <translation>放大、缩小文字，恢复通常大小</translation>
+    </message>
+    <message>
+        <source>back to the contents</source>
+        <translation>回到目录</translation>
+    </message>
+    <message>
         <source>stop opening the files that are on their way</source>
         <translation>停止打开正在载入的文件</translation>
     </message>
     <message>
         <source>View from Outside</source>
-        <translation>外部视图</translation>
+        <translation>从外部观察</translation>
     </message>
     <message>
         <source>drag of a plane</source>
@@ -2677,7 +2701,7 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>Points held by what their object does not have: %1, as %2.</source>
-        <translation>由其对象所没有的元素固定的点：%1 个，如 %2。</translation>
+        <translation>由其物体所没有的元素固定的点：%1 个，如 %2。</translation>
     </message>
     <message>
         <source>Points that are elsewhere than what holds them, as if the model had been changed: %1; %2 by %3.</source>
@@ -2693,14 +2717,14 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>Points on an object that is not here: %1, as %2.</source>
-        <translation>所在对象不在此场景中的点：%1 个，如 %2。</translation>
+        <translation>所在物体不在此场景中的点：%1 个，如 %2。</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::LessonPanel</name>
     <message>
-        <source>&amp;Check</source>
-        <translation>检查(&amp;C)</translation>
+        <source>Chec&amp;k</source>
+        <translation>检查(&amp;K)</translation>
     </message>
     <message>
         <source>Sho&amp;w</source>
@@ -2795,12 +2819,12 @@ Both are as large as fits.</source>
         <translation>答案是 %1。</translation>
     </message>
     <message>
-        <source>The panel that has the answer opens with it.</source>
-        <translation>显示答案的面板会随答案一起打开。</translation>
-    </message>
-    <message>
         <source>The pixels that are spoken of are those of a view of &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt;. This one is %3 × %4.</source>
         <translation>所说的像素是 &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt; 的视图中的像素。现在的视图是 %3 × %4。</translation>
+    </message>
+    <message>
+        <source>Panels that show the answer are closed until then.</source>
+        <translation>显示答案的面板在作答之前关闭。</translation>
     </message>
 </context>
 <context>
@@ -2956,7 +2980,7 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>Pipeline</source>
-        <translation>流水线</translation>
+        <translation>渲染管线</translation>
     </message>
     <message>
         <source>Viewport</source>
@@ -2980,7 +3004,7 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>Projection and distances of the near and far planes, world units</source>
-        <translation>投影方式，以及近、远裁剪面的距离，世界单位</translation>
+        <translation>投影方式，以及近、远平面的距离，世界单位</translation>
     </message>
     <message>
         <source>pixel (%1, %2)</source>
@@ -4213,7 +4237,7 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>Perspective: field of view %1° high, width to height %2, %3.</source>
-        <translation>透视：垂直视角 %1°，宽高比 %2，%3。</translation>
+        <translation>透视：垂直视场角 %1°，宽高比 %2，%3。</translation>
     </message>
     <message>
         <source>Box: %1 wide, %2 high, %3.</source>
@@ -4453,661 +4477,6 @@ Both are as large as fits.</source>
     <message>
         <source>Show all %1 lines</source>
         <translation>显示全部 %1 行</translation>
-    </message>
-</context>
-<context>
-    <name>unprojector::gui::MistakeText</name>
-    <message>
-        <source>y not flipped</source>
-        <translation>y 未翻转</translation>
-    </message>
-    <message>
-        <source>y is not turned over: rows of a window count from the top, OpenGL&apos;s from the bottom.</source>
-        <translation>y 没有翻转：窗口的行从上往下数，OpenGL 的行从下往上数。</translation>
-    </message>
-    <message>
-        <source>row above</source>
-        <translation>取了上一行</translation>
-    </message>
-    <message>
-        <source>The row is one too high: H - y is taken for H - 1 - y.</source>
-        <translation>行号高了一行：把 H - y 当成了 H - 1 - y。</translation>
-    </message>
-    <message>
-        <source>row below</source>
-        <translation>取了下一行</translation>
-    </message>
-    <message>
-        <source>The row is one too low: H - 1 - y is taken for H - y, though y has its half already.</source>
-        <translation>行号低了一行：把 H - 1 - y 当成了 H - y，而 y 已经含有半个像素。</translation>
-    </message>
-    <message>
-        <source>pixel corner</source>
-        <translation>取了像素的角</translation>
-    </message>
-    <message>
-        <source>The pixel&apos;s corner is unprojected instead of its centre: half a pixel is missing.</source>
-        <translation>反投影的是像素的角而不是中心：少了半个像素。</translation>
-    </message>
-    <message>
-        <source>logical pixels in a device viewport</source>
-        <translation>把逻辑像素当作设备像素</translation>
-    </message>
-    <message>
-        <source>The pixel is in logical pixels, the viewport and the height of the flip are in device pixels.</source>
-        <translation>像素以逻辑像素计，而视口和翻转所用的高度以设备像素计。</translation>
-    </message>
-    <message>
-        <source>pixel and flip in logical pixels</source>
-        <translation>像素与翻转都用逻辑像素</translation>
-    </message>
-    <message>
-        <source>The pixel and the height of the flip are in logical pixels, the viewport is in device pixels.</source>
-        <translation>像素和翻转所用的高度以逻辑像素计，而视口以设备像素计。</translation>
-    </message>
-    <message>
-        <source>device pixels in a logical viewport</source>
-        <translation>把设备像素用于逻辑视口</translation>
-    </message>
-    <message>
-        <source>The viewport is in logical pixels, the pixel in device pixels; or the pixel ratio is applied twice.</source>
-        <translation>视口以逻辑像素计，而像素以设备像素计；或者像素比乘了两次。</translation>
-    </message>
-    <message>
-        <source>viewport&apos;s origin ignored</source>
-        <translation>忽略了视口原点</translation>
-    </message>
-    <message>
-        <source>The viewport&apos;s origin is ignored, as if it lay in the window&apos;s corner.</source>
-        <translation>忽略了视口的原点，好像它就在窗口的角上。</translation>
-    </message>
-    <message>
-        <source>viewport&apos;s y from the top</source>
-        <translation>视口的 y 从上数</translation>
-    </message>
-    <message>
-        <source>The viewport&apos;s y is counted from the top of the window; OpenGL counts it from the bottom.</source>
-        <translation>视口的 y 从窗口上边数起；OpenGL 从下边数起。</translation>
-    </message>
-    <message>
-        <source>flipped with the viewport&apos;s height</source>
-        <translation>用视口高度翻转</translation>
-    </message>
-    <message>
-        <source>y is turned over with the viewport&apos;s height instead of the framebuffer&apos;s.</source>
-        <translation>翻转 y 用的是视口的高度，而不是帧缓冲的高度。</translation>
-    </message>
-    <message>
-        <source>window taken for viewport</source>
-        <translation>把窗口当作视口</translation>
-    </message>
-    <message>
-        <source>The whole window is taken for the viewport.</source>
-        <translation>把整个窗口当成了视口。</translation>
-    </message>
-    <message>
-        <source>x and y swapped</source>
-        <translation>x 与 y 对调</translation>
-    </message>
-    <message>
-        <source>x and y are swapped.</source>
-        <translation>x 和 y 对调了。</translation>
-    </message>
-    <message>
-        <source>aspect integer</source>
-        <translation>宽高比用整数除法</translation>
-    </message>
-    <message>
-        <source>The aspect is divided in whole numbers: 800 / 600 is 1.</source>
-        <translation>宽高比用整数相除：800 / 600 得 1。</translation>
-    </message>
-    <message>
-        <source>aspect inverted</source>
-        <translation>宽高比颠倒</translation>
-    </message>
-    <message>
-        <source>The aspect is turned round: height by width.</source>
-        <translation>宽高比颠倒了：用高除以宽。</translation>
-    </message>
-    <message>
-        <source>aspect of the window</source>
-        <translation>用了窗口的宽高比</translation>
-    </message>
-    <message>
-        <source>The aspect is the window&apos;s, not the viewport&apos;s.</source>
-        <translation>宽高比是窗口的，而不是视口的。</translation>
-    </message>
-    <message>
-        <source>aspect left out</source>
-        <translation>漏了宽高比</translation>
-    </message>
-    <message>
-        <source>The aspect is left out, as in a square viewport.</source>
-        <translation>漏了宽高比，好像视口是正方形。</translation>
-    </message>
-    <message>
-        <source>aspect of another size</source>
-        <translation>宽高比过时</translation>
-    </message>
-    <message>
-        <source>The aspect is another one than the viewport&apos;s: of the window&apos;s size before, or a fixed one.</source>
-        <translation>宽高比不是视口的：是窗口以前的大小的，或是固定的。</translation>
-    </message>
-    <message>
-        <source>viewport of another size</source>
-        <translation>视口过时</translation>
-    </message>
-    <message>
-        <source>The viewport or the height of the flip is that of another size.</source>
-        <translation>视口或翻转所用的高度属于另一个大小。</translation>
-    </message>
-    <message>
-        <source>degrees taken for radians</source>
-        <translation>把度当作弧度</translation>
-    </message>
-    <message>
-        <source>The field of view is in degrees where radians are meant.</source>
-        <translation>视野角以度给出，而要求的是弧度。</translation>
-    </message>
-    <message>
-        <source>radians taken for degrees</source>
-        <translation>把弧度当作度</translation>
-    </message>
-    <message>
-        <source>The field of view is in radians where degrees are meant.</source>
-        <translation>视野角以弧度给出，而要求的是度。</translation>
-    </message>
-    <message>
-        <source>half the field of view</source>
-        <translation>视野角减半</translation>
-    </message>
-    <message>
-        <source>Half the field of view is taken for the whole.</source>
-        <translation>把半个视野角当成了整个视野角。</translation>
-    </message>
-    <message>
-        <source>twice the field of view</source>
-        <translation>视野角加倍</translation>
-    </message>
-    <message>
-        <source>The field of view is twice as large: half the angle is the one that has the tangent.</source>
-        <translation>视野角大了一倍：取正切的应是它的一半。</translation>
-    </message>
-    <message>
-        <source>horizontal field of view</source>
-        <translation>把水平视野角当作垂直的</translation>
-    </message>
-    <message>
-        <source>The field of view of one axis is taken for the other&apos;s: these functions want the vertical angle.</source>
-        <translation>把一个方向的视野角当成了另一个方向的：这些函数要的是垂直视野角。</translation>
-    </message>
-    <message>
-        <source>frustum taken for centred</source>
-        <translation>把视景体当作对称的</translation>
-    </message>
-    <message>
-        <source>The frustum is taken for a centred one, though the view axis is not in its middle.</source>
-        <translation>把视景体当成了对称的，而视轴并不在它的正中。</translation>
-    </message>
-    <message>
-        <source>depth not remapped</source>
-        <translation>深度未换算</translation>
-    </message>
-    <message>
-        <source>z in NDC is taken to be the depth itself: depths go from 0 to 1, OpenGL&apos;s NDC from -1 to 1.</source>
-        <translation>把深度直接当成了 NDC 的 z：深度从 0 到 1，OpenGL 的 NDC 从 -1 到 1。</translation>
-    </message>
-    <message>
-        <source>depth remapped twice</source>
-        <translation>深度换算了两次</translation>
-    </message>
-    <message>
-        <source>The depth is mapped to -1 to 1 once too often: the function does it itself, or the matrix goes by 0 to 1.</source>
-        <translation>深度多换算了一次到 -1 至 1：函数自己会换算，或者矩阵用的是 0 到 1。</translation>
-    </message>
-    <message>
-        <source>depth taken for linear</source>
-        <translation>把深度当作线性的</translation>
-    </message>
-    <message>
-        <source>A depth is not linear in the distance: a share of the way from near to far is confused with it.</source>
-        <translation>深度与距离不成线性：把它和从近平面到远平面的路程之比混淆了。</translation>
-    </message>
-    <message>
-        <source>depth 0</source>
-        <translation>深度为 0</translation>
-    </message>
-    <message>
-        <source>The depth is 0: it was not read, or not where the picture is.</source>
-        <translation>深度为 0：没有读到，或者没有在画面所在之处读。</translation>
-    </message>
-    <message>
-        <source>depth 1</source>
-        <translation>深度为 1</translation>
-    </message>
-    <message>
-        <source>The depth is 1: that of the background, or of a buffer that was cleared.</source>
-        <translation>深度为 1：是背景的深度，或是已清空的缓冲的深度。</translation>
-    </message>
-    <message>
-        <source>distance taken for depth</source>
-        <translation>把到视点的距离当作深度</translation>
-    </message>
-    <message>
-        <source>A distance from the eye is confused with the depth.</source>
-        <translation>把到视点的距离和深度混淆了。</translation>
-    </message>
-    <message>
-        <source>depth reversed</source>
-        <translation>深度颠倒</translation>
-    </message>
-    <message>
-        <source>The depth is turned round: reversed depths are taken for ordinary ones, or ordinary for reversed ones.</source>
-        <translation>深度颠倒了：把反向深度当作普通深度，或把普通深度当作反向深度。</translation>
-    </message>
-    <message>
-        <source>depth rounded</source>
-        <translation>深度被舍入</translation>
-    </message>
-    <message>
-        <source>The depth is rounded to few bits.</source>
-        <translation>深度被舍入到很少的几位。</translation>
-    </message>
-    <message>
-        <source>depth range ignored</source>
-        <translation>忽略了深度范围</translation>
-    </message>
-    <message>
-        <source>The depth range is ignored, as if it went from 0 to 1.</source>
-        <translation>忽略了深度范围，好像它从 0 到 1。</translation>
-    </message>
-    <message>
-        <source>depth of another row</source>
-        <translation>取了别行的深度</translation>
-    </message>
-    <message>
-        <source>The depth is that of a neighbouring row.</source>
-        <translation>深度是相邻一行的。</translation>
-    </message>
-    <message>
-        <source>another near plane</source>
-        <translation>近平面不同</translation>
-    </message>
-    <message>
-        <source>The near plane is not that of the picture.</source>
-        <translation>近平面不是这幅画面的近平面。</translation>
-    </message>
-    <message>
-        <source>another far plane</source>
-        <translation>远平面不同</translation>
-    </message>
-    <message>
-        <source>The far plane is not that of the picture.</source>
-        <translation>远平面不是这幅画面的远平面。</translation>
-    </message>
-    <message>
-        <source>length of the ray taken for z</source>
-        <translation>把射线长度当作 z</translation>
-    </message>
-    <message>
-        <source>The length of the ray is taken for z: z is measured along the view axis.</source>
-        <translation>把射线的长度当成了 z：z 是沿视轴量的。</translation>
-    </message>
-    <message>
-        <source>z taken for length of the ray</source>
-        <translation>把 z 当作射线长度</translation>
-    </message>
-    <message>
-        <source>z is taken for the length of the ray: z is measured along the view axis.</source>
-        <translation>把 z 当成了射线的长度：z 是沿视轴量的。</translation>
-    </message>
-    <message>
-        <source>angle interpolated</source>
-        <translation>角度按线性插值</translation>
-    </message>
-    <message>
-        <source>The ray&apos;s angle is interpolated; it is its tangent that is linear in the pixel.</source>
-        <translation>对射线的角度作了插值；与像素成线性的是它的正切。</translation>
-    </message>
-    <message>
-        <source>orthographic formula</source>
-        <translation>用了正交的公式</translation>
-    </message>
-    <message>
-        <source>The formula of an orthographic view is used in a perspective one: x and y are not scaled by z / near.</source>
-        <translation>在透视视图里用了正交视图的公式：x 和 y 没有乘以 z / near。</translation>
-    </message>
-    <message>
-        <source>divided by far</source>
-        <translation>除以了 far</translation>
-    </message>
-    <message>
-        <source>The near plane&apos;s window is scaled by z / far instead of z / near.</source>
-        <translation>近平面上的窗口乘的是 z / far，而不是 z / near。</translation>
-    </message>
-    <message>
-        <source>perspective formula</source>
-        <translation>用了透视的公式</translation>
-    </message>
-    <message>
-        <source>The formula of a perspective is used in an orthographic view, as if rays came from the eye.</source>
-        <translation>在正交视图里用了透视的公式，好像射线出自视点。</translation>
-    </message>
-    <message>
-        <source>not divided by w</source>
-        <translation>没有除以 w</translation>
-    </message>
-    <message>
-        <source>The result is not divided by w.</source>
-        <translation>结果没有除以 w。</translation>
-    </message>
-    <message>
-        <source>divided by w twice</source>
-        <translation>除以了两次 w</translation>
-    </message>
-    <message>
-        <source>The result is divided by w twice.</source>
-        <translation>结果除以了两次 w。</translation>
-    </message>
-    <message>
-        <source>projection transposed</source>
-        <translation>投影矩阵被转置</translation>
-    </message>
-    <message>
-        <source>The projection matrix is transposed: its rows are taken for columns.</source>
-        <translation>投影矩阵被转置了：把行当成了列。</translation>
-    </message>
-    <message>
-        <source>view transposed</source>
-        <translation>观察矩阵被转置</translation>
-    </message>
-    <message>
-        <source>The view matrix is transposed: its rows are taken for columns.</source>
-        <translation>观察矩阵被转置了：把行当成了列。</translation>
-    </message>
-    <message>
-        <source>both transposed</source>
-        <translation>两个矩阵都被转置</translation>
-    </message>
-    <message>
-        <source>Projection and view matrix are transposed: rows are taken for columns.</source>
-        <translation>投影矩阵和观察矩阵都被转置了：把行当成了列。</translation>
-    </message>
-    <message>
-        <source>product transposed</source>
-        <translation>乘积被转置</translation>
-    </message>
-    <message>
-        <source>The product of projection and view is transposed: its rows are taken for columns.</source>
-        <translation>投影与视图的乘积被转置了：把行当成了列。</translation>
-    </message>
-    <message>
-        <source>inverses in the wrong order</source>
-        <translation>逆矩阵次序颠倒</translation>
-    </message>
-    <message>
-        <source>The inverses stand in the wrong order: the inverse of P V is inverse(V) inverse(P).</source>
-        <translation>逆矩阵的次序错了：P V 的逆是 inverse(V) inverse(P)。</translation>
-    </message>
-    <message>
-        <source>not inverted</source>
-        <translation>没有求逆</translation>
-    </message>
-    <message>
-        <source>The matrices are not inverted.</source>
-        <translation>矩阵没有求逆。</translation>
-    </message>
-    <message>
-        <source>view&apos;s inverse taken for view</source>
-        <translation>把观察矩阵的逆当作观察矩阵</translation>
-    </message>
-    <message>
-        <source>The camera&apos;s own matrix, which is the view&apos;s inverse, is passed for the view.</source>
-        <translation>把相机自己的矩阵（观察矩阵的逆）当作观察矩阵传入了。</translation>
-    </message>
-    <message>
-        <source>view left out</source>
-        <translation>漏了观察矩阵</translation>
-    </message>
-    <message>
-        <source>The view matrix is left out: what comes is the point in eye space.</source>
-        <translation>漏了观察矩阵：得到的是观察坐标系中的点。</translation>
-    </message>
-    <message>
-        <source>projection left out</source>
-        <translation>漏了投影矩阵</translation>
-    </message>
-    <message>
-        <source>The projection matrix is left out.</source>
-        <translation>漏了投影矩阵。</translation>
-    </message>
-    <message>
-        <source>overwritten in place</source>
-        <translation>就地覆盖</translation>
-    </message>
-    <message>
-        <source>The vector is overwritten while it is still needed: y is computed with the new x.</source>
-        <translation>向量还要用时就被覆盖了：算 y 时用的是新的 x。</translation>
-    </message>
-    <message>
-        <source>model left in</source>
-        <translation>留着模型矩阵</translation>
-    </message>
-    <message>
-        <source>The model matrix is left in: these are the object&apos;s own coordinates, not the world&apos;s.</source>
-        <translation>模型矩阵没有去掉：这是物体自己的坐标，不是世界坐标。</translation>
-    </message>
-    <message>
-        <source>model left out</source>
-        <translation>多乘了模型矩阵</translation>
-    </message>
-    <message>
-        <source>The model matrix is applied once too often, or left out of the inverse.</source>
-        <translation>模型矩阵多乘了一次，或者求逆时漏了它。</translation>
-    </message>
-    <message>
-        <source>eye added</source>
-        <translation>多加了视点的位置</translation>
-    </message>
-    <message>
-        <source>The eye&apos;s position is added to a point that has it already.</source>
-        <translation>点里已经含有视点的位置，又加了一次。</translation>
-    </message>
-    <message>
-        <source>eye subtracted</source>
-        <translation>漏加了视点的位置</translation>
-    </message>
-    <message>
-        <source>The eye&apos;s position is missing: the point is counted from the eye, along the world&apos;s axes.</source>
-        <translation>缺了视点的位置：点从视点数起，沿世界的轴。</translation>
-    </message>
-    <message>
-        <source>z of the eye point positive</source>
-        <translation>观察坐标的 z 变号</translation>
-    </message>
-    <message>
-        <source>z of the eye point has the wrong sign: an eye looks down -z.</source>
-        <translation>观察坐标的 z 符号错了：视线朝 -z。</translation>
-    </message>
-    <message>
-        <source>eye point mirrored</source>
-        <translation>观察坐标的 x、y 镜像</translation>
-    </message>
-    <message>
-        <source>x and y of the eye point are mirrored: the formulas want z as a distance, above 0.</source>
-        <translation>观察坐标的 x 和 y 成了镜像：公式要的 z 是大于 0 的距离。</translation>
-    </message>
-    <message>
-        <source>axes swapped</source>
-        <translation>坐标轴互换</translation>
-    </message>
-    <message>
-        <source>Axes are exchanged, as between y up and z up.</source>
-        <translation>坐标轴互换了，例如在 y 向上与 z 向上之间。</translation>
-    </message>
-    <message>
-        <source>its x only</source>
-        <translation>只有 x</translation>
-    </message>
-    <message>
-        <source>its y only</source>
-        <translation>只有 y</translation>
-    </message>
-    <message>
-        <source>with its flip</source>
-        <translation>连同翻转</translation>
-    </message>
-    <message>
-        <source>the flip only</source>
-        <translation>只有翻转</translation>
-    </message>
-    <message>
-        <source>about the middle of the viewport</source>
-        <translation>绕视口中线</translation>
-    </message>
-    <message>
-        <source>lower left corner</source>
-        <translation>左下角</translation>
-    </message>
-    <message>
-        <source>upper left corner</source>
-        <translation>左上角</translation>
-    </message>
-    <message>
-        <source>x only</source>
-        <translation>只有 x</translation>
-    </message>
-    <message>
-        <source>y only, lower edge</source>
-        <translation>只有 y，下边</translation>
-    </message>
-    <message>
-        <source>y only, upper edge</source>
-        <translation>只有 y，上边</translation>
-    </message>
-    <message>
-        <source>lower left corner of the whole pixel</source>
-        <translation>整像素的左下角</translation>
-    </message>
-    <message>
-        <source>upper left corner of the whole pixel</source>
-        <translation>整像素的左上角</translation>
-    </message>
-    <message>
-        <source>before the flip</source>
-        <translation>在翻转之前</translation>
-    </message>
-    <message>
-        <source>the vertical angle spans the width</source>
-        <translation>垂直角用于宽度</translation>
-    </message>
-    <message>
-        <source>the horizontal angle spans the height</source>
-        <translation>水平角用于高度</translation>
-    </message>
-    <message>
-        <source>the depth too</source>
-        <translation>深度也如此</translation>
-    </message>
-    <message>
-        <source>the depth only</source>
-        <translation>只有深度</translation>
-    </message>
-    <message>
-        <source>the horizontal angle is the vertical one times the aspect</source>
-        <translation>水平角取为垂直角乘宽高比</translation>
-    </message>
-    <message>
-        <source>of the projection</source>
-        <translation>投影的</translation>
-    </message>
-    <message>
-        <source>the size given</source>
-        <translation>给出的大小</translation>
-    </message>
-    <message>
-        <source>z up given for y up</source>
-        <translation>把 y 向上给成 z 向上</translation>
-    </message>
-    <message>
-        <source>y up given for z up</source>
-        <translation>把 z 向上给成 y 向上</translation>
-    </message>
-    <message>
-        <source>y and z exchanged</source>
-        <translation>y 与 z 互换</translation>
-    </message>
-    <message>
-        <source>a share of the way is passed for the depth</source>
-        <translation>把路程之比当深度传入</translation>
-    </message>
-    <message>
-        <source>the depth is taken for a share of the way</source>
-        <translation>把深度当路程之比</translation>
-    </message>
-    <message>
-        <source>the depth is taken for a share of far</source>
-        <translation>把深度当 far 的比例</translation>
-    </message>
-    <message>
-        <source>the distance is passed for the depth</source>
-        <translation>把距离当深度传入</translation>
-    </message>
-    <message>
-        <source>the length of the ray is passed for the depth</source>
-        <translation>把射线长度当深度传入</translation>
-    </message>
-    <message>
-        <source>the depth is taken for the distance</source>
-        <translation>把深度当距离</translation>
-    </message>
-    <message>
-        <source>nor mapped by the depth range</source>
-        <translation>也未按深度范围换算</translation>
-    </message>
-    <message>
-        <source>in the depth range</source>
-        <translation>在深度范围里</translation>
-    </message>
-    <message>
-        <source>before the depth range</source>
-        <translation>在深度范围之前</translation>
-    </message>
-    <message>
-        <source>the row above</source>
-        <translation>上一行</translation>
-    </message>
-    <message>
-        <source>the row below</source>
-        <translation>下一行</translation>
-    </message>
-    <message>
-        <source>ratio %1, flipped in logical pixels</source>
-        <translation>像素比 %1，以逻辑像素翻转</translation>
-    </message>
-    <message>
-        <source>ratio %1</source>
-        <translation>像素比 %1</translation>
-    </message>
-    <message>
-        <source>near times %1, the window of glFrustum as it was</source>
-        <translation>near 乘 %1，glFrustum 的窗口不变</translation>
-    </message>
-    <message>
-        <source>near times %1</source>
-        <translation>near 乘 %1</translation>
-    </message>
-    <message>
-        <source>far times %1</source>
-        <translation>far 乘 %1</translation>
-    </message>
-    <message>
-        <source>to %1 bits</source>
-        <translation>舍入到 %1 位</translation>
-    </message>
-    <message>
-        <source>of %1</source>
-        <translation>属于 %1</translation>
     </message>
 </context>
 <context>
@@ -5387,10 +4756,6 @@ Both are as large as fits.</source>
         <translation>未显示：%1。</translation>
     </message>
     <message>
-        <source>Not used: %1.</source>
-        <translation>未使用：%1。</translation>
-    </message>
-    <message>
         <source>The picture %1 is damaged, too large or of a kind that is not known (JPEG is not known here: Qt&apos;s plugin for it is missing): its surfaces are shown without it. Convert it to PNG, or make it smaller.</source>
         <translation>图片 %1 已损坏、过大或格式未知（此处连 JPEG 也无法读取：缺少 Qt 的相应插件）：其表面不带图片显示。请将其转换为 PNG，或将其缩小。</translation>
     </message>
@@ -5398,6 +4763,31 @@ Both are as large as fits.</source>
         <source>%1: %2</source>
         <comment>a file: what is said of it</comment>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Triangles without an area, whose corners are equal or on one line in single precision, and that cannot be clicked: %1.</source>
+        <translation>面积为零的三角形，其顶点在单精度下相同或共线，无法点击：%1。</translation>
+    </message>
+    <message>
+        <source>The model measures %1, which graphics cards round to 0 or to few digits. Scale it up.</source>
+        <translation>模型的尺寸为 %1，显卡会把它舍入为 0 或只剩几位。请把它放大。</translation>
+    </message>
+    <message>
+        <source>The file has no scene: all its nodes are shown.</source>
+        <translation>文件没有场景：显示其所有节点。</translation>
+    </message>
+    <message>
+        <source>Parts of meshes that have no positions, and are not shown: %1.</source>
+        <translation>没有位置而未显示的网格部分：%1。</translation>
+    </message>
+    <message>
+        <source>Textures without a PNG or JPEG picture, whose surfaces are shown without it: %1.</source>
+        <translation>没有 PNG 或 JPEG 图片的纹理，其表面不带图片显示：%1。</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>a file of points: what is said of it, without its full stop</comment>
+        <translation>%1：%2。</translation>
     </message>
 </context>
 <context>
@@ -5549,7 +4939,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>From the eye (in a box: from the near plane) through the clicked pixel to the far plane, and whether it hits a surface</source>
-        <translation>从视点（长方体视景体：从近裁剪面）经过所点击的像素到远裁剪面，以及它是否碰到表面</translation>
+        <translation>从视点（长方体视景体：从近平面）经过所点击的像素到远平面，以及它是否碰到表面</translation>
     </message>
     <message>
         <source>none</source>
@@ -5577,7 +4967,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>Close the view from outside (0)</source>
-        <translation>关闭外部视图（0）</translation>
+        <translation>关闭“从外部观察”（0）</translation>
     </message>
     <message>
         <source>Into a panel of its own</source>
@@ -5608,11 +4998,11 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>Near plane</source>
-        <translation>近裁剪面</translation>
+        <translation>近平面</translation>
     </message>
     <message>
         <source>Far plane</source>
-        <translation>远裁剪面</translation>
+        <translation>远平面</translation>
     </message>
 </context>
 <context>
@@ -5878,11 +5268,11 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <name>unprojector::gui::PictureNote</name>
     <message>
         <source>All objects are hidden. The Objects panel shows them again.</source>
-        <translation>所有对象均已隐藏。可在“对象”面板中重新显示。</translation>
+        <translation>所有物体均已隐藏。可在“物体”面板中重新显示。</translation>
     </message>
     <message>
         <source>Nothing lies between near, %1, and far, %2: the objects begin at %3 and end at %4.</source>
-        <translation>近平面 %1 与远平面 %2 之间没有任何内容：对象从 %3 开始，到 %4 结束。</translation>
+        <translation>近平面 %1 与远平面 %2 之间没有任何内容：物体从 %3 开始，到 %4 结束。</translation>
     </message>
     <message>
         <source>Far is %1 times near: the depth buffer cannot hold that, and surfaces are taken for background. Give near a larger distance.</source>
@@ -5905,7 +5295,7 @@ m[0] … m[15]、JSON、C、three.js</translation>
     </message>
     <message>
         <source>Back from the clicked pixel&apos;s centre and the depth read there.</source>
-        <translation>由所点击像素的中心及其读出的深度反推。</translation>
+        <translation>由所点击像素的中心及其读出的深度反投影得到。</translation>
     </message>
     <message>
         <source>The picked point on its way to the window.</source>
@@ -5925,7 +5315,7 @@ m[0] … m[15]、JSON、C、three.js</translation>
     </message>
     <message>
         <source>the far plane at infinity: here at a million times near</source>
-        <translation>远裁剪面在无穷远：这里取近裁剪面的一百万倍</translation>
+        <translation>远平面在无穷远：这里取近平面的一百万倍</translation>
     </message>
     <message>
         <source>The view has changed since this click: the point on its way through the view as it is now.</source>
@@ -6283,7 +5673,7 @@ m[0] … m[15]、JSON、C、three.js</translation>
     </message>
     <message>
         <source>There is no object that they lie on: open their scan together with them.</source>
-        <translation>没有它们所在的对象：请把它们的扫描与它们一起打开。</translation>
+        <translation>没有它们所在的物体：请把它们的扫描与它们一起打开。</translation>
     </message>
     <message>
         <source>On the mesh: %1.</source>
@@ -6853,7 +6243,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Left edge of the view volume, eye units; of a frustum on its near plane</source>
-        <translation>视景体的左边界，观察坐标单位；对透视投影，取在近裁剪面上</translation>
+        <translation>视景体的左边界，观察坐标单位；对透视投影，取在近平面上</translation>
     </message>
     <message>
         <source>Right</source>
@@ -6861,7 +6251,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Right edge of the view volume, eye units; of a frustum on its near plane</source>
-        <translation>视景体的右边界，观察坐标单位；对透视投影，取在近裁剪面上</translation>
+        <translation>视景体的右边界，观察坐标单位；对透视投影，取在近平面上</translation>
     </message>
     <message>
         <source>Bottom</source>
@@ -6869,7 +6259,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Lower edge of the view volume, eye units; of a frustum on its near plane</source>
-        <translation>视景体的下边界，观察坐标单位；对透视投影，取在近裁剪面上</translation>
+        <translation>视景体的下边界，观察坐标单位；对透视投影，取在近平面上</translation>
     </message>
     <message>
         <source>Top</source>
@@ -6877,7 +6267,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Upper edge of the view volume, eye units; of a frustum on its near plane</source>
-        <translation>视景体的上边界，观察坐标单位；对透视投影，取在近裁剪面上</translation>
+        <translation>视景体的上边界，观察坐标单位；对透视投影，取在近平面上</translation>
     </message>
     <message>
         <source>Near</source>
@@ -6885,7 +6275,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a perspective</source>
-        <translation>近裁剪面在视点前方的距离，观察坐标单位；小于远裁剪面距离，透视投影中须大于 0</translation>
+        <translation>近平面在视点前方的距离，观察坐标单位；小于远平面距离，透视投影中须大于 0</translation>
     </message>
     <message>
         <source>Far</source>
@@ -6893,7 +6283,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Distance of the far plane in front of the eye, eye units; greater than near</source>
-        <translation>远裁剪面在视点前方的距离，观察坐标单位；大于近裁剪面距离</translation>
+        <translation>远平面在视点前方的距离，观察坐标单位；大于近平面距离</translation>
     </message>
     <message>
         <source>θ</source>
@@ -6909,11 +6299,11 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Fit near and far to the objects</source>
-        <translation>近、远裁剪面适合物体</translation>
+        <translation>近、远平面适合物体</translation>
     </message>
     <message>
         <source>The near and far planes hold the objects tightly, which makes the depth as exact as it can be. Typing one of them switches this off</source>
-        <translation>近、远裁剪面紧贴物体，使深度尽可能精确。输入其中之一会关闭此项</translation>
+        <translation>近、远平面紧贴物体，使深度尽可能精确。输入其中之一会关闭此项</translation>
     </message>
     <message>
         <source>Aspect follows the viewport</source>
@@ -6933,7 +6323,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>A perspective of 45°, its aspect the viewport&apos;s, near and far around the objects</source>
-        <translation>45° 的透视投影，宽高比随视口，近、远裁剪面包围物体</translation>
+        <translation>45° 的透视投影，宽高比随视口，近、远平面包围物体</translation>
     </message>
     <message>
         <source>Another kind shows the same picture as nearly as it can: what lies at the center&apos;s distance keeps its place and its size</source>
@@ -6988,7 +6378,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>The normal of the triangle, of length 1, world space</source>
-        <translation>三角形的法向，长度为 1，世界空间</translation>
+        <translation>三角形的法线，长度为 1，世界空间</translation>
     </message>
     <message>
         <source>The nearest corner of the triangle; world units</source>
@@ -7016,7 +6406,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Normal</source>
-        <translation>法向</translation>
+        <translation>法线</translation>
     </message>
 </context>
 <context>
@@ -7108,7 +6498,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. Set its glScale back.</source>
-        <translation>无法保存 %1 的点：按对象的缩放，它们在其文件中没有坐标。请把它的 glScale 改回去。</translation>
+        <translation>无法保存 %1 的点：按物体的缩放，它们在其文件中没有坐标。请把它的 glScale 改回去。</translation>
     </message>
     <message>
         <source>%1 has been changed by another window or program since it was read here. It is not written over; move it away to keep the points that are shown.</source>
@@ -7934,19 +7324,19 @@ The dot is the pointer; the circle of the projection window is drawn in the view
     </message>
     <message>
         <source>Depth of the near plane</source>
-        <translation>近裁剪面的深度</translation>
+        <translation>近平面的深度</translation>
     </message>
     <message>
         <source>Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)</source>
-        <translation>近裁剪面所得的深度，从 0 到 1；通常为 0 (glDepthRange)</translation>
+        <translation>近平面所得的深度，从 0 到 1；通常为 0 (glDepthRange)</translation>
     </message>
     <message>
         <source>Depth of the far plane</source>
-        <translation>远裁剪面的深度</translation>
+        <translation>远平面的深度</translation>
     </message>
     <message>
         <source>Depth that the far plane gets, from 0 to 1; usually 1 (glDepthRange)</source>
-        <translation>远裁剪面所得的深度，从 0 到 1；通常为 1 (glDepthRange)</translation>
+        <translation>远平面所得的深度，从 0 到 1；通常为 1 (glDepthRange)</translation>
     </message>
     <message>
         <source>Viewport %1</source>
@@ -7974,11 +7364,11 @@ The dot is the pointer; the circle of the projection window is drawn in the view
     </message>
     <message>
         <source>Near plane</source>
-        <translation>近裁剪面</translation>
+        <translation>近平面</translation>
     </message>
     <message>
         <source>Far plane</source>
-        <translation>远裁剪面</translation>
+        <translation>远平面</translation>
     </message>
 </context>
 <context>
@@ -8023,7 +7413,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <source>x_w, y_w: the pointer in the projection window, eye units, of a perspective on the near plane
 x_v, y_v: the centre of the pointer&apos;s pixel, device pixels from the window&apos;s bottom-left corner
 vx, vy, width, height: the viewport; left, right, bottom, top: the projection window</source>
-        <translation>x_w, y_w：投影窗口中的指针，观察坐标单位，透视投影时在近裁剪面上
+        <translation>x_w, y_w：投影窗口中的指针，观察坐标单位，透视投影时在近平面上
 x_v, y_v：指针所在像素的中心，设备像素，原点在窗口左下角
 vx, vy, width, height：视口；left, right, bottom, top：投影窗口</translation>
     </message>

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <thread>
 
 using namespace unprojector;
 using namespace unprojector::text;
@@ -39,10 +40,17 @@ QString literal(const QString &code, qsizetype &at)
     return text;
 }
 
-/// The literals in the first argument of a call whose bracket is open; those side by side are one.
-QStringList literalsOfCall(const QString &code, qsizetype at)
+/// The first argument of a call.
+struct Argument {
+    QStringList literals; ///< those side by side are one
+    QString rest;         ///< what else it is made of, without blanks at its ends
+};
+
+/// @param at  behind the call's opening bracket
+Argument argumentOf(const QString &code, qsizetype at)
 {
     QStringList texts;
+    QString rest;
     bool isBeside = false;
     for (int depth = 0; at < code.size();) {
         const QChar c = code[at];
@@ -62,27 +70,44 @@ QStringList literalsOfCall(const QString &code, qsizetype at)
         depth += c == u'(' || c == u'{' ? 1 : c == u')' || c == u'}' ? -1 : 0;
         if (depth < 0 || (c == u',' && depth == 0))
             break;
+        rest += c;
         ++at;
     }
-    return texts;
+    return {texts, rest.trimmed()};
+}
+
+/// Whether all that the argument can be is seen: literals, both where there is a choice, or a name of what is marked.
+bool isSeen(const Argument &argument)
+{
+    static const QRegularExpression name(QStringLiteral("^[A-Za-z_](?:[A-Za-z0-9_.()]|->)*$"));
+    if (argument.literals.isEmpty())
+        return name.match(argument.rest).hasMatch();
+    return argument.literals.size() > argument.rest.count(u'?');
+}
+
+/// The first arguments of all tr() and marked() of some code.
+QList<Argument> argumentsIn(QString code)
+{
+    static const QRegularExpression call(QStringLiteral("(?<![A-Za-z0-9_])(?:tr|marked)\\("));
+    static const QRegularExpression comment(QStringLiteral("//[^\"\n]*$"), QRegularExpression::MultilineOption);
+    code.remove(comment);
+    QList<Argument> arguments;
+    for (auto it = call.globalMatch(code); it.hasNext();)
+        arguments << argumentOf(code, it.next().capturedEnd());
+    return arguments;
 }
 
 /// All that the core gives to tr() or marks for it.
-QSet<QString> textsOfSource()
+QList<Argument> argumentsOfSource()
 {
-    static const QRegularExpression call(QStringLiteral("(?<![A-Za-z0-9_])(?:tr|marked)\\("));
-    static const QRegularExpression comment(QStringLiteral("^\\s*//.*$"), QRegularExpression::MultilineOption);
-    QSet<QString> texts;
+    QList<Argument> arguments;
     QDirIterator files(QStringLiteral(UNPROJECTOR_SOURCE_DIR "/core"), {"*.h", "*.cpp"}, QDir::Files,
                        QDirIterator::Subdirectories);
     while (files.hasNext()) {
-        const QString code = textOf(files.next()).remove(comment);
-        for (auto it = call.globalMatch(code); it.hasNext();) {
-            for (const QString &text : literalsOfCall(code, it.next().capturedEnd()))
-                texts << text;
-        }
+        if (const QString file = files.next(); !file.endsWith(QStringLiteral("/text/translation.h")))
+            arguments << argumentsIn(textOf(file));
     }
-    return texts;
+    return arguments;
 }
 
 QJsonObject catalogue()
@@ -109,8 +134,12 @@ class TestCoreTexts : public QObject {
     Q_OBJECT
 
 private slots:
+    void noTextIsHidden();
+    void whatHidesATextIsSeen_data();
+    void whatHidesATextIsSeen();
     void everyTextHasATranslationAndNoneIsLeftOver();
     void placesOfValuesAgree();
+    void aWordAloneSaysWhereItStands();
     void textsAreSaidInTheLanguageThatIsSet();
     void valuesStandInTheirPlaces();
     void aTextIsSaidAgain();
@@ -119,9 +148,43 @@ private slots:
     void linesAreWrappedBetweenCharacters();
 };
 
+/// A text that is no literal in its place could stay without a translation, and nobody would see it.
+void TestCoreTexts::noTextIsHidden()
+{
+    for (const Argument &argument : argumentsOfSource())
+        QVERIFY2(isSeen(argument), qPrintable(argument.rest + u'|' + argument.literals.join(u'|')));
+}
+
+void TestCoreTexts::whatHidesATextIsSeen_data()
+{
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<bool>("seen");
+
+    QTest::newRow("literal") << QStringLiteral(R"(tr("a" "b", c))") << true;
+    QTest::newRow("choice") << QStringLiteral(R"(tr(x == ',' ? "a" : "b" "c", d))") << true;
+    QTest::newRow("name") << QStringLiteral("tr(remedyOf(part).sentence)") << true;
+    QTest::newRow("in-a-comment") << QStringLiteral("int a; // what tr() says") << true;
+    QTest::newRow("comma-of-a-template") << QStringLiteral(R"(tr(std::is_same_v<S, double> ? "a" : "b"))") << false;
+    QTest::newRow("half-a-choice") << QStringLiteral(R"(tr(isFew ? few : "b"))") << false;
+    QTest::newRow("choice-of-names") << QStringLiteral("tr(isFew ? few : many)") << false;
+    QTest::newRow("sum") << QStringLiteral("tr(a + b)") << false;
+}
+
+void TestCoreTexts::whatHidesATextIsSeen()
+{
+    QFETCH(QString, code);
+    QFETCH(bool, seen);
+    const QList<Argument> arguments = argumentsIn(code);
+    QCOMPARE(std::all_of(arguments.begin(), arguments.end(), isSeen), seen);
+}
+
 void TestCoreTexts::everyTextHasATranslationAndNoneIsLeftOver()
 {
-    const QSet<QString> texts = textsOfSource();
+    QSet<QString> texts;
+    for (const Argument &argument : argumentsOfSource()) {
+        for (const QString &text : argument.literals)
+            texts << text;
+    }
     const QStringList keys = catalogue().keys();
     const QSet<QString> translated(keys.begin(), keys.end());
     QVERIFY(texts.size() > 100);
@@ -138,6 +201,24 @@ void TestCoreTexts::placesOfValuesAgree()
     }
 }
 
+/// A side that is right and a verdict that is right are two words in Chinese.
+void TestCoreTexts::aWordAloneSaysWhereItStands()
+{
+    static const QRegularExpression word(QStringLiteral("^([a-z]+|(%[1-9] ?)+)$"));
+    static const QRegularExpression withContext(QStringLiteral("^[^|]+(\\|[a-zA-Z -]+)?$"));
+    for (const QString &text : catalogue().keys()) {
+        QVERIFY2(!word.match(text).hasMatch(), qPrintable(text));
+        QVERIFY2(withContext.match(text).hasMatch(), qPrintable(text));
+    }
+    QCOMPARE(text::tr("right|verdict"), std::string("right"));
+    QCOMPARE(text::tr("%1 %2|sentences", "a|b", "c"), std::string("a|b c"));
+    setLanguage(Language::Chinese);
+    QCOMPARE(text::tr("right|verdict"), std::string("正确"));
+    QCOMPARE(text::tr("right|side of a face"), std::string("right"));
+    QCOMPARE(text::tr("%1 %2|sentences", "甲。", "乙。"), std::string("甲。乙。"));
+    setLanguage(Language::English);
+}
+
 void TestCoreTexts::textsAreSaidInTheLanguageThatIsSet()
 {
     QCOMPARE(text::tr("Usage"), std::string("Usage"));
@@ -146,6 +227,9 @@ void TestCoreTexts::textsAreSaidInTheLanguageThatIsSet()
     {
         const InEnglish english;
         QCOMPARE(text::tr("Usage"), std::string("Usage"));
+        std::string said;
+        std::thread([&said] { said = text::tr("Usage"); }).join();
+        QCOMPARE(said, std::string("用法"));
     }
     QCOMPARE(text::tr("Usage"), std::string("用法"));
     const std::string unknown = "said by nobody";

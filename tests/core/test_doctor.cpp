@@ -1,13 +1,16 @@
 // What the doctor says of wrong points. The points of the table were computed apart from this program, by following each
 // mistake through the textbook formulas, to four decimals; pairs go through the oracle.
 #include "core/doctor/diagnosis.h"
+#include "core/doctor/mistake_texts.h"
 #include "core/doctor/mistakes.h"
 #include "core/doctor/remedies.h"
 #include "core/geometry/transform.h"
+#include "core/text/translation.h"
 #include "core/unproject/unprojector.h"
 #include "tests/support/oracle.h"
 #include "tests/support/random_scene.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 #include <algorithm>
@@ -111,6 +114,7 @@ private slots:
     void singlePrecisionIsNoMistake();
     void aPowerOfTenGivesNoDigits();
     void everyMistakeHasItsIdOnce();
+    void everyMistakeAndWayIsWordedInBothLanguages();
     void conventionsAnswerTheSame_data();
     void conventionsAnswerTheSame();
     void badInputIsRefused();
@@ -478,7 +482,7 @@ void TestDoctor::everyMistakeHasItsIdOnce()
     for (const std::string &id : ids) {
         const Remedy &remedy = remedyOf(id);
         QCOMPARE(std::string(remedy.id), id);
-        QVERIFY2(remedy.sentence.ends_with('.'), id.c_str());
+        QVERIFY2(std::string_view(remedy.sentence).ends_with('.'), id.c_str());
         QVERIFY2(remedy.code.size() >= 3, id.c_str());
         for (const CodeChange &change : remedy.code)
             QVERIFY2(!change.wrong.empty() && !change.right.empty() && change.wrong != change.right, id.c_str());
@@ -496,6 +500,52 @@ void TestDoctor::everyMistakeHasItsIdOnce()
     }
     for (std::size_t i = 0; i < mistakes().size(); ++i)
         QVERIFY2(std::find(made.begin(), made.end(), i) != made.end(), mistakes()[i].id.data());
+}
+
+namespace {
+
+/// Letters that stand in Chinese texts too: of formulas, names of functions and libraries, and what is computed.
+bool hasEnglish(const std::string &text)
+{
+    static const QRegularExpression words(QStringLiteral("\\b[A-Za-z]{2,}[,;:]? [a-z]{2,}\\b"));
+    return words.match(QString::fromStdString(text)).hasMatch();
+}
+
+} // namespace
+
+void TestDoctor::everyMistakeAndWayIsWordedInBothLanguages()
+{
+    Case of = scene();
+    of.otherSize = Surface{640, 480, 1.0};
+    of.picture.depthRange = {0.1, 0.9};
+    of.picture.viewport = Viewport{10.0, 20.0, 700.0, 500.0};
+    std::vector<Way> ways;
+    for (const bool isPerspective : {true, false}) {
+        if (!isPerspective)
+            of.picture.lens = Projection(Ortho{});
+        for (const Variant &variant : variants(Given::of(of.picture).value(), of)) {
+            if (!variant.way.isEmpty())
+                ways.push_back(variant.way);
+        }
+    }
+    QVERIFY(ways.size() > 50);
+    QCOMPARE(mistakeName("y-not-flipped+no-w-divide"), std::string("y not flipped + not divided by w"));
+    QCOMPARE(waysText({{text::marked("ratio %1"), "1.5"}, {text::marked("x only")}}), std::string("ratio 1.5; x only"));
+    QCOMPARE(waysText({{nullptr, "16:9"}}), std::string("16:9"));
+
+    text::setLanguage(text::Language::Chinese);
+    for (const std::string &id : mistakeIds()) {
+        const Remedy &remedy = remedyOf(id);
+        QVERIFY2(mistakeName(id) != remedy.name && !hasEnglish(mistakeName(id)), id.c_str());
+        QVERIFY2(mistakeSentence(id) != remedy.sentence && !hasEnglish(mistakeSentence(id)), id.c_str());
+    }
+    for (const Way &way : ways) {
+        const std::string said = waysText({way});
+        QVERIFY2(way.words == nullptr || (text::tr(way.words) != way.words && !hasEnglish(said)), said.c_str());
+    }
+    QCOMPARE(waysText({{text::marked("ratio %1"), "1.5"}, {text::marked("x only")}}),
+             std::string("像素比 1.5；只有 x"));
+    text::setLanguage(text::Language::English);
 }
 
 Q_DECLARE_METATYPE(unprojector::unproject::Conventions)

@@ -1,12 +1,14 @@
 // The arithmetic that carries the closed form, against 50 digits.
 
 #include "core/geometry/double_double.h"
+#include "core/geometry/unit_in_last_place.h"
 #include "tests/support/oracle.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -51,6 +53,7 @@ private slots:
     void tangentsKeepTheirDigits();
     void whatCancelsIsStillThere();
     void beyondTheRangeNothingIsFinite();
+    void theUnitInTheLastPlaceIsThatOfThePrecision();
 };
 
 void TestDoubleDouble::productsAreRoundedBeforeTheyAreAdded()
@@ -135,6 +138,17 @@ void TestDoubleDouble::beyondTheRangeNothingIsFinite()
     QVERIFY(!std::isfinite((DoubleDouble(1e300) * 1e300).value));
     QVERIFY(!std::isfinite((DoubleDouble(1e308) + 1e308).value));
     QVERIFY(!std::isfinite((DoubleDouble(1.0) / 0.0).value));
+}
+
+void TestDoubleDouble::theUnitInTheLastPlaceIsThatOfThePrecision()
+{
+    QCOMPARE(unitInLastPlace(1.0), 0x1p-52);
+    QCOMPARE(unitInLastPlace(1.0f), 0x1p-23f);
+    QCOMPARE(unitInLastPlace(std::nextafter(2.0, 1.0)), 0x1p-52);
+    QCOMPARE(unitInLastPlace(2.0), 0x1p-51);
+    QCOMPARE(unitInLastPlace(0.0), 0x1p-1074);
+    QVERIFY(std::isinf(unitInLastPlace(std::numeric_limits<double>::max())));
+    QVERIFY(std::isnan(unitInLastPlace(std::numeric_limits<double>::infinity())));
 }
 
 QTEST_GUILESS_MAIN(TestDoubleDouble)

@@ -328,8 +328,19 @@ void TestImportGltf::saysWhatIsLeftOut_data()
     QTest::newRow("instances that are not required")
         << quad(R"(,"extensions":{"EXT_mesh_gpu_instancing":{}})", R"(,"extensionsUsed":["EXT_mesh_gpu_instancing"])")
         << 2 << int(Kind::PartLeftOut) << 1 << "EXT_mesh_gpu_instancing";
-    QTest::newRow("no scene") << quad().replace(R"("scenes":[{"nodes":[0]}],)", "") << 2 << int(Kind::PartUnusable) << 0
-                              << "the file has no scene, so all its nodes are shown";
+    QTest::newRow("no scene") << quad().replace(R"("scenes":[{"nodes":[0]}],)", "") << 2 << int(Kind::SceneMissing) << 0
+                              << QString();
+    QTest::newRow("a picture of an unknown kind")
+        << quad({}, R"(,"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],"textures":[{}])",
+                R"(,"material":0)")
+        << 2 << int(Kind::PictureUnknown) << 1 << QString();
+    {
+        GltfBuilder file;
+        file.add(kQuadCorners, "VEC3", kFloat);
+        QByteArray json = file.json(shown(R"("attributes":{"POSITION":0},"mode":5)"));
+        json.replace(R"("mode":5})", R"("mode":5},{"attributes":{}})");
+        QTest::newRow("a part without positions") << json << 2 << int(Kind::PositionsMissing) << 1 << QString();
+    }
     {
         GltfBuilder file;
         file.add(kQuadCorners, "VEC3", kFloat);

@@ -309,7 +309,7 @@ void TestMeshImport::saysWhatCannotBeSeen_data()
     row("a hair's breadth that singles do not have", "v 1 0 0\nv 1.00000000001 0 0\nv 1 5 0\n",
         "not used: 1 triangle without an area");
     row("smaller than is drawn", "v 0 0 0\nv 7.52316384526264e-37 0 0\nv 0 1e-37 0\n",
-        "not used: drawing, since graphics cards round 7.52316384526264e-37");
+        "cannot be drawn: graphics cards round 7.52316384526264e-37");
 }
 
 void TestMeshImport::saysWhatCannotBeSeen()
@@ -516,7 +516,8 @@ constexpr int kGridPoints = 260;
 
 QByteArray gridWords(int i)
 {
-    const double x = i % kGridPoints, y = i / kGridPoints;
+    const int column = i % kGridPoints, row = i / kGridPoints;
+    const double x = column, y = row;
     return QByteArray::number(x * 0.1, 'f', 7) + ' ' + QByteArray::number(y * 0.1, 'f', 7) + ' '
            + QByteArray::number(std::sin(x * 0.2) + std::cos(y * 0.3), 'f', 7);
 }

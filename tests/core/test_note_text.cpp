@@ -1,7 +1,9 @@
 // What commands say about a model file that is not shown as it is.
 
 #include "core/mesh_import/note_text.h"
+#include "core/text/translation.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 using namespace unprojector;
@@ -14,6 +16,8 @@ class TestNoteText : public QObject {
 private slots:
     void saysWhatIsNotAsInTheFile_data();
     void saysWhatIsNotAsInTheFile();
+    void saysItInChinese_data() { saysWhatIsNotAsInTheFile_data(); }
+    void saysItInChinese();
 };
 
 void TestNoteText::saysWhatIsNotAsInTheFile_data()
@@ -47,7 +51,14 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("bytes at the end", BytesLeftOut, 7, "", "7 bytes behind all that the file declares are not used");
     row("a part", PartLeftOut, 0, "EXT_x", "\"EXT_x\" is not shown");
     row("a part, several times", PartLeftOut, 4, "curv", "\"curv\" is not shown (4 times)");
-    row("a useless part", PartUnusable, 0, "TEXCOORD_1 without a picture", "not used: TEXCOORD_1 without a picture");
+    row("flat triangles", FlatTriangles, 2, "",
+        "not used: 2 triangles without an area, whose corners are equal or on one line in single precision");
+    row("too small", TooSmallToDraw, 0, "1e-33",
+        "cannot be drawn: graphics cards round 1e-33, which the model measures, to 0 or to few digits; scale it up");
+    row("no scene", SceneMissing, 0, "", "the file has no scene: all its nodes are shown");
+    row("no positions", PositionsMissing, 1, "", "1 part of a mesh has no positions and is not shown");
+    row("unknown pictures", PictureUnknown, 2, "",
+        "2 textures have neither PNG nor JPEG pictures: their surfaces are shown without them");
     row("a name that would steer a terminal", PartLeftOut, 0, "a\x1b[2J\nb", "\"a?[2J?b\" is not shown");
 }
 
@@ -60,6 +71,22 @@ void TestNoteText::saysWhatIsNotAsInTheFile()
     const std::string text =
         noteText({static_cast<ModelNote::Kind>(kind), static_cast<std::size_t>(count), detail.toStdString()});
     QCOMPARE(QByteArray::fromStdString(text), expected);
+}
+
+/// What the file says itself stays as it is, in quotes.
+void TestNoteText::saysItInChinese()
+{
+    QFETCH(int, kind);
+    QFETCH(int, count);
+    QFETCH(QByteArray, detail);
+    text::setLanguage(text::Language::Chinese);
+    const QString text = QString::fromStdString(
+        noteText({static_cast<ModelNote::Kind>(kind), static_cast<std::size_t>(count), detail.toStdString()}));
+    text::setLanguage(text::Language::English);
+    static const QRegularExpression words(QStringLiteral("\\b[a-z]{2,}[,;:]? [a-z]{2,}\\b"));
+    QVERIFY2(!words.match(text).hasMatch(), qPrintable(text));
+    QVERIFY2(count < 2 || text.contains(QString::number(count)) || text.contains(QString::number(count - 1)),
+             qPrintable(text));
 }
 
 QTEST_APPLESS_MAIN(TestNoteText)

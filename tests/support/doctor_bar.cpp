@@ -1,5 +1,7 @@
 #include "tests/support/doctor_bar.h"
 
+#include "core/doctor/mistake_texts.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -181,7 +183,8 @@ void Tally::add(const std::string &id, const doctor::Diagnosis &diagnosis, const
     std::string named;
     for (std::size_t i = 0; i < std::min<std::size_t>(3, diagnosis.candidates.size()); ++i) {
         const doctor::Candidate &c = diagnosis.candidates[i];
-        named += ' ' + c.id + (c.variant.empty() ? "" : " (" + c.variant + ')') + ' ' + std::to_string(c.distance);
+        named += ' ' + c.id + (c.ways.empty() ? "" : " (" + doctor::waysText(c.ways) + ')') + ' '
+                 + std::to_string(c.distance);
     }
     missed.push_back(id
                      + (before == 0  ? " (verdict " + diagnosis.verdict + "):"

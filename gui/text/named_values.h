@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QString>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace unprojector::gui {
+
+/// The values of an enumeration by the names that settings and the command line have for them.
+template <class Value, std::size_t count>
+using NamedValues = std::array<std::pair<Value, const char *>, count>;
+
+/// Empty where none has the name.
+template <class Value, std::size_t count>
+std::optional<Value> valueNamed(const QString &name, const NamedValues<Value, count> &values)
+{
+    for (const auto &[value, itsName] : values) {
+        if (name == QLatin1String(itsName))
+            return value;
+    }
+    return std::nullopt;
+}
+
+/// Empty where the value has none.
+template <class Value, std::size_t count>
+QString nameAmong(const NamedValues<Value, count> &values, Value value)
+{
+    for (const auto &[candidate, name] : values) {
+        if (candidate == value)
+            return QLatin1String(name);
+    }
+    return {};
+}
+
+} // namespace unprojector::gui
