@@ -38,10 +38,10 @@
 ///         "clicked": {"pixel": [162, 187]},     what a click there gives: the pixel's centre, the depth of the mesh
 ///         "taken": {"pixel": [162, 187], "snap": "vertex"}},   or the vertex, edge or face that it takes: ray::Snap
 ///       "set": {                                optional: what links change of the scene, see settingsWith
-///         "other": {"point": {"coordinates": [2, 1, 0]}}},
+///         "other": {"point": {"space": "eye", "coordinates": [2, 1, 0]}}},
 ///       "question": {                           optional
-///         "text": "Which z …?", "answer": "eye.z", "tolerance": 0.01, "reveal": ["…"],
-///         "hides": ["pipeline"]}                optional: panels that have the answer, closed until it is given
+///         "text": "Which z …?", "answer": "eye.z", "tolerance": 0.01, "reveal": ["…"],     or "quoted 4", of the source
+///         "hides": ["inspector"]}               optional: more panels that have the answer, see panelsWithAnswer
 ///     }]
 ///   }
 ///
@@ -54,9 +54,10 @@
 /// StepNumbers, or is the word "quoted" for numbers of the source that the text speaks of. A test computes all but those, and
 /// takes none that has no path in it: {1 = 1} would always be right.
 ///
-/// Links lead on: formulas:NAME in the page of formulas, click:POINT ("point" is
-/// the followed one), set:CHANGE, panel:ID, place:ID, step:ID, view:300x300,
-/// apart:projection (the factors of its matrix, in the pipeline's panel).
+/// Links lead on: formulas:NAME in the page of formulas, click:POINT ("point" is the followed one), set:CHANGE, panel:ID,
+/// place:ID, step:ID, view:300x300, apart:view and apart:projection (the factors of the matrix, in the pipeline's panel), and
+/// action:NAME, which does what a menu entry or a switch of a panel does that has the name; one that can be off is switched on,
+/// by action:NAME:off it is switched off.
 namespace unprojector::lessons {
 using namespace geometry;
 
@@ -84,10 +85,10 @@ enum class Highlight {
 
 struct Question {
     std::string text;
-    std::string answer;              ///< an expression of StepNumbers
+    std::string answer;              ///< an expression of StepNumbers, or "quoted" and a number of the source
     double tolerance = 0.0;          ///< how far off an answer may be
     std::vector<std::string> reveal; ///< paragraphs: why it is so
-    std::vector<std::string> hides;  ///< panels
+    std::vector<std::string> hides;  ///< panels that have the answer, closed until it is given
 };
 
 struct Step {
@@ -123,6 +124,12 @@ Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view 
 /// What of `lesson` has no text in a translation, as keys: "model_view.title". For the test.
 /// @return the errors of parseLesson
 Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts);
+
+/// The panels that show an answer: the pipeline's and the comparison of a point's coordinate, which is followed or can be
+/// clicked; the pipeline's of a matrix's entry. So nobody who writes a question can forget to close them.
+/// @param answer   an expression of StepNumbers: one that is more than a path, or of another step, stands in no panel
+/// @param clicked  the step's points that a click can read
+std::vector<std::string> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked);
 
 /// The names that lessons.json lists.
 Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json);

@@ -198,9 +198,35 @@ void readChanges(LessonReader &reader, const JsonNode &node, FieldReader &json, 
     }
 }
 
-/// @param before  null for the first step
-void readStep(LessonReader &reader, const JsonNode &node, const Step *before, Step &step)
+/// The points that a click can read: those that are pixels, and those that links of the texts click.
+std::set<std::string> clickedPoints(const Step &step, const std::vector<Step> &before)
 {
+    constexpr std::string_view kLink = "'click:";
+    std::set<std::string> clicked;
+    for (const auto &[name, point] : step.points) {
+        if (std::holds_alternative<ClickedPixel>(point))
+            clicked.insert(name);
+    }
+    const auto look = [&](const Step &one) {
+        for (const std::string &paragraph : one.text) {
+            for (auto at = paragraph.find(kLink); at != std::string::npos; at = paragraph.find(kLink, at + 1)) {
+                const std::size_t from = at + kLink.size();
+                clicked.insert(paragraph.substr(from, paragraph.find('\'', from) - from));
+            }
+        }
+    };
+    look(step);
+    for (const Step &one : before) { // a click stays as long as the scene does
+        if (one.scene == step.scene)
+            look(one);
+    }
+    return clicked;
+}
+
+/// @param earlier  those that are read already
+void readStep(LessonReader &reader, const JsonNode &node, const std::vector<Step> &earlier, Step &step)
+{
+    const Step *before = earlier.empty() ? nullptr : &earlier.back();
     reader.object(node, [&](FieldReader &json) {
         describeTexts(json, step);
         if (const bool hasScene = json.has("scene", true); before && !hasScene) {
@@ -247,6 +273,10 @@ void readStep(LessonReader &reader, const JsonNode &node, const Step *before, St
                 fields.required("tolerance", asked.tolerance);
                 fields.list("hides", asked.hides);
             });
+            for (const std::string &panel : panelsWithAnswer(asked.answer, clickedPoints(step, earlier))) {
+                if (std::find(asked.hides.begin(), asked.hides.end(), panel) == asked.hides.end())
+                    asked.hides.push_back(panel);
+            }
             if (!(asked.tolerance > 0.0))
                 reader.fail(question, "\"tolerance\" must be greater than 0");
         }
@@ -297,6 +327,33 @@ const Step *Lesson::step(std::string_view id) const
     return found == steps.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked)
+{
+    constexpr std::array kSpaces{"object", "world",  "eye",    "clip",    "ndc",
+                                 "window", "device", "widget", "formula", "inverse"};
+    constexpr std::array kMatrices{"model", "view", "projection", "viewport", "modelview", "whole"};
+    const auto isOneOf = [](const auto &names, std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (!answer.empty() && answer.front() == '-') // the distance is no secret beside the z
+        answer.remove_prefix(1);
+    if (answer.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.[]") != std::string_view::npos)
+        return {};
+    std::string_view head = answer.substr(0, answer.find_first_of(".["));
+    const bool isOfNamed = head.size() < answer.size() && !isOneOf(kSpaces, head) && !isOneOf(kMatrices, head);
+    if (isOfNamed) {
+        if (!clicked.contains(std::string(head)))
+            return {};
+        answer.remove_prefix(head.size() + 1);
+        head = answer.substr(0, answer.find_first_of(".["));
+    }
+    if (isOneOf(kSpaces, head))
+        return {"pipeline", "comparison"};
+    if (isOneOf(kMatrices, head))
+        return {"pipeline"};
+    return {};
+}
+
 Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view json,
                                         const std::optional<std::string_view> &texts)
 {
@@ -315,7 +372,7 @@ Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view 
     for (std::size_t i = 0; !reader.hasFailed() && i < steps.size(); ++i) {
         const JsonNode node = steps.element(i);
         Step step;
-        readStep(reader, node, lesson.steps.empty() ? nullptr : &lesson.steps.back(), step);
+        readStep(reader, node, lesson.steps, step);
         if (!ids.insert(step.id).second)
             reader.fail(node, "a step before has the id \"" + step.id + "\" already");
         lesson.steps.push_back(std::move(step));

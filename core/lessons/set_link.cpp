@@ -28,6 +28,8 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Pictur
     if (!text)
         return failed(text.error());
     nlohmann::ordered_json document = nlohmann::ordered_json::parse(*text);
+    if (change.contains("point"))
+        document.erase("point"); // coordinates alone would be of the space in which the user gave the last one
     document.merge_patch(change);
     const Result<SceneFile, SceneFileError> file = parseScene(document.dump(), "set");
     if (!file)

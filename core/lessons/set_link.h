@@ -14,7 +14,8 @@ using namespace scene;
 inline constexpr std::array<std::string_view, 6> kSettableKeys{"projection", "view",  "depthRange",
                                                                "clipPlanes", "point", "ui"};
 
-/// A scene's settings with a change merged into its document. What the change does not speak of stays to the last bit.
+/// A scene's settings with a change merged into its document. What the change does not speak of stays to the last bit;
+/// a point it gives whole, whatever point there was.
 /// @param picture  of the scene, in the window that shows it
 /// @param change   as "change" of a step (RFC 7396), of kSettableKeys alone
 /// @return an error where the result is no scene, or has no such key, as left and right of a gluPerspective

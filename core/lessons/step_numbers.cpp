@@ -292,7 +292,7 @@ std::optional<DevicePixel> StepNumbers::pixelOf(const std::string &point) const
 Result<LessonNumbers, LessonError> LessonNumbers::of(const Lesson &lesson, const Surface &surface)
 {
     LessonNumbers numbers;
-    const auto models = bundledModels();
+    const auto &models = bundledModels();
     for (const Step &step : lesson.steps) {
         const std::string where = lesson.name + ".json: " + step.id;
         const Result<Scene, LessonError> scene = sceneOf(step, models);
@@ -320,16 +320,19 @@ Result<std::vector<double>, LessonError> LessonNumbers::values(const std::string
 {
     if (std::vector<double> list = at(step, source); !list.empty())
         return list;
-    bool hasPath = false;
+    constexpr std::string_view kQuoted = "quoted ";
+    const bool isQuoted = source.substr(0, kQuoted.size()) == kQuoted;
+    const std::string_view expression = isQuoted ? source.substr(kQuoted.size()) : source;
+    bool hasPath = isQuoted;
     const auto named = [&](std::string_view path) -> std::optional<double> {
         hasPath = true;
         const std::vector<double> numbers = at(step, path);
         return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
     };
-    const Result<double, text::ExpressionError> value = text::evaluate(source, named);
+    const Result<double, text::ExpressionError> value = text::evaluate(expression, named);
     if (!value)
-        return failed(step, "\"" + std::string(source.substr(value.error().place, value.error().length)) + "\" in \""
-                                + std::string(source) + "\" is no number of this step");
+        return failed(step, "\"" + std::string(expression.substr(value.error().place, value.error().length))
+                                + "\" in \"" + std::string(source) + "\" is no number of this step");
     if (!hasPath)
         return failed(step, "\"" + std::string(source) + "\" is nothing that the program computes");
     return std::vector<double>{*value};

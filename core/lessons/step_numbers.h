@@ -64,7 +64,8 @@ public:
 
     const StepNumbers &step(const std::string &id) const { return m_steps.at(id); }
 
-    /// A list of numbers: a path that has several, or an expression of single ones, "ndc.x * 2".
+    /// A list of numbers: a path that has several, an expression of single ones, "ndc.x * 2", or a number of the source,
+    /// "quoted 4".
     /// @param step  whose
     /// @return an error where a path is none, and of an expression without any, "2", which the program has no part in
     Result<std::vector<double>, LessonError> values(const std::string &step, std::string_view source) const;

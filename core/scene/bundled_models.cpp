@@ -5,8 +5,9 @@
 #include "core/scene/head.h"
 
 namespace unprojector::scene {
+namespace {
 
-std::map<std::string, std::shared_ptr<const Model>> bundledModels()
+std::map<std::string, std::shared_ptr<const Model>> builtModels()
 {
     std::map<std::string, std::shared_ptr<const Model>> models;
     const auto add = [&models](const std::vector<SceneObject> &objects) {
@@ -22,6 +23,14 @@ std::map<std::string, std::shared_ptr<const Model>> bundledModels()
     models.try_emplace(head->name, head);
     for (const Example &example : examples())
         add(example.scene.objects);
+    return models;
+}
+
+} // namespace
+
+const std::map<std::string, std::shared_ptr<const Model>> &bundledModels()
+{
+    static const std::map<std::string, std::shared_ptr<const Model>> models = builtModels();
     return models;
 }
 

@@ -8,7 +8,8 @@
 
 namespace unprojector::scene {
 
-/// The models that the program brings along, by the names that scene files know them by. Built anew on every call.
-std::map<std::string, std::shared_ptr<const Model>> bundledModels();
+/// The models that the program brings along, by the names that scene files know them by. Built by the first call, from
+/// whatever thread it comes; all scenes share them.
+const std::map<std::string, std::shared_ptr<const Model>> &bundledModels();
 
 } // namespace unprojector::scene

@@ -1,5 +1,6 @@
 #include "core/scene/examples.h"
 
+#include "core/geometry/matrix_projection.h"
 #include "core/scene/solids.h"
 
 #include <glm/geometric.hpp>
@@ -307,12 +308,35 @@ Scene derivation(const Projection &projection)
                   object("Circle of radius 5", disc(5.0, kTeal), {movedBy(-8, 0, -20)})});
 }
 
-/// Of the hand-made matrix and of glFrustum: left = -near tan(ViewAngleV / 2), bottom = -near tan(ViewAngleH / 2) with
-/// ViewAngleH = 90 degrees and tan(ViewAngleV / 2) = height / width. The two names are swapped: the angle across is V.
+/// left = -near tan(ViewAngleV / 2), bottom = -near tan(ViewAngleH / 2) with ViewAngleH = 90 degrees and
+/// tan(ViewAngleV / 2) = height / width. The two names are swapped: the angle across is V.
 Frustum derivationFrustum()
 {
     constexpr double kAcross = kDerivationNear * 600.0 / 800.0;
     return {-kAcross, kAcross, -kDerivationNear, kDerivationNear, kDerivationNear, kDerivationFar};
+}
+
+/// What ReSize writes into an array of sixteen numbers, with the same two angles.
+MatrixProjection derivationMatrix()
+{
+    constexpr double kAspectRatio = 600.0 / 800.0; // height / width
+    constexpr double kDepth = kDerivationFar - kDerivationNear;
+    const double viewAngleV = 2.0 * std::atan(std::tan(std::numbers::pi / 4.0) * kAspectRatio);
+    glm::dmat4 m(0.0);
+    m[0][0] = 1.0 / std::tan(viewAngleV / 2.0);                 // m[0]
+    m[1][1] = m[0][0] * kAspectRatio;                           // m[5]
+    m[2][2] = -(kDerivationFar + kDerivationNear) / kDepth;     // m[10]
+    m[2][3] = -1.0;                                             // m[11]
+    m[3][2] = -2.0 * kDerivationFar * kDerivationNear / kDepth; // m[14]
+    return {m, NdcDepth::MinusOneToOne};
+}
+
+/// @param given  one of glFrustum's form
+Scene derivation(const MatrixProjection &given)
+{
+    Scene made = derivation(std::get<Frustum>(recognised(given).value().parameters));
+    made.given = {given, made.projection};
+    return made;
 }
 
 Perspective derivationPerspective()
@@ -389,7 +413,7 @@ std::vector<Example> examples()
         {"zhangci-perspective", perspective()},
         {"zhangci-viewport-50", viewportTransform(fifty)},
         {"zhangci-viewport-quarter", viewportTransform(quarter)},
-        {"derivation-matrix", derivation(derivationFrustum())},
+        {"derivation-matrix", derivation(derivationMatrix())},
         {"derivation-perspective", derivation(derivationPerspective())},
         {"derivation-frustum", derivation(derivationFrustum())},
         {"opencascade-round-trip", roundTrip()},

@@ -7,12 +7,14 @@
 #include "core/lessons/statements.h"
 #include "core/lessons/step_numbers.h"
 #include "core/scene/bundled_models.h"
+#include "tests/support/errata.h"
 
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace unprojector;
@@ -100,6 +102,12 @@ private slots:
     void everyTextIsTranslated();
     void everyLinkLeadsSomewhere_data() { lessonRows(); }
     void everyLinkLeadsSomewhere();
+    void everyFormulaOfThePaperHasItsNumbers_data();
+    void everyFormulaOfThePaperHasItsNumbers();
+    void everyErrorIsTold_data();
+    void everyErrorIsTold();
+    void panelsThatShowTheAnswerAreClosed_data();
+    void panelsThatShowTheAnswerAreClosed();
     void aWrongNumberIsFound_data();
     void aWrongNumberIsFound();
     void statementsAreTakenApart_data();
@@ -193,19 +201,127 @@ void TestLessons::everyLinkLeadsSomewhere()
                 QVERIFY2(numbers->step(step.id).pixelOf(to), where.c_str());
             else if (link.startsWith(QLatin1String("set:"))) {
                 QVERIFY2(step.changes.contains(to), where.c_str());
-                Scene scene = *sceneOf(step, bundledModels());
-                const Surface surface{800, 600, 1.0};
-                const auto changed = settingsWith(scene, *pictureOf(scene, surface, {}), step.changes.at(to));
-                QVERIFY2(changed, changed ? "" : changed.error().text.c_str());
-                static_cast<SceneSettings &>(scene) = *changed;
-                QVERIFY2(pictureOf(scene, surface, {}), where.c_str());
+                // Whatever point was typed before, a point that it gives is the same.
+                const Scene opened = *sceneOf(step, bundledModels());
+                const std::optional<GivenPoint> none, clip = GivenPoint{ClipPoint(2, 3, 4, 5)},
+                                                      world = GivenPoint{WorldPoint(1, 2, 3)},
+                                                      object = GivenPoint{ObjectPoint(4, 5, 6), opened.objects[0].name};
+                std::optional<GivenPoint> made;
+                for (const auto &before : {opened.givenPoint, none, clip, world, object}) {
+                    Scene scene = opened;
+                    scene.givenPoint = before;
+                    const Surface surface{800, 600, 1.0};
+                    const nlohmann::ordered_json &change = step.changes.at(to);
+                    const auto changed = settingsWith(scene, *pictureOf(scene, surface, {}), change);
+                    QVERIFY2(changed, changed ? "" : changed.error().text.c_str());
+                    static_cast<SceneSettings &>(scene) = *changed;
+                    QVERIFY2(pictureOf(scene, surface, {}), where.c_str());
+                    if (!change.contains("point"))
+                        made = before;
+                    else if (!made)
+                        made = scene.givenPoint;
+                    QVERIFY2(scene.givenPoint == made, where.c_str());
+                }
             } else
                 QVERIFY2(link.startsWith(QLatin1String("formulas:")) || link.startsWith(QLatin1String("panel:"))
                              || link.startsWith(QLatin1String("place:")) || link.startsWith(QLatin1String("view:"))
-                             || link == QLatin1String("apart:projection"),
+                             || link.startsWith(QLatin1String("action:")) // named in the window, where they are tried
+                             || link == QLatin1String("apart:view") || link == QLatin1String("apart:projection"),
                          where.c_str());
         }
     }
+}
+
+void TestLessons::everyFormulaOfThePaperHasItsNumbers_data()
+{
+    QTest::addColumn<QString>("anchor");
+    for (int i = 1; i <= 12; ++i)
+        QTest::addRow("(%d)", i) << QStringLiteral("w%1").arg(i);
+    QTest::newRow("(13)") << QStringLiteral("z-perspective");
+    QTest::newRow("(14)") << QStringLiteral("z-ortho");
+    QTest::newRow("(15)") << QStringLiteral("shear");
+    QTest::newRow("(16)") << QStringLiteral("eye-to-world");
+}
+
+/// Behind the link to it, in the same paragraph, an equation stands whose numbers are computed.
+void TestLessons::everyFormulaOfThePaperHasItsNumbers()
+{
+    QFETCH(QString, anchor);
+    const std::string link = "<a href='formulas:" + anchor.toStdString() + "'>";
+    for (const bool isTranslated : {false, true}) {
+        bool isFound = false;
+        const auto look = [&](const std::string &paragraph) {
+            const std::size_t at = paragraph.find(link);
+            if (at == std::string::npos)
+                return;
+            for (const Statement &one : statedText(paragraph.substr(at)).statements)
+                isFound = isFound || (!one.isQuoted && one.shown.find(" = ") != std::string::npos);
+        };
+        const Lesson lesson = lessonOf(QStringLiteral("weng"), isTranslated);
+        for (const Step &step : lesson.steps) {
+            std::for_each(step.text.begin(), step.text.end(), look);
+            if (step.question)
+                std::for_each(step.question->reveal.begin(), step.question->reveal.end(), look);
+        }
+        QVERIFY(isFound);
+    }
+}
+
+void TestLessons::everyErrorIsTold_data()
+{
+    QTest::addColumn<QString>("anchor");
+    for (const char *anchor : kErrata)
+        QTest::newRow(anchor) << QString::fromLatin1(anchor);
+}
+
+/// Some step, where it belongs, leads to each error of the originals in Help.
+void TestLessons::everyErrorIsTold()
+{
+    QFETCH(QString, anchor);
+    bool isTold = false;
+    for (const std::string &name : names()) {
+        for (const Step &step : lessonOf(QString::fromStdString(name), false).steps)
+            isTold = isTold || linksOf(step).contains(QStringLiteral("formulas:") + anchor);
+    }
+    QVERIFY(isTold);
+}
+
+void TestLessons::panelsThatShowTheAnswerAreClosed_data()
+{
+    QTest::addColumn<QByteArray>("answer");
+    QTest::addColumn<QStringList>("hidden");
+    const QStringList both{"inspector", "pipeline", "comparison"}, own{"inspector"};
+    QTest::newRow("of the followed point") << QByteArray("eye.z") << both;
+    QTest::newRow("its distance") << QByteArray("-eye.z") << both;
+    QTest::newRow("of a pixel") << QByteArray("clicked.world.x") << both;
+    QTest::newRow("by the formulas") << QByteArray("clicked.formula.x") << both;
+    QTest::newRow("of a point that a link clicks") << QByteArray("linked.ndc.y") << both;
+    QTest::newRow("of one that was clicked before") << QByteArray("earlier.ndc.y") << both;
+    QTest::newRow("of one that nobody clicks") << QByteArray("other.ndc.y") << own;
+    QTest::newRow("of a matrix") << QByteArray("projection[2][2]") << QStringList{"inspector", "pipeline"};
+    QTest::newRow("of another step") << QByteArray("a:eye.z") << own;
+    QTest::newRow("computed") << QByteArray("eye.z * 2") << own;
+    QTest::newRow("of the scene") << QByteArray("scene.projection.near") << own;
+}
+
+void TestLessons::panelsThatShowTheAnswerAreClosed()
+{
+    QFETCH(QByteArray, answer);
+    QFETCH(QStringList, hidden);
+    const QByteArray json = R"({"title": "T", "steps": [
+        {"id": "a", "title": "A", "text": ["<a href='click:earlier'>x</a>"], "scene": "zhangci-model-view",
+         "points": {"clicked": {"pixel": [275, 225]},
+                    "linked": {"space": "world", "coordinates": [1, 1, -3]},
+                    "earlier": {"space": "world", "coordinates": [2, 0, -3]},
+                    "other": {"space": "world", "coordinates": [0, 2, -3]}}},
+        {"id": "b", "title": "B", "text": ["<a href='click:linked'>x</a>"],
+         "question": {"text": "?", "answer": "%", "tolerance": 0.1, "hides": ["inspector"]}}]})";
+    const auto lesson = parseLesson("t", QByteArray(json).replace('%', answer).toStdString());
+    QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
+    QStringList found;
+    for (const std::string &panel : lesson->steps[1].question->hides)
+        found << QString::fromStdString(panel);
+    QCOMPARE(found, hidden);
 }
 
 void TestLessons::aWrongNumberIsFound_data()
@@ -223,6 +339,10 @@ void TestLessons::aWrongNumberIsFound_data()
     row("a whole number is meant exactly", "{2 = -0.3 * eye.z}", "a.text: \"2\" says 2, it is 2.4");
     row("with itself", "{2 = 2}", "a.text: \"2\" a: \"2\" is nothing that the program computes");
     row("of the source", "{2 = quoted}", "");
+    row("one of the source", "{4 = quoted 4}", "");
+    row("another of the source", "{5 = quoted 4}", "a.text: \"5\" says 5, it is 4");
+    row("none of the source", "{5 = quoted four}",
+        "a.text: \"5\" a: \"four\" in \"quoted four\" is no number of this step");
     row("too many", "{(1, 1) = eye.z}", "a.text: \"(1, 1)\" says 2 numbers and names 1");
     row("no such path", "{1 = eye.q}", "a.text: \"1\" a: \"eye.q\" in \"eye.q\" is no number of this step");
     row("half a place", "{1 = view[}", "a.text: \"1\" a: \"view[\" in \"view[\" is no number of this step");
