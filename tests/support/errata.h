@@ -2,13 +2,16 @@
 
 #include <array>
 
-/// The errors in the originals, by their anchors in Help, in its order. Each is shown to be one in test_source_numbers.
+/// The errors in the originals, by their anchors in Help, in its order. Each is shown to be one in test_source_errors.
 inline constexpr std::array kErrata{
     "error-weng-sign",
     "error-weng-row",
     "error-weng-x-axis",
     "error-weng-look-at",
+    "error-weng-near",
     "error-weng-clip-plane",
+    "error-weng-depth",
+    "error-weng-figure",
     "error-weng-bottom",
     "error-weng-eye",
     "error-zhangci-product",
@@ -16,6 +19,7 @@ inline constexpr std::array kErrata{
     "error-zhangci-ortho",
     "error-zhangci-perspective",
     "error-zhangci-depth",
+    "error-zhangci-height",
     "error-zhangci-object",
     "error-derivation-three",
     "error-derivation-translate",
@@ -24,6 +28,8 @@ inline constexpr std::array kErrata{
     "error-opencascade-perspective",
     "error-opencascade-viewport",
     "error-opencascade-rows",
+    "error-opencascade-depth",
+    "error-parallel-range",
     "error-parallel-flip",
     "error-parallel-way",
     "error-parallel-size",
