@@ -30,6 +30,17 @@ QString helpAnchorOf(geometry::ProjectionKind kind)
     Q_UNREACHABLE();
 }
 
+QString helpAnchorOfSteps(geometry::ProjectionKind kind)
+{
+    switch (kind) {
+    case geometry::ProjectionKind::Frustum:
+    case geometry::ProjectionKind::Perspective: return QStringLiteral("frustum-steps");
+    case geometry::ProjectionKind::Ortho: return QStringLiteral("ortho-steps");
+    case geometry::ProjectionKind::Oblique: return QStringLiteral("oblique");
+    }
+    Q_UNREACHABLE();
+}
+
 QString helpAddress(const QString &anchor)
 {
     return QStringLiteral("formulas:") + anchor;

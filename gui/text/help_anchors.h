@@ -13,6 +13,9 @@ QString helpAnchorOf(const QString &number);
 /// Where Help has the matrix of a kind of projection.
 QString helpAnchorOf(geometry::ProjectionKind kind);
 
+/// Where Help derives it step by step.
+QString helpAnchorOfSteps(geometry::ProjectionKind kind);
+
 /// The link to a place of Help, for a label and QDesktopServices: "formulas:w9".
 QString helpAddress(const QString &anchor);
 

@@ -208,7 +208,7 @@ void FormulasWindow::showFormula(const QString &anchor)
 
 FormulasWindow::Reading FormulasWindow::reading() const
 {
-    return {zoomPercent(), m_page->cursorForPosition({0, 0}).blockNumber()};
+    return {zoomPercent(), m_page->cursorForPosition({0, 0}).blockNumber(), m_find->isVisible()};
 }
 
 void FormulasWindow::setReading(const Reading &reading)
@@ -217,6 +217,8 @@ void FormulasWindow::setReading(const Reading &reading)
     QTextCursor place(m_page->document()->findBlockByNumber(reading.paragraph));
     QScrollBar *bar = m_page->verticalScrollBar();
     bar->setValue(bar->value() + m_page->cursorRect(place).top());
+    if (reading.isFinding)
+        m_find->openField();
 }
 
 int FormulasWindow::zoomPercent() const

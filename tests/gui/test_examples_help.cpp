@@ -1,5 +1,6 @@
 // The page of formulas: nothing of it is missing; and the pipeline panel shows the tutorials' numbers for their scenes.
 
+#include "core/geometry/api_conventions.h"
 #include "core/scene/examples.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/pipeline_model.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -62,6 +64,8 @@ private slots:
     void everyFormulaIsThereWithItsSource();
     void everyErrorIsThere_data();
     void everyErrorIsThere();
+    void theConventionsAreThoseComputedWith_data();
+    void theConventionsAreThoseComputedWith();
     void theContentsLeadSomewhere();
     void thePageIsAsWideAsTheWindow_data();
     void thePageIsAsWideAsTheWindow();
@@ -185,7 +189,10 @@ void TestExamplesHelp::everyErrorIsThere_data()
     row("error-weng-row", "yv = rect.bottom − py", "½ lower");
     row("error-weng-x-axis", "x axis points left", "right");
     row("error-weng-look-at", "from (cx, cy, cz) to (ex, ey, ez)", "from (ex, ey, ez), the eye, to (cx, cy, cz)");
+    row("error-weng-near", "(xw, yw, near)", "(xw, yw, −near)");
     row("error-weng-clip-plane", "above the plane is cut off", "≥ 0");
+    row("error-weng-depth", "(xv, yv, 0)", "0.625");
+    row("error-weng-figure", "figure 2", "figure 5");
     row("error-weng-bottom", "m_rect.height, rect.bottom and m_rect.bottom", "the top of a client rectangle is 0");
     row("error-weng-eye", "coordinates of the view volume", "eye coordinates");
     row("error-zhangci-product", "M = VC−1", "M = VC−1 · MC");
@@ -193,6 +200,7 @@ void TestExamplesHelp::everyErrorIsThere_data()
     row("error-zhangci-ortho", "−2/(znear − zfar)", "−2/(f − n)");
     row("error-zhangci-perspective", "+2.0202 for (45, 1, 1, 100)", "= −2.0202");
     row("error-zhangci-depth", "0.5 stays 0.5", "0.75");
+    row("error-zhangci-height", "viewport[3] − y", "the framebuffer’s height");
     row("error-zhangci-object", "a world coordinate", "an object coordinate");
     row("error-derivation-three", "the same picture", "1.3333, the second 0.75");
     row("error-derivation-translate", "glTranslatef after glBegin", "translate before glBegin");
@@ -201,6 +209,8 @@ void TestExamplesHelp::everyErrorIsThere_data()
     row("error-opencascade-perspective", "+2 znear zfar/(znear − zfar)", "−2 znear zfar/(znear − zfar)");
     row("error-opencascade-viewport", "downwards in BuildNorm2ViewportMatrix", "no flip shows");
     row("error-opencascade-rows", "v · Mmodelview · Mprojection · Mviewport", "have to be transposed first");
+    row("error-opencascade-depth", "only the depth z differs", "another point of the ray");
+    row("error-parallel-range", "near ≤ z ≤ far", "−far ≤ z ≤ −near");
     row("error-parallel-flip", "from the right", "from the left");
     row("error-parallel-way", "by cot θ", "by cot θ · z");
     row("error-parallel-size", "const int SIZE = 4.5", "truncates to 4");
@@ -229,8 +239,46 @@ void TestExamplesHelp::everyErrorIsThere()
         }
     }
     QVERIFY(isFound);
-    // Each is one whose number test_source_numbers computes.
+    // Each is one whose number test_source_errors computes.
     QCOMPARE(anchors, QByteArrayList(kErrata.begin(), kErrata.end()));
+}
+
+void TestExamplesHelp::theConventionsAreThoseComputedWith_data()
+{
+    QTest::addColumn<int>("api");
+    for (const Api api : kApis)
+        QTest::newRow(conventionsOf(api).name) << int(api);
+}
+
+void TestExamplesHelp::theConventionsAreThoseComputedWith()
+{
+    QFETCH(int, api);
+    const ApiConventions &its = conventionsOf(static_cast<Api>(api));
+    const QString page = source();
+    const QString table =
+        page.mid(page.indexOf(QLatin1String("name=\"conventions\""))).section(QLatin1String("</table>"), 0, 0);
+    static const QRegularExpression cell(QStringLiteral("<td>(.*?)</td>"));
+    QStringList cells;
+    for (auto matches = cell.globalMatch(
+             table.section(QStringLiteral("<tr><td>%1</td>").arg(QLatin1String(its.name)), 1).section(u'\n', 0, 0));
+         matches.hasNext();)
+        cells << plain(matches.next().captured(1));
+    QCOMPARE(cells.size(), 5);
+    const bool hasNdc = its.key != std::string_view("opencv");
+    QVERIFY(cells[0].startsWith(its.looksAlongPlusZ ? u'+' : u'−'));
+    QVERIFY(cells[0].contains(its.isEyeYDown ? QLatin1String("y down") : QLatin1String("y up")));
+    QCOMPARE(cells[0].contains(QLatin1String("world left-handed")), its.isWorldMirrored);
+    QVERIFY(cells[1].startsWith(!hasNdc          ? QLatin1String("none")
+                                : its.isNdcYDown ? QLatin1String("down")
+                                                 : QLatin1String("up")));
+    QVERIFY(cells[2].startsWith(!hasNdc                               ? QStringLiteral("none")
+                                : its.ndcDepth == NdcDepth::ZeroToOne ? QStringLiteral("0 … 1")
+                                                                      : QStringLiteral("−1 … 1")));
+    QCOMPARE(cells[2].contains(QLatin1String("reversed")), its.isDepthReversed);
+    QCOMPARE(cells[3], its.areVectorsRows ? QStringLiteral("rows") : QStringLiteral("columns"));
+    QVERIFY(cells[4].startsWith(its.isOriginTop ? QLatin1String("top left") : QLatin1String("bottom left")));
+    QCOMPARE(cells[4].contains(u'½'), its.pixelCentre == 0.5);
+    QCOMPARE(cells[4].contains(QLatin1String("logical")), its.areLogicalPixels);
 }
 
 void TestExamplesHelp::theContentsLeadSomewhere()

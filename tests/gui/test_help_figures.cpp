@@ -102,15 +102,27 @@ void TestHelpFigures::everyDerivationHasItsFigure_data()
 {
     QTest::addColumn<QString>("figure");
     const std::pair<const char *, const char *> chapters[] = {
-        {"spaces", "pipeline"},      {"homogeneous", "homogeneous"},
-        {"view", "look-at"},         {"normals", "normals"},
-        {"ortho-steps", "ortho"},    {"frustum", "frustum"},
-        {"depth-row", "depth"},      {"perspective", "perspective"},
-        {"oblique", "oblique"},      {"clip-planes", "clip-plane"},
-        {"viewport", "viewport"},    {"scales", "scales"},
-        {"w2", "similar-triangles"}, {"w8", "flip"},
-        {"closed", "ray"},           {"eye-to-world", "eye-to-world"},
-        {"certainty", "certainty"},  {"half-pixel", "half-pixel"},
+        {"spaces", "pipeline"},
+        {"homogeneous", "homogeneous"},
+        {"view", "look-at"},
+        {"view-steps", "view-steps"},
+        {"normals", "normals"},
+        {"frustum-steps", "frustum-steps"},
+        {"w4", "near-window"},
+        {"ortho-steps", "ortho"},
+        {"frustum", "frustum"},
+        {"depth-row", "depth"},
+        {"perspective", "perspective"},
+        {"oblique", "oblique"},
+        {"clip-planes", "clip-plane"},
+        {"viewport", "viewport"},
+        {"scales", "scales"},
+        {"w2", "similar-triangles"},
+        {"w8", "flip"},
+        {"closed", "ray"},
+        {"eye-to-world", "eye-to-world"},
+        {"certainty", "certainty"},
+        {"half-pixel", "half-pixel"},
     };
     for (const auto &[anchor, figure] : chapters)
         QTest::newRow(anchor) << figure;

@@ -6,12 +6,15 @@
 #include "gui/panels/doctor_panel.h"
 #include "gui/panels/formula_view.h"
 #include "gui/panels/help_link.h"
+#include "gui/panels/lifecycle_panel.h"
 #include "gui/panels/map_panel.h"
+#include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/panels/pipeline_panel.h"
 #include "gui/panels/viewport_inspector.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/help_anchors.h"
+#include "gui/view/lifecycle_log.h"
 #include "tests/gui/comparison_picks.h"
 
 #include <QAbstractButton>
@@ -134,11 +137,14 @@ void TestHelpLinks::aNumberIsALink()
 void TestHelpLinks::everyPanelLeadsToHelp_data()
 {
     QTest::addColumn<QStringList>("anchors");
-    QTest::newRow("comparison") << QStringList{"weng", "matrix", "certainty", "half-pixel"};
-    QTest::newRow("pipeline") << QStringList{"spaces", "model", "view", "frustum", "viewport", "half-pixel", "mvpw"};
+    QTest::newRow("comparison") << QStringList{"weng", "matrix", "certainty", "half-pixel", "conventions"};
+    QTest::newRow("pipeline") << QStringList{"spaces",   "model",      "view", "frustum",
+                                             "viewport", "half-pixel", "mvpw", "conventions"};
     QTest::newRow("parameters") << QStringList{"view", "frustum", "viewport", "model", "clip-planes"};
     QTest::newRow("depth precision") << QStringList{"certainty"};
-    QTest::newRow("viewport") << QStringList{"w3"};
+    QTest::newRow("viewport") << QStringList{"near-window"};
+    QTest::newRow("life of the view") << QStringList{"mfc"};
+    QTest::newRow("view from outside") << QStringList{"frustum-steps"};
     QTest::newRow("doctor") << QStringList{"wrong"};
     QTest::newRow("map") << QStringList{"matrix"};
 }
@@ -149,6 +155,7 @@ void TestHelpLinks::everyPanelLeadsToHelp()
     SceneDocument document;
     document.setProjection(frustumGeometry().projection());
     const QByteArray name = QTest::currentDataTag();
+    LifecycleLog log;
     std::unique_ptr<QWidget> panel;
     if (name == "comparison")
         panel = std::make_unique<ComparisonPanel>(document);
@@ -160,6 +167,10 @@ void TestHelpLinks::everyPanelLeadsToHelp()
         panel = std::make_unique<DepthPrecisionPanel>(document);
     else if (name == "viewport")
         panel = std::make_unique<ViewportInspector>(document);
+    else if (name == "life of the view")
+        panel = std::make_unique<LifecyclePanel>(log);
+    else if (name == "view from outside")
+        panel = std::make_unique<ObserverPanel>(document);
     else if (name == "doctor")
         panel = std::make_unique<DoctorPanel>(document);
     else
@@ -210,13 +221,14 @@ void TestHelpLinks::theStepsOfAMatrixLeadToHelp()
          {frustumGeometry().projection(), Projection(kBox), Projection(Oblique{kBox, 1.0, 1.2})}) {
         SceneDocument document;
         document.setProjection(projection);
+        QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
         PipelinePanel panel(document);
         panel.show();
         for (QToolButton *button : panel.findChildren<QToolButton *>(QStringLiteral("takeApart")))
             button->click();
         links += linksOf(panel);
     }
-    for (const char *anchor : {"ortho-steps", "depth-row", "scales", "oblique"})
+    for (const char *anchor : {"ortho-steps", "frustum-steps", "view-steps", "conventions", "oblique"})
         QVERIFY2(links.contains(QString::fromLatin1(anchor)), anchor);
     for (const QString &link : std::as_const(links))
         QVERIFY2(all.contains(link), qPrintable(link));

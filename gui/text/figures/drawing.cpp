@@ -49,6 +49,16 @@ QPointF between(const QPointF &from, const QPointF &to, double share)
     return from + (to - from) * share;
 }
 
+QString figures::text(const char *markup)
+{
+    return QString::fromUtf8(markup);
+}
+
+std::vector<QPointF> figures::rectangle(double left, double top, double right, double bottom)
+{
+    return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+}
+
 Drawing::Drawing(QPainter &painter, const QPointF &topLeft, const QFont &font, const FigureColors &colors)
     : m_painter(painter), m_topLeft(topLeft), m_font(font), m_colors(colors), m_em(QFontMetricsF(font).height())
 {

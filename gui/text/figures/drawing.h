@@ -65,4 +65,12 @@ private:
 /// A point of the line between two others: 0 at the first, 1 at the second.
 QPointF between(const QPointF &from, const QPointF &to, double share);
 
+namespace figures {
+
+/// A label's markup that is the same in all languages, in UTF-8.
+QString text(const char *markup);
+/// Its corners, from the upper left one clockwise.
+std::vector<QPointF> rectangle(double left, double top, double right, double bottom);
+
+} // namespace figures
 } // namespace unprojector::gui

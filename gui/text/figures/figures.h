@@ -16,11 +16,13 @@ struct Words {
 void drawPipeline(Drawing &d);
 void drawHomogeneous(Drawing &d);
 void drawLookAt(Drawing &d);
+void drawViewSteps(Drawing &d);
 void drawNormals(Drawing &d);
 void drawEyeToWorld(Drawing &d);
 
 void drawOrtho(Drawing &d);
 void drawFrustum(Drawing &d);
+void drawFrustumSteps(Drawing &d);
 void drawSimilarTriangles(Drawing &d);
 void drawDepth(Drawing &d);
 void drawPerspective(Drawing &d);
@@ -29,6 +31,7 @@ void drawOblique(Drawing &d);
 void drawClipPlane(Drawing &d);
 void drawViewport(Drawing &d);
 void drawScales(Drawing &d);
+void drawNearWindow(Drawing &d);
 void drawFlip(Drawing &d);
 void drawHalfPixel(Drawing &d);
 void drawRay(Drawing &d);

@@ -3,21 +3,13 @@
 #include "gui/text/figures/drawing.h"
 #include "gui/text/figures/figures.h"
 
+#include <algorithm>
+
 namespace unprojector::gui::figures {
 namespace {
 
 using Stroke = Drawing::Stroke;
 using Side = Drawing::Side;
-
-QString text(const char *markup)
-{
-    return QString::fromUtf8(markup);
-}
-
-std::vector<QPointF> rectangle(double left, double top, double right, double bottom)
-{
-    return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
-}
 
 } // namespace
 
@@ -113,6 +105,63 @@ void drawFrustum(Drawing &d)
     d.line(at(0, 0, kFar), {farAt, kSecond}, Stroke::Dashed);
     d.measure({eye.x(), kFirst}, {nearAt, kFirst}, text("n"), Side::Above);
     d.measure({eye.x(), kSecond}, {farAt, kSecond}, text("f"), Side::Above);
+}
+
+/// A section along z: the view volume's rays become parallel, then its window a square.
+void drawFrustumSteps(Drawing &d)
+{
+    constexpr double kAxis = 5.4, kHalf = 1.7, kTop = 1.3, kBottom = -0.9, kNear = 2.6, kFar = 7.2;
+    const auto axes = [&](double origin, double left, double right, const char *across, const char *up) {
+        d.arrow({left, kAxis}, {right, kAxis}, Stroke::Quiet);
+        d.label({right, kAxis}, text(across), Side::Below);
+        d.arrow({origin, 8.6}, {origin, 1.2}, Stroke::Quiet);
+        d.label({origin, 1.2}, text(up), Side::Above);
+    };
+    // Corners: the far end's top and bottom, the near end's bottom and top.
+    const auto volume = [&](const std::vector<QPointF> &corners) {
+        d.area(corners);
+        for (const double share : {0.25, 0.5, 0.75})
+            d.line(between(corners[0], corners[1], share), between(corners[3], corners[2], share), Stroke::Quiet);
+        d.outline(corners);
+        d.line(corners[2], corners[3], Stroke::Second);
+        d.line(corners[2] + QPointF(0.04, 0.0), corners[3] + QPointF(0.04, 0.0), Stroke::Second);
+        d.label({corners[2].x(), std::max(corners[2].y(), corners[3].y())}, Words::tr("near"), Side::Below,
+                Stroke::Second);
+    };
+    const auto step = [&](double at, const char *letter) {
+        d.arrow({at - 0.9, 2.0}, {at + 0.9, 2.0}, Stroke::Accent);
+        d.label({at, 1.9}, text(letter), Side::Above, Stroke::Accent);
+    };
+    const QPointF eye(10.0, kAxis);
+    const auto at = [&eye](double slope, double distance) {
+        return eye + QPointF(-distance, -slope * distance / kNear);
+    };
+    axes(eye.x(), 0.6, 11.4, "z", "y");
+    for (const double slope : {kTop, kBottom})
+        d.line(eye, at(slope, kNear), Stroke::Dashed);
+    volume({at(kTop, kFar), at(kBottom, kFar), at(kBottom, kNear), at(kTop, kNear)});
+    d.label(at(kTop, kFar), text("−f"), Side::Above);
+    d.label(at(kTop, kNear), text("−n"), Side::Above);
+    d.dot(eye);
+    step(13.0, "N");
+    const double second = 18.6, third = 29.4;
+    axes(second, second - 3.2, second + 3.6, "z<sub>n</sub>", "y<sub>w</sub>");
+    volume({{second + kHalf, kAxis - kTop},
+            {second + kHalf, kAxis - kBottom},
+            {second - kHalf, kAxis - kBottom},
+            {second - kHalf, kAxis - kTop}});
+    d.label({second + kHalf, kAxis - kTop + 0.3}, text("t"), Side::Right);
+    d.label({second + kHalf, kAxis - kBottom}, text("b"), Side::Right);
+    d.label({second - kHalf, kAxis - kTop}, text("−1"), Side::Above);
+    d.label({second + kHalf, kAxis - kTop}, text("1"), Side::Above);
+    step(23.8, "B");
+    axes(third, third - 3.2, third + 3.6, "z<sub>n</sub>", "y<sub>n</sub>");
+    volume({{third + kHalf, kAxis - kHalf},
+            {third + kHalf, kAxis + kHalf},
+            {third - kHalf, kAxis + kHalf},
+            {third - kHalf, kAxis - kHalf}});
+    d.label({third - kHalf, kAxis - kHalf}, text("−1"), Side::Above);
+    d.label({third + kHalf, kAxis - kHalf}, text("1"), Side::Above);
 }
 
 /// (1): the ray through a point, cut by the near plane.

@@ -4,17 +4,13 @@
 #include "gui/text/figures/figures.h"
 
 #include <array>
+#include <cmath>
 
 namespace unprojector::gui::figures {
 namespace {
 
 using Stroke = Drawing::Stroke;
 using Side = Drawing::Side;
-
-QString text(const char *markup)
-{
-    return QString::fromUtf8(markup);
-}
 
 } // namespace
 
@@ -120,6 +116,57 @@ void drawLookAt(Drawing &d)
     d.label(center, text("center"), Side::Right);
     // The plane that up and f span: u lies in it.
     d.area({eye, upwards, upwards + QPointF(3.4, -0.44), between(eye, center, 0.24)}, Stroke::Second);
+}
+
+/// From above, x to the right and z towards the reader: the world with its axes is moved, then turned, until those of the eye
+/// are x and -z.
+void drawViewSteps(Drawing &d)
+{
+    const QPointF eye(3.4, 2.0), center(-0.8, -1.6);
+    const QPointF ahead = center - eye;
+    const QPointF forward = ahead / std::hypot(ahead.x(), ahead.y()), side(-forward.y(), forward.x());
+    const auto dot = [](const QPointF &a, const QPointF &b) { return QPointF::dotProduct(a, b); };
+    const auto draw = [&](const QPointF &origin, bool isMoved, bool isTurned) {
+        const auto at = [&](const QPointF &world) {
+            const QPointF moved = isMoved ? world - eye : world;
+            return origin + (isTurned ? QPointF(dot(side, moved), -dot(forward, moved)) : moved);
+        };
+        if (isMoved) {
+            d.arrow(origin, origin + QPointF(2.6, 0.0), Stroke::Quiet);
+            d.label(origin + QPointF(2.5, 0.0), text("x"), Side::Below);
+            d.arrow(origin, origin + QPointF(0.0, 2.4), Stroke::Quiet);
+            d.label(origin + QPointF(0.0, 2.2), text("z"), Side::Left);
+        }
+        constexpr double kAxis = 1.8;
+        d.arrow(at({}), at({kAxis, 0.0}), Stroke::Second);
+        d.arrow(at({}), at({0.0, kAxis}), Stroke::Second);
+        if (!isMoved) {
+            d.label(at({kAxis - 0.2, 0.0}), text("x"), Side::Above, Stroke::Second);
+            d.label(at({0.0, kAxis}), text("z"), Side::Left, Stroke::Second);
+        }
+        const std::vector<QPointF> object{at(center + QPointF(-0.9, 0.5)), at(center + QPointF(0.8, 0.6)),
+                                          at(center + QPointF(0.1, -0.7))};
+        d.area(object, Stroke::Second);
+        d.outline(object);
+        const QPointF tip = at(eye + 2.0 * forward), right = at(eye + 1.7 * side);
+        d.arrow(at(eye), tip, Stroke::Accent);
+        d.arrow(at(eye), right, Stroke::Accent);
+        d.label(between(at(eye), tip, 0.7) + QPointF(0.2, 0.1), text("<b>f</b>"), isTurned ? Side::Right : Side::Above,
+                Stroke::Accent);
+        d.label(right, text("<b>s</b>"), Side::Above, Stroke::Accent);
+        d.dot(at(eye));
+        d.label(at(eye) + QPointF(-0.2, 0.2), text("eye"), isMoved ? Side::Left : Side::Below);
+    };
+    const auto step = [&d](double at, const char *letter) {
+        d.arrow({at - 0.9, 2.0}, {at + 0.9, 2.0}, Stroke::Accent);
+        d.label({at, 1.9}, text(letter), Side::Above, Stroke::Accent);
+    };
+    constexpr double kEye = 7.0;
+    draw({2.2, kEye - eye.y()}, false, false);
+    step(9.4, "T");
+    draw({16.6, kEye}, true, false);
+    step(21.0, "R");
+    draw({26.4, kEye}, true, true);
 }
 
 /// glScale(2, 1, 1): the points' matrix tilts the normal.

@@ -9,14 +9,28 @@ namespace {
 using Stroke = Drawing::Stroke;
 using Side = Drawing::Side;
 
-QString text(const char *markup)
-{
-    return QString::fromUtf8(markup);
-}
+/// Of the window that a viewport lies in, in drawViewport.
+constexpr double kWindowLeft = 19.6, kWindowTop = 1.8, kWindowRight = 36.0, kWindowBottom = 11.6;
+constexpr double kViewLeft = 23.4, kViewTop = 3.4, kViewRight = 33.8, kViewBottom = 9.6;
 
-std::vector<QPointF> rectangle(double left, double top, double right, double bottom)
+/// @param up     how far higher than there
+/// @param share  of the viewport's width and height from its lower left corner, where a point is marked
+QPointF drawViewportInWindow(Drawing &d, double up, const QPointF &share)
 {
-    return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+    const double top = kWindowTop - up, bottom = kWindowBottom - up, viewTop = kViewTop - up,
+                 viewBottom = kViewBottom - up;
+    d.outline(rectangle(kWindowLeft, top, kWindowRight, bottom));
+    const auto viewport = rectangle(kViewLeft, viewTop, kViewRight, viewBottom);
+    d.area(viewport);
+    d.outline(viewport, Stroke::Accent);
+    d.measure({kWindowLeft, viewBottom - 0.9}, {kViewLeft, viewBottom - 0.9}, text("v<sub>x</sub>"), Side::Above);
+    d.measure({kViewLeft + 1.0, bottom}, {kViewLeft + 1.0, viewBottom}, text("v<sub>y</sub>"), Side::Right);
+    d.measure({kViewLeft, viewBottom - 0.5}, {kViewRight, viewBottom - 0.5}, text("width"), Side::Above);
+    d.measure({kViewRight - 0.6, viewBottom}, {kViewRight - 0.6, viewTop}, text("height"), Side::Left);
+    const QPointF point(kViewLeft + share.x() * (kViewRight - kViewLeft),
+                        viewBottom - share.y() * (viewBottom - viewTop));
+    d.dot(point, Stroke::Accent);
+    return point;
 }
 
 } // namespace
@@ -57,32 +71,49 @@ void drawViewport(Drawing &d)
     const QPointF share(0.45, 0.5);
     d.dot(middle + QPointF(share.x(), -share.y()) * kHalf, Stroke::Accent);
 
-    constexpr double kLeft = 19.6, kTop = 1.8, kRight = 36.0, kBottom = 11.6;
-    constexpr double kViewLeft = 23.4, kViewTop = 3.4, kViewRight = 33.8, kViewBottom = 9.6;
     d.arrow({11.0, 6.8}, {18.4, 6.8}, Stroke::Accent);
     d.label({14.6, 6.7}, text("glViewport"), Side::Above, Stroke::Accent);
-    d.outline(rectangle(kLeft, kTop, kRight, kBottom));
-    const auto viewport = rectangle(kViewLeft, kViewTop, kViewRight, kViewBottom);
-    d.area(viewport);
-    d.outline(viewport, Stroke::Accent);
-    d.measure({kLeft, kViewBottom - 0.9}, {kViewLeft, kViewBottom - 0.9}, text("v<sub>x</sub>"), Side::Above);
-    d.measure({kViewLeft + 1.0, kBottom}, {kViewLeft + 1.0, kViewBottom}, text("v<sub>y</sub>"), Side::Right);
-    d.measure({kViewLeft, kViewBottom - 0.5}, {kViewRight, kViewBottom - 0.5}, text("width"), Side::Above);
-    d.measure({kViewRight - 0.6, kViewBottom}, {kViewRight - 0.6, kViewTop}, text("height"), Side::Left);
-    const QPointF center((kViewLeft + kViewRight) / 2.0, (kViewTop + kViewBottom) / 2.0);
-    d.dot(center + QPointF(share.x() * (kViewRight - kViewLeft), -share.y() * (kViewBottom - kViewTop)) / 2.0,
-          Stroke::Accent);
+    drawViewportInWindow(d, 0.0, (QPointF(1.0, 1.0) + share) / 2.0);
     // Window coordinates from below, the widget's from above.
-    d.arrow({kLeft, kBottom}, {kLeft + 3.0, kBottom}, Stroke::Second);
-    d.arrow({kLeft, kBottom}, {kLeft, kBottom - 3.0}, Stroke::Second);
-    d.label({kLeft + 2.4, kBottom}, text("x"), Side::Below, Stroke::Second);
-    d.label({kLeft, kBottom - 2.4}, text("y"), Side::Left, Stroke::Second);
-    d.label({kLeft - 0.2, kBottom + 0.8}, Words::tr("window"), Side::Left, Stroke::Second);
-    d.arrow({kLeft, kTop}, {kLeft + 3.0, kTop}, Stroke::Quiet);
-    d.arrow({kLeft, kTop}, {kLeft, kTop + 3.0}, Stroke::Quiet);
-    d.label({kLeft + 2.4, kTop}, text("px"), Side::Above, Stroke::Quiet);
-    d.label({kLeft, kTop + 2.4}, text("py"), Side::Left, Stroke::Quiet);
-    d.label({kLeft - 0.2, kTop - 0.8}, Words::tr("widget"), Side::Left, Stroke::Quiet);
+    d.arrow({kWindowLeft, kWindowBottom}, {kWindowLeft + 3.0, kWindowBottom}, Stroke::Second);
+    d.arrow({kWindowLeft, kWindowBottom}, {kWindowLeft, kWindowBottom - 3.0}, Stroke::Second);
+    d.label({kWindowLeft + 2.4, kWindowBottom}, text("x"), Side::Below, Stroke::Second);
+    d.label({kWindowLeft, kWindowBottom - 2.4}, text("y"), Side::Left, Stroke::Second);
+    d.label({kWindowLeft - 0.2, kWindowBottom + 0.8}, Words::tr("window"), Side::Left, Stroke::Second);
+    d.arrow({kWindowLeft, kWindowTop}, {kWindowLeft + 3.0, kWindowTop}, Stroke::Quiet);
+    d.arrow({kWindowLeft, kWindowTop}, {kWindowLeft, kWindowTop + 3.0}, Stroke::Quiet);
+    d.label({kWindowLeft + 2.4, kWindowTop}, text("px"), Side::Above, Stroke::Quiet);
+    d.label({kWindowLeft, kWindowTop + 2.4}, text("py"), Side::Left, Stroke::Quiet);
+    d.label({kWindowLeft - 0.2, kWindowTop - 0.8}, Words::tr("widget"), Side::Left, Stroke::Quiet);
+}
+
+/// The paper's figure 5, (3) and (4): one share of the near plane's window and of the viewport.
+void drawNearWindow(Drawing &d)
+{
+    constexpr double kL = 2.4, kR = 10.0, kB = 9.2, kT = 3.2;
+    const QPointF axis(5.0, 6.8), share(0.64, 0.7);
+    const QPointF point(kL + share.x() * (kR - kL), kB - share.y() * (kB - kT));
+    d.area(rectangle(kL, kT, kR, kB), Stroke::Second);
+    d.outline(rectangle(kL, kT, kR, kB), Stroke::Second);
+    d.arrow({0.6, axis.y()}, {12.4, axis.y()}, Stroke::Quiet);
+    d.label({12.2, axis.y()}, text("x<sub>w</sub>"), Side::Below);
+    d.arrow({axis.x(), 10.4}, {axis.x(), 1.6}, Stroke::Quiet);
+    d.label({axis.x(), 1.8}, text("y<sub>w</sub>"), Side::Right);
+    d.label({kL, kB - 1.0}, text("l"), Side::Left, Stroke::Second);
+    d.label({kR, kB - 1.0}, text("r"), Side::Right, Stroke::Second);
+    d.label({(axis.x() + kR) / 2.0, kT}, text("t"), Side::Above, Stroke::Second);
+    d.label({(axis.x() + kR) / 2.0, kB}, text("b"), Side::Below, Stroke::Second);
+    d.dot(point, Stroke::Accent);
+    d.label(point, text("(x<sub>w</sub>, y<sub>w</sub>)"), Side::Above, Stroke::Accent);
+    d.arrow({13.0, 5.2}, {18.4, 5.2}, Stroke::Accent);
+    d.label({15.6, 5.1}, text("(3), (4)"), Side::Above, Stroke::Accent);
+    constexpr double kUp = 1.0;
+    const QPointF inViewport = drawViewportInWindow(d, kUp, share);
+    d.label(inViewport, text("(x<sub>v</sub>, y<sub>v</sub>)"), Side::Left, Stroke::Accent);
+    d.arrow({kWindowLeft, kWindowBottom - kUp}, {kWindowLeft + 3.0, kWindowBottom - kUp}, Stroke::Quiet);
+    d.arrow({kWindowLeft, kWindowBottom - kUp}, {kWindowLeft, kWindowBottom - kUp - 3.0}, Stroke::Quiet);
+    d.label({kWindowLeft + 2.4, kWindowBottom - kUp - 0.1}, text("x"), Side::Above, Stroke::Quiet);
+    d.label({kWindowLeft, kWindowBottom - kUp - 2.4}, text("y"), Side::Left, Stroke::Quiet);
 }
 
 /// The same share of each.
@@ -222,11 +253,9 @@ void drawCertainty(Drawing &d)
     // Steps of equal depth between a near plane at 4 and a far one at 29.
     constexpr double kNear = 4.0, kFar = 29.0;
     constexpr int kSteps = 20;
-    for (int i = 0; i < kSteps; ++i) {
-        const double distance = kNear * kFar / (kFar - i * (kFar - kNear) / kSteps);
-        d.line(at(distance, -1), at(distance, 1), Stroke::Quiet);
-    }
     const auto distanceOf = [](int i) { return kNear * kFar / (kFar - i * (kFar - kNear) / kSteps); };
+    for (int i = 0; i < kSteps; ++i)
+        d.line(at(distanceOf(i), -1), at(distanceOf(i), 1), Stroke::Quiet);
     constexpr int kStep = 17;
     const double from = distanceOf(kStep), to = distanceOf(kStep + 1), middle = (from + to) / 2.0;
     constexpr double kAbove = 1.6;
