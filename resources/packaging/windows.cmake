@@ -16,6 +16,16 @@ if(UNPROJECTOR_BUILD_GUI)
     if(NOT TARGET Qt6::QWindowsIntegrationPlugin)
         message(FATAL_ERROR "Qt's platform plugin for Windows is not there; without it no window opens.")
     endif()
+    # The texts of Qt's own buttons and dialogs; where Qt for Windows was built without them, those of the Qt that builds.
+    find_file(UNPROJECTOR_QT_CHINESE qtbase_zh_CN.qm
+              PATHS ${QT6_INSTALL_PREFIX}/${QT6_INSTALL_TRANSLATIONS} ${QT_HOST_PATH}/share/qt6/translations
+              NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH DOC "Qt's own texts in Chinese")
+    mark_as_advanced(UNPROJECTOR_QT_CHINESE)
+    if(UNPROJECTOR_QT_CHINESE)
+        install(FILES ${UNPROJECTOR_QT_CHINESE} DESTINATION translations)
+    else()
+        message(STATUS "There is no qtbase_zh_CN.qm: in Chinese, the packed program's questions are answered in English")
+    endif()
     set(window_program $<TARGET_FILE:unprojector>)
 endif()
 

@@ -38,6 +38,8 @@ setup=$(echo "$build"/unprojector-*-windows-x64-setup.exe)
 
 (cd "$place" && cmake -E tar xf "$zip")
 folder=$(echo "$place"/unprojector-*)
+! grep -q 'UNPROJECTOR_QT_CHINESE:FILEPATH=/' "$build/CMakeCache.txt" || [ -s "$folder/translations/qtbase_zh_CN.qm" ] ||
+    fail "Qt's own texts in Chinese are not in the zip"
 zipped=$(picks windows "$folder/unprojector.exe")
 echo "zip: $zipped"
 printed=$(windows "$folder/unproject.exe" --version)
