@@ -32,6 +32,14 @@ void Autosave::adopt(std::unique_ptr<RecoveryFile> file)
     m_file = std::move(file);
 }
 
+std::unique_ptr<RecoveryFile> Autosave::release()
+{
+    if (m_timer.isActive())
+        write();
+    m_timer.stop();
+    return std::move(m_file);
+}
+
 void Autosave::discard()
 {
     m_timer.stop();

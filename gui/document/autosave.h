@@ -40,6 +40,9 @@ public:
     void follow(bool isUnsaved);
     /// Goes on with a recovered file, which is the scene's own from now on. One that was kept before is removed.
     void adopt(std::unique_ptr<RecoveryFile> file);
+    /// Gives the file away, with the changes until now in it; the scene that comes gets another one.
+    /// @return null where there was nothing to keep, or it could not be kept
+    std::unique_ptr<RecoveryFile> release();
     /// The changes are saved or not wanted: nothing is kept of them.
     void discard();
 

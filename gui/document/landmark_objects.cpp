@@ -3,7 +3,6 @@
 #include "core/ray/closest_place.h"
 #include "gui/document/document_change.h"
 #include "gui/document/scene_points.h"
-#include "gui/text/bundled_names.h"
 #include "gui/text/number_text.h"
 #include "gui/text/point_text.h"
 #include "gui/text/sentences.h"
@@ -83,8 +82,8 @@ QString letGo(std::vector<Landmark> &points, const std::vector<SceneObject> &obj
                                          [&](const SceneObject &each) { return each.name == point.object; });
         if (!point.object.empty() && object == objects.end()) {
             if (absent++ == 0)
-                firstAbsent =
-                    Texts::tr("“%1” (on “%2”)").arg(ScenePoints::shownNameOf(points, i), readName(point.object));
+                firstAbsent = Texts::tr("“%1” (on “%2”)")
+                                  .arg(ScenePoints::shownNameOf(points, i), QString::fromStdString(point.object));
             point.object.clear();
             point.hold = landmarks::Free{};
             continue;

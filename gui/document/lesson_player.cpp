@@ -37,7 +37,7 @@ LessonPlayer::LessonPlayer(SceneDocument &document, Session &session, QObject *p
 {
     connect(&session, &Session::opened, this, [this](const QString &lesson) {
         if (lesson.isEmpty())
-            end(); // another scene has taken its place
+            end(); // another scene has taken its place, or the one before it is back
     });
 }
 
@@ -47,7 +47,6 @@ void LessonPlayer::end()
         return;
     m_lesson = nullptr;
     m_shown.reset();
-    m_before.reset();
     emit changed();
 }
 
@@ -124,31 +123,17 @@ bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
         emit failed(QString::fromStdString(scene.error().text));
         return false;
     }
-    if (!mayLeave())
+    if (!m_session.mayLeaveStep())
         return false;
-    if (!m_lesson)
-        m_before = m_session.keptScene();
     if (!m_session.openLesson(std::move(scene).value(), lessonTitle(step.title), QString::fromStdString(lesson.name)))
         return false;
     m_shown = m_document.scene();
     return true;
 }
 
-bool LessonPlayer::mayLeave()
-{
-    return m_lesson ? m_session.mayLeaveStep() : m_session.mayLeave();
-}
-
 bool LessonPlayer::leave()
 {
-    if (!m_lesson || !mayLeave())
-        return false;
-    const Lesson *lesson = std::exchange(m_lesson, nullptr); // the scene that comes back does not end it
-    const bool isBack = !m_before || m_session.comeBackTo(*m_before);
-    m_lesson = lesson;
-    if (isBack)
-        end();
-    return isBack;
+    return m_lesson && m_session.mayLeaveStep() && m_session.comeBack();
 }
 
 bool LessonPlayer::isAsTheStep() const
@@ -208,21 +193,20 @@ std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
     return numbers ? numbers->pixelOf(point) : std::nullopt;
 }
 
-void LessonPlayer::change(const std::string &name)
+bool LessonPlayer::change(const std::string &name)
 {
     const auto found = step().changes.find(name);
     if (found == step().changes.end())
-        return;
+        return false;
     const auto refuse = [this](const QString &reason) {
         emit failed(
             tr("The scene as it is now cannot be changed so. Put it back as the step has it. (%1)").arg(reason));
+        return false;
     };
     const SceneSettings now = m_document.scene();
     const auto settings = lessons::settingsWith(m_document.scene(), m_document.geometry(), found->second);
-    if (!settings) {
-        refuse(QString::fromStdString(settings.error().text));
-        return;
-    }
+    if (!settings)
+        return refuse(QString::fromStdString(settings.error().text));
     // Undone as one, whatever it is made of.
     const Deed deed{tr("Change by the Lesson"), QStringLiteral("lesson %1").arg(++m_changes)};
     const int before = m_document.undoStack().index();
@@ -244,10 +228,10 @@ void LessonPlayer::change(const std::string &name)
          [&] { return m_document.editClipPlanes(settings->clipPlanes, settings->clipPlanesOff, deed); });
     edit(settings->givenPoint != now.givenPoint, [&] { return m_document.editGivenPoint(settings->givenPoint, deed); });
     if (done)
-        return;
+        return true;
     while (m_document.undoStack().index() > before)
         m_document.undoStack().undo();
-    refuse(errorText(done.error()));
+    return refuse(errorText(done.error()));
 }
 
 } // namespace unprojector::gui

@@ -32,8 +32,9 @@ public:
     /// @pre lesson()
     const lessons::Step &step() const { return m_lesson->steps[m_place]; }
 
-    // What leaves a scene asks about its unsaved changes, but not about what was done in a step's scene, unless that was saved
-    // under a name: the steps tell to do it. Where the user stays, nothing has changed, and false is returned.
+    // Nothing is asked about what was done in a step's scene, unless that was saved under a name: the steps tell to do it. Nor
+    // about the scene that was shown before, which comes back. Where the user stays, nothing has changed, and false is
+    // returned.
 
     /// Starts a lesson at its first step.
     bool start(const std::string &name);
@@ -69,8 +70,9 @@ public:
     /// Where to click for a point that the step names; nothing where it is not in the picture as it is now.
     std::optional<DevicePixel> pixelOf(const std::string &point) const;
 
-    /// Does what a link set:NAME of the step says, undoably. What it cannot do is told by `failed`.
-    void change(const std::string &name);
+    /// Does what a link set:NAME of the step says, undoably.
+    /// @return false where it cannot, which `failed` tells
+    bool change(const std::string &name);
 
 signals:
     /// Another step, another lesson, or none.
@@ -80,7 +82,6 @@ signals:
 
 private:
     bool show(const Lesson &lesson, std::size_t place);
-    bool mayLeave();
     bool open(const Lesson &lesson, const lessons::Step &step);
 
     SceneDocument &m_document;
@@ -90,9 +91,8 @@ private:
     const Lesson *m_lesson = nullptr; ///< one of m_lessons
     std::size_t m_place = 0;
     bool m_isRevealed = false;
-    int m_changes = 0;                          ///< by links
-    std::optional<Scene> m_shown;               ///< the step's, as it was opened
-    std::optional<Session::KeptScene> m_before; ///< what was shown before the lesson
+    int m_changes = 0;            ///< by links
+    std::optional<Scene> m_shown; ///< the step's, as it was opened
 };
 
 } // namespace unprojector::gui

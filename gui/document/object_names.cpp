@@ -3,6 +3,15 @@
 #include "gui/text/bundled_names.h"
 
 namespace unprojector::gui {
+namespace {
+
+/// In the language that the program speaks.
+QString bundledName(const SceneObject &object)
+{
+    return object.file.empty() ? readName(object.name) : QString::fromStdString(object.name);
+}
+
+} // namespace
 
 NameFault faultOf(const std::string &name, std::size_t place, const std::vector<SceneObject> &objects)
 {
@@ -10,7 +19,7 @@ NameFault faultOf(const std::string &name, std::size_t place, const std::vector<
         return NameFault::Empty;
     const QString asRead = QString::fromStdString(name);
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (i != place && (objects[i].name == name || readName(objects[i].name) == asRead))
+        if (i != place && (objects[i].name == name || bundledName(objects[i]) == asRead))
             return NameFault::Taken;
     }
     return NameFault::None;
@@ -23,9 +32,9 @@ QString shownName(const std::string &name)
     return shown.size() > kMost ? shown.left(kMost) + u'…' : shown;
 }
 
-QString shownObjectName(const std::string &name)
+QString shownObjectName(const std::string &name, const std::vector<SceneObject> &objects)
 {
-    return shownName(readName(name).toStdString());
+    return shownName(readName(name, objects).toStdString());
 }
 
 std::string freeName(const std::string &name, const std::vector<SceneObject> &objects)

@@ -24,7 +24,7 @@ NameFault faultOf(const std::string &name, std::size_t place, const std::vector<
 QString shownName(const std::string &name);
 
 /// The same of an object as it is read, see readName.
-QString shownObjectName(const std::string &name);
+QString shownObjectName(const std::string &name, const std::vector<SceneObject> &objects);
 
 /// The name, or the name with the first number behind it that makes it another one than those of the objects: "cube (2)".
 std::string freeName(const std::string &name, const std::vector<SceneObject> &objects);

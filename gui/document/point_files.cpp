@@ -7,6 +7,7 @@
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/error_text.h"
+#include "gui/text/note_text.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 
@@ -51,14 +52,6 @@ struct Moved {
 QString patternOf(Format format)
 {
     return QStringLiteral("*.") + QLatin1String(suffixOf(format));
-}
-
-QString sentences(const QString &file, const std::vector<LandmarkNote> &notes)
-{
-    QStringList lines;
-    for (const LandmarkNote &note : notes)
-        lines << QStringLiteral("%1: %2.").arg(file, QString::fromStdString(noteText(note)));
-    return lines.join(u'\n');
 }
 
 /// "“a”, “b”, “c” and 4 more"
@@ -308,7 +301,7 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
     if (taken > 0)
         said << semilandmarksText(set, taken);
     const landmarks::LandmarkSet &before = m_document.landmarkSet();
-    if (const QString lost = sentences(name, read.notes); !lost.isEmpty())
+    if (const QString lost = pointNotesText(name, read.notes); !lost.isEmpty())
         notes << lost;
     if (read.sets.size() > 1)
         notes << tr("%1 has %2 specimens; the points of the first are shown.").arg(name).arg(read.sets.size());
@@ -359,7 +352,7 @@ bool PointFiles::exportTo(const std::filesystem::path &file)
     }
     const QString name = pathText(file.filename());
     if (!written->empty())
-        emit warned(sentences(name, *written));
+        emit warned(pointNotesText(name, *written));
     emit noticed(tr("Points written to %1: %2.").arg(name).arg(set.landmarks.size()));
     return true;
 }

@@ -11,6 +11,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/text/error_text.h"
+#include "gui/text/note_text.h"
 #include "gui/text/sentences.h"
 
 #include <algorithm>
@@ -33,14 +34,6 @@ bool isScan(const std::filesystem::path &file)
 std::string nameOrNumber(const LandmarkSet &set, std::size_t place)
 {
     return set.landmarks[place].name.empty() ? std::to_string(place + 1) : set.landmarks[place].name;
-}
-
-QString sentences(const QString &file, const std::vector<LandmarkNote> &notes)
-{
-    QStringList lines;
-    for (const LandmarkNote &note : notes)
-        lines << QStringLiteral("%1: %2.").arg(file, QString::fromStdString(noteText(note)));
-    return lines.join(u'\n');
 }
 
 /// A scan as its file has it.
@@ -73,9 +66,25 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     : QObject(parent), m_document(document), m_session(session)
 {
     // Told before the points of the other scene are, which are not this scan's.
-    connect(&m_document, &SceneDocument::opened, this, [this] { m_inView = m_shown = std::nullopt; });
-    connect(&m_session, &Session::opened, this, [this] {
-        if (m_isOpening) {
+    connect(&m_document, &SceneDocument::opened, this, [this] {
+        if (m_inView)
+            m_aside = Aside{*m_inView, m_shown.has_value(), m_placing};
+        m_inView = m_shown = std::nullopt;
+    });
+    connect(&m_session, &Session::opened, this, [this](const QString &lesson, bool isBack) {
+        if (isBack && m_aside) {
+            comeBack();
+            return;
+        }
+        if (lesson.isEmpty())
+            m_aside.reset();
+        if (m_isOpening && isBack) { // only to be asked about
+            if (const auto aside = m_former ? std::exchange(m_former->aside, std::nullopt) : std::nullopt;
+                aside && aside->placing == m_former->placing) {
+                m_former->inView = aside->inView;
+                m_former->shown = aside->isShown ? m_former->inView : std::nullopt;
+            }
+        } else if (m_isOpening) {
             m_former.reset();
             takeShown();
         } else if (m_current) { // another scene
@@ -155,7 +164,8 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         return false;
     }
     std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
-    Former former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_placing};
+    Former former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
+    m_aside.reset();
     m_folder = folder;
     m_scans = std::move(scans);
     m_current = m_inView = m_shown = std::nullopt;
@@ -189,6 +199,7 @@ bool ScanSeries::close()
     m_curves.clear();
     m_current = m_inView = m_shown = std::nullopt;
     m_former.reset();
+    m_aside.reset();
     m_isOpening = false;
     m_placing = 1;
     emit changed();
@@ -203,6 +214,7 @@ void ScanSeries::goBack()
     m_curves = std::move(m_former->curves);
     m_current = m_inView = m_former->inView;
     m_shown = m_former->shown;
+    m_aside = m_former->aside;
     m_placing = m_former->placing;
     m_former.reset();
 }
@@ -227,7 +239,7 @@ void ScanSeries::step(int by)
     if (m_scans.empty())
         return;
     const auto count = static_cast<int>(m_scans.size());
-    const int from = m_current ? static_cast<int>(*m_current) : by > 0 ? -1 : count;
+    const int from = place() ? static_cast<int>(*place()) : by > 0 ? -1 : count;
     if (const int to = from + by; to >= 0 && to < count)
         show(static_cast<std::size_t>(to));
 }
@@ -237,9 +249,10 @@ void ScanSeries::show(std::size_t place)
     Q_ASSERT(place < m_scans.size());
     if (!keep())
         return;
-    if (m_shown) {
-        m_names = landmarks::withTemplate(std::move(m_names), m_document.landmarks());
-        m_curves = m_document.landmarkSet().curves;
+    if (m_shown || (m_aside && m_aside->isShown)) {
+        const landmarks::LandmarkSet &before = m_scans[m_shown.value_or(m_aside ? m_aside->inView : 0)].points;
+        m_names = landmarks::withTemplate(std::move(m_names), before.landmarks);
+        m_curves = before.curves;
         std::erase_if(m_curves, [](const landmarks::Curve &curve) { return curve.points.empty(); });
     }
     m_isOpening = true;
@@ -303,6 +316,24 @@ void ScanSeries::takeShown()
     m_document.points().waitForNext(std::nullopt);
     if (!loose.isEmpty())
         emit warned(QStringLiteral("%1: %2").arg(pathText(landmarksBeside(scan.file, m_placing).filename()), loose));
+    emit changed();
+}
+
+void ScanSeries::comeBack()
+{
+    const Aside aside = *std::exchange(m_aside, std::nullopt);
+    if (aside.placing != m_placing) {
+        m_placing = aside.placing;
+        for (Scan &scan : m_scans)
+            readKept(scan, m_placing);
+    }
+    m_inView = aside.inView;
+    if (!m_isOpening) // else it is back only to be asked about
+        m_current = m_inView;
+    if (aside.isShown) {
+        m_shown = m_inView;
+        takePoints(m_document.landmarkSet());
+    }
     emit changed();
 }
 
@@ -396,7 +427,7 @@ bool ScanSeries::keep()
         m_kept = scan.points;
         m_stamp = files::stampOf(file);
         if (!written->empty())
-            emit warned(sentences(pathText(file.filename()), *written));
+            emit warned(pointNotesText(pathText(file.filename()), *written));
         emit noticed(tr("Points of %1 kept beside it.").arg(pathText(scan.file.filename())));
     }
     // Whoever did something to the scene is asked about it as ever.
@@ -550,7 +581,7 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
     }
     if (!problems.isEmpty())
         problems.prepend(tr("Not in %1, since they could not be read:").arg(pathText(file.filename())));
-    if (const QString lost = sentences(pathText(file.filename()), text->notes); !lost.isEmpty())
+    if (const QString lost = pointNotesText(pathText(file.filename()), text->notes); !lost.isEmpty())
         problems << lost;
     if (!problems.isEmpty())
         emit warned(problems.join(u'\n'));

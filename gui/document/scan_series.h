@@ -62,8 +62,8 @@ public:
     const std::vector<Scan> &scans() const { return m_scans; }
     /// The scan that is shown, or that could not be; nothing while another scene is.
     std::optional<std::size_t> current() const { return m_current; }
-    bool hasNext() const { return isOpen() && (!m_current || *m_current + 1 < m_scans.size()); }
-    bool hasPrevious() const { return isOpen() && m_current != std::size_t(0); }
+    bool hasNext() const { return isOpen() && (!place() || *place() + 1 < m_scans.size()); }
+    bool hasPrevious() const { return isOpen() && place() != std::size_t(0); }
     /// The names of all points of all scans, in the order in which they first appear.
     QStringList pointNames() const;
 
@@ -91,12 +91,23 @@ signals:
     void noticed(const QString &text);
 
 private:
+    /// A scan that is shown, and was before a lesson.
+    struct Aside {
+        std::size_t inView = 0;
+        bool isShown = false; ///< its points are kept
+        int placing = 1;
+    };
+
+    /// Where next and previous count from: in a lesson from the scan that it is left for.
+    std::optional<std::size_t> place() const { return m_current || !m_aside ? m_current : m_aside->inView; }
     void step(int by);
     /// @param scan  whose points are read
     void readKept(Scan &scan, int placing) const;
     bool mayPlaceAs(int placing);
     /// The current scan is in the view: its points come to it.
     void takeShown();
+    /// The scan that was shown before a lesson is again, as it was then. @pre m_aside
+    void comeBack();
     /// The scan that is shown gets the scene's points.
     /// @return false where they have no finite coordinates in its file
     bool takePoints(landmarks::LandmarkSet set);
@@ -120,6 +131,7 @@ private:
         std::vector<landmarks::Landmark> names;
         std::vector<landmarks::Curve> curves;
         std::optional<std::size_t> inView, shown;
+        std::optional<Aside> aside;
         int placing = 1;
     };
 
@@ -133,6 +145,7 @@ private:
     bool m_isOpening = false;                 ///< the current scan is being loaded
     std::optional<std::size_t> m_inView;      ///< the scan in the view
     std::optional<std::size_t> m_shown;       ///< the same where its points are kept: not where their file is damaged
+    std::optional<Aside> m_aside;             ///< the scan in the view, while a lesson is there instead
     scene::SceneObject m_object;              ///< it, as it was last in the scene
     landmarks::LandmarkSet m_kept;            ///< its points as they were read or last written
     files::FileStamp m_stamp;                 ///< of their file then

@@ -31,6 +31,10 @@ bool SceneChange::mergeWith(const QUndoCommand *next)
     if (change->m_mergeKey != m_mergeKey || change->isEdit() != isEdit())
         return false;
     m_after = change->m_after;
+    // What is done last names the deed, in the language of now.
+    m_name = change->m_name;
+    m_language = change->m_language;
+    setText(m_name);
     return true;
 }
 

@@ -1,7 +1,6 @@
 #include "gui/document/scene_curves.h"
 
 #include "gui/document/scene_document.h"
-#include "gui/text/bundled_names.h"
 
 #include <QCoreApplication>
 #include <QScopedValueRollback>
@@ -214,7 +213,7 @@ void SceneCurves::locate(Request &request) const
             return;
         }
     }
-    request.fault = tr("there is no object “%1”").arg(readName(points.front().object));
+    request.fault = tr("there is no object “%1”").arg(QString::fromStdString(points.front().object));
 }
 
 SceneCurves::Request SceneCurves::requestOf(const Curve &curve) const

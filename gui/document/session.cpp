@@ -130,14 +130,20 @@ QString Session::droppedMatrices(const SceneFile &written) const
 
 bool Session::mayLeave()
 {
-    finishBeforeLeaving();
-    return mayLoseChanges();
+    if (!m_aside) {
+        finishBeforeLeaving();
+        return mayLoseChanges();
+    }
+    if (!mayLeaveStep())
+        return false;
+    // What is asked about is to be seen.
+    return !m_options.remembers || !m_aside->isUnsaved || (comeBack() && mayLoseChanges());
 }
 
 bool Session::mayLeaveStep()
 {
     finishBeforeLeaving();
-    return m_file.empty() || mayLoseChanges();
+    return !m_aside || m_file.empty() || mayLoseChanges();
 }
 
 void Session::finishBeforeLeaving()
@@ -163,6 +169,7 @@ void Session::end()
 {
     if (m_autosave)
         m_autosave->discard();
+    dropAside();
 }
 
 // ---- recent files ------------------------------------------------------------------------------------------------

@@ -79,7 +79,8 @@ public:
     /// Opens a scene file. Its models are loaded first; each file once, however many objects show it.
     void openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> points = {});
     void openBundledScene();
-    /// Shows the scene of a lesson's step, whose name it has. What was shown is left without a question: see mayLeave.
+    /// Shows the scene of a lesson's step, whose name it has. What was shown is left without a question: see mayLeaveStep. The
+    /// scene that was shown before the lesson stands aside with its unsaved changes.
     /// @param lesson  its name, for `opened`
     /// @return whether it is shown
     bool openLesson(Scene scene, const QString &name, const QString &lesson);
@@ -90,20 +91,11 @@ public:
         int others = 0;         ///< so many files more
         bool isBundled = false; ///< the scene that comes with the program
     };
-    /// A scene with all that there is to know of it, to come back to.
-    struct KeptScene {
-        Scene scene;
-        Name name;
-        std::filesystem::path file;
-        SceneFile contents;
-        std::optional<files::FileStamp> stamp;
-        bool isUnsaved = false;
-    };
-    KeptScene keptScene() const;
-    /// Shows it again, unsaved changes included; what was done cannot be undone any more. What is shown is left without a
-    /// question.
+    /// Shows again the scene that was shown before the lesson, unsaved changes included; what was done cannot be undone any
+    /// more. What is shown is left without a question.
     /// @return whether it is shown
-    bool comeBackTo(const KeptScene &kept);
+    /// @pre a lesson's step is open
+    bool comeBack();
     /// Of the scene of a lesson's step, as long as it has no file: another step goes on with it.
     void nameStep(const QString &name);
     ModelStore &models() { return m_models; }
@@ -120,10 +112,12 @@ public:
     bool saveAs();
     std::filesystem::path proposedName() const;
     bool saveScene(const std::filesystem::path &file);
-    /// Asks about unsaved changes.
+    /// Asks about unsaved changes. In a lesson they are those of the scene that was shown before it, which comes back to be asked
+    /// about, and of a step's scene that has a file.
     /// @return whether the scene may be left
     bool mayLeave();
-    /// As mayLeave, but of a scene that has no file nothing is asked: its changes are given up.
+    /// The same for a lesson's step, or to come back: only a step's scene that has a file is asked about. The changes of one
+    /// that has none are given up; the scene before the lesson keeps its own.
     bool mayLeaveStep();
     /// The scene is left for good, as mayLeave has allowed: nothing is kept of its changes.
     void end();
@@ -154,7 +148,8 @@ signals:
     void progressed();
     /// Another scene is shown.
     /// @param lesson  the name of the lesson that it is a step of, or empty
-    void opened(const QString &lesson);
+    /// @param isBack  it was shown before a lesson, and comes back as it was then
+    void opened(const QString &lesson, bool isBack);
     /// Files of points or templates of names were opened with the models that are shown now, or alone: what becomes of them
     /// is not the session's.
     void pointFilesOpened(const std::vector<std::filesystem::path> &files);
@@ -186,6 +181,17 @@ private:
         std::vector<std::filesystem::path> points = {}; ///< files of them, read when the models are there
     };
 
+    /// A scene with all that there is to know of it, to come back to.
+    struct SceneAside {
+        Scene scene;
+        Name name;
+        std::filesystem::path file;
+        SceneFile contents;
+        std::optional<files::FileStamp> stamp;
+        bool isUnsaved = false;
+        std::unique_ptr<RecoveryFile> recovery; ///< where its changes are kept
+    };
+
     /// From now on the working folder does not matter.
     static std::filesystem::path absolutePath(const std::filesystem::path &file);
     static QString nameOf(const Pending &pending);
@@ -197,7 +203,9 @@ private:
     QString takeScene(Pending pending, const std::vector<LoadedModel> &models);
     /// The scene that was just opened has this file, or none, and this name.
     void setScene(const Name &name, const QString &lesson = {}, const std::filesystem::path &file = {},
-                  SceneFile contents = {}, const std::optional<files::FileStamp> &stamp = {});
+                  SceneFile contents = {}, const std::optional<files::FileStamp> &stamp = {}, bool isBack = false);
+    /// Nobody comes back to it.
+    void dropAside();
     void takeRecovered(const RecoveryFile *file);
     std::unique_ptr<RecoveryFile> takeOffered(std::size_t place);
     /// What came as a matrix and was saved by its arguments, in a sentence; empty where nothing was.
@@ -220,6 +228,7 @@ private:
     std::filesystem::path m_file;
     SceneFile m_contents;                    ///< what the file held when it was opened, for the keys that are not ours
     std::optional<files::FileStamp> m_stamp; ///< what the file held when it was last read or written here
+    std::optional<SceneAside> m_aside;       ///< in a lesson what was shown before it
     Autosave *m_autosave = nullptr;          ///< none where nothing is to be kept
     std::vector<std::unique_ptr<RecoveryFile>> m_offered; ///< the last one first
 };

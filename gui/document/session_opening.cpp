@@ -106,30 +106,48 @@ void Session::openBundledScene()
 bool Session::openLesson(Scene scene, const QString &name, const QString &lesson)
 {
     emit progressed();
+    std::optional<SceneAside> before; // its changes are kept in their file for as long as they are nowhere else
+    if (!m_aside)
+        before = {m_document.scene(),
+                  m_name,
+                  m_file,
+                  m_contents,
+                  m_stamp,
+                  hasUnsavedChanges(),
+                  m_autosave ? m_autosave->release() : nullptr};
     if (const Check shown = m_document.open(std::move(scene)); !shown) {
+        if (before && before->recovery)
+            m_autosave->adopt(std::move(before->recovery));
         emit failed(errorText(shown.error()));
         return false;
     }
+    if (before)
+        m_aside = std::move(before);
     setScene({name}, lesson);
     return true;
 }
 
-Session::KeptScene Session::keptScene() const
-{
-    return {m_document.scene(), m_name, m_file, m_contents, m_stamp, hasUnsavedChanges()};
-}
-
-bool Session::comeBackTo(const KeptScene &kept)
+bool Session::comeBack()
 {
     emit progressed();
-    if (const Check shown = m_document.open(kept.scene); !shown) {
+    if (const Check shown = m_document.open(m_aside->scene); !shown) {
         emit failed(errorText(shown.error()));
         return false;
     }
-    setScene(kept.name, {}, kept.file, kept.contents, kept.stamp);
-    if (kept.isUnsaved)
+    SceneAside before = *std::exchange(m_aside, std::nullopt);
+    setScene(before.name, {}, before.file, std::move(before.contents), before.stamp, true);
+    if (before.recovery)
+        m_autosave->adopt(std::move(before.recovery));
+    if (before.isUnsaved)
         m_document.markUnsaved();
     return true;
+}
+
+void Session::dropAside()
+{
+    if (m_aside && m_aside->recovery)
+        m_aside->recovery->remove();
+    m_aside.reset();
 }
 
 void Session::nameStep(const QString &name)
@@ -190,7 +208,8 @@ void Session::takeLoaded(const std::vector<LoadedModel> &models, const std::vect
     m_pending.reset();
     const std::vector<std::filesystem::path> points = std::move(pending.points);
     bool isShown = false;
-    const auto shown = connect(this, &Session::opened, this, [&isShown] { isShown = true; });
+    const auto shown = connect(this, &Session::opened, this,
+                               [&isShown](const QString &, bool isBack) { isShown = isShown || !isBack; });
     QStringList reasons; // what is not as in a file stays to be read until it is closed, as reasons do
     if (pending.use != Pending::For::SceneFile)
         takeModels(models, pending.use);
@@ -286,14 +305,16 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
 }
 
 void Session::setScene(const Name &name, const QString &lesson, const std::filesystem::path &file, SceneFile contents,
-                       const std::optional<files::FileStamp> &stamp)
+                       const std::optional<files::FileStamp> &stamp, bool isBack)
 {
+    if (lesson.isEmpty())
+        dropAside();
     m_name = name;
     m_file = file;
     m_contents = std::move(contents);
     m_stamp = stamp;
     m_document.markSaved();
-    emit opened(lesson);
+    emit opened(lesson, isBack);
 }
 
 } // namespace unprojector::gui

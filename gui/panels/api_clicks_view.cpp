@@ -1,10 +1,12 @@
 #include "gui/panels/api_clicks_view.h"
 
 #include "gui/panels/copy_menu.h"
+#include "gui/panels/help_link.h"
 #include "gui/text/api_text.h"
 #include "gui/text/number_text.h"
 
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QScrollBar>
 #include <QTableWidget>
@@ -87,7 +89,11 @@ ApiClicksView::ApiClicksView(QWidget *parent)
     m_table->hide();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_fold);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_fold);
+    head->addStretch();
+    head->addWidget(new HelpLink(QStringLiteral("conventions")));
+    layout->addLayout(head);
     layout->addWidget(m_table);
     connect(m_fold, &QToolButton::toggled, this, [this](bool isOpen) {
         m_fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);

@@ -120,7 +120,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     m_table = new ComparisonTable(m_model);
     m_table->setAccessibleName(tr("Coordinates by both methods"));
 
-    m_showsFloat = new QCheckBox(tr("Show &what float would give"));
+    m_showsFloat = new QCheckBox(tr("Show what float woul&d give"));
     m_showsFloat->setToolTip(
         tr("The matrix inverse done in single precision, as most programs do it, in the place of the "
            "difference between the two methods in double"));
@@ -242,7 +242,7 @@ QString ComparisonPanel::nameOf(const std::optional<std::size_t> &object, const 
 {
     const std::vector<SceneObject> &objects = m_document.objects();
     const std::string &name = object && *object < objects.size() ? objects[*object].name : formerName;
-    return name.empty() ? tr("the surface") : shownObjectName(name);
+    return name.empty() ? tr("the surface") : shownObjectName(name, objects);
 }
 
 void ComparisonPanel::showRay()

@@ -375,7 +375,7 @@ void DoctorPanel::showSpaces()
 {
     QStringList names{tr("World"), tr("Eye")};
     for (const SceneObject &object : m_document.objects())
-        names << tr("Object: %1").arg(readName(object.name));
+        names << tr("Object: %1").arg(readName(object.name, m_document.objects()));
     QStringList shown;
     for (int i = 0; i < m_space->count(); ++i)
         shown << m_space->itemText(i);

@@ -3,6 +3,7 @@
 #include "gui/panels/factor_drawing.h"
 #include "gui/panels/matrix_model.h"
 #include "gui/panels/number_grid.h"
+#include "gui/panels/wheel.h"
 #include "gui/text/number_text.h"
 
 #include <QHBoxLayout>
@@ -75,7 +76,7 @@ FactorShares::FactorShares(QWidget *parent)
         row.slider->setRange(0, kAll);
         row.slider->setPageStep(10);
         row.slider->setValue(kAll);
-        row.slider->setFocusPolicy(Qt::StrongFocus);
+        ignoreWheelWithoutFocus(row.slider);
         row.slider->setMinimumWidth(60);
         row.percent->setMinimumWidth(widest);
         row.percent->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -107,8 +108,11 @@ void FactorShares::setFactors(const std::vector<MatrixFactor> &factors, const st
                               const Projection &projection, const glm::dmat4 &clipFromEye, const MatrixView &view)
 {
     Q_ASSERT(factors.size() <= m_rows.size() && told.size() == factors.size());
-    const bool areOthers = !std::equal(factors.begin(), factors.end(), m_factors.begin(), m_factors.end(),
-                                       [](const MatrixFactor &a, const MatrixFactor &b) { return a.step == b.step; });
+    // The first ones are no others: the sliders may have been put for them.
+    const bool areOthers =
+        !m_factors.empty()
+        && !std::equal(factors.begin(), factors.end(), m_factors.begin(), m_factors.end(),
+                       [](const MatrixFactor &a, const MatrixFactor &b) { return a.step == b.step; });
     m_factors = factors;
     m_projection = projection;
     m_clipFromEye = clipFromEye;
@@ -141,6 +145,8 @@ void FactorShares::setAll(int percent)
 
 void FactorShares::showProduct()
 {
+    if (m_factors.empty())
+        return;
     std::vector<double> shares;
     for (std::size_t i = 0; i < m_factors.size(); ++i) {
         const int percent = m_rows[i].slider->value();

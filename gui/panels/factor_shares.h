@@ -35,8 +35,10 @@ public:
     void setFactors(const std::vector<MatrixFactor> &factors, const std::vector<Told> &told,
                     const Projection &projection, const glm::dmat4 &clipFromEye, const MatrixView &view);
 
-private:
+    /// How much of every factor acts, percent.
     void setAll(int percent);
+
+private:
     void showProduct();
 
     struct Row {

@@ -36,15 +36,15 @@ QString helpOf(MatrixStep step)
 {
     switch (step) {
     case MatrixStep::MoveEye:
-    case MatrixStep::TurnAxes: return QStringLiteral("view");
+    case MatrixStep::TurnAxes: return QStringLiteral("view-steps");
     case MatrixStep::MoveBox:
     case MatrixStep::ScaleBox:
     case MatrixStep::TurnZ: return QStringLiteral("ortho-steps");
     case MatrixStep::Shear: return QStringLiteral("oblique");
-    case MatrixStep::OntoNear: return QStringLiteral("depth-row");
-    case MatrixStep::NearToSquare: return QStringLiteral("scales");
+    case MatrixStep::OntoNear:
+    case MatrixStep::NearToSquare: return QStringLiteral("frustum-steps");
     case MatrixStep::FromConventions:
-    case MatrixStep::ToConventions: return QStringLiteral("axes");
+    case MatrixStep::ToConventions: return QStringLiteral("conventions");
     }
     Q_UNREACHABLE();
 }
@@ -54,7 +54,7 @@ QString textOf(MatrixStep step)
     switch (step) {
     case MatrixStep::MoveEye: return FactorsView::tr("moves the eye to the origin");
     case MatrixStep::TurnAxes:
-        return FactorsView::tr("turns the world: its rows are the eye's axes, right, up and backward (s, u, −f)");
+        return FactorsView::tr("turns the world: the eye's axes, right, up and backward (s, u, −f), become x, y and z");
     case MatrixStep::Shear: return FactorsView::tr("shears: x and y go along with z, by cot θ and cot φ");
     case MatrixStep::MoveBox: return FactorsView::tr("moves the box's middle to the origin");
     case MatrixStep::ScaleBox: return FactorsView::tr("scales the box's sides to 2");
@@ -71,8 +71,13 @@ QString textOf(MatrixStep step)
 
 } // namespace
 
-FactorsView::FactorsView(QWidget *parent) : QWidget(parent), m_product(new QLabel), m_shares(new FactorShares)
+FactorsView::FactorsView(QWidget *parent)
+    : QWidget(parent), m_product(new QLabel), m_shares(new FactorShares),
+      m_noShares(new QLabel(tr("To try a part of each factor, choose OpenGL's conventions: it is OpenGL's cube that "
+                               "the view volume is drawn beside.")))
 {
+    m_noShares->setWordWrap(true);
+    m_noShares->hide();
     m_product->setWordWrap(true);
     m_product->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_product->setAccessibleName(tr("The product of the factors"));
@@ -96,6 +101,7 @@ FactorsView::FactorsView(QWidget *parent) : QWidget(parent), m_product(new QLabe
         part.grid->hide();
     }
     layout->addWidget(m_shares);
+    layout->addWidget(m_noShares);
     m_shares->hide();
 }
 
@@ -143,6 +149,7 @@ void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm
     if (canBeTried)
         m_shares->setFactors(factors, told, *projection, matrix, view);
     m_shares->setVisible(canBeTried);
+    m_noShares->setVisible(projection && !areOurs);
 }
 
 void FactorsView::setNone(const QString &reason)
@@ -152,7 +159,18 @@ void FactorsView::setNone(const QString &reason)
         part.grid->hide();
     }
     m_shares->hide();
+    m_noShares->hide();
     m_product->setText(reason);
+}
+
+void FactorsView::setShares(int percent)
+{
+    m_shares->setAll(percent);
+}
+
+const QWidget &FactorsView::shares() const
+{
+    return *m_shares;
 }
 
 } // namespace unprojector::gui

@@ -30,6 +30,10 @@ public:
                     bool isGiven, const Projection *projection);
     /// There is nothing to take apart, and why.
     void setNone(const QString &reason);
+    /// Where a part of each factor can be tried; hidden where that cannot be.
+    const QWidget &shares() const;
+    /// Of all factors, percent.
+    void setShares(int percent);
 
 private:
     struct Part {
@@ -40,6 +44,7 @@ private:
     QLabel *m_product;
     std::array<Part, 6> m_parts{}; ///< a sheared box in another API's conventions has as many
     FactorShares *m_shares;
+    QLabel *m_noShares; ///< why they are not there
 };
 
 } // namespace unprojector::gui

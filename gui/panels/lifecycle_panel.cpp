@@ -2,6 +2,7 @@
 
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/digits_font.h"
+#include "gui/panels/help_link.h"
 #include "gui/view/lifecycle_log.h"
 
 #include <QAction>
@@ -59,6 +60,7 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_buttons->addWidget(m_copy);
     m_buttons->addWidget(m_clear);
     m_buttons->addStretch();
+    m_buttons->addWidget(new HelpLink(QStringLiteral("mfc")), 0, Qt::AlignRight);
     m_layout = new QBoxLayout(QBoxLayout::LeftToRight, this);
     m_layout->addWidget(m_table, 1);
     m_layout->addLayout(m_buttons);

@@ -13,9 +13,9 @@ class QPushButton;
 
 namespace unprojector::gui {
 
-/// A logarithmic scale in colours with its numbers below.
 class HelpLink;
 
+/// A logarithmic scale in colours with its numbers below.
 class ColorScale : public QWidget {
     Q_OBJECT
 public:

@@ -60,7 +60,7 @@ int ObjectsModel::columnCount(const QModelIndex &parent) const
 QString ObjectsModel::toolTip(const SceneObject &object) const
 {
     const QString file = QString::fromStdU16String(object.file.u16string());
-    QStringList lines{shownObjectName(object.name)};
+    QStringList lines{shownObjectName(object.name, m_listed)};
     lines << (file.isEmpty() ? tr("comes with the program") : QDir::toNativeSeparators(file));
     if (object.isHidden)
         lines << tr("hidden: neither drawn nor clicked");
@@ -78,9 +78,9 @@ QVariant ObjectsModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         if (index.column() == Triangles)
             return QLocale().toString(static_cast<qulonglong>(object.model->triangleCount()));
-        return shownObjectName(object.name);
+        return shownObjectName(object.name, m_listed);
     case Qt::EditRole:
-        return index.column() == Name ? QVariant(readName(object.name))
+        return index.column() == Name ? QVariant(readName(object.name, m_listed))
                                       : QVariant(static_cast<qulonglong>(object.model->triangleCount()));
     case Qt::CheckStateRole:
         return index.column() == Name ? QVariant(object.isHidden ? Qt::Unchecked : Qt::Checked) : QVariant();
@@ -124,7 +124,8 @@ bool ObjectsModel::setData(const QModelIndex &index, const QVariant &value, int 
     const QString name = value.toString().trimmed();
     // What was left as it stood there is no other name.
     const std::string &own = m_document.objects()[place].name;
-    switch (m_document.renameObject(place, name == readName(own) ? QString::fromStdString(own) : name)) {
+    switch (m_document.renameObject(place,
+                                    name == readName(own, m_document.objects()) ? QString::fromStdString(own) : name)) {
     case NameFault::None: emit nameAccepted(); return true;
     case NameFault::Empty: emit nameRefused(tr("An object needs a name: it kept its own.")); return false;
     case NameFault::Taken:

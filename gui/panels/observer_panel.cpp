@@ -2,7 +2,9 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/painters/observer_shapes.h"
+#include "gui/panels/help_link.h"
 #include "gui/panels/icons.h"
+#include "gui/text/help_anchors.h"
 #include "gui/text/number_text.h"
 #include "gui/view/observer_view.h"
 
@@ -102,6 +104,8 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     ends->addStretch();
     ends->addWidget(
         endLabel(tr("Canonical view volume"), tr("As the projection makes it: NDC, each coordinate from −1 to 1")));
+    m_help = new HelpLink({}); // the tools are the widest row, in a corner too
+    ends->addWidget(m_help);
     auto *tools = new QHBoxLayout;
     tools->setSpacing(6);
     tools->addWidget(m_slider, 1);
@@ -209,7 +213,9 @@ void ObserverPanel::showMorph(double t)
 
 void ObserverPanel::showDistances()
 {
-    const ProjectionWindow w = projectionWindow(m_document.geometry().projection());
+    const Projection &projection = m_document.geometry().projection();
+    m_help->setAnchor(helpAnchorOfSteps(kindOf(projection)));
+    const ProjectionWindow w = projectionWindow(projection);
     constexpr int kDigits = 5;
     m_nearDistance->setText(writtenText(w.nearDistance, kDigits));
     m_farDistance->setText(writtenText(w.farDistance, kDigits));

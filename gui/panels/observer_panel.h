@@ -10,6 +10,7 @@ class QVariantAnimation;
 
 namespace unprojector::gui {
 
+class HelpLink;
 class ObserverView;
 class SceneDocument;
 
@@ -47,6 +48,7 @@ private:
     QLabel *m_farDistance;
     QLabel *m_ray;
     QWidget *m_legend;
+    HelpLink *m_help;
     QToolButton *m_toDock;
     QToolButton *m_close;
     QPushButton *m_outOfSight; ///< over the view

@@ -7,7 +7,6 @@
 #include "gui/document/scene_document.h"
 #include "gui/panels/since_click_text.h"
 #include "gui/text/api_text.h"
-#include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 #include "gui/text/matrix_text.h"
 #include "gui/text/sentences.h"
@@ -78,6 +77,13 @@ void PipelineModel::followGiven(bool follows)
     if (std::exchange(m_followsGiven, follows) == follows)
         return;
     update();
+    emit followedChanged();
+}
+
+void PipelineModel::takeOver(const PipelineModel &other)
+{
+    m_followsGiven = other.m_followsGiven;
+    setObject(other.object());
     emit followedChanged();
 }
 
@@ -370,7 +376,7 @@ void PipelineModel::showGivenPoint(const Pipeline &pipeline)
     const bool isObject = std::holds_alternative<ObjectPoint>(given.point);
     if (isObject && !given.object.empty() && !placeOf(given, m_document.objects()))
         m_status = tr("Your point was given in the space of “%1”, which is not here: taken as a world point.")
-                       .arg(shownObjectName(given.object));
+                       .arg(shownObjectName(given.object, m_document.objects()));
     else if (const QString outside = points.clip ? clipTestText(*points.clip) : QString(); !outside.isEmpty())
         m_status = tr("Your point, given in %1 coordinates, is outside the view volume: %2.").arg(space, outside);
     else

@@ -16,6 +16,7 @@
 #include "gui/text/help_anchors.h"
 #include "gui/text/number_text.h"
 
+#include <QAction>
 #include <QClipboard>
 #include <QComboBox>
 #include <QFrame>
@@ -121,6 +122,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
         m_status->setToolTip(reason);
     });
     arrange();
+    createActions();
 }
 
 PipelinePanel::~PipelinePanel()
@@ -128,6 +130,17 @@ PipelinePanel::~PipelinePanel()
     // A row that goes while somebody types into it would commit that.
     for (int i = 0; i < PointModel::kSpaces; ++i)
         m_model->point(static_cast<Space>(i))->disconnect(m_model);
+}
+
+void PipelinePanel::takeOver(const PipelinePanel &other)
+{
+    // First: other conventions bring their own way to write vectors.
+    m_conventions->setCurrentIndex(other.m_conventions->currentIndex());
+    setDirection(other.direction());
+    setMatrixView(other.matrixView());
+    m_model->takeOver(*other.m_model);
+    m_chosen = other.m_chosen;
+    showStatus();
 }
 
 void PipelinePanel::applyTyped()
@@ -213,10 +226,8 @@ QWidget *PipelinePanel::createSwitches()
     m_apiNote->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_apiNote->setAccessibleName(tr("What is otherwise than in OpenGL"));
     m_apiNote->hide();
-    connect(m_conventions, &QComboBox::activated, this, [this](int item) {
-        m_model->setApi(kApis[static_cast<std::size_t>(item)]);
-        showTheirLayout();
-    });
+    connect(m_conventions, &QComboBox::activated, this,
+            [this](int item) { takeConventions(kApis[static_cast<std::size_t>(item)]); });
 
     auto *switches = new QWidget;
     auto *lines = new QVBoxLayout(switches);
@@ -249,7 +260,7 @@ QWidget *PipelinePanel::createSwitches()
     fourth->addWidget(conventionsLabel);
     fourth->addWidget(m_conventions);
     fourth->addStretch();
-    fourth->addWidget(new HelpLink(QStringLiteral("spaces")));
+    fourth->addWidget(new HelpLink(QStringLiteral("conventions")));
     for (QHBoxLayout *line : {fourth, first, second, third})
         lines->addLayout(line);
     lines->addWidget(m_apiNote);
@@ -470,15 +481,70 @@ void PipelinePanel::showFactors()
     show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_document.givenProjection() != nullptr, &projection);
 }
 
-void PipelinePanel::takeProjectionApart()
+void PipelinePanel::takeApart(PipelineStage stage)
 {
     setDirection(PipelineDirection::Forward);
-    m_sections[static_cast<std::size_t>(PipelineStage::ProjectionMatrix)]->takeApart();
+    MatrixSection &section = *m_sections[static_cast<std::size_t>(stage)];
+    section.takeApart();
+    scrollTo(section, stage == PipelineStage::ProjectionMatrix ? &m_projectionFactors->shares() : nullptr);
+}
+
+void PipelinePanel::openMatrix(PipelineStage stage)
+{
+    MatrixSection &section = *m_sections[static_cast<std::size_t>(stage)];
+    section.setOpen(true);
+    scrollTo(section, nullptr);
+}
+
+void PipelinePanel::scrollTo(const QWidget &row, const QWidget *tried)
+{
     // Once all stands where it will.
-    QTimer::singleShot(0, this, [this] {
-        const QWidget *section = m_sections[static_cast<std::size_t>(PipelineStage::ProjectionMatrix)];
-        m_scrollArea->verticalScrollBar()->setValue(section->mapTo(m_scrollArea->widget(), QPoint()).y());
+    QTimer::singleShot(0, this, [this, &row, tried] {
+        const auto topOf = [this](const QWidget &one) { return one.mapTo(m_scrollArea->widget(), QPoint()).y(); };
+        int top = topOf(row);
+        // From the heading on, unless what there is to try would be out of sight.
+        if (tried && tried->isVisible()) {
+            if (const int below = topOf(*tried); below >= top)
+                top = std::clamp(below + tried->height() - m_scrollArea->viewport()->height(), top, below);
+        }
+        m_scrollArea->verticalScrollBar()->setValue(top);
     });
+}
+
+void PipelinePanel::createActions()
+{
+    const auto add = [this](const QString &name, const auto &does) {
+        auto *action = new QAction(this);
+        action->setObjectName(name);
+        connect(action, &QAction::triggered, this, does);
+    };
+    const auto choices = [&add](SegmentedSwitch *among, const QStringList &names) {
+        for (int i = 0; i < names.size(); ++i)
+            add(names[i], [among, i] { among->setChoice(i); });
+    };
+    choices(m_directionSwitch, {QStringLiteral("forward"), QStringLiteral("backward")});
+    choices(m_layoutSwitch, {QStringLiteral("columns"), QStringLiteral("rows")});
+    choices(m_memorySwitch, {QStringLiteral("square"), QStringLiteral("memory_order")});
+    choices(m_digitsSwitch,
+            {QStringLiteral("double_digits"), QStringLiteral("all_digits"), QStringLiteral("float_digits")});
+    constexpr std::array kStages{"model", "view", "projection", "viewport", "modelview", "whole"}; // of PipelineStage
+    for (std::size_t i = 0; i < kStages.size(); ++i)
+        add(QStringLiteral("open_") + QLatin1String(kStages[i]), [this, i] { openMatrix(kPipelineStages[i]); });
+    for (const int percent : {0, 100}) {
+        add(QStringLiteral("factors_%1").arg(percent), [this, percent] {
+            takeApart(PipelineStage::ProjectionMatrix);
+            m_projectionFactors->setShares(percent);
+        });
+    }
+    for (const Api api : kApis)
+        add(QStringLiteral("conventions_") + QLatin1String(conventionsOf(api).key),
+            [this, api] { takeConventions(api); });
+}
+
+void PipelinePanel::takeConventions(Api api)
+{
+    m_model->setApi(api);
+    showTheirLayout();
 }
 
 void PipelinePanel::showDerivation()
@@ -609,14 +675,15 @@ void PipelinePanel::showObjects()
         m_object->addItem(tr("None (identity)"));
         for (const SceneObject &object : objects) {
             m_objectNames.push_back(object.name);
-            m_object->addItem(shownObjectName(object.name));
+            m_object->addItem(shownObjectName(object.name, objects));
         }
     }
     const std::optional<std::size_t> shown = m_model->shownObject();
     const bool isAutomatic = m_model->object() == PipelineModel::kAutomaticObject;
-    const QString automatic = isAutomatic && shown ? tr("Automatic: %1").arg(shownObjectName(objects[*shown].name))
-                              : isAutomatic        ? tr("None (identity)")
-                                                   : tr("Automatic");
+    const QString automatic = isAutomatic && shown
+                                  ? tr("Automatic: %1").arg(shownObjectName(objects[*shown].name, objects))
+                              : isAutomatic ? tr("None (identity)")
+                                            : tr("Automatic");
     if (m_object->itemText(kAutomaticItem) != automatic)
         m_object->setItemText(kAutomaticItem, automatic);
     const int item = isAutomatic || !shown ? (isAutomatic ? kAutomaticItem : kNoneItem)

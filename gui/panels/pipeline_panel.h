@@ -32,6 +32,9 @@ public:
     /// What is being typed then counts no more: the document may be gone already.
     ~PipelinePanel() override;
 
+    /// Takes over how another panel of the same document shows it, what it follows and which number was chosen in it.
+    void takeOver(const PipelinePanel &other);
+
     const PipelineModel &model() const { return *m_model; }
 
     // How it is shown, to be remembered.
@@ -40,8 +43,11 @@ public:
     const MatrixView &matrixView() const { return m_model->view(); }
     void setMatrixView(const MatrixView &view);
 
-    /// Shows the factors of the projection's matrix, forward.
-    void takeProjectionApart();
+    /// Follows the point that is given, also where a click came after it.
+    void followGiven() { m_model->followGiven(true); }
+
+    /// Shows the factors of the view's or the projection's matrix, forward, and what there is to try with them.
+    void takeApart(PipelineStage stage);
 
     /// What is being typed counts now.
     void applyTyped();
@@ -59,6 +65,13 @@ protected:
 
 private:
     QWidget *createSwitches();
+    /// What lessons link to, by name: the choices of the switches, each matrix opened, the shares of the projection's factors,
+    /// the conventions.
+    void createActions();
+    /// Opens a matrix and scrolls to it.
+    void openMatrix(PipelineStage stage);
+    /// @param tried  what below the row is to be in sight as well, or null
+    void scrollTo(const QWidget &row, const QWidget *tried);
     /// What the points are, and which of the two to follow.
     QLayout *createFollowed();
     void createStages();
@@ -80,6 +93,7 @@ private:
     void showObjects();
     void showConventions();
     void showTheirLayout();
+    void takeConventions(Api api);
 
     SceneDocument &m_document;
     PipelineModel *m_model;

@@ -3,7 +3,6 @@
 #include "core/text/expression.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
-#include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 #include "gui/text/point_text.h"
 #include "gui/text/typed_numbers.h"
@@ -99,7 +98,7 @@ QVariant PointsModel::text(const QModelIndex &index) const
     case Y:
     case Z: return coordinateText(point, axisOf(index.column()));
     case PlusMinus: return plusMinusText(point);
-    case Object: return shownObjectName(point.object);
+    case Object: return shownObjectName(point.object, m_document.objects());
     case HeldBy: return heldByText(point);
     case Note: return shownName(point.note);
     default: return {};

@@ -13,6 +13,7 @@
 #include "gui/panels/points_table.h"
 #include "gui/panels/save_name.h"
 #include "gui/text/error_text.h"
+#include "gui/text/note_text.h"
 
 #include <QColorDialog>
 #include <QFileDialog>
@@ -265,12 +266,8 @@ void PointsPanel::saveTemplate()
         emit warned(QString::fromStdString(landmark_files::errorText(written.error())));
         return;
     }
-    QStringList lost;
-    for (const landmark_files::LandmarkNote &note : *written)
-        lost << QStringLiteral("%1: %2.").arg(pathText(file.filename()),
-                                              QString::fromStdString(landmark_files::noteText(note)));
-    if (!lost.isEmpty())
-        emit warned(lost.join(u'\n'));
+    if (!written->empty())
+        emit warned(pointNotesText(pathText(file.filename()), *written));
 }
 
 // ---- what is done to the selected points -------------------------------------------------------------------------

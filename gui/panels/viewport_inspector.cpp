@@ -91,7 +91,7 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
     auto *head = new QHBoxLayout;
     head->addWidget(m_page);
     head->addStretch();
-    head->addWidget(new HelpLink(QStringLiteral("w3")));
+    head->addWidget(new HelpLink(QStringLiteral("near-window")));
     layout->addLayout(head);
     layout->addLayout(m_contents, 1);
 

@@ -48,4 +48,20 @@ QString readName(const std::string &name)
     return whole;
 }
 
+QString readName(const std::string &name, const std::vector<scene::SceneObject> &objects)
+{
+    QString own = QString::fromStdString(name);
+    QString read = readName(name);
+    if (read == own)
+        return own;
+    const std::string other = read.toStdString();
+    bool isBundled = false;
+    for (const scene::SceneObject &object : objects) {
+        if (object.name == other)
+            return own;
+        isBundled = isBundled || (object.name == name && object.file.empty());
+    }
+    return isBundled ? read : own;
+}
+
 } // namespace unprojector::gui

@@ -33,8 +33,12 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     nameItself();
     m_hoverTimer.setSingleShot(true);
 
-    // Its pixel says nothing of another scene.
-    connect(&m_document, &SceneDocument::opened, this, [this] { m_crosshair.reset(); });
+    // Its pixel says nothing of another scene, and what a hand turns or is about to place is not there any more.
+    connect(&m_document, &SceneDocument::opened, this, [this] {
+        m_crosshair.reset();
+        m_drag = Drag::None;
+        m_placesAtRelease = false;
+    });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) // the former pick may be on one that went
             m_formerPick.reset();

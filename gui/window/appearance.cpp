@@ -1,5 +1,7 @@
 #include "gui/window/appearance.h"
 
+#include "gui/text/named_values.h"
+
 #include <QApplication>
 #include <QFontDatabase>
 #include <QFontInfo>
@@ -11,13 +13,11 @@
 #include <QStyleOption>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace unprojector::gui {
 namespace {
 
-constexpr std::array<std::pair<Appearance, const char *>, 3> kNames{
+constexpr NamedValues<Appearance, 3> kNames{
     {{Appearance::Desktop, "desktop"}, {Appearance::Light, "light"}, {Appearance::Dark, "dark"}}};
 
 const QString kFusion = QStringLiteral("fusion");
@@ -92,20 +92,12 @@ QPalette paletteOf(const QColor &window, const QColor &base, const QColor &alter
 
 std::optional<Appearance> appearanceOf(const QString &name)
 {
-    for (const auto &[appearance, itsName] : kNames) {
-        if (name == QLatin1String(itsName))
-            return appearance;
-    }
-    return std::nullopt;
+    return valueNamed(name, kNames);
 }
 
 QString appearanceName(Appearance appearance)
 {
-    for (const auto &[candidate, name] : kNames) {
-        if (candidate == appearance)
-            return QLatin1String(name);
-    }
-    return {};
+    return nameAmong(kNames, appearance);
 }
 
 Appearance currentAppearance()

@@ -29,10 +29,10 @@ QString withoutMnemonic(QString title)
     return title.remove(keyInParentheses).remove(u'&');
 }
 
-QString keysOf(const QAction &action)
+QString keysOf(const QList<QKeySequence> &sequences)
 {
     QStringList keys;
-    for (const QKeySequence &key : action.shortcuts())
+    for (const QKeySequence &key : sequences)
         keys << key.toString(QKeySequence::NativeText);
     return keys.join(QStringLiteral(", "));
 }
@@ -44,7 +44,8 @@ QString rowsOf(const QMenu &menu)
         if (action->menu())
             rows += rowsOf(*action->menu());
         else if (!action->shortcut().isEmpty())
-            rows += row(keysOf(*action), action->statusTip().isEmpty() ? action->iconText() : action->statusTip());
+            rows += row(keysOf(action->shortcuts()),
+                        action->statusTip().isEmpty() ? action->iconText() : action->statusTip());
     }
     return rows;
 }
@@ -97,6 +98,13 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(tr("Enter, Tab"), tr("apply the number or the expression, such as 1/3 or 2*pi"));
     rows += row(tr("Esc"), tr("restore what was there"));
     rows += row(tr("Up, Down, Page Up, Page Down"), tr("step the digit at the caret by one, by ten"));
+    rows += heading(tr("Keys in Help"));
+    rows += row(keysOf({QKeySequence::Find}), tr("find words in the page"));
+    rows +=
+        row(keysOf({Qt::Key_F3, Qt::SHIFT | Qt::Key_F3}), tr("go to the next place that has them, to the one before"));
+    rows += row(keysOf({QKeySequence::ZoomIn, QKeySequence::ZoomOut, Qt::CTRL | Qt::Key_0}),
+                tr("larger text, smaller, in its usual size"));
+    rows += row(keysOf({Qt::ALT | Qt::Key_Up}), tr("back to the contents"));
     for (const QAction *action : menus.actions()) {
         const QString keys = rowsOf(*action->menu());
         if (!keys.isEmpty())

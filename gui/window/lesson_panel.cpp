@@ -43,7 +43,7 @@ QLabel *wrapped()
 LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget *parent)
     : QWidget(parent), m_player(player), m_document(document), m_title(wrapped()), m_close(new QToolButton),
       m_steps(new QComboBox), m_text(new QTextBrowser), m_hint(wrapped()), m_asking(new QWidget),
-      m_answer(new QLineEdit), m_check(new QPushButton(tr("&Check"))), m_reveal(new QPushButton(tr("Sho&w"))),
+      m_answer(new QLineEdit), m_check(new QPushButton(tr("Chec&k"))), m_reveal(new QPushButton(tr("Sho&w"))),
       m_verdict(wrapped()), m_back(new QPushButton(tr("‹ Back"))), m_next(new QPushButton(tr("Next ›"))),
       m_source(wrapped())
 {
@@ -137,6 +137,7 @@ void LessonPanel::showStep()
 {
     m_answer->clear();
     m_verdict->clear();
+    m_checked.reset();
     const Lesson *lesson = m_player.lesson();
     const QSignalBlocker blocker(m_steps);
     m_steps->clear();
@@ -177,7 +178,7 @@ void LessonPanel::showText()
         if (m_player.isRevealed())
             html += lessonHtml(step.question->reveal);
         else if (!step.question->hides.empty())
-            html += QStringLiteral("<p><i>%1</i></p>").arg(tr("The panel that has the answer opens with it."));
+            html += QStringLiteral("<p><i>%1</i></p>").arg(tr("Panels that show the answer are closed until then."));
     }
     m_text->setHtml(html);
 }
@@ -215,28 +216,54 @@ void LessonPanel::follow(const QString &link)
 
 void LessonPanel::check()
 {
-    const QString typed = m_answer->text();
-    const auto value = text::evaluate(typed.toStdString());
-    if (!value) {
-        m_verdict->setText(errorText(value.error(), typed));
-        return;
-    }
-    const std::optional<double> answer = m_player.answer();
-    if (answer && std::abs(*value - *answer) <= m_player.step().question->tolerance) {
-        reveal();
-        m_verdict->setText(tr("Right: %1.").arg(writtenText(*answer, kDigits)));
-    } else if (answer) {
-        m_verdict->setText(tr("%1 is not it. Try again, or have it shown.").arg(writtenText(*value, kDigits)));
-    }
+    m_checked = m_answer->text();
+    const auto value = text::evaluate(m_checked->toStdString());
+    if (const std::optional<double> answer = m_player.answer(); value && answer && isRight(*value, *answer))
+        showAnswer();
+    showVerdict();
 }
 
 void LessonPanel::reveal()
 {
+    m_checked.reset();
+    showAnswer();
+    showVerdict();
+}
+
+void LessonPanel::showAnswer()
+{
     m_player.reveal();
     showText();
     m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
-    if (const std::optional<double> answer = m_player.answer())
-        m_verdict->setText(tr("It is %1.").arg(writtenText(*answer, kDigits)));
+}
+
+bool LessonPanel::isRight(double value, double answer) const
+{
+    return std::abs(value - answer) <= m_player.step().question->tolerance;
+}
+
+void LessonPanel::showVerdict()
+{
+    const std::optional<double> answer = m_player.answer();
+    if (!m_checked) {
+        if (answer)
+            m_verdict->setText(tr("It is %1.").arg(writtenText(*answer, kDigits)));
+        return;
+    }
+    const auto value = text::evaluate(m_checked->toStdString());
+    if (!value)
+        m_verdict->setText(errorText(value.error(), *m_checked));
+    else if (answer && isRight(*value, *answer))
+        m_verdict->setText(tr("Right: %1.").arg(writtenText(*answer, kDigits)));
+    else if (answer)
+        m_verdict->setText(tr("%1 is not it. Try again, or have it shown.").arg(writtenText(*value, kDigits)));
+}
+
+void LessonPanel::takeOver(const LessonPanel &former)
+{
+    m_checked = former.m_checked;
+    if (m_player.lesson() && !former.m_verdict->text().isEmpty())
+        showVerdict();
 }
 
 void LessonPanel::setClosesItself(bool does)

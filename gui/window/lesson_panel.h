@@ -4,6 +4,8 @@
 #include <QString>
 #include <QWidget>
 
+#include <optional>
+
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -23,6 +25,9 @@ class LessonPanel : public QWidget {
 public:
     /// @param player, document  outlive the panel
     LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget *parent = nullptr);
+
+    /// Says of the answer, in its own words, what another panel of the same step said.
+    void takeOver(const LessonPanel &former);
 
     /// Where the frame around the panel has no button that closes it, the panel has one. At first it has none.
     void setClosesItself(bool does);
@@ -45,6 +50,9 @@ private:
     void follow(const QString &link);
     void check();
     void reveal();
+    void showAnswer();
+    bool isRight(double value, double answer) const;
+    void showVerdict();
 
     LessonPlayer &m_player;
     SceneDocument &m_document;
@@ -58,6 +66,7 @@ private:
     QPushButton *m_check;
     QPushButton *m_reveal;
     QLabel *m_verdict;
+    std::optional<QString> m_checked; ///< what the verdict is on; none: nothing typed, but the answer, if it was shown
     QPushButton *m_back;
     QPushButton *m_next;
     QLabel *m_source;

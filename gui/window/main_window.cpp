@@ -23,6 +23,7 @@
 #include "gui/window/map_overlay.h"
 #include "gui/window/overlay_bars.h"
 #include "gui/window/picture_note.h"
+#include "gui/window/place_ids.h"
 #include "gui/window/window_questions.h"
 #include "gui/window/work_places.h"
 
@@ -134,7 +135,10 @@ void MainWindow::connectSession()
     connect(m_pointFiles, &PointFiles::noticed, m_session, &Session::noticed);
     connect(m_session, &Session::recentFilesChanged, this, &MainWindow::updateRecentMenu);
     connect(m_lessons, &LessonPlayer::changed, this, &MainWindow::showLesson);
-    connect(m_lessons, &LessonPlayer::revealed, this, &MainWindow::showPanelsOfStep);
+    connect(m_lessons, &LessonPlayer::revealed, this, [this] {
+        showPanelsOfStep();
+        m_places->show(kLessonPanel); // which says why it is so, where they are tabs of one column
+    });
     connect(m_lessons, &LessonPlayer::failed, this, &MainWindow::showFailure);
     m_viewTimer.setSingleShot(true);
     m_viewTimer.setInterval(kSettlingMilliseconds);

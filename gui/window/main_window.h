@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gui/document/session.h"
+#include "gui/panels/matrix_view.h"
 
 #include "core/unproject/pick.h"
 
@@ -14,10 +15,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+class QDockWidget;
 class QGridLayout;
 class QLabel;
 class QVBoxLayout;
@@ -110,6 +113,11 @@ private:
     void build();
     /// Builds all of it but the view anew; what it shows, and how it stands, stays.
     void retranslate();
+    struct Former;
+    /// Takes the window apart, all but the view.
+    void putAside(Former &former);
+    /// Puts what was built anew as that stood.
+    void takeOver(const Former &former);
     /// The windows besides, those that are open.
     void reopenWindows();
     void createOverlays();
@@ -124,7 +132,13 @@ private:
     void leaveLessonOrStay();
     /// Another step, another lesson or none.
     void showLesson();
+    /// What lessons opened, closed, switched and sized is as it was before them.
+    void putBackAfterLesson();
     void showPanelOfLesson(const char *panel);
+    /// The larger part of the side that its text shares with other panels, from where the user may draw it to another
+    /// size.
+    /// @param isAgain  also where it was given before: another panel has come
+    void giveLessonRoom(bool isAgain);
     /// Those that the step brings, less those that would show the answer that is still to be found.
     void showPanelsOfStep();
     /// Gives the view the size that a link asked for last, or says which size it has got.
@@ -136,6 +150,13 @@ private:
     /// As it was before.
     void putObserverBack();
     void followLessonLink(const QString &scheme, const QString &target);
+    /// Does what an action does, of a menu or of a panel, which is shown then.
+    /// @param isOff  one that can be on is switched off, else on
+    void triggerForLesson(const QString &name, bool isOff);
+    /// The larger part of the side that it shares with the view from outside: a link has led to it.
+    void giveLinkedRoom(QDockWidget &dock);
+    /// What clicks take, whether they place points, and how the pipeline is shown, as it was before links changed it.
+    void putSwitchesBack();
     /// A lesson's text and the view from outside, in a dock, go along from place to place.
     void showAccompanying();
     void showObserver(bool isShown);
@@ -214,6 +235,8 @@ private:
     LessonPlayer *m_lessons;
     LessonPanel *m_lessonPanel = nullptr;
     std::string m_lessonPlace;                 ///< where the lesson wants to be
+    std::set<const char *> m_placesWithLesson; ///< where it was given room
+    std::string m_lessonShown;                 ///< its name; empty: none
     const char *m_placeBeforeLesson = nullptr; ///< none: no lesson
     /// Places, and the panels that a lesson has brought there.
     std::vector<std::pair<const char *, const char *>> m_panelsOfLesson;
@@ -229,6 +252,13 @@ private:
         double morph;
     };
     std::optional<ObserverBefore> m_observerBeforeLesson = {};
+    struct SwitchesBefore {
+        QString taken; ///< the name of the action that says what clicks take
+        bool arePlaced;
+        bool isBackward;
+        MatrixView matrices;
+    };
+    std::optional<SwitchesBefore> m_switchesBeforeLesson = {};
     std::optional<QSize> m_sizeBeforeLesson = {}; ///< of the window, where a lesson has changed it
     FormulasWindow *m_formulas = nullptr;         ///< made when it is first asked for
     KeySheet *m_keys = nullptr;                   ///< so is this

@@ -243,6 +243,7 @@ void MainWindow::createPlacingActions(QMenu &menu, QToolBar &bar)
     m_placingAction = addAction(&menu, tr("&Place Points"), Qt::Key_P,
                                 tr("A click places a point; what is dragged turns the view"), {});
     m_placingAction->setCheckable(true);
+    m_placingAction->setObjectName(QStringLiteral("place_points")); // as the others that lessons link to
     connect(m_placingAction, &QAction::toggled, this, [this](bool isOn) {
         m_view->setPlacing(isOn);
         if (isOn)
@@ -303,21 +304,23 @@ void MainWindow::createSnapActions(QMenu &menu, QToolBar &bar)
 {
     menu.addSection(tr("A Click Takes"));
     auto *group = new QActionGroup(&menu);
-    const auto add = [&](ray::Snap snap, const QString &text, const QKeySequence &key, const QString &tip,
-                         Drawing drawing) {
+    const auto add = [&](const char *name, ray::Snap snap, const QString &text, const QKeySequence &key,
+                         const QString &tip, Drawing drawing) {
         QAction *action = addAction(&menu, text, key, tip, [this, snap] { m_document->setSnap(snap); });
         action->setCheckable(true);
         action->setChecked(snap == m_document->snap());
         action->setActionGroup(group);
+        action->setObjectName(QLatin1String(name));
         onBar(bar, action, drawing);
     };
-    add(ray::Snap::Surface, tr("&Surface"), Qt::Key_S, tr("A click takes the surface under it"), Drawing::Surface);
-    add(ray::Snap::Vertex, tr("&Vertex"), Qt::Key_V,
+    add("surface", ray::Snap::Surface, tr("&Surface"), Qt::Key_S, tr("A click takes the surface under it"),
+        Drawing::Surface);
+    add("vertex", ray::Snap::Vertex, tr("&Vertex"), Qt::Key_V,
         tr("A click takes the vertex in sight within 8 pixels, its very coordinate"), Drawing::Vertex);
-    add(ray::Snap::Edge, tr("&Edge"), Qt::Key_E,
+    add("edge", ray::Snap::Edge, tr("&Edge"), Qt::Key_E,
         tr("A click takes the nearest point of an edge in sight within 8 pixels"), Drawing::Edge);
-    add(ray::Snap::Face, tr("&Face"), Qt::SHIFT | Qt::Key_F, tr("A click takes the face under it, with its plane"),
-        Drawing::Face);
+    add("face", ray::Snap::Face, tr("&Face"), Qt::SHIFT | Qt::Key_F,
+        tr("A click takes the face under it, with its plane"), Drawing::Face);
     bar.addSeparator();
 }
 
@@ -349,6 +352,7 @@ void MainWindow::createViewMenu(QToolBar &bar)
                                    tr("Switch between perspective (glFrustum) and orthographic (glOrtho)"),
                                    [this] { m_document->switchProjection(); });
     m_projectionAction->setCheckable(true);
+    m_projectionAction->setObjectName(QStringLiteral("perspective"));
     onBar(bar, m_projectionAction, Drawing::Perspective);
 
     m_observerAction =

@@ -155,6 +155,7 @@ void MainWindow::createPanels()
 void MainWindow::showAccompanying()
 {
     m_places->dock(kLessonPanel)->setVisible(m_lessons->lesson() != nullptr);
+    giveLessonRoom(false);
     m_places->dock(kObserverPanel)->setVisible(m_observerAction->isChecked() && !m_inset);
     placeFirstSteps();
 }

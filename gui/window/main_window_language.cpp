@@ -7,16 +7,19 @@
 #include "gui/panels/map_panel.h"
 #include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
+#include "gui/panels/pipeline_panel.h"
 #include "gui/panels/points_panel.h"
 #include "gui/text/translation.h"
 #include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/formulas_window.h"
 #include "gui/window/key_sheet.h"
+#include "gui/window/lesson_panel.h"
 #include "gui/window/main_window.h"
 #include "gui/window/map_overlay.h"
 #include "gui/window/observer_inset.h"
 #include "gui/window/overlay_bars.h"
+#include "gui/window/place_ids.h"
 #include "gui/window/scene_code_window.h"
 #include "gui/window/widget_state.h"
 #include "gui/window/work_places.h"
@@ -96,6 +99,24 @@ void MainWindow::changeEvent(QEvent *event)
         retranslate();
 }
 
+/// What stood in the window in the former language. It goes when what takes its place has taken over from it.
+struct MainWindow::Former {
+    QWidget home; ///< of the panels
+    std::vector<WorkPlaces::Panel> panels;
+    const PipelinePanel *pipeline;
+    const ParametersPanel *parameters;
+    const DoctorPanel *doctor;
+    const LessonPanel *lesson;
+    const MapPanel *mapPanel;
+    std::unique_ptr<MapOverlay> map;
+    std::unique_ptr<ObserverPanel> observer; ///< none: it was not asked for yet
+    bool isObserverShown, isObserverDocked, isMapShown;
+    bool isViewOfStep; ///< of the size that the lesson speaks of
+    WorkPlaces::Standing standing;
+    QByteArray folds;
+    QString message;
+};
+
 void MainWindow::retranslate()
 {
     setUpdatesEnabled(false);
@@ -103,30 +124,46 @@ void MainWindow::retranslate()
     m_document->retranslate();
     m_lessons->retranslate();
     m_templates->retranslate();
+    Former former;
+    putAside(former);
+    build();
+    takeOver(former);
+    reopenWindows();
+    activateWindow(); // the menu was this window's
+    m_view->setFocus();
+    setUpdatesEnabled(true);
+    for (const WorkPlaces::Panel &panel : m_places->panels())
+        panel.dock->setUpdatesEnabled(true); // a window of its own by now, it does not have it from this one
+}
 
-    const WorkPlaces::Standing standing = m_places->standing();
-    const QByteArray folds = m_parameters->saveState();
-    const QString said = message();
-    const bool isMapShown = m_map->isShown(), isObserverShown = m_observerAction->isChecked(),
-               isObserverDocked = m_observer && !m_inset;
+void MainWindow::putAside(Former &former)
+{
+    former.standing = m_places->standing();
+    former.folds = m_parameters->saveState();
+    former.message = message();
+    former.isMapShown = m_map->isShown();
+    former.isViewOfStep = m_lessons->lesson() && m_lessons->step().view && m_lessons->hasViewOfStep();
     m_map->setShown(false); // what is computed is given up; the other one asks again
+    former.isObserverShown = m_observerAction->isChecked();
+    former.isObserverDocked = !m_inset;
 
-    // What was there, until that which takes its place has taken over from it.
-    QWidget former;
-    const std::vector<WorkPlaces::Panel> panels = m_places->panels();
-    for (const WorkPlaces::Panel &panel : panels) {
+    former.pipeline = m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>();
+    former.parameters = m_parameters;
+    former.doctor = m_doctor;
+    former.lesson = m_lessonPanel;
+    former.panels = m_places->panels();
+    for (const WorkPlaces::Panel &panel : former.panels) {
         removeDockWidget(panel.dock);
-        panel.dock->setParent(&former);
+        panel.dock->setParent(&former.home);
     }
-    const DoctorPanel &doctor = *m_doctor;
-    MapPanel &mapPanel = m_map->panel();
-    mapPanel.setParent(&former);
-    const std::unique_ptr<MapOverlay> map(std::exchange(m_map, nullptr));
+    m_map->panel().setParent(&former.home);
+    former.mapPanel = &m_map->panel();
+    former.map.reset(std::exchange(m_map, nullptr));
     // An OpenGL widget stays in its window.
-    const std::unique_ptr<ObserverPanel> observer(std::exchange(m_observer, nullptr));
-    if (observer) {
-        observer->hide();
-        observer->setParent(m_viewFrame);
+    former.observer.reset(std::exchange(m_observer, nullptr));
+    if (former.observer) {
+        former.observer->hide();
+        former.observer->setParent(m_viewFrame);
     }
     if (m_inset)
         m_insetShare = m_inset->share();
@@ -134,7 +171,7 @@ void MainWindow::retranslate()
     delete std::exchange(m_places, nullptr);
     delete std::exchange(m_overlays, nullptr);
     for (QWidget *over : m_viewFrame->findChildren<QWidget *>(Qt::FindDirectChildrenOnly)) {
-        if (over != m_view && over != observer.get())
+        if (over != m_view && over != former.observer.get())
             delete over;
     }
     m_firstSteps = nullptr;
@@ -146,37 +183,43 @@ void MainWindow::retranslate()
     setMenuBar(new QMenuBar);
     delete menus;
     setStatusBar(nullptr);
+}
 
-    build();
-    for (const WorkPlaces::Panel &panel : panels) {
-        if (!panel.widget->isAncestorOf(&doctor)) // it has rows of its own
+void MainWindow::takeOver(const Former &former)
+{
+    for (const WorkPlaces::Panel &panel : former.panels) {
+        if (!panel.widget->isAncestorOf(former.doctor)) // it has rows of its own
             takeOverState(*m_places->dock(panel.id)->widget(), *panel.widget);
     }
-    m_doctor->takeOver(doctor);
-    takeOverState(m_map->panel(), mapPanel);
-    m_parameters->restoreState(folds);
-    if (observer) { // hidden too: a lesson may know how it was before
-        createObserver(isObserverDocked);
-        m_observer->view().takeOver(observer->view());
-        m_observerAction->setChecked(isObserverShown);
-        showObserver(isObserverShown);
+    m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>()->takeOver(*former.pipeline);
+    m_doctor->takeOver(*former.doctor);
+    m_parameters->takeOver(*former.parameters);
+    m_lessonPanel->takeOver(*former.lesson);
+    m_parameters->restoreState(former.folds);
+    takeOverState(m_map->panel(), *former.mapPanel);
+    if (former.observer) { // hidden too: a lesson may know how it was before
+        createObserver(former.isObserverDocked);
+        m_observer->view().takeOver(former.observer->view());
+        m_observerAction->setChecked(former.isObserverShown);
+        showObserver(former.isObserverShown);
     }
-    m_places->restore(standing);
-    m_mapAction->setChecked(isMapShown);
+    m_places->restore(former.standing);
+    m_mapAction->setChecked(former.isMapShown);
     m_placingAction->setChecked(m_view->isPlacing());
     m_pointsPanel->setPlacing(m_view->isPlacing());
     if (m_session->isLoading())
         m_loading->start();
     m_recovery->offer(m_session->offered());
-    if (!said.isEmpty())
-        m_message->showMessage(said);
+    if (!former.message.isEmpty())
+        m_message->showMessage(former.message);
     if (m_areFirstStepsShown)
         showFirstSteps(true);
     showName();
-    reopenWindows();
-    activateWindow(); // the menu was this window's
-    m_view->setFocus();
-    setUpdatesEnabled(true);
+    if (former.isViewOfStep) { // the bars around it are higher in some languages
+        m_viewOfLesson = QSize(m_lessons->step().view->x, m_lessons->step().view->y);
+        m_viewTrials = 0;
+        fitViewOfLesson();
+    }
 }
 
 void MainWindow::reopenWindows()

@@ -12,8 +12,10 @@
 #include "gui/window/work_places.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QDockWidget>
 #include <QMenu>
+#include <QStatusBar>
 #include <QTimer>
 
 #include <algorithm>
@@ -56,29 +58,39 @@ void MainWindow::leaveLessonOrStay()
     });
 }
 
+void MainWindow::putBackAfterLesson()
+{
+    m_viewTimer.stop();
+    m_places->dock(kLessonPanel)->hide();
+    putObserverBack();
+    putSwitchesBack();
+    for (const auto &[at, panel] : std::exchange(m_panelsWithAnswer, {})) {
+        m_places->enter(at);
+        m_places->show(panel.c_str());
+    }
+    for (const auto &[at, panel] : std::exchange(m_panelsOfLesson, {})) {
+        m_places->enter(at);
+        m_places->dock(panel)->hide();
+    }
+    if (const char *place = std::exchange(m_placeBeforeLesson, nullptr))
+        m_places->enter(place);
+    if (const auto size = std::exchange(m_sizeBeforeLesson, std::nullopt))
+        resize(*size);
+    m_lessonPlace.clear();
+    m_placesWithLesson.clear();
+}
+
 void MainWindow::showLesson()
 {
     showHighlights();
     placeFirstSteps();
-    if (!m_lessons->lesson()) {
-        m_viewTimer.stop();
-        m_places->dock(kLessonPanel)->hide();
-        putObserverBack();
-        for (const auto &[at, panel] : std::exchange(m_panelsWithAnswer, {})) {
-            m_places->enter(at);
-            m_places->show(panel.c_str());
-        }
-        for (const auto &[at, panel] : std::exchange(m_panelsOfLesson, {})) {
-            m_places->enter(at);
-            m_places->dock(panel)->hide();
-        }
-        if (const char *place = std::exchange(m_placeBeforeLesson, nullptr))
-            m_places->enter(place);
-        if (const auto size = std::exchange(m_sizeBeforeLesson, std::nullopt))
-            resize(*size);
-        m_lessonPlace.clear();
-        return;
+    const Lesson *lesson = m_lessons->lesson();
+    if (const std::string name = lesson ? lesson->name : std::string(); name.empty() || name != m_lessonShown) {
+        putBackAfterLesson(); // a lesson begins as if none had been before it
+        m_lessonShown = name;
     }
+    if (!lesson)
+        return;
     if (!m_placeBeforeLesson)
         m_placeBeforeLesson = m_places->current();
     const lessons::Step &step = m_lessons->step();
@@ -98,6 +110,21 @@ void MainWindow::showLesson()
         putObserverBack();
     }
     m_places->show(kLessonPanel);
+    giveLessonRoom(false);
+}
+
+void MainWindow::giveLessonRoom(bool isAgain)
+{
+    if (!m_lessons->lesson() || (!m_placesWithLesson.insert(m_places->current()).second && !isAgain))
+        return;
+    // Once all stands where it will.
+    QTimer::singleShot(0, this, [this] {
+        constexpr double kShare = 0.6; // what stands above it is looked up, this is read
+        QDockWidget *dock = m_places->dock(kLessonPanel);
+        const int column = statusBar()->geometry().top() - m_viewFrame->geometry().top();
+        if (dockWidgetArea(dock) == Qt::LeftDockWidgetArea && !dock->isFloating())
+            resizeDocks({dock}, {static_cast<int>(kShare * column)}, Qt::Vertical);
+    });
 }
 
 void MainWindow::showObserverOfLesson()
@@ -153,12 +180,16 @@ void MainWindow::showPanelsOfStep()
         if (!isHidden(panel))
             followLessonLink(QStringLiteral("panel"), QString::fromStdString(panel));
     }
+    std::vector<QDockWidget *> docks;
     for (const std::string &panel : hidden) {
-        QDockWidget *dock = m_places->dock(panel.c_str());
-        if (dock->isHidden())
-            continue;
+        if (QDockWidget *dock = m_places->dock(panel.c_str()); !dock->isHidden())
+            docks.push_back(dock);
+    }
+    // One that is in front of others comes back last, and so in front again.
+    std::stable_partition(docks.begin(), docks.end(), [this](QDockWidget *dock) { return !m_places->isFront(*dock); });
+    for (QDockWidget *dock : docks) {
         dock->hide();
-        m_panelsWithAnswer.emplace_back(m_places->current(), panel);
+        m_panelsWithAnswer.emplace_back(m_places->current(), dock->objectName().toStdString());
     }
 }
 
@@ -168,9 +199,12 @@ void MainWindow::showPanelOfLesson(const char *panel)
         showObserverOfLesson();
         return;
     }
-    if (m_places->dock(panel)->isHidden())
+    const bool isHidden = m_places->dock(panel)->isHidden();
+    if (isHidden)
         m_panelsOfLesson.emplace_back(m_places->current(), panel);
     m_places->show(panel);
+    if (isHidden)
+        giveLessonRoom(true);
 }
 
 void MainWindow::followLessonLink(const QString &scheme, const QString &target)
@@ -185,14 +219,21 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
             m_message->showMessage(
                 tr("The point is not in the picture as it is now. Put the picture back as the step has it."));
     } else if (scheme == QLatin1String("set")) {
-        m_lessons->change(target.toStdString());
+        const std::string change = target.toStdString();
+        if (m_lessons->change(change) && m_lessons->step().changes.at(change).contains("point"))
+            m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>()->followGiven();
     } else if (scheme == QLatin1String("panel")) {
         const auto &panels = m_places->panels();
         if (const auto panel = std::find_if(panels.begin(), panels.end(), isIt); panel != panels.end())
             showPanelOfLesson(panel->id);
     } else if (scheme == QLatin1String("apart")) {
         showPanelOfLesson(kPipelinePanel);
-        m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>()->takeProjectionApart();
+        giveLinkedRoom(*m_places->dock(kPipelinePanel));
+        m_places->dock(kPipelinePanel)
+            ->findChild<PipelinePanel *>()
+            ->takeApart(target == QLatin1String("view") ? PipelineStage::ViewMatrix : PipelineStage::ProjectionMatrix);
+    } else if (scheme == QLatin1String("action")) {
+        triggerForLesson(target.section(u':', 0, 0), target.section(u':', 1) == QLatin1String("off"));
     } else if (scheme == QLatin1String("place")) {
         const auto &places = m_places->places();
         if (const auto place = std::find_if(places.begin(), places.end(), isIt);
@@ -205,6 +246,50 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
         m_viewTrials = 0;
         fitViewOfLesson();
     }
+}
+
+void MainWindow::triggerForLesson(const QString &name, bool isOff)
+{
+    QAction *action = findChild<QAction *>(name);
+    if (!action)
+        return;
+    for (QObject *owner = action->parent(); owner; owner = owner->parent()) {
+        if (auto *dock = qobject_cast<QDockWidget *>(owner)) { // where the switch stands
+            followLessonLink(QStringLiteral("panel"), dock->objectName());
+            giveLinkedRoom(*dock);
+        }
+    }
+    if (!m_switchesBeforeLesson) {
+        const auto &pipeline = *m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>();
+        m_switchesBeforeLesson = SwitchesBefore{
+            findChild<QAction *>(QStringLiteral("surface"))->actionGroup()->checkedAction()->objectName(),
+            m_placingAction->isChecked(), pipeline.direction() == PipelineDirection::Backward, pipeline.matrixView()};
+    }
+    if (!action->isCheckable() || action->isChecked() == isOff)
+        action->trigger();
+}
+
+void MainWindow::giveLinkedRoom(QDockWidget &dock)
+{
+    // Once all stands where it will.
+    QTimer::singleShot(0, &dock, [this, &dock] {
+        const int wanted = height() * 3 / 5;
+        QDockWidget *observer = m_places->dock(kObserverPanel);
+        if (m_places->isFront(*observer) && dockWidgetArea(&dock) == dockWidgetArea(observer) && dock.height() < wanted)
+            resizeDocks({&dock}, {wanted}, Qt::Vertical);
+    });
+}
+
+void MainWindow::putSwitchesBack()
+{
+    const auto before = std::exchange(m_switchesBeforeLesson, std::nullopt);
+    if (!before)
+        return;
+    findChild<QAction *>(before->taken)->trigger();
+    m_placingAction->setChecked(before->arePlaced);
+    auto &pipeline = *m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>();
+    pipeline.setDirection(before->isBackward ? PipelineDirection::Backward : PipelineDirection::Forward);
+    pipeline.setMatrixView(before->matrices);
 }
 
 void MainWindow::fitViewOfLesson()

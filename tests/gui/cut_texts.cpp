@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QStyle>
 #include <QStyleOptionComboBox>
@@ -35,7 +36,8 @@ struct Text {
 Text textOf(const QLabel &label)
 {
     const QSize room = label.contentsRect().size();
-    if (label.textFormat() == Qt::RichText) {
+    if (label.textFormat() == Qt::RichText
+        || (label.textFormat() == Qt::AutoText && Qt::mightBeRichText(label.text()))) {
         QTextDocument set;
         set.setDocumentMargin(0.0);
         set.setDefaultFont(label.font());
@@ -65,6 +67,16 @@ Text textOf(const QComboBox &box)
     return {box.currentText(), {box.fontMetrics().horizontalAdvance(box.currentText()), 0}, inside.size()};
 }
 
+/// A style asks for more than a short text needs.
+Text textOf(const QAbstractButton &button)
+{
+    QSize needed = button.sizeHint();
+    const int margin = button.style()->pixelMetric(QStyle::PM_ButtonMargin, nullptr, &button);
+    if (const auto *push = qobject_cast<const QPushButton *>(&button); push && push->icon().isNull())
+        needed.setWidth(button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width() + margin);
+    return {button.text(), needed, button.size()};
+}
+
 Text textOf(const QWidget &widget)
 {
     if (const auto *label = qobject_cast<const QLabel *>(&widget))
@@ -74,7 +86,7 @@ Text textOf(const QWidget &widget)
     if (const auto *box = qobject_cast<const QComboBox *>(&widget))
         return textOf(*box);
     if (const auto *button = qobject_cast<const QAbstractButton *>(&widget))
-        return {button->text(), button->sizeHint(), button->size()};
+        return textOf(*button);
     return {};
 }
 

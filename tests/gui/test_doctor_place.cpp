@@ -156,7 +156,6 @@ private slots:
     void theChosenCandidateStaysWhileTheViewTurns();
     void theMarksGoWithThePlace();
     void theWrongPointIsFoundFromOutside();
-    void everyMistakeIsWorded();
 };
 
 void TestDoctorPlace::theMistakeIsNamed()
@@ -167,7 +166,7 @@ void TestDoctorPlace::theMistakeIsNamed()
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(),
              QStringLiteral("%1, %2").arg(pixel.i + 0.5).arg(pixel.j + 0.5));
     type(gotOf(*window), pointText(got));
-    QTRY_COMPARE(verdictOf(*window), QString::fromLatin1(doctor::remedyOf("y-not-flipped").sentence.data()));
+    QTRY_COMPARE(verdictOf(*window), QString::fromLatin1(doctor::remedyOf("y-not-flipped").sentence));
     const QString text = panelOf(*window).answer().text();
     QVERIFY2(text.contains(QStringLiteral("y not flipped: all ")), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("Runner-up")), qPrintable(text));
@@ -548,18 +547,6 @@ void TestDoctorPlace::theWrongPointIsFoundFromOutside()
     QTRY_VERIFY(!button()->isVisible());
     const auto place = observer->view().placeOf(window->document().wrongPoints().front().got);
     QVERIFY(place && QRectF(observer->view().rect()).contains(*place));
-}
-
-/// In English the words of the window are those of core; that all are translated is for the test of translations.
-void TestDoctorPlace::everyMistakeIsWorded()
-{
-    for (const std::string &id : doctor::mistakeIds()) {
-        const std::string_view sentence = doctor::remedyOf(id).sentence;
-        QCOMPARE(mistakeSentence(id), QString::fromUtf8(sentence.data(), qsizetype(sentence.size())));
-        QVERIFY2(!mistakeName(id).isEmpty() && mistakeName(id) != QString::fromStdString(id), id.c_str());
-    }
-    QCOMPARE(mistakeName("y-not-flipped+no-w-divide"), QStringLiteral("y not flipped + not divided by w"));
-    QCOMPARE(variantText("ratio 1.5; x only"), QStringLiteral("ratio 1.5; x only"));
 }
 
 QTEST_MAIN(TestDoctorPlace)

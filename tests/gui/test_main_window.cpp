@@ -382,6 +382,9 @@ void TestMainWindow::theKeySheetNamesEveryKey()
              "Enter, Tab: apply the number or the expression, such as 1/3 or 2*pi",
              "Esc: restore what was there",
              "Up, Down, Page Up, Page Down: step the digit at the caret by one, by ten",
+             "Ctrl+F: find words in the page",
+             "F3, Shift+F3: go to the next place that has them, to the one before",
+             "Alt+Up: back to the contents",
          })
         QVERIFY2(said.contains(QString::fromUtf8(other)), other);
     int keys = 0;

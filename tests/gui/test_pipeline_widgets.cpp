@@ -187,7 +187,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     PipelinePanel panel(document);
     panel.resize(420, 2500);
     panel.show();
-    panel.takeProjectionApart();
+    panel.takeApart(PipelineStage::ProjectionMatrix);
     const FactorShares *shares = panel.findChildren<FactorShares *>().back();
     QVERIFY(shares->isVisible());
     QVERIFY(!panel.findChildren<FactorShares *>().front()->isVisible()); // a view carries no volume to the cube
@@ -212,6 +212,12 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     QVERIFY(std::abs(product()[3][2] + 11.0 / 7.0) < kRounding);
     QVERIFY(has(QStringLiteral("from −1 to 1 in x, from −1 to 1 in y, from −1 to 1 in z")));
     QCOMPARE(sliders()[0]->accessibleName(), QStringLiteral("How much of T, percent"));
+    const QPointF middle = QRectF(sliders()[0]->rect()).center();
+    QWheelEvent past(middle, sliders()[0]->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    sliders()[0]->clearFocus();
+    QCoreApplication::sendEvent(sliders()[0], &past);
+    QCOMPARE(sliders()[0]->value(), 100);
     // By keys alone.
     sliders()[2]->setFocus();
     QTest::keyClick(sliders()[2], Qt::Key_Home);
@@ -235,6 +241,19 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     QVERIFY(has(QStringLiteral("This is the matrix of glFrustum, to ")));
     QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
     QVERIFY(!shares->isVisible()); // whose cube is another
+    const auto saysWhy = [&panel] {
+        const QList<QLabel *> labels = panel.findChildren<QLabel *>();
+        return std::count_if(labels.begin(), labels.end(), [](const QLabel *label) {
+            return label->isVisible() && label->text().contains(QStringLiteral("choose OpenGL's conventions"));
+        });
+    };
+    QCOMPARE(saysWhy(), 1);
+    panel.setDirection(PipelineDirection::Backward); // which says that there are no factors at all
+    QCOMPARE(saysWhy(), 0);
+    panel.setDirection(PipelineDirection::Forward);
+    QCOMPARE(saysWhy(), 1);
+    QVERIFY(document.editConventions(Api::OpenGl, {QStringLiteral("Conventions")}));
+    QVERIFY(shares->isVisible() && saysWhy() == 0);
 }
 
 void TestPipelineWidgets::theVolumeIsDrawnAsItIsCarried()

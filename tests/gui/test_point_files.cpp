@@ -2,6 +2,7 @@
 
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
+#include "gui/document/lesson_player.h"
 #include "gui/document/point_files.h"
 #include "gui/document/point_templates.h"
 #include "gui/document/scan_series.h"
@@ -106,6 +107,8 @@ private slots:
     void exportedAndReadBack();
     void whatIsLostIsSaid();
     void aSeriesGoesOnWhereItWasLeft();
+    void aScanComesBackAfterALesson();
+    void aScanThatIsNotKeptComesBackToBeAskedAbout();
     void anotherSceneIsNoneOfTheSeries();
     void aScanThatIsGivenUpLeavesTheOneShown();
     void lookingAroundWritesNothing();
@@ -153,6 +156,14 @@ private:
             placed.world = WorldPoint(x, 1.0, 0.0);
             QVERIFY(m_document->points().place(placed));
         }
+    }
+
+    void placeOne(const char *name, double x)
+    {
+        Landmark placed;
+        placed.name = name;
+        placed.world = WorldPoint(x, 1.0, 0.0);
+        QVERIFY(m_document->points().place(placed));
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -718,6 +729,84 @@ void TestPointFiles::aSeriesGoesOnWhereItWasLeft()
     QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
     open({QStringLiteral("a.obj")}); // another scene
     QCOMPARE(m_series->current(), std::optional<std::size_t>());
+}
+
+void TestPointFiles::aScanComesBackAfterALesson()
+{
+    for (const char *name : {"t.obj", "u.obj"})
+        write(QLatin1String(name), kSquare);
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    m_series->next();
+    QTRY_VERIFY(!m_session->isLoading());
+    placeOne("first", 1.0);
+    placeOne("second", 2.0);
+    LessonPlayer player(*m_document, *m_session);
+    QVERIFY(player.start("pipeline") && player.next());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>());
+    QVERIFY(player.leave());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(1));
+    placeOne("third", 3.0);
+    QCOMPARE(m_series->scans()[1].placedCount(), std::size_t(3));
+    QVERIFY(m_session->mayLeave());
+    QVERIFY(read(QStringLiteral("t.obj.points.csv")).contains("third,3,1,0"));
+    QVERIFY(!m_document->isEdited());
+
+    // Its points are those of the placing that it was left in.
+    QVERIFY(player.start("pipeline"));
+    m_series->setPlacing(2);
+    QCOMPARE(m_series->scans()[1].placedCount(), std::size_t(0));
+    QVERIFY(player.leave());
+    QCOMPARE(m_series->placing(), 1);
+    QCOMPARE(m_series->scans()[1].placedCount(), std::size_t(3));
+
+    // From a lesson it goes on behind the scan that was left for it, and nothing is asked about what the steps tell to do.
+    QVERIFY(player.start("pipeline"));
+    QVERIFY(m_document->editClipPlanes({{0.0, 1.0, 0.0, 0.25}}, {}, {QStringLiteral("Plane")}));
+    m_series->next();
+    QTRY_VERIFY(!m_session->isLoading());
+    QVERIFY(!player.lesson());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
+    QCOMPARE(m_answers->saveQuestions, 0);
+    QCOMPARE(points().size(), std::size_t(3)); // which wait here
+    QVERIFY(points()[2].isMissing());
+
+    // What was opened instead of it is no scan, whatever comes back to it.
+    QVERIFY(player.start("pipeline"));
+    m_session->openBundledScene();
+    QVERIFY(player.start("pipeline") && player.leave());
+    QCOMPARE(m_series->current(), std::optional<std::size_t>());
+    QVERIFY2(m_failures.isEmpty(), qPrintable(m_failures.join(u'\n')));
+}
+
+void TestPointFiles::aScanThatIsNotKeptComesBackToBeAskedAbout()
+{
+    write(QStringLiteral("t.obj"), kSquare);
+    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("other")));
+    write(QStringLiteral("other/v.obj"), kSquare);
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    placeOne("first", 1.0);
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\nfirst,5,5,0\n"); // by somebody else
+    m_answers->save = SessionQuestions::SaveAnswer::Cancel;
+    LessonPlayer player(*m_document, *m_session);
+    const std::vector<std::function<void()>> ways = {[this] { QVERIFY(!m_session->mayLeave()); },
+                                                     [this] { m_series->next(); },
+                                                     [this] { m_series->open(file(QStringLiteral("other"))); }};
+    for (const auto &leaves : ways) {
+        QVERIFY(player.start("pipeline"));
+        m_answers->saveQuestions = 0;
+        leaves();
+        QTRY_VERIFY(!m_session->isLoading());
+        QCOMPARE(m_answers->saveQuestions, 1);
+        QVERIFY(!player.lesson());
+        QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
+        QCOMPARE(m_series->scans().size(), std::size_t(2));
+        placeOne("another", 2.0);
+        QCOMPARE(m_series->scans()[0].placedCount(), points().size());
+    }
+    QCOMPARE(points().size(), std::size_t(4));
+    m_session->end();
 }
 
 void TestPointFiles::anotherSceneIsNoneOfTheSeries()

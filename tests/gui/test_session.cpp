@@ -149,6 +149,10 @@ private slots:
     void modelsFarApartAreTold();
     void modelsOfOneNameAreToldApart();
     void aFileOfManyObjectsIsReadOnce();
+    void aLessonAsksNothingAndLosesNothing();
+    void theSceneBehindALessonIsAskedAbout_data();
+    void theSceneBehindALessonIsAskedAbout();
+    void theSceneBehindALessonIsKeptInCaseOfACrash();
     void theNameAndTheMarkFollow();
     void theAnswerIsObeyed();
 
@@ -329,8 +333,6 @@ void TestSession::whatLoadsIsEndedBeforeAQuestion_data()
     QTest::addColumn<Step>("step");
     QTest::addColumn<int>("questions");
     QTest::newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); }) << 1;
-    QTest::newRow("lesson") << Step([](Desk &d) { QVERIFY(!LessonPlayer(d.document, d.session).start("pipeline")); })
-                            << 1;
     QTest::newRow("scene") << Step([this](Desk &d) {
         d.session.openScene(pathOf(writeScene(QStringLiteral("scene.json"))));
     }) << 1;
@@ -455,6 +457,102 @@ void TestSession::aFileOfManyObjectsIsReadOnce()
     for (std::size_t i = 2; i < shown.size(); ++i)
         QCOMPARE(shown[i].model.get(), shown[i % 2].model.get());
     QVERIFY(shown[0].model != shown[1].model);
+}
+
+void TestSession::aLessonAsksNothingAndLosesNothing()
+{
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    const QStringList names = desk->names();
+    LessonPlayer player(desk->document, desk->session);
+    desk->session.openFiles({pathOf(file(QStringLiteral("triangle.obj")))});
+    QVERIFY(player.start("pipeline"));
+    QVERIFY(!desk->session.isLoading()); // it would replace the step
+    QVERIFY(!desk->session.hasUnsavedChanges());
+    desk->cut(0.25);
+    QVERIFY(player.next() && player.leave());
+    QCOMPARE(desk->names(), names);
+    QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.5);
+    QVERIFY(desk->session.hasUnsavedChanges());
+    QVERIFY(desk->answers.asked.isEmpty());
+    desk->session.end();
+}
+
+void TestSession::theSceneBehindALessonIsAskedAbout_data()
+{
+    QTest::addColumn<Step>("step");
+    QTest::newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); });
+    QTest::newRow("model") << Step([this](Desk &d) { d.openAndWait({file(QStringLiteral("triangle.obj"))}); });
+    QTest::newRow("scene") << Step([this](Desk &d) { d.openAndWait({writeScene(QStringLiteral("scene.json"))}); });
+    QTest::newRow("closing") << Step([](Desk &d) {
+        if (d.session.mayLeave())
+            d.session.end();
+    });
+}
+
+void TestSession::theSceneBehindALessonIsAskedAbout()
+{
+    QFETCH(Step, step);
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    const QStringList names = desk->names();
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline"));
+    desk->cut(0.25);
+    desk->answers.whileAsking = [&] { QCOMPARE(desk->names(), names); }; // what is asked about is shown
+    step(*desk);
+    QCOMPARE(desk->answers.asked, QStringList(QStringLiteral("save Bundled scene")));
+    QVERIFY(!player.lesson());
+    QCOMPARE(desk->names(), names);
+    QVERIFY(desk->session.hasUnsavedChanges());
+    desk->answers.asked.clear();
+    desk->answers.save = SessionQuestions::SaveAnswer::Discard;
+    QVERIFY(player.start("pipeline"));
+    step(*desk);
+    QCOMPARE(desk->answers.asked.size(), 1);
+    desk->session.end();
+    QVERIFY(QDir(file(QStringLiteral("recovery"))).entryList(QDir::Files).isEmpty());
+    // Where nothing is unsaved nothing is asked, and nothing comes back.
+    desk->session.openBundledScene();
+    desk->answers.asked.clear();
+    QVERIFY(player.start("pipeline"));
+    desk->cut(0.25);
+    step(*desk);
+    QVERIFY(desk->answers.asked.isEmpty());
+    desk->session.end();
+}
+
+void TestSession::theSceneBehindALessonIsKeptInCaseOfACrash()
+{
+    {
+        const auto crashed = desk();
+        crashed->session.openBundledScene();
+        crashed->cut();
+        LessonPlayer player(crashed->document, crashed->session);
+        QVERIFY(player.start("pipeline"));
+    }
+    const auto desk = this->desk();
+    desk->session.offerRecovery();
+    QCOMPARE(desk->session.offered().size(), std::size_t(1));
+    QCOMPARE(desk->session.offered()[0].name, QStringLiteral("Bundled scene"));
+    desk->session.recover(0);
+    QTRY_COMPARE(desk->document.scene().clipPlanes.size(), std::size_t(1));
+    // It goes with the scene, there and back, and ends with it.
+    const auto kept = [this] { return QDir(file(QStringLiteral("recovery"))).entryList({"*"}, QDir::Files).size(); };
+    const int files = static_cast<int>(kept());
+    QVERIFY(files > 0);
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline"));
+    QVERIFY(kept() == files);
+    QVERIFY(player.leave());
+    QVERIFY(kept() == files);
+    QVERIFY(player.start("pipeline"));
+    desk->answers.save = SessionQuestions::SaveAnswer::Discard;
+    QVERIFY(desk->session.mayLeave());
+    desk->session.end();
+    QVERIFY(kept() == 0);
 }
 
 void TestSession::theNameAndTheMarkFollow()

@@ -4,13 +4,16 @@
 #include "gui/text/translation.h"
 #include "gui/window/main_window.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QTest>
 #include <QXmlStreamReader>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace unprojector::gui {
@@ -58,6 +61,34 @@ QStringList found(const QString &text, const QString &pattern)
 
 const QStringList kChinese{QStringLiteral("zh-CN")};
 
+/// One word for one thing, in the window, the command, the lessons and Help alike.
+struct Term {
+    const char *wrong; ///< a regular expression: its other names
+    const char *right;
+};
+
+constexpr std::array kTerms{
+    Term{"视野角|(?<!场)视角", "视场角: the field of view"},
+    Term{"[近远]裁剪面", "近平面, 远平面"},
+    Term{"(?<![近远])裁剪面", "裁剪平面: a clip plane"},
+    Term{"(?<!渲染)(?<!图形)管线|流水线", "渲染管线: the pipeline"},
+    Term{"(?<!模型)视图矩阵|投影与视图", "观察矩阵: the view matrix"},
+    Term{"外部视图", "从外部观察: View from Outside"},
+    Term{"法向", "法线: a normal"},
+    Term{"描述表", "上下文: a context, DC or RC"},
+    Term{"反推|逆投影", "反投影: to unproject"},
+    Term{"封闭形式|闭式", "解析形式, 解析公式: closed form"},
+    Term{"(?<!JSON )对象", "物体: an object"},
+    Term{"模型坐标|模型空间", "物体坐标: object coordinates"},
+    Term{"屏幕位置|屏幕空间|到屏幕|>屏幕[<（]", "控件: the widget's"},
+    Term{"(?<!Windows )屏幕坐标", "控件坐标, 窗口坐标: the widget's, the window's"},
+    Term{"视坐标|眼坐标", "观察坐标: eye coordinates"},
+    Term{"归一化", "规范化: normalised"},
+    Term{"视锥|视见体", "视景体: the view volume"},
+    Term{"你", "您"},
+    Term{"，[0-9]+ 节", "第 n 节: section n"},
+};
+
 } // namespace
 
 class TestTranslation : public QObject {
@@ -69,6 +100,8 @@ private slots:
     void theWindowSpeaksChinese();
     void theFirstLanguageCounts();
     void chineseSentencesHaveNoBlankBetween();
+    void oneThingHasOneName_data();
+    void oneThingHasOneName();
 
 private:
     static bool isBuilt() { return QFile::exists(QStringLiteral(":/translations/unprojector_zh_CN.qm")); }
@@ -151,6 +184,37 @@ void TestTranslation::chineseSentencesHaveNoBlankBetween()
     const QString two = mistakeSentence("y-not-flipped+xy-swapped");
     QVERIFY2(two.contains(u'。') && !two.contains(blank), qPrintable(two));
 #endif
+}
+
+void TestTranslation::oneThingHasOneName_data()
+{
+    QTest::addColumn<QString>("file");
+    const QDir resources(QFileInfo(QStringLiteral(UNPROJECTOR_TRANSLATION_FILE)).path() + QStringLiteral("/.."));
+    for (const char *folder : {"translations", "lessons", "help"}) {
+        const QDir files(resources.filePath(QLatin1String(folder)));
+        for (const QString &name : files.entryList({QStringLiteral("*_zh_CN.*")}, QDir::Files))
+            QTest::newRow(qPrintable(name)) << files.filePath(name);
+    }
+}
+
+void TestTranslation::oneThingHasOneName()
+{
+    QFETCH(QString, file);
+    QFile source(file);
+    QVERIFY(source.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(source.readAll()).split(u'\n');
+    QStringList found;
+    for (const Term &term : kTerms) {
+        const QRegularExpression wrong(QString::fromUtf8(term.wrong));
+        QVERIFY2(wrong.isValid(), term.wrong);
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            if (const auto match = wrong.match(lines[i]); match.hasMatch())
+                found << QStringLiteral("line %1: %2, but it is %3")
+                             .arg(i + 1)
+                             .arg(match.captured(), QString::fromUtf8(term.right));
+        }
+    }
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
 } // namespace unprojector::gui

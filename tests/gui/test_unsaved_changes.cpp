@@ -307,7 +307,6 @@ void TestUnsavedChanges::theAnswerIsObeyed()
     cut(*window);
     {
         const MessageBoxAnswers answers(QMessageBox::Cancel);
-        QVERIFY(!window->lessons().start("pipeline"));
         window->session().openBundledScene();
         QCOMPARE(window->document().scene().clipPlanes.size(), std::size_t(1));
         QVERIFY(!answers.questions().isEmpty());

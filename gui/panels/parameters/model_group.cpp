@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/panels/parameters/group_heading.h"
+#include "gui/panels/wheel.h"
 #include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
@@ -118,6 +119,13 @@ ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
     });
 }
 
+void ModelGroup::takeOver(const ModelGroup &other)
+{
+    m_shown->choose(other.m_shown->place());
+    if (!isStale())
+        refresh();
+}
+
 const std::vector<TransformStep> &ModelGroup::steps() const
 {
     static const std::vector<TransformStep> none;
@@ -186,7 +194,7 @@ void ModelGroup::showObjects()
     const int shown = objects.empty() ? -1 : static_cast<int>(*m_shown->place());
     QStringList names;
     for (const SceneObject &object : objects)
-        names << readName(object.name);
+        names << readName(object.name, objects);
     if (names != m_names) {
         m_names = names;
         m_object->clear();

@@ -19,6 +19,9 @@ class ModelGroup : public ParameterGroup {
 public:
     explicit ModelGroup(SceneDocument &document, QWidget *parent = nullptr);
 
+    /// Takes over which object another group of the same document shows.
+    void takeOver(const ModelGroup &other);
+
 protected:
     void showScene() override;
     Check edit(const Scene &next, const Deed &deed) override;

@@ -1,7 +1,8 @@
 #include "gui/panels/parameters/number_slider.h"
 
+#include "gui/panels/wheel.h"
+
 #include <QSignalBlocker>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ NumberSlider::NumberSlider(const QString &name, const QString &help, Scale scale
     setAccessibleName(name);
     setAccessibleDescription(help);
     setToolTip(help);
-    setFocusPolicy(Qt::StrongFocus);
+    ignoreWheelWithoutFocus(this);
     const auto begin = [this] { ++m_session; };
     connect(this, &QSlider::sliderPressed, this, begin);
     connect(this, &QSlider::sliderReleased, this, begin);
@@ -69,14 +70,6 @@ void NumberSlider::focusInEvent(QFocusEvent *event)
 {
     QSlider::focusInEvent(event);
     ++m_session;
-}
-
-void NumberSlider::wheelEvent(QWheelEvent *event)
-{
-    if (hasFocus())
-        QSlider::wheelEvent(event);
-    else
-        event->ignore(); // the panel scrolls
 }
 
 } // namespace unprojector::gui

@@ -27,7 +27,6 @@ signals:
 
 protected:
     void focusInEvent(QFocusEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
 
 private:
     double numberAt(int position) const;

@@ -5,7 +5,6 @@
 
 #include <QAbstractButton>
 #include <QApplication>
-#include <QEvent>
 #include <QLabel>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -192,21 +191,6 @@ void ParameterGroup::bringUp(NumberField *field, bool byKeyboard)
         field->setFocus(Qt::TabFocusReason);
     // Its place is known only after the layout.
     QTimer::singleShot(0, field, [this, field] { emit bringUpRequested(field); });
-}
-
-void ParameterGroup::ignoreWheelWithoutFocus(QWidget *widget)
-{
-    widget->setFocusPolicy(Qt::StrongFocus);
-    widget->installEventFilter(this);
-}
-
-bool ParameterGroup::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::Wheel && !static_cast<QWidget *>(watched)->hasFocus()) {
-        event->ignore();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void ParameterGroup::showEvent(QShowEvent *event)

@@ -55,6 +55,8 @@ public:
     int leastWidth() const;
     /// What is being typed counts, on the screen or not. What was refused already is not asked for again.
     void applyTyped();
+    /// Whether it shows the document as it was when it was last on the screen.
+    bool isStale() const { return m_isStale; }
     /// All fields show the document's values again, whatever was typed into them.
     void restoreFields();
     /// Why a change that no field made was refused; empty if none was.
@@ -96,8 +98,6 @@ protected:
     void onClick(QAbstractButton *button, std::function<void(bool byKeyboard)> act);
     /// Scrolls to a field that was just made; by the keyboard the cursor goes there as well.
     void bringUp(NumberField *field, bool byKeyboard);
-    /// Keeps the wheel from changing a combo box that it only scrolls past.
-    void ignoreWheelWithoutFocus(QWidget *widget);
     QLabel *addHeading(const QString &text);
     /// A text that is wrapped rather than cut, and never widens the panel.
     static QLabel *wrappedLabel(const QString &text = {});
@@ -113,7 +113,6 @@ protected:
     static QString depth() { return QStringLiteral("0 … 1"); }
 
     void showEvent(QShowEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     struct Field {

@@ -3,6 +3,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/panels/parameters/group_heading.h"
+#include "gui/panels/wheel.h"
 #include "gui/text/help_anchors.h"
 
 #include <QCheckBox>

@@ -3,6 +3,7 @@
 #include "core/geometry/drawable.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/parameters/group_heading.h"
+#include "gui/panels/wheel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 
