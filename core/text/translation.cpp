@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <utility>
@@ -32,6 +33,19 @@ const Catalogue &chinese()
         return texts;
     }();
     return catalogue;
+}
+
+/// Whether UTF-8 text begins with a Hanzi, U+4E00 to U+9FFF.
+bool beginsWithHanzi(std::string_view text)
+{
+    constexpr unsigned char kFirst = 0xE4, kLast = 0xE9;
+    return !text.empty() && std::uint8_t(text[0]) >= kFirst && std::uint8_t(text[0]) <= kLast;
+}
+
+bool endsWithHanzi(std::string_view text)
+{
+    constexpr std::size_t kHanziSize = 3;
+    return text.size() >= kHanziSize && beginsWithHanzi(text.substr(text.size() - kHanziSize));
 }
 
 } // namespace
@@ -65,17 +79,27 @@ std::string translated(std::string_view english)
 std::string filled(std::string_view pattern, const std::vector<std::string> &values)
 {
     std::string text;
+    std::vector<std::size_t> blanks; // the pattern's, not those in a value
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         const std::size_t place =
             pattern[i] == '%' && i + 1 < pattern.size() && pattern[i + 1] >= '1' && pattern[i + 1] <= '9'
                 ? std::size_t(pattern[i + 1] - '0')
                 : 0;
         if (place == 0 || place > values.size()) {
+            if (pattern[i] == ' ')
+                blanks.push_back(text.size());
             text += pattern[i];
             continue;
         }
         text += values[place - 1];
         ++i;
+    }
+    // A blank stands between Hanzi and a number or a Latin word, and none between Hanzi: a translation cannot know which
+    // of them a value is.
+    for (auto blank = blanks.rbegin(); blank != blanks.rend(); ++blank) {
+        const std::string_view all = text;
+        if (endsWithHanzi(all.substr(0, *blank)) && beginsWithHanzi(all.substr(*blank + 1)))
+            text.erase(*blank, 1);
     }
     return text;
 }

@@ -40,7 +40,8 @@ constexpr const char *marked(const char *english)
 /// A text in the language that is set; the English one, without its context, where it has no other.
 std::string translated(std::string_view english);
 
-/// A pattern with values in the places of %1 to %9, whatever stands in the values.
+/// A pattern with values in the places of %1 to %9, whatever stands in the values. A blank of the pattern goes where it would
+/// stand between two Hanzi.
 std::string filled(std::string_view pattern, const std::vector<std::string> &values);
 
 /// The values of a text that was made of a pattern, in their order; nothing where it was not. In the pattern %1, %2, … follow

@@ -145,7 +145,7 @@ void TestChinese::wrongWordsAreSaidInChinese_data()
     QTest::newRow("needs") << QStringList{"pick", "--json", "a"} << "--json 须与 --at 一起使用；";
     QTest::newRow("excludes") << QStringList{"pick", "a", "b", "--at", "1,2"} << " 不能同时使用；请去掉其中一个\n";
     QTest::newRow("missing") << QStringList{"info", "a", "--json", "--", "b"} << "是多余的";
-    QTest::newRow("value-missing") << QStringList{"code", "a", "-o"} << "--output: 其后缺少 文件；";
+    QTest::newRow("value-missing") << QStringList{"code", "a", "-o"} << "--output: 其后缺少文件；";
     QTest::newRow("no-number") << QStringList{"map", "a", "--depth", "x", "-o", "b", "--what", "uncertainty"}
                                << "--depth x: 请给出一个数\n";
 }

@@ -242,6 +242,8 @@ void TestCoreTexts::valuesStandInTheirPlaces()
     QCOMPARE(text::tr("99 % of %2 are %1", "%2", 7), std::string("99 % of 7 are %2"));
     QCOMPARE(filled("%1%3", {"a"}), std::string("a%3"));
     QCOMPARE(filled("%", {"a"}), std::string("%"));
+    QCOMPARE(filled("缺少 %1；%2 个 %3", {"宽度", "3", "像素"}), std::string("缺少宽度；3 个像素"));
+    QCOMPARE(filled("%1 不是 %2 或 %3", {"近面", "z", "我的 扫描.ply"}), std::string("近面不是 z 或我的 扫描.ply"));
 }
 
 /// What a mesh's reader has noted is English, and said in Chinese later.
