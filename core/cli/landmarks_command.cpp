@@ -57,6 +57,9 @@ std::optional<ReadLandmarks> readFile(const std::string &file, Format format)
         return std::nullopt;
     }
     tell(source.name(), read->notes);
+    const auto isEmpty = [](const LandmarkSet &set) { return set.landmarks.empty() && set.curves.empty(); };
+    if (std::all_of(read->sets.begin(), read->sets.end(), isEmpty))
+        complain(tr("%1: there are no points in the file", source.name()));
     return std::move(read).value();
 }
 

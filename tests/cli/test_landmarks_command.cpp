@@ -27,6 +27,7 @@ private slots:
     void aFileToAnother();
     void throughPipes();
     void whatIsLostIsSaid();
+    void aFileWithoutPoints();
     void ontoAMesh();
     void curvesAreLedOnTheMesh();
     void ontoAMeshOfOthers();
@@ -70,6 +71,15 @@ void TestLandmarksCommand::whatIsLostIsSaid()
     QCOMPARE(run.output, QByteArray("LM3=1\n1 2 3\n\n"));
     QCOMPARE(run.errors, QByteArray("stdout: the names of 1 point are left out; only their order is kept\n"
                                     "stdout: the notes of 1 point are left out\n"));
+}
+
+/// An empty table is no result that somebody expects.
+void TestLandmarksCommand::aFileWithoutPoints()
+{
+    const QString input = m_folder.write("none.fcsv", "# Markups fiducial file version = 4.11\n");
+    const Run run = runCommand({"landmarks", input, "-", "--to", "csv"});
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.errors, (input + ": there are no points in the file\n").toUtf8());
 }
 
 void TestLandmarksCommand::ontoAMesh()
