@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -141,8 +142,14 @@ private:
     void giveLessonRoom(bool isAgain);
     /// Those that the step brings, less those that would show the answer that is still to be found.
     void showPanelsOfStep();
-    /// Gives the view the size that a link asked for last, or says which size it has got.
+    /// Gives the view the size that a step's numbers are of, or that a link says: the panels around it make room. Where they
+    /// cannot, only for a link the window grows, and it is said where that does not suffice.
+    /// @param size  device pixels; not valid: as large as the window allows
+    void wantViewOfLesson(const QSize &size, bool isAskedFor);
+    /// The next trial to do so.
     void fitViewOfLesson();
+    /// @param amount  logical pixels of the panels' width at a side, of their height at the bottom
+    void takeRoom(Qt::DockWidgetArea area, int amount);
     /// What the step letters, in both views.
     void showHighlights();
     /// Brings the view from outside, beside the view, of which a lesson may speak at any place.
@@ -242,9 +249,12 @@ private:
     std::vector<std::pair<const char *, const char *>> m_panelsOfLesson;
     /// The same of those that it has hidden until the answer is given.
     std::vector<std::pair<const char *, std::string>> m_panelsWithAnswer;
-    QSize m_viewOfLesson; ///< that a link asked for last, device pixels
-    QTimer m_viewTimer;   ///< until it is looked at again
+    QSize m_viewOfLesson;          ///< the step's or a link's, device pixels; not valid: as large as the window allows
+    bool m_isViewAskedFor = false; ///< by a link
+    QTimer m_viewTimer;            ///< until it is looked at again
     int m_viewTrials = 0;
+    /// Of panels at places, the widths or heights that the view has taken from them.
+    std::map<std::pair<const char *, const char *>, int> m_roomsBeforeLesson;
     /// How the view from outside was before a lesson brought it.
     struct ObserverBefore {
         bool isShown;

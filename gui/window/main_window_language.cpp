@@ -111,7 +111,6 @@ struct MainWindow::Former {
     std::unique_ptr<MapOverlay> map;
     std::unique_ptr<ObserverPanel> observer; ///< none: it was not asked for yet
     bool isObserverShown, isObserverDocked, isMapShown;
-    bool isViewOfStep; ///< of the size that the lesson speaks of
     WorkPlaces::Standing standing;
     QByteArray folds;
     QString message;
@@ -142,7 +141,6 @@ void MainWindow::putAside(Former &former)
     former.folds = m_parameters->saveState();
     former.message = message();
     former.isMapShown = m_map->isShown();
-    former.isViewOfStep = m_lessons->lesson() && m_lessons->step().view && m_lessons->hasViewOfStep();
     m_map->setShown(false); // what is computed is given up; the other one asks again
     former.isObserverShown = m_observerAction->isChecked();
     former.isObserverDocked = !m_inset;
@@ -215,11 +213,8 @@ void MainWindow::takeOver(const Former &former)
     if (m_areFirstStepsShown)
         showFirstSteps(true);
     showName();
-    if (former.isViewOfStep) { // the bars around it are higher in some languages
-        m_viewOfLesson = QSize(m_lessons->step().view->x, m_lessons->step().view->y);
-        m_viewTrials = 0;
-        fitViewOfLesson();
-    }
+    if (m_viewOfLesson.isValid()) // the bars around it are higher in some languages
+        wantViewOfLesson(m_viewOfLesson, m_isViewAskedFor);
 }
 
 void MainWindow::reopenWindows()

@@ -60,7 +60,7 @@ void MainWindow::leaveLessonOrStay()
 
 void MainWindow::putBackAfterLesson()
 {
-    m_viewTimer.stop();
+    wantViewOfLesson({}, false);
     m_places->dock(kLessonPanel)->hide();
     putObserverBack();
     putSwitchesBack();
@@ -71,6 +71,13 @@ void MainWindow::putBackAfterLesson()
     for (const auto &[at, panel] : std::exchange(m_panelsOfLesson, {})) {
         m_places->enter(at);
         m_places->dock(panel)->hide();
+    }
+    for (const auto &[at, room] : std::exchange(m_roomsBeforeLesson, {})) {
+        m_places->enter(at.first);
+        QDockWidget *dock = m_places->dock(at.second);
+        const auto area = dockWidgetArea(dock);
+        resizeDocks({dock}, {room},
+                    area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea ? Qt::Horizontal : Qt::Vertical);
     }
     if (const char *place = std::exchange(m_placeBeforeLesson, nullptr))
         m_places->enter(place);
@@ -111,6 +118,7 @@ void MainWindow::showLesson()
     }
     m_places->show(kLessonPanel);
     giveLessonRoom(false);
+    wantViewOfLesson(step.view ? QSize(step.view->x, step.view->y) : QSize(), false);
 }
 
 void MainWindow::giveLessonRoom(bool isAgain)
@@ -240,11 +248,7 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
             place != places.end() && qstrcmp(place->id, m_places->current()) != 0)
             m_places->enter(place->id);
     } else if (scheme == QLatin1String("view")) {
-        if (!m_sizeBeforeLesson)
-            m_sizeBeforeLesson = size();
-        m_viewOfLesson = QSize(target.section(u'x', 0, 0).toInt(), target.section(u'x', 1).toInt());
-        m_viewTrials = 0;
-        fitViewOfLesson();
+        wantViewOfLesson({target.section(u'x', 0, 0).toInt(), target.section(u'x', 1).toInt()}, true);
     }
 }
 
@@ -292,33 +296,75 @@ void MainWindow::putSwitchesBack()
     pipeline.setMatrixView(before->matrices);
 }
 
+void MainWindow::wantViewOfLesson(const QSize &size, bool isAskedFor)
+{
+    m_viewOfLesson = size;
+    m_isViewAskedFor = isAskedFor;
+    m_viewTrials = 0;
+    if (size.isValid()) {
+        fitViewOfLesson();
+        return;
+    }
+    m_viewTimer.stop();
+    m_view->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+}
+
 void MainWindow::fitViewOfLesson()
 {
-    constexpr int kMostTrials = 5;
+    constexpr int kMostTrials = 9;
     const QSize wanted = (QSizeF(m_viewOfLesson) / m_view->devicePixelRatioF()).toSize();
+    m_view->setMaximumSize(wanted); // what the window has more stays beside it
     if (m_view->size() == wanted && m_viewTrials > 0)
         return;
     if (m_viewTrials == kMostTrials) {
         const Surface &surface = m_document->geometry().surface;
-        //: Sizes in pixels: what the view has, then what it should have.
-        m_message->showMessage(
-            tr("The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, "
-               "or take the window out of full screen.")
-                .arg(surface.widthPixels)
-                .arg(surface.heightPixels)
-                .arg(m_viewOfLesson.width())
-                .arg(m_viewOfLesson.height()));
+        if (m_isViewAskedFor) {
+            //: Sizes in pixels: what the view has, then what it should have.
+            m_message->showMessage(
+                tr("The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, "
+                   "or take the window out of full screen.")
+                    .arg(surface.widthPixels)
+                    .arg(surface.heightPixels)
+                    .arg(m_viewOfLesson.width())
+                    .arg(m_viewOfLesson.height()));
+        }
         return;
     }
-    // Panels that came, went or had other sizes in a smaller window find their places a little later.
-    setViewSize(wanted);
-    if (const int rest = m_view->width() - wanted.width(); m_viewTrials > 0 && rest > 0) {
-        // In a window that cannot be narrower the panel takes the rest.
-        QDockWidget *dock = m_places->dock(kLessonPanel);
-        resizeDocks({dock}, {dock->width() + rest}, Qt::Horizontal);
+    // Panels that came, went or had other sizes find their places a little later: what is missing then is taken from both
+    // sides, from what is left of one of them, and at last, where somebody asks for it, from outside of the window.
+    const QSize missing = (wanted - m_viewFrame->size()).expandedTo(QSize(0, 0));
+    const int each = (missing.width() + 1) / 2;
+    switch (m_viewTrials) {
+    case 0: break;
+    case 1:
+        takeRoom(Qt::LeftDockWidgetArea, each);
+        takeRoom(Qt::RightDockWidgetArea, each);
+        takeRoom(Qt::BottomDockWidgetArea, missing.height());
+        break;
+    case 2: takeRoom(Qt::RightDockWidgetArea, missing.width()); break;
+    case 3: takeRoom(Qt::LeftDockWidgetArea, missing.width()); break;
+    default:
+        if (m_isViewAskedFor && !missing.isNull()) {
+            if (!m_sizeBeforeLesson)
+                m_sizeBeforeLesson = size();
+            resize(size() + missing);
+        }
     }
     ++m_viewTrials;
     m_viewTimer.start();
+}
+
+void MainWindow::takeRoom(Qt::DockWidgetArea area, int amount)
+{
+    const bool isSide = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+    for (const WorkPlaces::Panel &panel : m_places->panels()) {
+        if (amount <= 0 || dockWidgetArea(panel.dock) != area || !m_places->isFront(*panel.dock))
+            continue;
+        const int room = isSide ? panel.dock->width() : panel.dock->height();
+        m_roomsBeforeLesson.try_emplace({m_places->current(), panel.id}, room);
+        resizeDocks({panel.dock}, {room - amount}, isSide ? Qt::Horizontal : Qt::Vertical);
+        return; // those beside it in the area follow
+    }
 }
 
 } // namespace unprojector::gui

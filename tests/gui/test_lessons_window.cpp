@@ -134,7 +134,9 @@ private slots:
     void aClosedWindowIsAsBeforeTheLesson();
     void anotherSceneEndsTheLesson();
     void theKeysGoFromStepToStep();
+    void theViewGetsTheSizeOfTheNumbers_data();
     void theViewGetsTheSizeOfTheNumbers();
+    void aLinkMakesRoom();
     void theLastLinkSaysTheSize_data();
     void theLastLinkSaysTheSize();
     void theNoteForNewcomersWaits();
@@ -253,6 +255,8 @@ void TestLessonsWindow::anAnswerIsChecked()
     QVERIFY(!shown.contains(QStringLiteral("312.5")));
     answer(*window, QStringLiteral("312"));
     QCOMPARE(verdictOf(*window), QStringLiteral("312 is not it. Try again, or have it shown."));
+    answer(*window, QStringLiteral("-312.5"));
+    QCOMPARE(verdictOf(*window), QStringLiteral("-312.5 has the wrong sign. Try again, or have it shown."));
     QCOMPARE(panelOf(*window).text(), shown);
     answer(*window, QStringLiteral("2*"));
     QCOMPARE(verdictOf(*window), QStringLiteral("“2*” ends where a number is wanted."));
@@ -370,8 +374,8 @@ void TestLessonsWindow::aClosedWindowIsAsBeforeTheLesson()
         window->places().enter("points");
         size = window->size();
         QVERIFY(window->lessons().start("first"));
-        follow(*window, QStringLiteral("view:400x400"));
-        QTRY_COMPARE(window->view().size(), QSize(400, 400));
+        follow(*window, QStringLiteral("view:400x900"));
+        QTRY_COMPARE(window->view().size(), QSize(400, 900));
         QVERIFY(window->size() != size);
         follow(*window, QStringLiteral("panel:pipeline"));
         QVERIFY(window->close());
@@ -422,13 +426,20 @@ void TestLessonsWindow::theKeysGoFromStepToStep()
     QVERIFY(!window->lessons().lesson() && !next->isEnabled());
 }
 
+void TestLessonsWindow::theViewGetsTheSizeOfTheNumbers_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("larger") << QSize(1280, 800);
+    QTest::newRow("with less beside the view") << QSize(1100, 700);
+}
+
+/// By itself, and the window stays as it is.
 void TestLessonsWindow::theViewGetsTheSizeOfTheNumbers()
 {
-    const auto window = windowOfSize({1100, 700});
+    QFETCH(QSize, size);
+    const auto window = windowOfSize(size);
+    const QSize before = window->view().size();
     QVERIFY(window->lessons().start("first"));
-    QVERIFY(!window->lessons().hasViewOfStep());
-    QVERIFY(hintOf(*window) && hintOf(*window)->text().contains(QStringLiteral("500 × 500")));
-    emit hintOf(*window)->linkActivated(QStringLiteral("view:500x500"));
     QTRY_VERIFY(window->lessons().hasViewOfStep());
     QTRY_VERIFY(!hintOf(*window));
     follow(*window, QStringLiteral("click:clicked"));
@@ -436,6 +447,27 @@ void TestLessonsWindow::theViewGetsTheSizeOfTheNumbers()
     QVERIFY(pick && pick->hit());
     const WorldPoint read = *pick->point.world[Method::Formula];
     QVERIFY(distance(read, WorldPoint(-1.5, 3.5, 5.0)) < 1e-5);
+    QCOMPARE(window->size(), size);
+    QVERIFY(window->lessons().leave());
+    QTRY_COMPARE(window->view().size(), before);
+}
+
+/// Where there is no room for it, the window grows only for who asks.
+void TestLessonsWindow::aLinkMakesRoom()
+{
+    const QSize small(820, 500);
+    const auto window = windowOfSize(small);
+    QVERIFY(window->lessons().start("first"));
+    QTest::qWait(500);
+    QVERIFY(!window->lessons().hasViewOfStep());
+    QCOMPARE(window->size(), small);
+    QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    QVERIFY(hintOf(*window) && hintOf(*window)->text().contains(QStringLiteral("500 × 500")));
+    emit hintOf(*window)->linkActivated(QStringLiteral("view:500x500"));
+    QTRY_VERIFY(window->lessons().hasViewOfStep());
+    QTRY_VERIFY(!hintOf(*window));
+    QVERIFY(window->lessons().leave());
+    QTRY_COMPARE(window->size(), small);
 }
 
 void TestLessonsWindow::theLastLinkSaysTheSize_data()
@@ -487,12 +519,12 @@ void TestLessonsWindow::aSizeThatCannotBeIsTold()
     const auto window = windowOfSize({1100, 700});
     QVERIFY(window->lessons().start("rows"));
     follow(*window, QStringLiteral("step:round_trip"));
-    QVERIFY(hintOf(*window));
-    window->setMinimumHeight(600);
-    follow(*window, QStringLiteral("view:300x300"));
-    QTRY_VERIFY2(window->message().contains(QStringLiteral("it cannot be 300 × 300")), qPrintable(window->message()));
+    window->setMaximumHeight(700);
+    follow(*window, QStringLiteral("view:300x900"));
+    QTRY_VERIFY2(window->message().contains(QStringLiteral("it cannot be 300 × 900")), qPrintable(window->message()));
     const QString size = QStringLiteral("%1 × %2").arg(window->view().width()).arg(window->view().height());
     QVERIFY2(window->message().contains(QStringLiteral("The view is ") + size), qPrintable(window->message()));
+    QVERIFY(hintOf(*window));
     QVERIFY2(hintOf(*window)->text().endsWith(QStringLiteral("This one is %1.").arg(size)),
              qPrintable(hintOf(*window)->text()));
 }
@@ -670,7 +702,7 @@ void TestLessonsWindow::aLessonBeginsAsIfNoneHadBeenBefore()
     const auto window = windowOfSize(kWide);
     const QSize size = window->size();
     QVERIFY(window->lessons().start("pipeline"));
-    follow(*window, QStringLiteral("view:300x300"));
+    follow(*window, QStringLiteral("view:300x900"));
     QTRY_VERIFY(window->size() != size);
     follow(*window, QStringLiteral("action:backward"));
     QVERIFY(isSeen(*window, "pipeline"));
