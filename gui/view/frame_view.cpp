@@ -338,8 +338,11 @@ void FrameView::changeEvent(QEvent *event)
 
 void FrameView::resizeEvent(QResizeEvent *event)
 {
-    const QScopedValueRollback resizing(m_isResizing, true);
-    QOpenGLWidget::resizeEvent(event);
+    {
+        const QScopedValueRollback resizing(m_isResizing, true);
+        QOpenGLWidget::resizeEvent(event);
+    }
+    update(); // one whose height alone changes is not painted by the window once more
 }
 
 } // namespace unprojector::gui
