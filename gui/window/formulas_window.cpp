@@ -204,6 +204,12 @@ void FormulasWindow::changeEvent(QEvent *event)
 void FormulasWindow::showFormula(const QString &anchor)
 {
     m_page->scrollToAnchor(anchor);
+    if (anchor.isEmpty())
+        return;
+    // An anchor stands in a line of the formula: what of a fraction is above it is to be seen, too.
+    constexpr int kLinesAbove = 1;
+    QScrollBar *bar = m_page->verticalScrollBar();
+    bar->setValue(bar->value() - kLinesAbove * QFontMetrics(m_page->document()->defaultFont()).lineSpacing());
 }
 
 FormulasWindow::Reading FormulasWindow::reading() const
