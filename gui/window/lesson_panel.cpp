@@ -255,6 +255,8 @@ void LessonPanel::showVerdict()
         m_verdict->setText(errorText(value.error(), *m_checked));
     else if (answer && isRight(*value, *answer))
         m_verdict->setText(tr("Right: %1.").arg(writtenText(*answer, kDigits)));
+    else if (answer && isRight(-*value, *answer))
+        m_verdict->setText(tr("%1 has the wrong sign. Try again, or have it shown.").arg(writtenText(*value, kDigits)));
     else if (answer)
         m_verdict->setText(tr("%1 is not it. Try again, or have it shown.").arg(writtenText(*value, kDigits)));
 }

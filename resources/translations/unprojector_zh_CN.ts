@@ -2811,6 +2811,10 @@ Both are as large as fits.</source>
         <translation>正确：%1。</translation>
     </message>
     <message>
+        <source>%1 has the wrong sign. Try again, or have it shown.</source>
+        <translation>%1 的符号不对。请再试一次，或查看答案。</translation>
+    </message>
+    <message>
         <source>%1 is not it. Try again, or have it shown.</source>
         <translation>%1 不对。请再试一次，或查看答案。</translation>
     </message>
