@@ -72,6 +72,11 @@ FrameView::FrameView(QWidget *parent) : QOpenGLWidget(parent)
     connect(&m_refineTimer, &QTimer::timeout, this, &FrameView::takeRest);
 }
 
+QSize FrameView::sizeHint() const
+{
+    return maximumSize() == QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX) ? QOpenGLWidget::sizeHint() : maximumSize();
+}
+
 void FrameView::setSmoothEdges(bool smooth)
 {
     m_smoothEdges = smooth;

@@ -34,6 +34,8 @@ public:
     /// The surface format of a view: OpenGL 3.3 core, 24-bit depth, one sample. Stands for the pixel format that the
     /// paper sets up before the window exists.
     static QSurfaceFormat preCreateWindow();
+    /// As large as it may be, where that is bounded.
+    QSize sizeHint() const override;
 
     /// Where the stand-ins come from; without it there are none. It outlives the view.
     void setModelStore(ModelStore &models) { m_models = &models; }

@@ -14,6 +14,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QGridLayout>
 #include <QMenu>
 #include <QStatusBar>
 #include <QTimer>
@@ -307,13 +308,15 @@ void MainWindow::wantViewOfLesson(const QSize &size, bool isAskedFor)
     }
     m_viewTimer.stop();
     m_view->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+    m_center->setAlignment(m_view, {}); // it fills
 }
 
 void MainWindow::fitViewOfLesson()
 {
     constexpr int kMostTrials = 9;
     const QSize wanted = (QSizeF(m_viewOfLesson) / m_view->devicePixelRatioF()).toSize();
-    m_view->setMaximumSize(wanted); // what the window has more stays beside it
+    m_view->setMaximumSize(wanted); // what the window has more stays around it
+    m_center->setAlignment(m_view, Qt::AlignCenter);
     if (m_view->size() == wanted && m_viewTrials > 0)
         return;
     if (m_viewTrials == kMostTrials) {
