@@ -35,7 +35,7 @@ const Catalogue &chinese()
     return catalogue;
 }
 
-/// Whether UTF-8 text begins with a Hanzi, U+4E00 to U+9FFF.
+/// Whether UTF-8 text begins with a Hanzi: the bytes that begin U+4000 to U+9FFF.
 bool beginsWithHanzi(std::string_view text)
 {
     constexpr unsigned char kFirst = 0xE4, kLast = 0xE9;

@@ -60,8 +60,11 @@ void LessonPlayer::retranslate()
         return;
     const std::vector<Lesson> &all = lessons();
     const auto found = std::find_if(all.begin(), all.end(), [&name](const Lesson &one) { return one.name == name; });
-    if (found == all.end())
+    if (found == all.end()) { // it cannot be read in that language, which has been said
+        m_shown.reset();
+        emit changed();
         return;
+    }
     m_lesson = &*found;
     m_session.nameStep(lessonTitle(step().title));
 }

@@ -13,7 +13,6 @@
 #include <QTimer>
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -148,8 +147,6 @@ private:
     void wantViewOfLesson(const QSize &size, bool isAskedFor);
     /// The next trial to do so.
     void fitViewOfLesson();
-    /// @param amount  logical pixels of the panels' width at a side, of their height at the bottom
-    void takeRoom(Qt::DockWidgetArea area, int amount);
     /// What the step letters, in both views.
     void showHighlights();
     /// Brings the view from outside, beside the view, of which a lesson may speak at any place.
@@ -253,8 +250,6 @@ private:
     bool m_isViewAskedFor = false; ///< by a link
     QTimer m_viewTimer;            ///< until it is looked at again
     int m_viewTrials = 0;
-    /// Of panels at places, the widths or heights that the view has taken from them.
-    std::map<std::pair<const char *, const char *>, int> m_roomsBeforeLesson;
     /// How the view from outside was before a lesson brought it.
     struct ObserverBefore {
         bool isShown;

@@ -186,6 +186,7 @@ void MainWindow::createPlaceActions(QMenu &menu)
     hides->setCheckable(true);
     connect(hides, &QAction::toggled, m_places, &WorkPlaces::hidePanels);
     connect(m_places, &WorkPlaces::panelsHidden, hides, &QAction::setChecked);
+    connect(m_places, &WorkPlaces::panelsHidden, this, [this] { wantViewOfLesson(m_viewOfLesson, false); });
     addAction(&menu, tr("R&eset Layout"), {}, tr("Put all panels of this work place back to where they were at first"),
               [this] { m_places->reset(); });
 }

@@ -213,7 +213,7 @@ void MainWindow::takeOver(const Former &former)
     if (m_areFirstStepsShown)
         showFirstSteps(true);
     showName();
-    if (m_viewOfLesson.isValid()) // the bars around it are higher in some languages
+    if (m_lessons->lesson() && m_viewOfLesson.isValid()) // the bars around it are higher in some languages
         wantViewOfLesson(m_viewOfLesson, m_isViewAskedFor);
 }
 

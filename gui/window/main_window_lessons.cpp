@@ -73,13 +73,6 @@ void MainWindow::putBackAfterLesson()
         m_places->enter(at);
         m_places->dock(panel)->hide();
     }
-    for (const auto &[at, room] : std::exchange(m_roomsBeforeLesson, {})) {
-        m_places->enter(at.first);
-        QDockWidget *dock = m_places->dock(at.second);
-        const auto area = dockWidgetArea(dock);
-        resizeDocks({dock}, {room},
-                    area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea ? Qt::Horizontal : Qt::Vertical);
-    }
     if (const char *place = std::exchange(m_placeBeforeLesson, nullptr))
         m_places->enter(place);
     if (const auto size = std::exchange(m_sizeBeforeLesson, std::nullopt))
@@ -302,19 +295,21 @@ void MainWindow::wantViewOfLesson(const QSize &size, bool isAskedFor)
     m_viewOfLesson = size;
     m_isViewAskedFor = isAskedFor;
     m_viewTrials = 0;
-    if (size.isValid()) {
-        fitViewOfLesson();
-        return;
-    }
-    m_viewTimer.stop();
-    m_view->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
-    m_center->setAlignment(m_view, {}); // it fills
+    fitViewOfLesson();
 }
 
 void MainWindow::fitViewOfLesson()
 {
-    constexpr int kMostTrials = 9;
+    constexpr int kMostTrials = 6;
+    if (!m_viewOfLesson.isValid() || m_places->arePanelsHidden()) {
+        m_viewTimer.stop();
+        m_places->setLeastForView({});
+        m_view->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+        m_center->setAlignment(m_view, {}); // it fills
+        return;
+    }
     const QSize wanted = (QSizeF(m_viewOfLesson) / m_view->devicePixelRatioF()).toSize();
+    m_places->setLeastForView(wanted);
     m_view->setMaximumSize(wanted); // what the window has more stays around it
     m_center->setAlignment(m_view, Qt::AlignCenter);
     if (m_view->size() == wanted && m_viewTrials > 0)
@@ -333,41 +328,16 @@ void MainWindow::fitViewOfLesson()
         }
         return;
     }
-    // Panels that came, went or had other sizes find their places a little later: what is missing then is taken from both
-    // sides, from what is left of one of them, and at last, where somebody asks for it, from outside of the window.
+    // Panels that came, went or had other sizes find their places a little later: only what is missing then is taken from
+    // outside of the window, where somebody asks for it.
     const QSize missing = (wanted - m_viewFrame->size()).expandedTo(QSize(0, 0));
-    const int each = (missing.width() + 1) / 2;
-    switch (m_viewTrials) {
-    case 0: break;
-    case 1:
-        takeRoom(Qt::LeftDockWidgetArea, each);
-        takeRoom(Qt::RightDockWidgetArea, each);
-        takeRoom(Qt::BottomDockWidgetArea, missing.height());
-        break;
-    case 2: takeRoom(Qt::RightDockWidgetArea, missing.width()); break;
-    case 3: takeRoom(Qt::LeftDockWidgetArea, missing.width()); break;
-    default:
-        if (m_isViewAskedFor && !missing.isNull()) {
-            if (!m_sizeBeforeLesson)
-                m_sizeBeforeLesson = size();
-            resize(size() + missing);
-        }
+    if (m_isViewAskedFor && m_viewTrials > 1 && !missing.isNull()) {
+        if (!m_sizeBeforeLesson)
+            m_sizeBeforeLesson = size();
+        resize(size() + missing);
     }
     ++m_viewTrials;
     m_viewTimer.start();
-}
-
-void MainWindow::takeRoom(Qt::DockWidgetArea area, int amount)
-{
-    const bool isSide = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
-    for (const WorkPlaces::Panel &panel : m_places->panels()) {
-        if (amount <= 0 || dockWidgetArea(panel.dock) != area || !m_places->isFront(*panel.dock))
-            continue;
-        const int room = isSide ? panel.dock->width() : panel.dock->height();
-        m_roomsBeforeLesson.try_emplace({m_places->current(), panel.id}, room);
-        resizeDocks({panel.dock}, {room - amount}, isSide ? Qt::Horizontal : Qt::Vertical);
-        return; // those beside it in the area follow
-    }
 }
 
 } // namespace unprojector::gui

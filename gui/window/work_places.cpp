@@ -257,6 +257,14 @@ WorkPlaces::Sizes WorkPlaces::sizesNow() const
     return sizes;
 }
 
+void WorkPlaces::setLeastForView(const QSize &size)
+{
+    if (size == m_leastForView)
+        return;
+    m_leastForView = size;
+    applySizes();
+}
+
 void WorkPlaces::applySizes()
 {
     if (!m_isArranged || !m_window.isVisible())
@@ -265,13 +273,18 @@ void WorkPlaces::applySizes()
     Sizes &wanted = m_wanted[current()];
     const Sizes now = sizesNow();
     for (const bool isAcross : {true, false}) {
-        int sum = 0;
+        int sum = 0, sumNow = 0;
         for (auto size = now.cbegin(); size != now.cend(); ++size) {
             if (!wanted.contains(size.key()))
                 wanted[size.key()] = *size;
             sum += isSide(size.key()) == isAcross ? wanted[size.key()] : 0;
+            sumNow += isSide(size.key()) == isAcross ? *size : 0;
         }
-        const double room = kMostOfTheWindow * (isAcross ? m_window.width() : m_window.height());
+        double room = kMostOfTheWindow * (isAcross ? m_window.width() : m_window.height());
+        if (m_leastForView.isValid()) {
+            const QSize more = m_window.centralWidget()->size() - m_leastForView;
+            room = std::clamp<double>(sumNow + (isAcross ? more.width() : more.height()), 1.0, room);
+        }
         const double share = sum > room ? room / sum : 1.0;
         QList<QDockWidget *> docks;
         QList<int> sizes;

@@ -4,6 +4,7 @@
 #include <QList>
 #include <QMap>
 #include <QObject>
+#include <QSize>
 
 #include <vector>
 
@@ -60,6 +61,9 @@ public:
     /// Gives the view the whole window, or the panels back.
     void hidePanels(bool isHidden);
 
+    /// How much of the window the panels leave to the view where they can become so small, logical pixels; what the user gave
+    /// them is not forgotten. Nothing: as they are.
+    void setLeastForView(const QSize &size);
     /// To be called when the window has got another size, its layout included.
     void windowResized();
     /// Of the areas around the view: widths on the left and right, heights above and below, logical pixels.
@@ -111,7 +115,8 @@ private:
     std::size_t m_current = 0;
     QMap<QByteArray, QByteArray> m_layouts; ///< of the places that were left, by their id
     QMap<QByteArray, Sizes> m_wanted;       ///< of each place, as the user made them in whatever window
-    Sizes m_pressed;                        ///< when the mouse was pressed, perhaps onto a separator
+    QSize m_leastForView;
+    Sizes m_pressed; ///< when the mouse was pressed, perhaps onto a separator
     bool m_isArranged = false;
     bool m_arePanelsHidden = false;
     QByteArray m_layoutWithPanels;

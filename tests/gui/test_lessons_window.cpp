@@ -199,6 +199,8 @@ void TestLessonsWindow::everyStepOpensAndItsLinksLead()
                 for (const std::string &panel : step.question->hides)
                     QVERIFY2(dockOf(*window, panel.c_str())->isHidden(), step.id.c_str());
                 player.reveal();
+                if (step.view)
+                    QTRY_VERIFY2(player.hasViewOfStep(), step.id.c_str());
                 for (const std::string &panel : step.panels)
                     QVERIFY2(!dockOf(*window, panel.c_str())->isHidden(), step.id.c_str());
             }
@@ -314,8 +316,9 @@ void TestLessonsWindow::whatWasShownComesBack()
     const QSize size = window->size();
     QVERIFY(window->lessons().start("first"));
     QCOMPARE(window->places().current(), "click");
-    follow(*window, QStringLiteral("view:300x300"));
-    QTRY_COMPARE(window->view().size(), QSize(300, 300));
+    follow(*window, QStringLiteral("view:300x900"));
+    QTRY_COMPARE(window->view().size(), QSize(300, 900));
+    QVERIFY(window->size() != size);
     QVERIFY(window->session().name() != name);
     follow(*window, QStringLiteral("panel:pipeline"));
     QVERIFY(isSeen(*window, "pipeline"));
@@ -447,6 +450,13 @@ void TestLessonsWindow::theViewGetsTheSizeOfTheNumbers()
     QVERIFY(pick && pick->hit());
     const WorldPoint read = *pick->point.world[Method::Formula];
     QVERIFY(distance(read, WorldPoint(-1.5, 3.5, 5.0)) < 1e-5);
+    window->places().show("pipeline");
+    QTest::qWait(100);
+    QVERIFY(window->lessons().hasViewOfStep());
+    window->places().hidePanels(true);
+    QTRY_VERIFY2(window->view().width() > 900, "it has the whole window");
+    window->places().hidePanels(false);
+    QTRY_VERIFY(window->lessons().hasViewOfStep());
     QCOMPARE(window->size(), size);
     QVERIFY(window->lessons().leave());
     QTRY_COMPARE(window->view().size(), before);
