@@ -242,6 +242,23 @@ std::string sceneOf(MainWindow &window)
     return scene_file::sceneText(window.session().contents()).value();
 }
 
+/// The program's letters in another size, while it lives.
+class TemporaryFontSize {
+public:
+    explicit TemporaryFontSize(double points) : m_own(QApplication::font())
+    {
+        QFont font = m_own;
+        font.setPointSizeF(points);
+        QApplication::setFont(font);
+    }
+    ~TemporaryFontSize() { QApplication::setFont(m_own); }
+    TemporaryFontSize(const TemporaryFontSize &) = delete;
+    TemporaryFontSize &operator=(const TemporaryFontSize &) = delete;
+
+private:
+    QFont m_own;
+};
+
 } // namespace
 
 class TestLanguage : public QObject {
@@ -579,10 +596,7 @@ void TestLanguage::noTextOfAPanelIsCut_data()
 void TestLanguage::noTextOfAPanelIsCut()
 {
     QFETCH(double, points);
-    const QFont own = QApplication::font();
-    QFont font = own;
-    font.setPointSizeF(points);
-    QApplication::setFont(font);
+    const TemporaryFontSize size(points);
     Translation translation({QStringLiteral("zh-CN")});
     const auto window = windowIn(translation);
     QStringList cut;
@@ -600,7 +614,6 @@ void TestLanguage::noTextOfAPanelIsCut()
                 cut << QStringLiteral("%1 in %2: %3").arg(QLatin1String(panel.id), QLatin1String(place), text);
         }
     }
-    QApplication::setFont(own);
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
 }
 
@@ -615,10 +628,7 @@ void TestLanguage::noTextOfALessonIsCut_data()
 void TestLanguage::noTextOfALessonIsCut()
 {
     QFETCH(double, points);
-    const QFont own = QApplication::font();
-    QFont font = own;
-    font.setPointSizeF(points);
-    QApplication::setFont(font);
+    const TemporaryFontSize size(points);
     Translation translation({QStringLiteral("zh-CN")});
     const auto window = windowIn(translation);
     LessonPlayer &lessons = window->lessons();
@@ -645,7 +655,6 @@ void TestLanguage::noTextOfALessonIsCut()
         } while (lessons.hasNext() && lessons.next());
         QVERIFY(lessons.leave());
     }
-    QApplication::setFont(own);
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
 }
 
