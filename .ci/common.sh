@@ -4,7 +4,9 @@ set -euo pipefail
 export root
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
-# CMake reads this when it configures a build folder for the first time.
+# CMake reads this when it configures a build folder for the first time. What was compiled in one clone serves another one:
+# the folder's own name is no part of what is compiled.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=true
 if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
