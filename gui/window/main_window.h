@@ -141,12 +141,19 @@ private:
     void giveLessonRoom(bool isAgain);
     /// Those that the step brings, less those that would show the answer that is still to be found.
     void showPanelsOfStep();
+    /// Those of the step's question, until it is answered.
+    std::vector<std::string> panelsWithAnswer() const;
+    /// Hides these at the current place, and brings those back that were hidden there and tell nothing any more.
+    void hideAnswers();
     /// Gives the view the size that a step's numbers are of, or that a link says: the panels around it make room. Where they
     /// cannot, only for a link the window grows, and it is said where that does not suffice.
     /// @param size  device pixels; not valid: as large as the window allows
     void wantViewOfLesson(const QSize &size, bool isAskedFor);
     /// The next trial to do so.
     void fitViewOfLesson();
+    /// That a view which a link has asked for has another size.
+    /// @param isFitted  as near to it as whole logical pixels are
+    void tellOfView(bool isFitted);
     /// What the step letters, in both views.
     void showHighlights();
     /// Brings the view from outside, beside the view, of which a lesson may speak at any place.
@@ -159,7 +166,9 @@ private:
     void triggerForLesson(const QString &name, bool isOff);
     /// The larger part of the side that it shares with the view from outside: a link has led to it.
     void giveLinkedRoom(QDockWidget &dock);
-    /// What clicks take, whether they place points, and how the pipeline is shown, as it was before links changed it.
+    /// What clicks take, whether they place points, and how the pipeline is shown: before a link changes it.
+    void rememberSwitches();
+    /// As it was then.
     void putSwitchesBack();
     /// A lesson's text and the view from outside, in a dock, go along from place to place.
     void showAccompanying();
@@ -241,7 +250,11 @@ private:
     std::string m_lessonPlace;                 ///< where the lesson wants to be
     std::set<const char *> m_placesWithLesson; ///< where it was given room
     std::string m_lessonShown;                 ///< its name; empty: none
-    const char *m_placeBeforeLesson = nullptr; ///< none: no lesson
+    struct PlaceBefore {
+        const char *place;
+        bool arePanelsHidden;
+    };
+    std::optional<PlaceBefore> m_placeBeforeLesson = {}; ///< none: no lesson
     /// Places, and the panels that a lesson has brought there.
     std::vector<std::pair<const char *, const char *>> m_panelsOfLesson;
     /// The same of those that it has hidden until the answer is given.
@@ -264,12 +277,17 @@ private:
         MatrixView matrices;
     };
     std::optional<SwitchesBefore> m_switchesBeforeLesson = {};
-    std::optional<QSize> m_sizeBeforeLesson = {}; ///< of the window, where a lesson has changed it
-    FormulasWindow *m_formulas = nullptr;         ///< made when it is first asked for
-    KeySheet *m_keys = nullptr;                   ///< so is this
-    SceneCodeWindow *m_code = nullptr;            ///< and this
-    FirstSteps *m_firstSteps = nullptr;           ///< and this, too
-    bool m_areFirstStepsShown = false;            ///< where they are seen
+    /// Sizes of the window, where a link has made it larger.
+    struct Grown {
+        QSize before;
+        QSize given; ///< what came of it; not valid: not known yet
+    };
+    std::optional<Grown> m_grown = {};
+    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
+    KeySheet *m_keys = nullptr;           ///< so is this
+    SceneCodeWindow *m_code = nullptr;    ///< and this
+    FirstSteps *m_firstSteps = nullptr;   ///< and this, too
+    bool m_areFirstStepsShown = false;    ///< where they are seen
     QMenu *m_recentMenu = nullptr;
     QAction *m_projectionAction = nullptr;
     QAction *m_placingAction = nullptr;

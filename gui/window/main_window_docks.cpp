@@ -155,6 +155,7 @@ void MainWindow::createPanels()
 void MainWindow::showAccompanying()
 {
     m_places->dock(kLessonPanel)->setVisible(m_lessons->lesson() != nullptr);
+    hideAnswers();
     giveLessonRoom(false);
     m_places->dock(kObserverPanel)->setVisible(m_observerAction->isChecked() && !m_inset);
     placeFirstSteps();
@@ -186,7 +187,7 @@ void MainWindow::createPlaceActions(QMenu &menu)
     hides->setCheckable(true);
     connect(hides, &QAction::toggled, m_places, &WorkPlaces::hidePanels);
     connect(m_places, &WorkPlaces::panelsHidden, hides, &QAction::setChecked);
-    connect(m_places, &WorkPlaces::panelsHidden, this, [this] { wantViewOfLesson(m_viewOfLesson, false); });
+    connect(m_places, &WorkPlaces::panelsHidden, this, [this] { wantViewOfLesson(m_viewOfLesson, m_isViewAskedFor); });
     addAction(&menu, tr("R&eset Layout"), {}, tr("Put all panels of this work place back to where they were at first"),
               [this] { m_places->reset(); });
 }

@@ -73,10 +73,14 @@ void MainWindow::putBackAfterLesson()
         m_places->enter(at);
         m_places->dock(panel)->hide();
     }
-    if (const char *place = std::exchange(m_placeBeforeLesson, nullptr))
-        m_places->enter(place);
-    if (const auto size = std::exchange(m_sizeBeforeLesson, std::nullopt))
-        resize(*size);
+    if (const auto before = std::exchange(m_placeBeforeLesson, std::nullopt)) {
+        m_places->enter(before->place);
+        m_places->hidePanels(before->arePanelsHidden);
+    }
+    // One that the user has made larger or smaller meanwhile stays so.
+    const auto grown = std::exchange(m_grown, std::nullopt);
+    if (grown && !isMaximized() && !isFullScreen() && (!grown->given.isValid() || grown->given == size()))
+        resize(grown->before);
     m_lessonPlace.clear();
     m_placesWithLesson.clear();
 }
@@ -92,8 +96,10 @@ void MainWindow::showLesson()
     }
     if (!lesson)
         return;
-    if (!m_placeBeforeLesson)
-        m_placeBeforeLesson = m_places->current();
+    if (!m_placeBeforeLesson) {
+        m_placeBeforeLesson = PlaceBefore{m_places->current(), m_places->arePanelsHidden()};
+        m_places->hidePanels(false); // a lesson speaks of them
+    }
     const lessons::Step &step = m_lessons->step();
     if (step.place != m_lessonPlace) {
         m_lessonPlace = step.place;
@@ -164,24 +170,33 @@ void MainWindow::showHighlights()
         m_observer->view().setHighlights(highlights);
 }
 
+std::vector<std::string> MainWindow::panelsWithAnswer() const
+{
+    if (!m_lessons->lesson() || m_lessons->isRevealed() || !m_lessons->step().question)
+        return {};
+    return m_lessons->step().question->hides;
+}
+
 void MainWindow::showPanelsOfStep()
 {
-    const lessons::Step &step = m_lessons->step();
-    const std::vector<std::string> none;
-    const std::vector<std::string> &hidden = step.question && !m_lessons->isRevealed() ? step.question->hides : none;
-    const auto isHidden = [&hidden](const std::string &panel) {
-        return std::count(hidden.begin(), hidden.end(), panel) > 0;
-    };
+    const std::vector<std::string> hidden = panelsWithAnswer();
+    for (const std::string &panel : m_lessons->step().panels) {
+        if (std::count(hidden.begin(), hidden.end(), panel) == 0)
+            followLessonLink(QStringLiteral("panel"), QString::fromStdString(panel));
+    }
+    hideAnswers();
+}
+
+void MainWindow::hideAnswers()
+{
+    const std::vector<std::string> hidden = panelsWithAnswer();
     std::erase_if(m_panelsWithAnswer, [&](const auto &one) {
-        const bool comesBack = !isHidden(one.second) && qstrcmp(one.first, m_places->current()) == 0;
+        const bool comesBack =
+            std::count(hidden.begin(), hidden.end(), one.second) == 0 && qstrcmp(one.first, m_places->current()) == 0;
         if (comesBack)
             m_places->show(one.second.c_str());
         return comesBack;
     });
-    for (const std::string &panel : step.panels) {
-        if (!isHidden(panel))
-            followLessonLink(QStringLiteral("panel"), QString::fromStdString(panel));
-    }
     std::vector<QDockWidget *> docks;
     for (const std::string &panel : hidden) {
         if (QDockWidget *dock = m_places->dock(panel.c_str()); !dock->isHidden())
@@ -229,6 +244,7 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
         if (const auto panel = std::find_if(panels.begin(), panels.end(), isIt); panel != panels.end())
             showPanelOfLesson(panel->id);
     } else if (scheme == QLatin1String("apart")) {
+        rememberSwitches();
         showPanelOfLesson(kPipelinePanel);
         giveLinkedRoom(*m_places->dock(kPipelinePanel));
         m_places->dock(kPipelinePanel)
@@ -251,17 +267,12 @@ void MainWindow::triggerForLesson(const QString &name, bool isOff)
     QAction *action = findChild<QAction *>(name);
     if (!action)
         return;
+    rememberSwitches();
     for (QObject *owner = action->parent(); owner; owner = owner->parent()) {
         if (auto *dock = qobject_cast<QDockWidget *>(owner)) { // where the switch stands
             followLessonLink(QStringLiteral("panel"), dock->objectName());
             giveLinkedRoom(*dock);
         }
-    }
-    if (!m_switchesBeforeLesson) {
-        const auto &pipeline = *m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>();
-        m_switchesBeforeLesson = SwitchesBefore{
-            findChild<QAction *>(QStringLiteral("surface"))->actionGroup()->checkedAction()->objectName(),
-            m_placingAction->isChecked(), pipeline.direction() == PipelineDirection::Backward, pipeline.matrixView()};
     }
     if (!action->isCheckable() || action->isChecked() == isOff)
         action->trigger();
@@ -276,6 +287,16 @@ void MainWindow::giveLinkedRoom(QDockWidget &dock)
         if (m_places->isFront(*observer) && dockWidgetArea(&dock) == dockWidgetArea(observer) && dock.height() < wanted)
             resizeDocks({&dock}, {wanted}, Qt::Vertical);
     });
+}
+
+void MainWindow::rememberSwitches()
+{
+    if (m_switchesBeforeLesson)
+        return;
+    const auto &pipeline = *m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>();
+    m_switchesBeforeLesson = SwitchesBefore{
+        findChild<QAction *>(QStringLiteral("surface"))->actionGroup()->checkedAction()->objectName(),
+        m_placingAction->isChecked(), pipeline.direction() == PipelineDirection::Backward, pipeline.matrixView()};
 }
 
 void MainWindow::putSwitchesBack()
@@ -301,6 +322,8 @@ void MainWindow::wantViewOfLesson(const QSize &size, bool isAskedFor)
 void MainWindow::fitViewOfLesson()
 {
     constexpr int kMostTrials = 6;
+    if (m_grown && !m_grown->given.isValid())
+        m_grown->given = size();
     if (!m_viewOfLesson.isValid() || m_places->arePanelsHidden()) {
         m_viewTimer.stop();
         m_places->setLeastForView({});
@@ -312,32 +335,44 @@ void MainWindow::fitViewOfLesson()
     m_places->setLeastForView(wanted);
     m_view->setMaximumSize(wanted); // what the window has more stays around it
     m_center->setAlignment(m_view, Qt::AlignCenter);
-    if (m_view->size() == wanted && m_viewTrials > 0)
-        return;
-    if (m_viewTrials == kMostTrials) {
-        const Surface &surface = m_document->geometry().surface;
-        if (m_isViewAskedFor) {
-            //: Sizes in pixels: what the view has, then what it should have.
-            m_message->showMessage(
-                tr("The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, "
-                   "or take the window out of full screen.")
-                    .arg(surface.widthPixels)
-                    .arg(surface.heightPixels)
-                    .arg(m_viewOfLesson.width())
-                    .arg(m_viewOfLesson.height()));
-        }
+    const bool isFitted = m_view->size() == wanted && m_viewTrials > 0;
+    if (isFitted || m_viewTrials == kMostTrials) {
+        if (m_isViewAskedFor)
+            tellOfView(isFitted);
         return;
     }
     // Panels that came, went or had other sizes find their places a little later: only what is missing then is taken from
     // outside of the window, where somebody asks for it.
     const QSize missing = (wanted - m_viewFrame->size()).expandedTo(QSize(0, 0));
-    if (m_isViewAskedFor && m_viewTrials > 1 && !missing.isNull()) {
-        if (!m_sizeBeforeLesson)
-            m_sizeBeforeLesson = size();
+    if (m_isViewAskedFor && m_viewTrials > 1 && !missing.isNull() && !isMaximized() && !isFullScreen()) {
+        m_grown = Grown{m_grown ? m_grown->before : size(), {}};
         resize(size() + missing);
     }
     ++m_viewTrials;
     m_viewTimer.start();
+}
+
+void MainWindow::tellOfView(bool isFitted)
+{
+    const Surface &surface = m_document->geometry().surface;
+    const QSize there(surface.widthPixels, surface.heightPixels);
+    if (there == m_viewOfLesson)
+        return;
+    const auto with = [&](const QString &text) {
+        return text.arg(there.width()).arg(there.height()).arg(m_viewOfLesson.width()).arg(m_viewOfLesson.height());
+    };
+    if (isFitted) {
+        //: Sizes in pixels: what the view has, then what it should have; the last is the scale of the screen, such as 1.75.
+        m_message->showMessage(
+            with(tr("The view is %1 × %2 now, and cannot be %3 × %4 on a screen that is scaled by %5: "
+                    "numbers differ a little from those of the text."))
+                .arg(m_view->devicePixelRatioF()));
+    } else {
+        //: Sizes in pixels: what the view has, then what it should have.
+        m_message->showMessage(
+            with(tr("The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside "
+                    "it, or take the window out of full screen.")));
+    }
 }
 
 } // namespace unprojector::gui

@@ -3639,6 +3639,11 @@ Both are as large as fits.</source>
         <translation>本程序有中文界面，但这里没有含汉字的字体。%1然后重新启动本程序。</translation>
     </message>
     <message>
+        <source>The view is %1 × %2 now, and cannot be %3 × %4 on a screen that is scaled by %5: numbers differ a little from those of the text.</source>
+        <extracomment>Sizes in pixels: what the view has, then what it should have; the last is the scale of the screen, such as 1.75.</extracomment>
+        <translation>视图现在是 %1 × %2；在缩放 %5 倍的屏幕上无法达到 %3 × %4：数字会与文中的略有不同。</translation>
+    </message>
+    <message>
         <source>The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, or take the window out of full screen.</source>
         <extracomment>Sizes in pixels: what the view has, then what it should have.</extracomment>
         <translation>视图现在是 %1 × %2：在这个窗口中无法达到 %3 × %4。请关闭旁边的面板，或退出全屏。</translation>
