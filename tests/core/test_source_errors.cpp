@@ -133,8 +133,9 @@ void errorsOfThePaper(Errata &errors)
     // By hand: (13) solved for d, 10 (4 - 2) / (4 (10 - 2)).
     errors.add("error-weng-depth", "depth of z = -4 between 2 and 10", 0, 0.625, at.z);
     // Straight ahead of the eye, whose axes figure 2 shows, is 0; the viewport's origin, of figure 5, is a corner.
-    errors.add("error-weng-figure", "NDC x of where x_v = 0", 0, -1,
-               ndcFromWindow(frustum.viewport, DepthRange{}, WindowPoint(0, 0, 0)).x);
+    const auto ndcX = [&before](const WindowPoint &point) { return ndcFromWindow(before.viewport, {}, point).x; };
+    errors.add("error-weng-figure", "NDC x of where x_v = 0",
+               ndcX(windowFromWorld(before, WorldPoint(0, 0, 0)).value()), -1, ndcX(WindowPoint(0, 0, 0)));
 
     // A rectangle whose top is 40: its height is still 600.
     errors.add("error-weng-bottom", "y_v by the bottom of a rectangle from 40 to 640", 640 - 20.5, 579.5,
@@ -201,6 +202,24 @@ void errorsOfProjectionDerivation(Errata &errors)
                m0("derivation-perspective"));
     errors.add("error-derivation-three", "m[0] of gluPerspective is that of glFrustum", m0("derivation-frustum"), 0.75,
                m0("derivation-perspective"));
+    // The circle of radius 5 around (-8, 0, -20).
+    const auto widthOverHeight = [](const char *id) {
+        const Picture picture = pipelineOf(id).geometry;
+        const auto at = [&picture](double x, double y) {
+            return windowFromWorld(picture, WorldPoint(x, y, -20)).value();
+        };
+        return (at(-3, 0).x - at(-13, 0).x) / (at(-8, 5).y - at(-8, -5).y);
+    };
+    for (const char *id : {"derivation-matrix", "derivation-frustum"})
+        errors.add("error-derivation-three", "width over height of the circle, as by gluPerspective",
+                   widthOverHeight("derivation-perspective"), 16.0 / 9.0, widthOverHeight(id));
+    const auto degrees = [](double tangentOfHalf) { return 2.0 * std::atan(tangentOfHalf) * 180.0 / std::numbers::pi; };
+    const double angleH = 90, angleV = degrees(std::tan(kRightAngle / 2.0) * 600.0 / 800.0); // as the program has them
+    const auto frustum = std::get<Frustum>(exampleScene("derivation-frustum").projection);
+    errors.add("error-derivation-three", "the horizontal angle, called H", angleH, degrees(0.75),
+               degrees(frustum.right / frustum.nearDistance));
+    errors.add("error-derivation-three", "the vertical angle, called V", angleV, 90,
+               degrees(frustum.top / frustum.nearDistance));
     errors.add("error-derivation-translate", "z of the apex", -20, -10,
                pointsForward(pipelineOf("derivation-matrix"), ObjectPoint(0, 0, -20)).eye.value().z);
     errors.add("error-derivation-undeclared", "names that nothing declares", undeclaredIn(std::string(kThirdProgram)),
@@ -268,7 +287,8 @@ void errorsOfParallelProjection(Errata &errors)
                    const std::string right = withInstead(kInitApp, "initApp", "initApp() {");
                    return countOf(right, "}") - countOf(right, "{");
                }());
-    errors.add("error-parallel-size", "SIZE", 4.5, 4,
+    const double size = 4.5;
+    errors.add("error-parallel-size", "SIZE", size, static_cast<int>(size),
                double(exampleScene("parallel-orthographic").objects.at(0).model->bounds.highest.x));
 
     const int n = 2, f = 9, quotient = -(n + f) / (f - n); // as its shader has them
