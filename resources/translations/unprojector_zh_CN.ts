@@ -2391,6 +2391,10 @@ Both are as large as fits.</source>
         <translation>向量</translation>
     </message>
     <message>
+        <source>clipping</source>
+        <translation>裁剪变换</translation>
+    </message>
+    <message>
         <source>kept</source>
         <translation>保留</translation>
     </message>
