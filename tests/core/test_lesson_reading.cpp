@@ -47,6 +47,8 @@ void TestLessonReading::panelsThatShowTheAnswerAreClosed_data()
     QTest::newRow("by the formulas") << QByteArray("clicked.formula.x") << both;
     QTest::newRow("of a point that a link clicks") << QByteArray("linked.ndc.y") << both;
     QTest::newRow("of one that was clicked before") << QByteArray("earlier.ndc.y") << both;
+    QTest::newRow("of one that an answer before clicks") << QByteArray("revealed.ndc.y") << both;
+    QTest::newRow("of one that only its own answer clicks") << QByteArray("own.ndc.y") << own;
     QTest::newRow("of one that nobody clicks") << QByteArray("other.ndc.y") << own;
     QTest::newRow("of a matrix") << QByteArray("projection[2][2]") << QStringList{"inspector", "pipeline"};
     QTest::newRow("of another step") << QByteArray("a:eye.z") << own;
@@ -63,9 +65,13 @@ void TestLessonReading::panelsThatShowTheAnswerAreClosed()
          "points": {"clicked": {"pixel": [275, 225]},
                     "linked": {"space": "world", "coordinates": [1, 1, -3]},
                     "earlier": {"space": "world", "coordinates": [2, 0, -3]},
-                    "other": {"space": "world", "coordinates": [0, 2, -3]}}},
+                    "revealed": {"space": "world", "coordinates": [1, 0, -3]},
+                    "own": {"space": "world", "coordinates": [0, 1, -3]},
+                    "other": {"space": "world", "coordinates": [0, 2, -3]}},
+         "question": {"text": "?", "answer": "quoted 1", "tolerance": 0.1, "reveal": ["<a href='click:revealed'>x</a>"]}},
         {"id": "b", "title": "B", "text": ["<a href='click:linked'>x</a>"],
-         "question": {"text": "?", "answer": "%", "tolerance": 0.1, "hides": ["inspector"]}}]})";
+         "question": {"text": "?", "answer": "%", "tolerance": 0.1, "hides": ["inspector"],
+                      "reveal": ["<a href='click:own'>x</a>"]}}]})";
     const auto lesson = parseLesson("t", QByteArray(json).replace('%', answer).toStdString());
     QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
     QStringList found;
