@@ -75,7 +75,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
         }
         if (lesson.isEmpty())
             m_aside.reset();
-        if (m_isOpening && isBack) { // only to be asked about
+        if (m_isOpening && isBack) { // only to be saved
             if (const auto aside = m_former ? std::exchange(m_former->aside, std::nullopt) : std::nullopt;
                 aside && aside->placing == m_former->placing) {
                 m_former->inView = aside->inView;
@@ -325,7 +325,7 @@ void ScanSeries::comeBack()
             readKept(scan, m_placing);
     }
     m_inView = aside.inView;
-    if (!m_isOpening) // else it is back only to be asked about
+    if (!m_isOpening) // else it is back only to be saved
         m_current = m_inView;
     if (aside.isShown) {
         m_shown = m_inView;

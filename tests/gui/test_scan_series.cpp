@@ -25,7 +25,7 @@ private slots:
     void aSeriesThatIsNotWantedLeavesTheOneBefore();
     void aSeriesGoesOnWhereItWasLeft();
     void aScanComesBackAfterALesson();
-    void aScanThatIsNotKeptComesBackToBeAskedAbout();
+    void aScanThatIsNotKeptIsAskedAboutInALesson();
     void anotherSceneIsNoneOfTheSeries();
     void aScanThatIsGivenUpLeavesTheOneShown();
     void lookingAroundWritesNothing();
@@ -186,7 +186,7 @@ void TestScanSeries::aScanComesBackAfterALesson()
     QVERIFY2(m_failures.isEmpty(), qPrintable(m_failures.join(u'\n')));
 }
 
-void TestScanSeries::aScanThatIsNotKeptComesBackToBeAskedAbout()
+void TestScanSeries::aScanThatIsNotKeptIsAskedAboutInALesson()
 {
     write(QStringLiteral("t.obj"), kSquare);
     QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("other")));
@@ -195,24 +195,32 @@ void TestScanSeries::aScanThatIsNotKeptComesBackToBeAskedAbout()
     QTRY_VERIFY(!m_session->isLoading());
     placeOne("first", 1.0);
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\nfirst,5,5,0\n"); // by somebody else
-    m_answers->save = SessionQuestions::SaveAnswer::Cancel;
     LessonPlayer player(*m_document, *m_session);
     const std::vector<std::function<void()>> ways = {[this] { QVERIFY(!m_session->mayLeave()); },
                                                      [this] { m_series->next(); },
                                                      [this] { m_series->open(file(QStringLiteral("other"))); }};
-    for (const auto &leaves : ways) {
-        QVERIFY(player.start("pipeline"));
-        m_answers->saveQuestions = 0;
-        leaves();
-        QTRY_VERIFY(!m_session->isLoading());
-        QCOMPARE(m_answers->saveQuestions, 1);
-        QVERIFY(!player.lesson());
-        QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
-        QCOMPARE(m_series->scans().size(), std::size_t(2));
-        placeOne("another", 2.0);
-        QCOMPARE(m_series->scans()[0].placedCount(), points().size());
+    using Answer = SessionQuestions::SaveAnswer;
+    for (const Answer answer : {Answer::Cancel, Answer::Save}) {
+        for (const auto &leaves : ways) {
+            QVERIFY(player.start("pipeline"));
+            m_answers->save = answer;
+            m_answers->saveQuestions = 0;
+            leaves();
+            QTRY_VERIFY(!m_session->isLoading());
+            QCOMPARE(m_answers->saveQuestions, 1);
+            if (answer == Answer::Cancel) { // who stays is in the lesson, and the scan still behind it
+                QVERIFY(player.lesson());
+                QCOMPARE(m_series->current(), std::optional<std::size_t>());
+                QVERIFY(player.leave());
+            }
+            QVERIFY(!player.lesson()); // it is back to be saved, and was not, since it has got no name
+            QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
+            QCOMPARE(m_series->scans().size(), std::size_t(2));
+            placeOne("another", 2.0);
+            QCOMPARE(m_series->scans()[0].placedCount(), points().size());
+        }
     }
-    QCOMPARE(points().size(), std::size_t(4));
+    QCOMPARE(points().size(), std::size_t(7));
     m_session->end();
 }
 
