@@ -24,6 +24,8 @@ private slots:
     void theSceneBehindALessonIsSaved_data() { waysToLeave(); }
     void theSceneBehindALessonIsSaved();
     void theSceneBehindALessonIsKeptInCaseOfACrash();
+    void changesThatCannotBeKeptAreToldAgain();
+    void aStepThatCannotBeShownLeavesTheChangesKept();
 
 private:
     void waysToLeave();
@@ -155,6 +157,43 @@ void TestSessionLessons::theSceneBehindALessonIsKeptInCaseOfACrash()
     QVERIFY(desk->session.mayLeave());
     desk->session.end();
     QVERIFY(kept() == 0);
+}
+
+void TestSessionLessons::changesThatCannotBeKeptAreToldAgain()
+{
+    const QString inTheWay = write(QStringLiteral("recovery"), "a file, where the folder is to be");
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    QTRY_COMPARE(desk->notices.size(), 1); // once, however often it fails
+    QVERIFY2(desk->notices[0].contains(QStringLiteral("cannot be kept")), qPrintable(desk->notices[0]));
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline"));
+    QCOMPARE(desk->notices.size(), 2); // nobody tries again for as long as the scene is behind the lesson
+    QVERIFY(player.next() && player.leave());
+    QVERIFY(QFile::remove(inTheWay));
+    QVERIFY(player.start("pipeline")); // and now it is tried
+    QCOMPARE(desk->notices.size(), 2);
+    QVERIFY(kept() > 0);
+    QVERIFY(player.leave());
+    QVERIFY(desk->session.hasUnsavedChanges());
+    desk->session.end();
+    QCOMPARE(kept(), 0);
+}
+
+void TestSessionLessons::aStepThatCannotBeShownLeavesTheChangesKept()
+{
+    const QString inTheWay = write(QStringLiteral("recovery"), "a file, where the folder is to be");
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    Scene step = desk->document.scene();
+    step.camera.eye = step.camera.center;
+    QVERIFY(!desk->session.openLesson(step, QStringLiteral("Step"), QStringLiteral("rows")));
+    QCOMPARE(desk->notices.size(), 1);
+    QVERIFY(QFile::remove(inTheWay));
+    QTRY_VERIFY(kept() > 0);
+    desk->session.end();
 }
 
 QTEST_GUILESS_MAIN(TestSessionLessons)
