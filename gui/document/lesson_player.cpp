@@ -62,6 +62,8 @@ void LessonPlayer::retranslate()
     const auto found = std::find_if(all.begin(), all.end(), [&name](const Lesson &one) { return one.name == name; });
     if (found == all.end()) { // it cannot be read in that language, which has been said
         m_shown.reset();
+        if (m_session.mayLeaveStep())
+            m_session.comeBack();
         emit changed();
         return;
     }

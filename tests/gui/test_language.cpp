@@ -1,5 +1,6 @@
 // Another language is chosen while the program runs.
 
+#include "broken_texts.h"
 #include "cut_texts.h"
 #include "window_user.h"
 
@@ -284,6 +285,7 @@ private slots:
     void hanziAreThoseOfChina();
     void everyBundledNameIsChinese();
     void aLessonGoesOn();
+    void aLessonThatCannotBeReadIsLeft();
     void anAnswerStaysAnswered_data();
     void anAnswerStaysAnswered();
     void whatHelpIsSearchedForStays();
@@ -704,6 +706,23 @@ void TestLanguage::aLessonGoesOn()
     QVERIFY(lessons.leave());
     QVERIFY(window->windowTitle().contains(Session::tr("Bundled scene")));
     QVERIFY(Session::tr("Bundled scene") != QStringLiteral("Bundled scene"));
+}
+
+void TestLanguage::aLessonThatCannotBeReadIsLeft()
+{
+    Translation translation(m_english);
+    const auto window = windowIn(translation);
+    const QString name = window->session().name();
+    const int objects = static_cast<int>(window->document().objects().size());
+    QVERIFY(window->lessons().start("pipeline"));
+    QVERIFY(actionOf(*window, QStringLiteral("Leave Lesson"))->isEnabled());
+    BrokenTexts texts;
+    QVERIFY(QCoreApplication::installTranslator(&texts));
+    QTRY_VERIFY(!window->lessons().lesson());
+    QCOMPARE(window->session().name(), name);
+    QCOMPARE(static_cast<int>(window->document().objects().size()), objects);
+    QVERIFY(!actionOf(*window, QStringLiteral("Leave Lesson"))->isEnabled());
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
 }
 
 void TestLanguage::anAnswerStaysAnswered_data()

@@ -1,8 +1,10 @@
 // A lesson over a session without a window: what becomes of the scene that was shown before it.
 
+#include "broken_texts.h"
 #include "gui/document/lesson_player.h"
 #include "session_desk.h"
 
+#include <QSignalSpy>
 #include <QStandardPaths>
 
 using namespace sessions;
@@ -26,6 +28,7 @@ private slots:
     void theSceneBehindALessonIsKeptInCaseOfACrash();
     void changesThatCannotBeKeptAreToldAgain();
     void aStepThatCannotBeShownLeavesTheChangesKept();
+    void aLessonThatCannotBeReadIsLeft();
 
 private:
     void waysToLeave();
@@ -193,6 +196,29 @@ void TestSessionLessons::aStepThatCannotBeShownLeavesTheChangesKept()
     QCOMPARE(desk->notices.size(), 1);
     QVERIFY(QFile::remove(inTheWay));
     QTRY_VERIFY(kept() > 0);
+    desk->session.end();
+}
+
+void TestSessionLessons::aLessonThatCannotBeReadIsLeft()
+{
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    const QStringList names = desk->names();
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline") && player.next());
+    const QSignalSpy changes(&player, &LessonPlayer::changed), failures(&player, &LessonPlayer::failed);
+    BrokenTexts texts;
+    QVERIFY(QCoreApplication::installTranslator(&texts));
+    player.retranslate();
+    QVERIFY(player.lessons().empty() && !failures.isEmpty());
+    QCOMPARE(changes.size(), 1);
+    QVERIFY(!player.lesson());
+    QCOMPARE(desk->names(), names);
+    QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.5);
+    QCOMPARE(desk->session.name(), QStringLiteral("Bundled scene"));
+    QVERIFY(desk->session.hasUnsavedChanges());
+    QVERIFY(desk->answers.asked.isEmpty());
     desk->session.end();
 }
 
