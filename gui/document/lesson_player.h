@@ -92,7 +92,6 @@ private:
     const Lesson *m_lesson = nullptr; ///< one of m_lessons
     std::size_t m_place = 0;
     bool m_isRevealed = false;
-    int m_changes = 0;            ///< by links
     std::optional<Scene> m_shown; ///< the step's, as it was opened
 };
 
