@@ -513,6 +513,10 @@ void TestLanguage::twoObjectsNeverLookTheSame()
     chooseChinese(*window);
     QVERIFY(areOthers());
     QCOMPARE(listedObjects(*window)[2], QStringLiteral("圆环"));
+    // The teapot is read by its own name beside that one, which so is nobody else's: it may be called as it is.
+    QCOMPARE(window->document().renameObject(1, QStringLiteral("茶壶")), NameFault::None);
+    QCOMPARE(window->document().renameObject(2, QStringLiteral("茶壶")), NameFault::Taken);
+    QCOMPARE(window->document().renameObject(1, QStringLiteral("Teapot")), NameFault::Taken);
 }
 
 void TestLanguage::objectsAreNamedInTheLanguage()
