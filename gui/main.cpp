@@ -154,11 +154,14 @@ int main(int argc, char **argv)
         CommandLine::tr("With --screenshot: press the left button at this position of the view, logical pixels from "
                         "its top-left corner. May be given several times."),
         QStringLiteral("X,Y"));
+    const QCommandLineOption lesson(QStringLiteral("lesson"),
+                                    CommandLine::tr("Start with a lesson, or with one of its steps: first, weng:3."),
+                                    QStringLiteral("NAME[:STEP]"));
     const QCommandLineOption smooth(QStringLiteral("smooth-edges"),
                                     CommandLine::tr("Whether the edges of surfaces are drawn without steps: on or off. "
                                                     "What clicks read is the same."),
                                     QStringLiteral("ON|OFF"));
-    parser.addOptions({help, screenshot, size, viewSize, noPanels, place, appearance, language, click, smooth});
+    parser.addOptions({help, screenshot, size, viewSize, noPanels, place, appearance, language, click, lesson, smooth});
     parser.addPositionalArgument(
         QStringLiteral("MODEL"),
         CommandLine::tr(
@@ -211,6 +214,8 @@ int main(int argc, char **argv)
     }
     if (!clicks.empty() && !parser.isSet(screenshot))
         return usageError(CommandLine::tr("--click works together with --screenshot OUT.png."));
+    if (parser.isSet(lesson) && !parser.positionalArguments().isEmpty())
+        return usageError(CommandLine::tr("Give --lesson or what to open, not both."));
     std::optional<bool> smoothEdges;
     if (parser.isSet(smooth)) {
         const QString choice = parser.value(smooth);
@@ -265,14 +270,16 @@ int main(int argc, char **argv)
                           .value_or(Appearance::Desktop));
 
     if (parser.isSet(screenshot)) {
+        if (spoken && translation->lacksFont()) // what was asked for is not what comes
+            std::fprintf(stderr, "unprojector: %s\n", printed(missingFontText()).constData());
         ScreenshotRun run({parser.value(screenshot), *windowSize, sizeOfView, parser.value(place),
-                           !parser.isSet(noPanels), std::move(clicks), std::move(files), smoothEdges});
+                           !parser.isSet(noPanels), parser.value(lesson), std::move(clicks), std::move(files),
+                           smoothEdges});
         QObject::connect(&run, &ScreenshotRun::ended, &*application, &QCoreApplication::exit, Qt::QueuedConnection);
         run.start();
         return application->exec();
     }
 
-    console.reset(); // whoever started the program goes on with it
     MainWindow::Options options;
     options.smoothEdges = smoothEdges;
     options.translation = &*translation;
@@ -289,6 +296,11 @@ int main(int argc, char **argv)
     if (parser.isSet(noPanels))
         window.hidePanels(true);
     window.show();
+    if (parser.isSet(lesson)) {
+        if (const QString problem = window.startLesson(parser.value(lesson)); !problem.isEmpty())
+            return usageError(problem);
+    }
+    console.reset(); // whoever started the program goes on with it
     if (sizeOfView)
         window.setViewSize(*sizeOfView);
     return application->exec();

@@ -133,6 +133,7 @@ bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
     if (!m_session.openLesson(std::move(scene).value(), lessonTitle(step.title), QString::fromStdString(lesson.name)))
         return false;
     m_shown = m_document.scene();
+    m_clicked.clear();
     return true;
 }
 
@@ -153,7 +154,12 @@ bool LessonPlayer::isAsTheStep() const
 
 bool LessonPlayer::restart()
 {
-    return m_lesson && open(*m_lesson, step());
+    const std::string clicked = m_clicked;
+    if (!m_lesson || !open(*m_lesson, step()))
+        return false;
+    if (!clicked.empty())
+        emit clickWanted(clicked);
+    return true;
 }
 
 bool LessonPlayer::hasViewOfStep() const
@@ -196,6 +202,14 @@ std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
     // In the picture as it is now.
     const auto numbers = lessons::StepNumbers::of(m_document.scene(), surface, points);
     return numbers ? numbers->pixelOf(point) : std::nullopt;
+}
+
+std::optional<DevicePixel> LessonPlayer::clickedPixel(const std::string &point)
+{
+    const auto pixel = pixelOf(point);
+    if (pixel)
+        m_clicked = point;
+    return pixel;
 }
 
 bool LessonPlayer::change(const std::string &name)

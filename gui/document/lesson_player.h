@@ -56,7 +56,7 @@ public:
 
     /// Whether camera, projection, viewport and objects are as the step has them.
     bool isAsTheStep() const;
-    /// Shows the step's scene as it was at first.
+    /// Shows the step's scene as it was at first. `clickWanted` follows where a point of it had been clicked by a link.
     bool restart();
     /// Whether the numbers of the step hold in the view as large as it is.
     bool hasViewOfStep() const;
@@ -70,6 +70,8 @@ public:
     void reveal();
     /// Where to click for a point that the step names; nothing where it is not in the picture as it is now.
     std::optional<DevicePixel> pixelOf(const std::string &point) const;
+    /// The same for somebody who clicks there: the click comes back where the picture is put back.
+    std::optional<DevicePixel> clickedPixel(const std::string &point);
 
     /// Does what a link set:NAME of the step says, undoably.
     /// @return false where it cannot, which `failed` tells
@@ -79,6 +81,8 @@ signals:
     /// Another step, another lesson, or none.
     void changed();
     void revealed();
+    /// The point of the step that was clicked before the picture was put back.
+    void clickWanted(const std::string &point);
     void failed(const QString &reason);
 
 private:
@@ -93,6 +97,7 @@ private:
     std::size_t m_place = 0;
     bool m_isRevealed = false;
     std::optional<Scene> m_shown; ///< the step's, as it was opened
+    std::string m_clicked;        ///< by a link, in this scene, last; empty: nothing
 };
 
 } // namespace unprojector::gui

@@ -8,6 +8,7 @@
 #include "gui/text/number_text.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -27,8 +28,10 @@ namespace {
 
 constexpr int kWidth = 340;
 constexpr int kMostHeight = 620;
-/// Of an answer that is shown.
+/// Of what was typed, when it is said again.
 constexpr int kDigits = 6;
+/// Of the field for it.
+constexpr int kLeastDigits = 8;
 
 QLabel *wrapped()
 {
@@ -36,6 +39,28 @@ QLabel *wrapped()
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return label;
+}
+
+QString withMinus(QString number)
+{
+    return number.replace(u'-', u'−');
+}
+
+/// An answer to as many decimals as count in it.
+QString answerText(double answer, double tolerance)
+{
+    const int decimals = tolerance > 0.0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(tolerance))), 0, 12) : 12;
+    const double scale = std::pow(10.0, decimals);
+    return withMinus(writtenText(std::round(answer * scale) / scale, 15));
+}
+
+/// What it says, and little else: at large fonts the field beside it needs the room.
+void makeNarrow(QPushButton &button)
+{
+    QSizePolicy policy = button.sizePolicy();
+    policy.setHorizontalPolicy(QSizePolicy::Preferred);
+    button.setSizePolicy(policy);
+    button.setMinimumWidth(button.fontMetrics().horizontalAdvance(button.text().remove(u'&')) + 20);
 }
 
 } // namespace
@@ -83,6 +108,9 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     connect(m_hint, &QLabel::linkActivated, this, &LessonPanel::follow);
 
     m_answer->setAccessibleName(tr("Your answer"));
+    m_answer->setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
+    makeNarrow(*m_check);
+    makeNarrow(*m_reveal);
     m_answer->setPlaceholderText(tr("Your answer"));
     m_answer->setToolTip(tr("A number or an expression such as 3/4 or 2*sqrt(2)"));
     m_check->setToolTip(tr("Compare your answer with the program's"));
@@ -90,13 +118,18 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     connect(m_answer, &QLineEdit::returnPressed, this, &LessonPanel::check);
     connect(m_check, &QPushButton::clicked, this, &LessonPanel::check);
     connect(m_reveal, &QPushButton::clicked, this, &LessonPanel::reveal);
-    m_verdict->setTextFormat(Qt::PlainText); // it repeats what was typed
+    m_verdict->setTextFormat(Qt::PlainText);                  // it repeats what was typed
+    m_verdict->setMinimumHeight(fontMetrics().lineSpacing()); // the field stays where it is
     m_verdict->setAccessibleName(tr("Whether your answer is right"));
 
     m_back->setToolTip(tr("The step before (Alt+Page Up)"));
-    m_next->setToolTip(tr("The next step (Alt+Page Down)"));
     connect(m_back, &QPushButton::clicked, this, [this] { m_player.previous(); });
-    connect(m_next, &QPushButton::clicked, this, [this] { m_player.next(); });
+    connect(m_next, &QPushButton::clicked, this, [this] {
+        if (m_player.hasNext())
+            m_player.next();
+        else
+            emit closeRequested();
+    });
 
     m_source->setTextFormat(Qt::PlainText);
     m_source->setForegroundRole(QPalette::PlaceholderText);
@@ -123,8 +156,8 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     layout->addLayout(head);
     layout->addWidget(m_steps);
     layout->addWidget(m_text, 1);
+    layout->addWidget(m_hint); // what comes and goes takes its room from the text: what is pressed stays where it is
     layout->addWidget(m_asking);
-    layout->addWidget(m_hint);
     layout->addWidget(m_source);
     layout->addLayout(way);
 
@@ -153,7 +186,9 @@ void LessonPanel::showStep()
         const int place = static_cast<int>(m_player.place());
         m_steps->setCurrentIndex(place);
         m_back->setEnabled(m_player.hasPrevious());
-        m_next->setEnabled(m_player.hasNext());
+        m_next->setText(m_player.hasNext() ? tr("Next ›") : tr("Finish"));
+        m_next->setToolTip(m_player.hasNext() ? tr("The next step (Alt+Page Down)")
+                                              : tr("Leave the lesson; the scene that was shown before it comes back"));
         const QString source = QString::fromStdString(m_player.step().source);
         m_source->setText(source.isEmpty() ? source : tr("Source: %1").arg(source));
     }
@@ -241,7 +276,7 @@ bool LessonPanel::showVerdict()
     const std::optional<double> answer = m_player.answer();
     if (!m_checked) {
         if (answer)
-            m_verdict->setText(tr("It is %1.").arg(writtenText(*answer, kDigits)));
+            m_verdict->setText(tr("It is %1.").arg(answerText(*answer, m_player.step().question->tolerance)));
         return false;
     }
     const auto value = text::evaluate(m_checked->toStdString());
@@ -251,14 +286,16 @@ bool LessonPanel::showVerdict()
     }
     if (!answer)
         return false;
-    const auto isIt = [&](double given) { return std::abs(given - *answer) <= m_player.step().question->tolerance; };
+    const double tolerance = m_player.step().question->tolerance;
+    const auto isIt = [&](double given) { return std::abs(given - *answer) <= tolerance; };
+    const QString typed = withMinus(writtenText(*value, kDigits));
     const bool isRight = isIt(*value);
     if (isRight)
-        m_verdict->setText(tr("Right: %1.").arg(writtenText(*answer, kDigits)));
+        m_verdict->setText(tr("Right: %1.").arg(answerText(*answer, tolerance)));
     else if (isIt(-*value))
-        m_verdict->setText(tr("%1 has the wrong sign. Try again, or have it shown.").arg(writtenText(*value, kDigits)));
+        m_verdict->setText(tr("%1 has the wrong sign. Try again, or have it shown.").arg(typed));
     else
-        m_verdict->setText(tr("%1 is not it. Try again, or have it shown.").arg(writtenText(*value, kDigits)));
+        m_verdict->setText(tr("%1 is not it. Try again, or have it shown.").arg(typed));
     return isRight;
 }
 
@@ -267,6 +304,16 @@ void LessonPanel::takeOver(const LessonPanel &former)
     m_checked = former.m_checked;
     if (m_player.lesson() && !former.m_verdict->text().isEmpty())
         showVerdict();
+}
+
+void LessonPanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) { // links have the colour that they were set in
+        const int place = m_text->verticalScrollBar()->value();
+        showText();
+        m_text->verticalScrollBar()->setValue(place);
+    }
 }
 
 void LessonPanel::setClosesItself(bool does)

@@ -44,6 +44,9 @@ signals:
     /// colon.
     void linkFollowed(const QString &scheme, const QString &target);
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     void showStep();
     void showText();

@@ -139,6 +139,9 @@ void MainWindow::connectSession()
         showPanelsOfStep();
         m_places->show(kLessonPanel); // which says why it is so, where they are tabs of one column
     });
+    connect(m_lessons, &LessonPlayer::clickWanted, this, [this](const std::string &point) {
+        followLessonLink(QStringLiteral("click"), QString::fromStdString(point));
+    });
     connect(m_lessons, &LessonPlayer::failed, this, &MainWindow::showFailure);
     m_viewTimer.setSingleShot(true);
     m_viewTimer.setInterval(kSettlingMilliseconds);

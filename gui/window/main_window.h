@@ -56,6 +56,9 @@ class ViewportInspector;
 class WindowQuestions;
 class WorkPlaces;
 
+/// That the program would speak Chinese, had it a font for it, and where to get one.
+QString missingFontText();
+
 /// The window: a session's document in a view, with panels in work places, menus, tool bar and status bar around it.
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -88,6 +91,12 @@ public:
     /// Makes the window as large or small as gives the view this size, logical pixels.
     /// @pre the window is shown
     void setViewSize(const QSize &size);
+    /// Whether nothing is still finding its place: the view of a lesson has the size that it can have.
+    bool isSettled() const { return !m_viewTimer.isActive(); }
+    /// Opens a lesson by its name, and its step behind a colon, from 1 on: "weng:3".
+    /// @pre the window is shown
+    /// @return what there is instead, where there is none of it; else empty
+    QString startLesson(const QString &nameAndStep);
     /// What a right click on the tool bar or on a panel's title offers.
     QMenu *createPopupMenu() override;
     /// The message that is on show, or nothing.

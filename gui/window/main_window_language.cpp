@@ -52,6 +52,13 @@ QString whereToGetFont()
 
 } // namespace
 
+QString missingFontText()
+{
+    return MainWindow::tr(
+               "The program speaks Chinese, but no font here has its characters. %1 Then start the program again.")
+        .arg(whereToGetFont());
+}
+
 void MainWindow::createLanguageMenu(QMenu &menu)
 {
     Translation &translation = *m_options.translation;
@@ -86,9 +93,7 @@ void MainWindow::tellOfFont()
     if (!m_options.remembers || !m_options.translation || !m_options.translation->lacksFont() || !message().isEmpty()
         || QSettings().value(key, false).toBool())
         return;
-    m_message->showMessage(
-        tr("The program speaks Chinese, but no font here has its characters. %1 Then start the program again.")
-            .arg(whereToGetFont()));
+    m_message->showMessage(missingFontText());
     QSettings().setValue(key, true);
 }
 

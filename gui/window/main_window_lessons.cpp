@@ -48,6 +48,26 @@ void MainWindow::createLessonsMenu(QMenu &menu)
     enable();
 }
 
+QString MainWindow::startLesson(const QString &nameAndStep)
+{
+    const std::string name = nameAndStep.section(u':', 0, 0).toStdString();
+    bool isNumber = true;
+    const int step = nameAndStep.contains(u':') ? nameAndStep.section(u':', 1).toInt(&isNumber) : 1;
+    QStringList names;
+    for (const Lesson &lesson : m_lessons->lessons()) {
+        const int steps = static_cast<int>(lesson.steps.size());
+        if (lesson.name == name && isNumber && step >= 1 && step <= steps) {
+            if (m_lessons->start(name) && step > 1)
+                m_lessons->goTo(static_cast<std::size_t>(step - 1));
+            return {}; // what failed beyond that is told where every failure is
+        }
+        names << QStringLiteral("%1:1-%2").arg(QString::fromStdString(lesson.name)).arg(steps);
+    }
+    //: %2 are all lessons with their steps: first:1-7, weng:1-16
+    return tr("--lesson is %1; give a lesson, or one of its steps behind a colon: %2.")
+        .arg(nameAndStep, names.join(QStringLiteral(", ")));
+}
+
 void MainWindow::leaveLessonOrStay()
 {
     if (m_lessons->leave())
@@ -230,7 +250,7 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
     if (scheme == QLatin1String("formulas")) {
         showFormulas(target);
     } else if (scheme == QLatin1String("click")) {
-        if (const auto pixel = m_lessons->pixelOf(target.toStdString()))
+        if (const auto pixel = m_lessons->clickedPixel(target.toStdString()))
             m_view->pickPixel(*pixel);
         else
             m_message->showMessage(

@@ -23,6 +23,8 @@ namespace unprojector::gui {
 using namespace scene_file;
 namespace {
 
+constexpr int kAgainMilliseconds = 20;
+
 std::optional<RayOnMesh> rayOf(const SceneDocument &document)
 {
     const PickedRay *ray = document.pickedRay();
@@ -67,6 +69,12 @@ void ScreenshotRun::start()
     const auto finish = [this] { QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave); };
     connect(&m_window->session(), &Session::loadingEnded, this, finish);
     m_window->show();
+    if (!m_request.lesson.isEmpty()) {
+        if (const QString problem = m_window->startLesson(m_request.lesson); !problem.isEmpty()) {
+            fail(problem);
+            return;
+        }
+    }
     if (m_request.viewSize)
         m_window->setViewSize(*m_request.viewSize);
     if (!m_window->session().isLoading())
@@ -102,6 +110,10 @@ void ScreenshotRun::pressAndSave()
 {
     if (m_hasEnded)
         return;
+    if (!m_window->isSettled()) {
+        QTimer::singleShot(kAgainMilliseconds, this, &ScreenshotRun::pressAndSave);
+        return;
+    }
     if (m_request.viewSize && m_window->view().size() != *m_request.viewSize) {
         if (std::exchange(m_isSized, true)) {
             fail(tr("The view is %1 × %2 logical pixels, not %3 × %4: the window cannot be made so here. --no-panels "

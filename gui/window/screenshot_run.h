@@ -21,6 +21,7 @@ public:
         std::optional<QSize> viewSize = {}; ///< logical pixels; instead of the window's
         QString place = {};                 ///< id of the work place; empty: the first
         bool hasPanels = true;
+        QString lesson = {};                      ///< its name, and its step behind a colon, from 1 on; empty: none
         std::vector<WidgetPoint> clicks;          ///< logical pixels of the view
         std::vector<std::filesystem::path> files; ///< none: the bundled scene
         std::optional<bool> smoothEdges = {};     ///< nothing: smooth
@@ -35,6 +36,7 @@ signals:
     void ended(int exitCode);
 
 private:
+    /// Once the window has settled.
     void pressAndSave();
     /// @return what is wrong, or nothing
     QString savePicture();
