@@ -131,6 +131,7 @@ private slots:
     void whatWasShownComesBack();
     void whatCannotBeShownLeavesTheSceneThere();
     void aDragEndsWithItsScene();
+    void aDraggedPointEndsWithItsScene();
     void aClosedWindowIsAsBeforeTheLesson();
     void anotherSceneEndsTheLesson();
     void theKeysGoFromStepToStep();
@@ -367,6 +368,37 @@ void TestLessonsWindow::aDragEndsWithItsScene()
         QTest::mouseRelease(&view, Qt::LeftButton, keys, away.toPoint());
         QVERIFY(!window->document().isModified());
     }
+}
+
+/// And the loupe over it.
+void TestLessonsWindow::aDraggedPointEndsWithItsScene()
+{
+    const auto window = windowOfSize(kWide);
+    SceneDocument &document = window->document();
+    SceneView &view = window->view();
+    const QImage before = view.grabFramebuffer();
+    QVERIFY(window->lessons().start("first"));
+    follow(*window, QStringLiteral("view:500x500"));
+    QTRY_VERIFY(window->lessons().hasViewOfStep());
+    const QPointF at = view.rect().center();
+    const auto there =
+        document.points().onMeshAt(deviceFromWidget(document.geometry().surface, view.widgetPosition(at)));
+    QVERIFY(there && document.points().place(*there));
+    document.points().selectOnly(0);
+    const QImage without = view.grabFramebuffer();
+    const auto send = [&](QEvent::Type type, const QPointF &way, Qt::MouseButton button, Qt::MouseButtons buttons) {
+        sendMouse(view, type, at + way, button, buttons);
+    };
+    send(QEvent::MouseButtonPress, {}, Qt::LeftButton, Qt::LeftButton);
+    send(QEvent::MouseMove, {20.0, 0.0}, Qt::NoButton, Qt::LeftButton);
+    QVERIFY(differentPixels(without, view.grabFramebuffer()) > 1000); // the loupe
+    QVERIFY(window->lessons().leave());
+    const LookAt camera = document.scene().camera;
+    send(QEvent::MouseMove, {40.0, 0.0}, Qt::NoButton, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, {40.0, 0.0}, Qt::LeftButton, Qt::NoButton);
+    QVERIFY(document.scene().camera == camera && !document.isModified());
+    QTRY_COMPARE(view.size(), before.size());
+    QTRY_COMPARE(differentPixels(before, view.grabFramebuffer()), 0);
 }
 
 void TestLessonsWindow::aClosedWindowIsAsBeforeTheLesson()
