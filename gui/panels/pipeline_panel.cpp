@@ -112,6 +112,8 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     layout->addLayout(derivation);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Conventions)
+            followConventions();
         if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint | Change::Conventions))
             refresh();
     });
@@ -123,6 +125,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     });
     arrange();
     createActions();
+    followConventions();
 }
 
 PipelinePanel::~PipelinePanel()
@@ -134,8 +137,6 @@ PipelinePanel::~PipelinePanel()
 
 void PipelinePanel::takeOver(const PipelinePanel &other)
 {
-    // First: other conventions bring their own way to write vectors.
-    m_conventions->setCurrentIndex(other.m_conventions->currentIndex());
     setDirection(other.direction());
     setMatrixView(other.matrixView());
     m_model->takeOver(*other.m_model);
@@ -544,7 +545,7 @@ void PipelinePanel::createActions()
 void PipelinePanel::takeConventions(Api api)
 {
     m_model->setApi(api);
-    showTheirLayout();
+    takeTheirLayout();
 }
 
 void PipelinePanel::showDerivation()
@@ -585,19 +586,22 @@ void PipelinePanel::refresh()
     showConventions();
 }
 
-/// Vectors as the API writes them; until the user says otherwise.
-void PipelinePanel::showTheirLayout()
+void PipelinePanel::takeTheirLayout()
 {
-    m_layoutSwitch->setChoice(conventionsOf(m_model->api()).areVectorsRows ? 1 : 0);
+    m_layoutSwitch->setChoice(conventionsOf(m_document.scene().conventions).areVectorsRows ? 1 : 0);
+}
+
+void PipelinePanel::followConventions()
+{
+    const int item = static_cast<int>(m_document.scene().conventions);
+    if (m_conventions->currentIndex() == item)
+        return;
+    m_conventions->setCurrentIndex(item);
+    takeTheirLayout();
 }
 
 void PipelinePanel::showConventions()
 {
-    const int item = static_cast<int>(m_model->api());
-    if (m_conventions->currentIndex() != item) {
-        m_conventions->setCurrentIndex(item);
-        showTheirLayout();
-    }
     m_conventions->setToolTip(
         tr("Whose axes, depths and pixels are shown, kept in the scene. %1").arg(apiText(m_model->api())));
     m_apiNote->setText(m_model->apiNote());

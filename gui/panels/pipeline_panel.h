@@ -92,7 +92,10 @@ private:
     void showGiven();
     void showObjects();
     void showConventions();
-    void showTheirLayout();
+    /// Takes over which ones they are, seen or not: what is chosen after that stays.
+    void followConventions();
+    /// Vectors as the API writes them; until the user says otherwise.
+    void takeTheirLayout();
     void takeConventions(Api api);
 
     SceneDocument &m_document;

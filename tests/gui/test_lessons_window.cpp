@@ -148,6 +148,7 @@ private slots:
     void theReasonStaysInFront();
     void theViewIsCalledAsThePaperSays();
     void whatLinksSwitchGoesBack();
+    void theWayToWriteVectorsGoesBackUnseen();
     void aLessonBeginsAsIfNoneHadBeenBefore();
     void whatALinkLeadsToHasRoom();
     void aLinkChangesTheScene();
@@ -737,6 +738,26 @@ void TestLessonsWindow::whatLinksSwitchGoesBack()
     QVERIFY(window->lessons().leave());
     QVERIFY(isOn("edge") && !isOn("place_points") && window->document().snap() == ray::Snap::Edge);
     QVERIFY(pipeline->direction() == PipelineDirection::Forward && pipeline->matrixView() == MatrixView());
+}
+
+/// Which the conventions bring along, also where their panel is out of sight when those of before come back.
+void TestLessonsWindow::theWayToWriteVectorsGoesBackUnseen()
+{
+    const auto window = windowOfSize(kWide);
+    auto *pipeline = window->findChild<PipelinePanel *>();
+    const MatrixView rows{MatrixLayout::Row, false};
+    pipeline->setMatrixView(rows);
+    QVERIFY(window->lessons().start("rows"));
+    follow(*window, QStringLiteral("action:columns"));
+    QVERIFY(pipeline->matrixView().layout == MatrixLayout::Column);
+    follow(*window, QStringLiteral("action:conventions_direct3d"));
+    QVERIFY(window->document().scene().conventions == Api::Direct3d && isSeen(*window, "pipeline"));
+    dockOf(*window, "pipeline")->hide();
+    QVERIFY(window->lessons().leave());
+    QVERIFY(window->document().scene().conventions == Api::OpenGl);
+    window->places().show("pipeline");
+    QTRY_VERIFY(isSeen(*window, "pipeline"));
+    QVERIFY(pipeline->matrixView() == rows);
 }
 
 void TestLessonsWindow::aLessonBeginsAsIfNoneHadBeenBefore()

@@ -28,6 +28,8 @@ private slots:
     void otherApisHaveTheSamePointInTheirOwnTerms();
     void whatIsTypedCountsInTheConventionsShown();
     void theConventionsAreChosenUndoably();
+    void theConventionsBringTheirLayoutOnce();
+    void aHiddenPanelTakesTheirLayoutToo();
     void backwardStartsFromThePointOnceTheViewChanged();
     void theBackgroundHasNoPoint();
     void pointsAreColumnsWithAWInEverySpace();
@@ -187,6 +189,40 @@ void TestPipelinePanel::theConventionsAreChosenUndoably()
     QVERIFY(document.scene().conventions == Api::OpenGl);
     QCOMPARE(choice->currentIndex(), 0);
     QVERIFY(panel.matrixView().layout == MatrixLayout::Column);
+}
+
+void TestPipelinePanel::theConventionsBringTheirLayoutOnce()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.show();
+    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
+    // What is chosen after they changed stays, also where nobody saw them change.
+    panel.hide();
+    QVERIFY(document.editConventions(Api::OpenGl, {QStringLiteral("Conventions")}));
+    panel.setMatrixView({MatrixLayout::Row, true});
+    panel.show();
+    QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(), 0);
+    QVERIFY(panel.matrixView() == (MatrixView{MatrixLayout::Row, true}));
+}
+
+void TestPipelinePanel::aHiddenPanelTakesTheirLayoutToo()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
+    const PipelinePanel later(document); // of a document that has them already
+    QVERIFY(later.matrixView().layout == MatrixLayout::Row);
+    panel.setMatrixView({});
+    QVERIFY(document.editGivenPoint(GivenPoint{ObjectPoint(1, 2, 3), {}}, {QStringLiteral("Point")}));
+    panel.show();
+    QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(),
+             static_cast<int>(Api::Direct3d));
+    QVERIFY(panel.matrixView() == MatrixView());
 }
 
 void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()
