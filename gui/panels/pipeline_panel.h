@@ -98,6 +98,11 @@ private:
     void takeTheirLayout();
     void takeConventions(Api api);
 
+    // Before the document's objects in the combo box.
+    static constexpr int kAutomaticItem = 0;
+    static constexpr int kNoneItem = 1;
+    static constexpr int kFirstObjectItem = 2;
+
     SceneDocument &m_document;
     PipelineModel *m_model;
     SegmentedSwitch *m_directionSwitch;
