@@ -43,6 +43,7 @@ void TestLessonsView::theViewGetsTheSizeOfTheNumbers_data()
 {
     QTest::addColumn<QSize>("size");
     QTest::newRow("larger") << QSize(1280, 800);
+    QTest::newRow("with no room to spare") << QSize(1200, 760);
     QTest::newRow("with less beside the view") << QSize(1100, 700);
 }
 
