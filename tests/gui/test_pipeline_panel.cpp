@@ -7,7 +7,6 @@
 #include "gui/text/error_text.h"
 #include "tests/gui/depth_ranges.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QScrollBar>
 
@@ -27,9 +26,6 @@ private slots:
     void backwardStartsFromTheClickedPixelsCentre();
     void otherApisHaveTheSamePointInTheirOwnTerms();
     void whatIsTypedCountsInTheConventionsShown();
-    void theConventionsAreChosenUndoably();
-    void theConventionsBringTheirLayoutOnce();
-    void aHiddenPanelTakesTheirLayoutToo();
     void backwardStartsFromThePointOnceTheViewChanged();
     void theBackgroundHasNoPoint();
     void pointsAreColumnsWithAWInEverySpace();
@@ -169,60 +165,6 @@ void TestPipelinePanel::whatIsTypedCountsInTheConventionsShown()
     QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
     QVERIFY(isPoint(model.point(Space::Eye), {2.2, 4.2, 7}));
     QVERIFY(std::get<EyePoint>(document.givenPoint()->point).z == -7.0);
-}
-
-void TestPipelinePanel::theConventionsAreChosenUndoably()
-{
-    SceneDocument document;
-    openFigures(document);
-    PipelinePanel panel(document);
-    panel.show();
-    auto *choice = panel.findChild<QComboBox *>(QStringLiteral("conventions"));
-    QVERIFY(choice);
-    const auto choose = [choice](Api api) { emit choice->activated(static_cast<int>(api)); };
-    choose(Api::OpenCascade);
-    QVERIFY(document.scene().conventions == Api::OpenCascade);
-    QCOMPARE(choice->currentIndex(), static_cast<int>(Api::OpenCascade));
-    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
-    QVERIFY(document.isModified());
-    document.undoStack().undo();
-    QVERIFY(document.scene().conventions == Api::OpenGl);
-    QCOMPARE(choice->currentIndex(), 0);
-    QVERIFY(panel.matrixView().layout == MatrixLayout::Column);
-}
-
-void TestPipelinePanel::theConventionsBringTheirLayoutOnce()
-{
-    SceneDocument document;
-    openFigures(document);
-    PipelinePanel panel(document);
-    panel.show();
-    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
-    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
-    // What is chosen after they changed stays, also where nobody saw them change.
-    panel.hide();
-    QVERIFY(document.editConventions(Api::OpenGl, {QStringLiteral("Conventions")}));
-    panel.setMatrixView({MatrixLayout::Row, true});
-    panel.show();
-    QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(), 0);
-    QVERIFY(panel.matrixView() == (MatrixView{MatrixLayout::Row, true}));
-}
-
-void TestPipelinePanel::aHiddenPanelTakesTheirLayoutToo()
-{
-    SceneDocument document;
-    openFigures(document);
-    PipelinePanel panel(document);
-    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
-    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
-    const PipelinePanel later(document); // of a document that has them already
-    QVERIFY(later.matrixView().layout == MatrixLayout::Row);
-    panel.setMatrixView({});
-    QVERIFY(document.editGivenPoint(GivenPoint{ObjectPoint(1, 2, 3), {}}, {QStringLiteral("Point")}));
-    panel.show();
-    QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(),
-             static_cast<int>(Api::Direct3d));
-    QVERIFY(panel.matrixView() == MatrixView());
 }
 
 void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()
