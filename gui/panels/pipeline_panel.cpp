@@ -1,6 +1,5 @@
 #include "gui/panels/pipeline_panel.h"
 
-#include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/entry_derivation.h"
@@ -13,26 +12,19 @@
 #include "gui/panels/segmented_switch.h"
 #include "gui/panels/steady_label.h"
 #include "gui/text/api_text.h"
-#include "gui/text/help_anchors.h"
-#include "gui/text/number_text.h"
 
-#include <QAction>
-#include <QClipboard>
 #include <QComboBox>
 #include <QFrame>
-#include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QScrollBar>
-#include <QSignalBlocker>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+
+// What it shows is in pipeline_panel_shown.cpp, what is done in it in pipeline_panel_actions.cpp.
 
 namespace unprojector::gui {
 namespace {
@@ -42,45 +34,6 @@ using Space = PointModel::Space;
 /// Of the switch of digits, whose first one is the double as it fits.
 constexpr int kWholeChoice = 1;
 constexpr int kFloatChoice = 2;
-
-/// Before the document's objects in the combo box.
-constexpr int kAutomaticItem = 0;
-constexpr int kNoneItem = 1;
-constexpr int kFirstObjectItem = 2;
-
-QString stageName(PipelineStage stage, PipelineDirection direction)
-{
-    QString name;
-    switch (stage) {
-    case PipelineStage::ModelMatrix: name = PipelinePanel::tr("Model"); break;
-    case PipelineStage::ViewMatrix: name = PipelinePanel::tr("View"); break;
-    case PipelineStage::ProjectionMatrix: name = PipelinePanel::tr("Projection"); break;
-    case PipelineStage::ViewportMatrix: name = PipelinePanel::tr("Viewport"); break;
-    case PipelineStage::ModelviewMatrix: name = PipelinePanel::tr("Modelview"); break;
-    case PipelineStage::WholeMatrix: name = QStringLiteral("MVPW"); break;
-    }
-    return direction == PipelineDirection::Forward ? name : name + QStringLiteral("⁻¹");
-}
-
-/// The factors of a combined matrix in the order they are written in; empty for a single one.
-QString productText(PipelineStage stage, PipelineDirection direction, MatrixLayout layout)
-{
-    std::vector<PipelineStage> stages;
-    if (stage == PipelineStage::ModelviewMatrix)
-        stages = {PipelineStage::ViewMatrix, PipelineStage::ModelMatrix};
-    else if (stage == PipelineStage::WholeMatrix)
-        stages = {PipelineStage::ViewportMatrix, PipelineStage::ProjectionMatrix, PipelineStage::ViewMatrix,
-                  PipelineStage::ModelMatrix};
-    else
-        return {};
-    // Both the inverse and the row vectors turn the order round.
-    if ((direction == PipelineDirection::Backward) != (layout == MatrixLayout::Row))
-        std::reverse(stages.begin(), stages.end());
-    QStringList names;
-    for (const PipelineStage factor : stages)
-        names << stageName(factor, direction);
-    return QStringLiteral("= ") + names.join(QStringLiteral(" · "));
-}
 
 } // namespace
 
@@ -112,6 +65,8 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     layout->addLayout(derivation);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Conventions)
+            followConventions();
         if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint | Change::Conventions))
             refresh();
     });
@@ -123,6 +78,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     });
     arrange();
     createActions();
+    followConventions();
 }
 
 PipelinePanel::~PipelinePanel()
@@ -134,19 +90,11 @@ PipelinePanel::~PipelinePanel()
 
 void PipelinePanel::takeOver(const PipelinePanel &other)
 {
-    // First: other conventions bring their own way to write vectors.
-    m_conventions->setCurrentIndex(other.m_conventions->currentIndex());
     setDirection(other.direction());
     setMatrixView(other.matrixView());
     m_model->takeOver(*other.m_model);
     m_chosen = other.m_chosen;
     showStatus();
-}
-
-void PipelinePanel::applyTyped()
-{
-    for (NumberGrid *grid : m_pointGrids)
-        grid->applyTyped();
 }
 
 QLayout *PipelinePanel::createFollowed()
@@ -173,16 +121,6 @@ QLayout *PipelinePanel::createFollowed()
     line->addWidget(m_follow, 0, Qt::AlignTop);
     line->addWidget(m_remove, 0, Qt::AlignTop);
     return line;
-}
-
-void PipelinePanel::showFollowed()
-{
-    const bool isGiven = m_model->followsGiven();
-    m_follow->setText(isGiven ? tr("The click") : tr("Your point"));
-    m_follow->setToolTip(isGiven ? tr("Follow the clicked point again; yours stays")
-                                 : tr("Follow the point that you have given in numbers"));
-    m_follow->setVisible(m_document.givenPoint() && (!isGiven || m_document.pick()));
-    m_remove->setVisible(m_document.givenPoint().has_value());
 }
 
 QWidget *PipelinePanel::createSwitches()
@@ -422,276 +360,6 @@ void PipelinePanel::arrange()
     showTitles();
 }
 
-QString PipelinePanel::helpOf(PipelineStage stage) const
-{
-    if (m_model->direction() == PipelineDirection::Backward)
-        return QStringLiteral("matrix");
-    switch (stage) {
-    case PipelineStage::ModelMatrix: return QStringLiteral("model");
-    case PipelineStage::ViewMatrix: return QStringLiteral("view");
-    case PipelineStage::ProjectionMatrix: return helpAnchorOf(kindOf(m_document.geometry().projection()));
-    case PipelineStage::ViewportMatrix: return QStringLiteral("viewport");
-    case PipelineStage::ModelviewMatrix:
-    case PipelineStage::WholeMatrix: return QStringLiteral("mvpw");
-    }
-    Q_UNREACHABLE();
-}
-
-QString PipelinePanel::helpOf(const EntryDerivation &derivation) const
-{
-    if (derivation.stage)
-        return helpOf(*derivation.stage);
-    if (!m_chosen || !derivation.source)
-        return QStringLiteral("spaces");
-    // The flip, and the division.
-    return m_chosen->space == Space::Window || m_chosen->space == Space::Widget ? QStringLiteral("half-pixel")
-                                                                                : QStringLiteral("viewport");
-}
-
-void PipelinePanel::showHelp()
-{
-    for (const PipelineStage stage : kPipelineStages)
-        m_sections[static_cast<std::size_t>(stage)]->setHelp(helpOf(stage));
-}
-
-void PipelinePanel::showTitles()
-{
-    for (const PipelineStage stage : kPipelineStages)
-        m_sections[static_cast<std::size_t>(stage)]->setTitle(
-            stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
-            productText(stage, m_model->direction(), m_model->view().layout));
-    showHelp();
-    m_derivation->setLongest(longestDerivations(m_model->view().isWhole));
-    showFactors();
-    showDerivation();
-}
-
-void PipelinePanel::showFactors()
-{
-    const Projection projection = m_document.geometry().projection();
-    const auto show = [this](PipelineStage stage, FactorsView *view, bool isGiven, const Projection *of) {
-        if (!m_sections[static_cast<std::size_t>(stage)]->showsFactors())
-            return;
-        if (const auto factors = m_model->factors(stage))
-            view->setFactors(*factors, m_model->matrix(stage)->matrix(), m_model->view(), isGiven, of);
-        else if (m_model->direction() == PipelineDirection::Backward) // else they stay, as the matrices do
-            view->setNone(tr("Forward shows the factors; this matrix is the inverse of their product."));
-    };
-    show(PipelineStage::ViewMatrix, m_viewFactors, m_document.givenView() != nullptr, nullptr);
-    show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_document.givenProjection() != nullptr, &projection);
-}
-
-void PipelinePanel::takeApart(PipelineStage stage)
-{
-    setDirection(PipelineDirection::Forward);
-    MatrixSection &section = *m_sections[static_cast<std::size_t>(stage)];
-    section.takeApart();
-    scrollTo(section, stage == PipelineStage::ProjectionMatrix ? &m_projectionFactors->shares() : nullptr);
-}
-
-void PipelinePanel::openMatrix(PipelineStage stage)
-{
-    MatrixSection &section = *m_sections[static_cast<std::size_t>(stage)];
-    section.setOpen(true);
-    scrollTo(section, nullptr);
-}
-
-void PipelinePanel::scrollTo(const QWidget &row, const QWidget *tried)
-{
-    // Once all stands where it will.
-    QTimer::singleShot(0, this, [this, &row, tried] {
-        const auto topOf = [this](const QWidget &one) { return one.mapTo(m_scrollArea->widget(), QPoint()).y(); };
-        int top = topOf(row);
-        // From the heading on, unless what there is to try would be out of sight.
-        if (tried && tried->isVisible()) {
-            if (const int below = topOf(*tried); below >= top)
-                top = std::clamp(below + tried->height() - m_scrollArea->viewport()->height(), top, below);
-        }
-        m_scrollArea->verticalScrollBar()->setValue(top);
-    });
-}
-
-void PipelinePanel::createActions()
-{
-    const auto add = [this](const QString &name, const auto &does) {
-        auto *action = new QAction(this);
-        action->setObjectName(name);
-        connect(action, &QAction::triggered, this, does);
-    };
-    const auto choices = [&add](SegmentedSwitch *among, const QStringList &names) {
-        for (int i = 0; i < names.size(); ++i)
-            add(names[i], [among, i] { among->setChoice(i); });
-    };
-    choices(m_directionSwitch, {QStringLiteral("forward"), QStringLiteral("backward")});
-    choices(m_layoutSwitch, {QStringLiteral("columns"), QStringLiteral("rows")});
-    choices(m_memorySwitch, {QStringLiteral("square"), QStringLiteral("memory_order")});
-    choices(m_digitsSwitch,
-            {QStringLiteral("double_digits"), QStringLiteral("all_digits"), QStringLiteral("float_digits")});
-    constexpr std::array kStages{"model", "view", "projection", "viewport", "modelview", "whole"}; // of PipelineStage
-    for (std::size_t i = 0; i < kStages.size(); ++i)
-        add(QStringLiteral("open_") + QLatin1String(kStages[i]), [this, i] { openMatrix(kPipelineStages[i]); });
-    for (const int percent : {0, 100}) {
-        add(QStringLiteral("factors_%1").arg(percent), [this, percent] {
-            takeApart(PipelineStage::ProjectionMatrix);
-            m_projectionFactors->setShares(percent);
-        });
-    }
-    for (const Api api : kApis)
-        add(QStringLiteral("conventions_") + QLatin1String(conventionsOf(api).key),
-            [this, api] { takeConventions(api); });
-}
-
-void PipelinePanel::takeConventions(Api api)
-{
-    m_model->setApi(api);
-    showTheirLayout();
-}
-
-void PipelinePanel::showDerivation()
-{
-    const EntryDerivation derivation =
-        m_chosen ? entryDerivation(*m_model, m_document.geometry(), m_chosen->space, m_chosen->coordinate)
-                 : EntryDerivation{entryHint(), {}, 0, {}, {}};
-    m_derivation->setText(unbrokenTerms(derivation.text));
-    m_derivationHelp->setAnchor(helpOf(derivation));
-    m_derivation->setToolTip(derivation.text);
-    for (const PipelineStage stage : kPipelineStages) {
-        MatrixModel *matrix = m_model->matrix(stage);
-        QModelIndexList marked;
-        for (int column = 0; column < 4 && derivation.stage == stage; ++column)
-            marked << matrix->indexOf(derivation.matrixRow, column);
-        matrix->setMarked(marked);
-    }
-    for (int i = 0; i < PointModel::kSpaces; ++i) {
-        PointModel *point = m_model->point(static_cast<Space>(i));
-        QModelIndexList marked;
-        if (m_chosen && m_chosen->space == point->space())
-            marked << point->indexOf(m_chosen->coordinate);
-        if (derivation.source == point->space()) {
-            for (const int coordinate : derivation.coordinates)
-                marked << point->indexOf(coordinate);
-        }
-        point->setMarked(marked);
-    }
-}
-
-void PipelinePanel::refresh()
-{
-    if (!isVisible())
-        return;
-    m_model->update();
-    showStatus();
-    showObjects();
-    showConventions();
-}
-
-/// Vectors as the API writes them; until the user says otherwise.
-void PipelinePanel::showTheirLayout()
-{
-    m_layoutSwitch->setChoice(conventionsOf(m_model->api()).areVectorsRows ? 1 : 0);
-}
-
-void PipelinePanel::showConventions()
-{
-    const int item = static_cast<int>(m_model->api());
-    if (m_conventions->currentIndex() != item) {
-        m_conventions->setCurrentIndex(item);
-        showTheirLayout();
-    }
-    m_conventions->setToolTip(
-        tr("Whose axes, depths and pixels are shown, kept in the scene. %1").arg(apiText(m_model->api())));
-    m_apiNote->setText(m_model->apiNote());
-    m_apiNote->setVisible(!m_model->apiNote().isEmpty());
-}
-
-void PipelinePanel::showStatus()
-{
-    showGiven();
-    showFollowed();
-    showHelp();
-    showFactors();
-    showDerivation();
-    if (m_status->text() != m_model->status()) {
-        m_status->setText(m_model->status());
-        m_status->setToolTip(m_model->status());
-    }
-    const Surface &surface = m_document.geometry().surface;
-    if (surface == m_surface && m_model->isDepthRead() == m_isDepthRead && m_model->api() == m_api)
-        return;
-    m_surface = surface;
-    m_api = m_model->api();
-    m_isDepthRead = m_model->isDepthRead();
-    showFlip();
-}
-
-void PipelinePanel::showGiven()
-{
-    m_given->setTitle(tr("Projection"), m_model->given()->variableName(), m_model->givenNote());
-    m_given->setVisible(!m_model->givenNote().isEmpty());
-    m_givenView->setTitle(tr("View"), m_model->givenView()->variableName(), tr("As it was given."));
-    m_givenView->setVisible(m_document.givenView() != nullptr);
-    // Of what the scene keeps, the order is that of columns.
-    m_givenFindings->setFindings(m_model->givenFindings(MatrixRole::Projection), MatrixRole::Projection,
-                                 NumberOrder::ByColumns);
-    m_givenViewFindings->setFindings(m_model->givenFindings(MatrixRole::View), MatrixRole::View,
-                                     NumberOrder::ByColumns);
-}
-
-void PipelinePanel::showFlip()
-{
-    const ApiConventions &api = conventionsOf(m_api);
-    const double pixelRatio = api.areLogicalPixels ? 1.0 : m_surface.devicePixelRatio;
-    const bool isForward = m_model->direction() == PipelineDirection::Forward;
-    const QString ratio = pixelRatio == 1.0 ? QString() : significantText(pixelRatio, 6);
-    const QString half = api.pixelCentre != 0.0 ? QString()
-                         : isForward            ? QStringLiteral(" + ½")
-                                                : QStringLiteral(" − ½");
-    const auto axis = [&](QChar name, bool isFlipped) {
-        const QString scaled =
-            isForward || ratio.isEmpty() ? QString(name) : QStringLiteral("%1 · %2").arg(name).arg(ratio);
-        return (isFlipped ? QStringLiteral("%1 − ").arg(m_surface.heightPixels) : QString()) + scaled + half;
-    };
-    QString text = QStringLiteral("↓  (%1, %2)").arg(axis(u'x', false), axis(u'y', !api.isOriginTop));
-    if (isForward && !ratio.isEmpty())
-        text += QStringLiteral(" / ") + ratio;
-    if (isForward)
-        m_flip->setText(text);
-    else
-        m_flip->setText(m_isDepthRead ? tr("%1, depth as read").arg(text) : tr("%1, depth computed").arg(text));
-}
-
-void PipelinePanel::showObjects()
-{
-    const std::vector<SceneObject> &objects = m_document.objects();
-    const auto hasName = [](const SceneObject &object, const std::string &name) { return object.name == name; };
-    const bool isSame =
-        m_object->count() > 0
-        && std::equal(objects.begin(), objects.end(), m_objectNames.begin(), m_objectNames.end(), hasName);
-    if (!isSame) {
-        m_objectNames.clear();
-        const QSignalBlocker blocker(m_object);
-        m_object->clear();
-        m_object->addItem({});
-        m_object->addItem(tr("None (identity)"));
-        for (const SceneObject &object : objects) {
-            m_objectNames.push_back(object.name);
-            m_object->addItem(shownObjectName(object.name, objects));
-        }
-    }
-    const std::optional<std::size_t> shown = m_model->shownObject();
-    const bool isAutomatic = m_model->object() == PipelineModel::kAutomaticObject;
-    const QString automatic = isAutomatic && shown
-                                  ? tr("Automatic: %1").arg(shownObjectName(objects[*shown].name, objects))
-                              : isAutomatic ? tr("None (identity)")
-                                            : tr("Automatic");
-    if (m_object->itemText(kAutomaticItem) != automatic)
-        m_object->setItemText(kAutomaticItem, automatic);
-    const int item = isAutomatic || !shown ? (isAutomatic ? kAutomaticItem : kNoneItem)
-                                           : kFirstObjectItem + static_cast<int>(*shown);
-    if (m_object->currentIndex() != item)
-        m_object->setCurrentIndex(item);
-}
-
 void PipelinePanel::setDirection(PipelineDirection direction)
 {
     m_directionSwitch->setChoice(direction == PipelineDirection::Forward ? 0 : 1);
@@ -707,29 +375,6 @@ void PipelinePanel::setMatrixView(const MatrixView &view)
 QSize PipelinePanel::sizeHint() const
 {
     return {51 * fontMetrics().horizontalAdvance(u'0'), 36 * fontMetrics().lineSpacing()};
-}
-
-void PipelinePanel::keyPressEvent(QKeyEvent *event)
-{
-    if (!event->matches(QKeySequence::Paste)) {
-        QWidget::keyPressEvent(event);
-        return;
-    }
-    const auto hasFocus = [this](const QWidget *section) { return section->isAncestorOf(window()->focusWidget()); };
-    MatrixRole role = MatrixRole::Projection;
-    if (hasFocus(m_givenView) || hasFocus(m_sections[std::size_t(PipelineStage::ViewMatrix)])
-        || hasFocus(m_sections[std::size_t(PipelineStage::ModelviewMatrix)]))
-        role = MatrixRole::View;
-    else if (hasFocus(m_sections[std::size_t(PipelineStage::WholeMatrix)]))
-        role = MatrixRole::Product;
-    emit aboutToPaste();
-    PasteMatricesDialog::open(m_document, window(), role, QGuiApplication::clipboard()->text());
-}
-
-void PipelinePanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    refresh();
 }
 
 } // namespace unprojector::gui

@@ -92,8 +92,16 @@ private:
     void showGiven();
     void showObjects();
     void showConventions();
-    void showTheirLayout();
+    /// Takes over which ones they are, seen or not: what is chosen after that stays.
+    void followConventions();
+    /// Vectors as the API writes them; until the user says otherwise.
+    void takeTheirLayout();
     void takeConventions(Api api);
+
+    // Before the document's objects in the combo box.
+    static constexpr int kAutomaticItem = 0;
+    static constexpr int kNoneItem = 1;
+    static constexpr int kFirstObjectItem = 2;
 
     SceneDocument &m_document;
     PipelineModel *m_model;

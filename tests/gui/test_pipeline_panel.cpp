@@ -7,7 +7,6 @@
 #include "gui/text/error_text.h"
 #include "tests/gui/depth_ranges.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QScrollBar>
 
@@ -27,7 +26,6 @@ private slots:
     void backwardStartsFromTheClickedPixelsCentre();
     void otherApisHaveTheSamePointInTheirOwnTerms();
     void whatIsTypedCountsInTheConventionsShown();
-    void theConventionsAreChosenUndoably();
     void backwardStartsFromThePointOnceTheViewChanged();
     void theBackgroundHasNoPoint();
     void pointsAreColumnsWithAWInEverySpace();
@@ -167,26 +165,6 @@ void TestPipelinePanel::whatIsTypedCountsInTheConventionsShown()
     QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
     QVERIFY(isPoint(model.point(Space::Eye), {2.2, 4.2, 7}));
     QVERIFY(std::get<EyePoint>(document.givenPoint()->point).z == -7.0);
-}
-
-void TestPipelinePanel::theConventionsAreChosenUndoably()
-{
-    SceneDocument document;
-    openFigures(document);
-    PipelinePanel panel(document);
-    panel.show();
-    auto *choice = panel.findChild<QComboBox *>(QStringLiteral("conventions"));
-    QVERIFY(choice);
-    const auto choose = [choice](Api api) { emit choice->activated(static_cast<int>(api)); };
-    choose(Api::OpenCascade);
-    QVERIFY(document.scene().conventions == Api::OpenCascade);
-    QCOMPARE(choice->currentIndex(), static_cast<int>(Api::OpenCascade));
-    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
-    QVERIFY(document.isModified());
-    document.undoStack().undo();
-    QVERIFY(document.scene().conventions == Api::OpenGl);
-    QCOMPARE(choice->currentIndex(), 0);
-    QVERIFY(panel.matrixView().layout == MatrixLayout::Column);
 }
 
 void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()

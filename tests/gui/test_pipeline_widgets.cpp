@@ -40,6 +40,9 @@ private slots:
     void theWheelOverAMatrixIsLeftToThePanel();
     void everyControlHasAName();
     void itFitsADockOf420Pixels();
+    void theConventionsAreChosenUndoably();
+    void theConventionsBringTheirLayoutOnce();
+    void aHiddenPanelTakesTheirLayoutToo();
 };
 
 void TestPipelineWidgets::aTooltipNamesTheEntry()
@@ -345,6 +348,60 @@ void TestPipelineWidgets::itFitsADockOf420Pixels()
     panel.setMatrixView({MatrixLayout::Row, true, Digits::Float});
     QVERIFY(panel.minimumSizeHint().width() <= 420);
     QVERIFY(panel.minimumSizeHint().height() <= 600);
+}
+
+void TestPipelineWidgets::theConventionsAreChosenUndoably()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.show();
+    auto *choice = panel.findChild<QComboBox *>(QStringLiteral("conventions"));
+    QVERIFY(choice);
+    const auto choose = [choice](Api api) { emit choice->activated(static_cast<int>(api)); };
+    choose(Api::OpenCascade);
+    QVERIFY(document.scene().conventions == Api::OpenCascade);
+    QCOMPARE(choice->currentIndex(), static_cast<int>(Api::OpenCascade));
+    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
+    QVERIFY(document.isModified());
+    document.undoStack().undo();
+    QVERIFY(document.scene().conventions == Api::OpenGl);
+    QCOMPARE(choice->currentIndex(), 0);
+    QVERIFY(panel.matrixView().layout == MatrixLayout::Column);
+}
+
+void TestPipelineWidgets::theConventionsBringTheirLayoutOnce()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.show();
+    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
+    // What is chosen after they changed stays, also where nobody saw them change.
+    panel.hide();
+    QVERIFY(document.editConventions(Api::OpenGl, {QStringLiteral("Conventions")}));
+    panel.setMatrixView({MatrixLayout::Row, true});
+    panel.show();
+    QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(), 0);
+    QVERIFY(panel.matrixView() == (MatrixView{MatrixLayout::Row, true}));
+}
+
+void TestPipelineWidgets::aHiddenPanelTakesTheirLayoutToo()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
+    const PipelinePanel later(document); // of a document that has them already
+    QVERIFY(later.matrixView().layout == MatrixLayout::Row);
+    panel.setMatrixView({});
+    QVERIFY(document.editGivenPoint(GivenPoint{ObjectPoint(1, 2, 3), {}}, {QStringLiteral("Point")}));
+    panel.show();
+    QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(),
+             static_cast<int>(Api::Direct3d));
+    QVERIFY(panel.matrixView() == MatrixView());
 }
 
 QTEST_MAIN(TestPipelineWidgets)

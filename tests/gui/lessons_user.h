@@ -1,0 +1,95 @@
+#pragma once
+
+#include "gui/view/scene_view.h"
+#include "gui/window/lesson_panel.h"
+#include "window_user.h"
+
+#include <QEventLoop>
+#include <QLabel>
+#include <QLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScreen>
+#include <QTextBrowser>
+#include <QTimer>
+
+#include <algorithm>
+#include <optional>
+
+/// What the tests of lessons in the window do with it.
+namespace guitest {
+
+inline constexpr QSize kWide(1280, 800);
+inline constexpr QSize kLow(1280, 600); ///< a screen that is not high either has room for more
+
+/// Until the window has looked at the view's size for the last time, and panels are laid out: a timer of its own is late
+/// whenever this one is.
+inline void settle(MainWindow &window)
+{
+    constexpr int kLooks = 8; // more, and later ones, than the window's
+    constexpr int kMilliseconds = 50;
+    for (int look = 0; look < kLooks; ++look) {
+        QEventLoop loop;
+        QTimer::singleShot(kMilliseconds, Qt::PreciseTimer, &loop, &QEventLoop::quit);
+        loop.exec();
+        QCoreApplication::sendPostedEvents();
+        window.layout()->activate();
+    }
+}
+
+/// The height of a view that the window has to grow for, in a lesson; nothing where the screen has no room for it.
+inline std::optional<int> heightToGrowFor(MainWindow &window)
+{
+    constexpr int kMost = 900;
+    const int place = window.view().parentWidget()->height();
+    const int beside = window.frameGeometry().height() - place;
+    const int height = std::min(kMost, window.screen()->availableSize().height() - beside);
+    return height > place ? std::optional(height) : std::nullopt;
+}
+
+inline LessonPanel &panelOf(MainWindow &window)
+{
+    return *window.findChild<LessonPanel *>();
+}
+
+inline void follow(MainWindow &window, const QString &link)
+{
+    emit panelOf(window).findChild<QTextBrowser *>()->anchorClicked(QUrl(link));
+}
+
+inline QPushButton *buttonOf(MainWindow &window, const QString &text)
+{
+    for (QPushButton *button : panelOf(window).findChildren<QPushButton *>()) {
+        if (button->text().remove(u'&') == text)
+            return button;
+    }
+    return nullptr;
+}
+
+/// What the panel says of an answer or of the picture: the label with this name or with a link.
+inline QString verdictOf(MainWindow &window)
+{
+    for (const QLabel *label : panelOf(window).findChildren<QLabel *>()) {
+        if (label->accessibleName() == QStringLiteral("Whether your answer is right"))
+            return label->textFormat() == Qt::PlainText ? label->text() : QStringLiteral("markup");
+    }
+    return {};
+}
+
+inline QLabel *hintOf(MainWindow &window)
+{
+    for (QLabel *label : panelOf(window).findChildren<QLabel *>()) {
+        if (label->text().contains(QLatin1String("<a href=")))
+            return label;
+    }
+    return nullptr;
+}
+
+inline void answer(MainWindow &window, const QString &text)
+{
+    auto *field = panelOf(window).findChild<QLineEdit *>();
+    field->setText(text);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+} // namespace guitest

@@ -1,0 +1,260 @@
+// A lesson's links in the window: every one of every step leads somewhere, and does what it says.
+
+#include "core/lessons/lesson.h"
+#include "gui/document/lesson_player.h"
+#include "gui/panels/factor_shares.h"
+#include "gui/panels/factors_view.h"
+#include "gui/panels/pipeline_panel.h"
+#include "gui/text/formula_markup.h"
+#include "lessons_user.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QSet>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace guitest;
+
+namespace {
+
+QSet<QString> anchorsOfHelp()
+{
+    QFile file(QStringLiteral(":/help/formulas.html"));
+    QSet<QString> names;
+    static const QRegularExpression name(QStringLiteral("<a name=['\"]([^'\"]+)['\"]"));
+    const QString page = file.open(QIODevice::ReadOnly) ? typeset(QString::fromUtf8(file.readAll())) : QString();
+    for (auto matches = name.globalMatch(page); matches.hasNext();)
+        names.insert(matches.next().captured(1));
+    return names;
+}
+
+template <class List>
+bool has(const List &list, const QString &id)
+{
+    return std::any_of(list.begin(), list.end(), [&id](const auto &one) { return id == QLatin1String(one.id); });
+}
+
+/// The links of a text.
+QStringList linksOf(const std::vector<std::string> &paragraphs)
+{
+    static const QRegularExpression link(QStringLiteral("<a href='([^']*)'>"));
+    QStringList links;
+    for (const std::string &paragraph : paragraphs) {
+        for (auto it = link.globalMatch(QString::fromStdString(paragraph)); it.hasNext();)
+            links << it.next().captured(1);
+    }
+    return links;
+}
+
+} // namespace
+
+class TestLessonsLinks : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void everyStepOpensAndItsLinksLead_data();
+    void everyStepOpensAndItsLinksLead();
+    void whatLinksSwitchGoesBack();
+    void theWayToWriteVectorsGoesBackUnseen();
+    void whatALinkLeadsToHasRoom();
+    void aLinkChangesTheScene();
+    void aChangeThatDoesNotFitIsTold();
+};
+
+void TestLessonsLinks::everyStepOpensAndItsLinksLead_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    const auto window = windowOfSize(kWide);
+    for (const Lesson &lesson : window->lessons().lessons())
+        QTest::newRow(lesson.name.c_str()) << QByteArray::fromStdString(lesson.name);
+}
+
+void TestLessonsLinks::everyStepOpensAndItsLinksLead()
+{
+    QFETCH(QByteArray, name);
+    static const QSet<QString> formulas = anchorsOfHelp();
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = window->lessons();
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
+    QVERIFY(player.start(name.toStdString()));
+    for (std::size_t place = 0; place < player.lesson()->steps.size(); ++place) {
+        QVERIFY(player.goTo(place));
+        const lessons::Step &step = player.step();
+        QVERIFY(isSeen(*window, "lesson"));
+        QVERIFY(step.place.empty() || step.place == window->places().current());
+        QVERIFY(player.isAsTheStep());
+        QVERIFY(!step.question || player.answer());
+        QVERIFY2(panelOf(*window).sizeHint().width() <= 360, step.id.c_str());
+        QVERIFY(!panelOf(*window).text().contains(u'{'));
+        for (const std::string &panel : step.panels)
+            QVERIFY2(has(window->places().panels(), QString::fromStdString(panel)), step.id.c_str());
+        if (step.view) {
+            follow(*window, QStringLiteral("view:%1x%2").arg(step.view->x).arg(step.view->y));
+            QTRY_VERIFY2(player.hasViewOfStep(), step.id.c_str());
+        }
+        for (const bool isAnswered : {false, true}) {
+            if (isAnswered && !step.question)
+                break;
+            if (isAnswered) {
+                // Whatever was done until then: no panel has given it away.
+                for (const std::string &panel : step.question->hides)
+                    QVERIFY2(dockOf(*window, panel.c_str())->isHidden(), step.id.c_str());
+                player.reveal();
+                if (step.view)
+                    QTRY_VERIFY2(player.hasViewOfStep(), step.id.c_str());
+                for (const std::string &panel : step.panels)
+                    QVERIFY2(!dockOf(*window, panel.c_str())->isHidden(), step.id.c_str());
+            }
+            for (const QString &link : linksOf(isAnswered ? step.question->reveal : step.text)) {
+                const QByteArray where = (QString::fromStdString(step.id) + u' ' + link).toUtf8();
+                const QString to = link.section(u':', 1);
+                if (link.startsWith(QLatin1String("click:"))) {
+                    window->document().clearPick();
+                    follow(*window, link);
+                    QVERIFY2(window->document().pick() && window->document().pick()->hit(), where);
+                } else if (link.startsWith(QLatin1String("panel:"))) {
+                    QVERIFY2(has(window->places().panels(), to), where);
+                    follow(*window, link);
+                    QVERIFY2(!dockOf(*window, to.toLatin1())->isHidden(), where);
+                } else if (link.startsWith(QLatin1String("set:"))) {
+                    const int steps = window->document().undoStack().count();
+                    follow(*window, link);
+                    QVERIFY2(window->document().undoStack().count() == steps + 1, where);
+                    window->document().undoStack().undo();
+                } else if (link == QLatin1String("apart:view")) {
+                    follow(*window, link);
+                    QVERIFY2(dockOf(*window, "pipeline")->findChild<FactorsView *>()->isVisible(), where);
+                } else if (link.startsWith(QLatin1String("action:"))) {
+                    const QList<QAction *> actions = window->findChildren<QAction *>(to.section(u':', 0, 0));
+                    QVERIFY2(actions.size() == 1, where);
+                    const QSignalSpy triggers(actions.front(), &QAction::triggered);
+                    follow(*window, link);
+                    QVERIFY2(actions.front()->isCheckable() ? actions.front()->isChecked() != to.endsWith(u":off")
+                                                            : triggers.size() == 1,
+                             where);
+                } else if (link.startsWith(QLatin1String("apart:"))) {
+                    follow(*window, link);
+                    const FactorShares *shares = dockOf(*window, "pipeline")->findChildren<FactorShares *>().back();
+                    QVERIFY2(shares->isVisible(), where);
+                    for (const QSlider *slider : shares->findChildren<QSlider *>())
+                        QTRY_VERIFY2(!slider->isVisible() || !slider->visibleRegion().isEmpty(), where);
+                } else if (link.startsWith(QLatin1String("place:"))) {
+                    QVERIFY2(has(window->places().places(), to), where);
+                } else if (link.startsWith(QLatin1String("formulas:"))) {
+                    QVERIFY2(formulas.contains(to), where);
+                }
+            }
+        }
+        QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
+    }
+}
+
+void TestLessonsLinks::whatLinksSwitchGoesBack()
+{
+    const auto window = windowOfSize(kWide);
+    const auto isOn = [&](const char *name) { return window->findChild<QAction *>(QLatin1String(name))->isChecked(); };
+    const auto *pipeline = window->findChild<PipelinePanel *>();
+    window->findChild<QAction *>(QStringLiteral("edge"))->trigger();
+    QVERIFY(window->lessons().start("rows"));
+    for (const char *name : {"vertex", "place_points", "backward", "rows"})
+        follow(*window, QStringLiteral("action:") + QLatin1String(name));
+    QVERIFY(isOn("vertex") && isOn("place_points") && window->document().snap() == ray::Snap::Vertex);
+    QVERIFY(pipeline->direction() == PipelineDirection::Backward && isSeen(*window, "pipeline"));
+    follow(*window, QStringLiteral("action:place_points")); // which it is
+    QVERIFY(isOn("place_points"));
+    follow(*window, QStringLiteral("action:place_points:off"));
+    QVERIFY(!isOn("place_points"));
+    follow(*window, QStringLiteral("action:place_points"));
+    follow(*window, QStringLiteral("action:nothing")); // what is not there does nothing
+    QVERIFY(window->lessons().leave());
+    QVERIFY(isOn("edge") && !isOn("place_points") && window->document().snap() == ray::Snap::Edge);
+    QVERIFY(pipeline->direction() == PipelineDirection::Forward && pipeline->matrixView() == MatrixView());
+}
+
+/// Which the conventions bring along, also where their panel is out of sight when those of before come back.
+void TestLessonsLinks::theWayToWriteVectorsGoesBackUnseen()
+{
+    const auto window = windowOfSize(kWide);
+    auto *pipeline = window->findChild<PipelinePanel *>();
+    const MatrixView rows{MatrixLayout::Row, false};
+    pipeline->setMatrixView(rows);
+    QVERIFY(window->lessons().start("rows"));
+    follow(*window, QStringLiteral("action:columns"));
+    QVERIFY(pipeline->matrixView().layout == MatrixLayout::Column);
+    follow(*window, QStringLiteral("action:conventions_direct3d"));
+    QVERIFY(window->document().scene().conventions == Api::Direct3d && isSeen(*window, "pipeline"));
+    dockOf(*window, "pipeline")->hide();
+    QVERIFY(window->lessons().leave());
+    QVERIFY(window->document().scene().conventions == Api::OpenGl);
+    window->places().show("pipeline");
+    QTRY_VERIFY(isSeen(*window, "pipeline"));
+    QVERIFY(pipeline->matrixView() == rows);
+}
+
+void TestLessonsLinks::whatALinkLeadsToHasRoom()
+{
+    const auto window = windowOfSize(kWide);
+    QVERIFY(window->lessons().start("pipeline"));
+    follow(*window, QStringLiteral("step:ortho"));
+    const QDockWidget *pipeline = dockOf(*window, "pipeline"), *observer = dockOf(*window, "observer");
+    QTRY_VERIFY(isSeen(*window, "observer") && observer->height() > window->height() / 3);
+    follow(*window, QStringLiteral("action:open_projection"));
+    QTRY_VERIFY(isSeen(*window, "pipeline") && pipeline->height() > observer->height() * 4 / 3);
+}
+
+void TestLessonsLinks::aLinkChangesTheScene()
+{
+    const auto window = windowOfSize(kWide);
+    SceneDocument &document = window->document();
+    QVERIFY(window->lessons().start("pipeline") && window->lessons().next());
+    const std::optional<GivenPoint> followed = document.givenPoint();
+    QVERIFY(followed);
+    follow(*window, QStringLiteral("set:other"));
+    QVERIFY(document.givenPoint() == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
+    QCOMPARE(document.undoStack().count(), 1); // one change for all that it says
+    QVERIFY(window->lessons().isAsTheStep());
+    // Where a click is followed, the link leads back to the point, which is the same already.
+    const PipelineModel &model = dockOf(*window, "pipeline")->findChild<PipelinePanel *>()->model();
+    QVERIFY(model.followsGiven());
+    follow(*window, QStringLiteral("click:point"));
+    QVERIFY(window->document().pick() && !model.followsGiven());
+    follow(*window, QStringLiteral("set:other"));
+    QVERIFY(model.followsGiven());
+    // What was typed in another space, or removed, does not change what it says.
+    for (const std::optional<GivenPoint> &typed : {std::optional<GivenPoint>{{ClipPoint(1, 2, 3, 4)}}, {}}) {
+        QVERIFY(document.editGivenPoint(typed, {QStringLiteral("Typed")}));
+        follow(*window, QStringLiteral("set:other"));
+        QVERIFY(document.givenPoint() == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
+    }
+    while (document.undoStack().canUndo())
+        document.undoStack().undo();
+    QVERIFY(document.givenPoint() == followed);
+    follow(*window, QStringLiteral("set:none")); // what the step does not know does nothing
+    QVERIFY(document.givenPoint() == followed);
+    QVERIFY(window->message().isEmpty());
+}
+
+void TestLessonsLinks::aChangeThatDoesNotFitIsTold()
+{
+    const auto window = windowOfSize(kWide);
+    SceneDocument &document = window->document();
+    QVERIFY(window->lessons().start("derivation"));
+    QVERIFY(window->lessons().goTo(window->lessons().lesson()->steps.size() - 1));
+    // Which has no left and right to exchange.
+    QVERIFY(document.editProjection({Perspective{1.0, 1.0, 1.0, 10.0}, false, false}, {QStringLiteral("Other")}));
+    const int steps = document.undoStack().count();
+    follow(*window, QStringLiteral("set:exchanged"));
+    QCOMPARE(document.undoStack().count(), steps);
+    QVERIFY2(window->message().startsWith(QStringLiteral("The scene as it is now cannot be changed so.")),
+             qPrintable(window->message()));
+}
+
+QTEST_MAIN(TestLessonsLinks)
+#include "test_lessons_links.moc"
