@@ -297,8 +297,8 @@ int main(int argc, char **argv)
         window.hidePanels(true);
     window.show();
     if (parser.isSet(lesson)) {
-        if (const QString problem = window.startLesson(parser.value(lesson)); !problem.isEmpty())
-            return usageError(problem);
+        if (const QString unknown = window.startLesson(parser.value(lesson)); !unknown.isEmpty())
+            return usageError(unknown);
     }
     console.reset(); // whoever started the program goes on with it
     if (sizeOfView)

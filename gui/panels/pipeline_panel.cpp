@@ -19,6 +19,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -95,6 +97,10 @@ void PipelinePanel::takeOver(const PipelinePanel &other)
     m_model->takeOver(*other.m_model);
     m_chosen = other.m_chosen;
     showStatus();
+    // Once it is laid out.
+    QTimer::singleShot(0, this, [this, place = other.m_scrollArea->verticalScrollBar()->value()] {
+        m_scrollArea->verticalScrollBar()->setValue(place);
+    });
 }
 
 QLayout *PipelinePanel::createFollowed()

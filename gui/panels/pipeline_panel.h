@@ -46,6 +46,8 @@ public:
     /// Follows the point that is given, also where a click came after it.
     void followGiven() { m_model->followGiven(true); }
 
+    /// Back to the first row.
+    void scrollToTop();
     /// Shows the factors of the view's or the projection's matrix, forward, and what there is to try with them.
     void takeApart(PipelineStage stage);
 

@@ -82,6 +82,11 @@ void PipelinePanel::scrollTo(const QWidget &row, const QWidget *tried)
     });
 }
 
+void PipelinePanel::scrollToTop()
+{
+    QTimer::singleShot(0, this, [this] { m_scrollArea->verticalScrollBar()->setValue(0); });
+}
+
 void PipelinePanel::takeConventions(Api api)
 {
     m_model->setApi(api);

@@ -262,6 +262,7 @@ private:
     struct PlaceBefore {
         const char *place;
         bool arePanelsHidden;
+        std::vector<const char *> fronts; ///< panels that were seen there
     };
     std::optional<PlaceBefore> m_placeBeforeLesson = {}; ///< none: no lesson
     /// Places, and the panels that a lesson has brought there.

@@ -215,6 +215,7 @@ void MainWindow::createEditMenu(QToolBar &bar)
 {
     QMenu *menu = menuBar()->addMenu(tr("&Edit"));
     QAction *undo = m_document->undoStack().createUndoAction(menu, tr("&Undo"));
+    undo->setObjectName(QStringLiteral("undo")); // by which lessons link to it, as to others below
     undo->setShortcut(QKeySequence::Undo);
     QAction *redo = m_document->undoStack().createRedoAction(menu, tr("&Redo"));
     QList<QKeySequence> redoKeys = QKeySequence::keyBindings(QKeySequence::Redo);
@@ -265,12 +266,13 @@ void MainWindow::createPlacingActions(QMenu &menu, QToolBar &bar)
     };
     addAction(&menu, tr("&Go to Point"), Qt::Key_G, tr("Turn the camera to face the surface at the selected point"),
               withCurrent([](SceneDocument &document, std::size_t place) { goToPoint(document, place); }));
-    addAction(&menu, tr("&Zoom to ± 0.01"), Qt::SHIFT | Qt::Key_G,
-              tr("Get closer to the selected point until its pixel leaves no more open than 0.01"),
-              withCurrent([](SceneDocument &document, std::size_t place) {
-                  constexpr double kHalf = 0.01;
-                  zoomToPoint(document, place, kHalf);
-              }));
+    QAction *zoom = addAction(&menu, tr("&Zoom to ± 0.01"), Qt::SHIFT | Qt::Key_G,
+                              tr("Get closer to the selected point until its pixel leaves no more open than 0.01"),
+                              withCurrent([](SceneDocument &document, std::size_t place) {
+                                  constexpr double kHalf = 0.01;
+                                  zoomToPoint(document, place, kHalf);
+                              }));
+    zoom->setObjectName(QStringLiteral("zoom_to_point"));
     addAction(&menu, tr("Put &Back on the Surface"), Qt::Key_B,
               tr("Put the selected points onto the surface, where it is closest to them"), [this, isPlaced] {
                   const std::vector<std::size_t> &selected = m_document->points().selection();

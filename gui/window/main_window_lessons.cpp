@@ -85,16 +85,20 @@ void MainWindow::putBackAfterLesson()
     m_places->dock(kLessonPanel)->hide();
     putObserverBack();
     putSwitchesBack();
-    for (const auto &[at, panel] : std::exchange(m_panelsWithAnswer, {})) {
-        m_places->enter(at);
-        m_places->show(panel.c_str());
-    }
     for (const auto &[at, panel] : std::exchange(m_panelsOfLesson, {})) {
         m_places->enter(at);
         m_places->dock(panel)->hide();
     }
+    for (const auto &[at, panel] : std::exchange(m_panelsWithAnswer, {})) {
+        m_places->enter(at);
+        m_places->show(panel.c_str());
+    }
     if (const auto before = std::exchange(m_placeBeforeLesson, std::nullopt)) {
         m_places->enter(before->place);
+        for (const char *panel : before->fronts) {
+            if (!m_places->dock(panel)->isHidden())
+                m_places->show(panel); // where a tab went away, Qt has chosen another
+        }
         m_places->hidePanels(before->arePanelsHidden);
     }
     // One that the user has made larger or smaller meanwhile stays so.
@@ -117,8 +121,13 @@ void MainWindow::showLesson()
     if (!lesson)
         return;
     if (!m_placeBeforeLesson) {
-        m_placeBeforeLesson = PlaceBefore{m_places->current(), m_places->arePanelsHidden()};
+        m_placeBeforeLesson = PlaceBefore{m_places->current(), m_places->arePanelsHidden(), {}};
         m_places->hidePanels(false); // a lesson speaks of them
+        for (const WorkPlaces::Panel &panel : m_places->panels()) {
+            if (m_places->isFront(*panel.dock))
+                m_placeBeforeLesson->fronts.push_back(panel.id);
+        }
+        m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>()->scrollToTop();
     }
     const lessons::Step &step = m_lessons->step();
     if (step.place != m_lessonPlace) {
@@ -168,6 +177,7 @@ void MainWindow::showObserverOfLesson()
                            [this] { resizeDocks({m_places->dock(kObserverPanel)}, {height() / 2}, Qt::Vertical); });
     }
     m_places->show(kObserverPanel);
+    giveLinkedRoom(*m_places->dock(kPipelinePanel)); // but for that, where numbers stand one below the other
 }
 
 void MainWindow::putObserverBack()
@@ -304,7 +314,8 @@ void MainWindow::giveLinkedRoom(QDockWidget &dock)
     QTimer::singleShot(0, &dock, [this, &dock] {
         const int wanted = height() * 3 / 5;
         QDockWidget *observer = m_places->dock(kObserverPanel);
-        if (m_places->isFront(*observer) && dockWidgetArea(&dock) == dockWidgetArea(observer) && dock.height() < wanted)
+        if (m_places->isFront(dock) && m_places->isFront(*observer) && dockWidgetArea(&dock) == dockWidgetArea(observer)
+            && dock.height() < wanted)
             resizeDocks({&dock}, {wanted}, Qt::Vertical);
     });
 }

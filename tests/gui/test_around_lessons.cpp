@@ -56,6 +56,8 @@ private slots:
     void anAnswerIsHiddenAtEveryPlace();
     void answeredPanelsComeBackAtTheirPlace();
     void hiddenPanelsAreHiddenAgain();
+    void theFirstPanelIsInFrontAgain();
+    void whatIsPutBackHasItsClick();
     void takingApartGoesBack();
     void aWindowThatGrewIsAsBefore();
     void aWindowOfTheUsersSizeStaysSo();
@@ -107,6 +109,43 @@ void TestAroundLessons::hiddenPanelsAreHiddenAgain()
     window->hidePanels(true); // F9 gives the view the whole window
     QVERIFY(window->lessons().leave());
     QVERIFY(!window->places().arePanelsHidden() && isSeen(*window, "comparison"));
+}
+
+void TestAroundLessons::theFirstPanelIsInFrontAgain()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &lessons = window->lessons();
+    for (const char *other : {"pipeline", "weng", "rows"}) {
+        QVERIFY(lessons.start(other));
+        while (lessons.hasNext())
+            QVERIFY(lessons.next());
+        QVERIFY(lessons.start("first"));
+        QVERIFY2(isSeen(*window, "comparison"), other); // its first step speaks of it
+    }
+    QVERIFY(lessons.start("pipeline"));
+    follow(*window, QStringLiteral("panel:pipeline"));
+    QVERIFY(lessons.leave());
+    QVERIFY(isSeen(*window, "comparison"));
+}
+
+void TestAroundLessons::whatIsPutBackHasItsClick()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &lessons = window->lessons();
+    QVERIFY(lessons.start("first"));
+    follow(*window, QStringLiteral("click:clicked"));
+    QVERIFY(window->document().pick());
+    QVERIFY(lessons.goTo(2)); // which speaks of the click
+    const DevicePixel pixel = window->document().pick()->devicePixel;
+    window->document().setCamera(LookAt{{9.0, 3.0, 12.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+    QVERIFY(!lessons.isAsTheStep());
+    follow(*window, QStringLiteral("restart:"));
+    QVERIFY(lessons.isAsTheStep());
+    QVERIFY(window->document().pick() && window->document().pick()->devicePixel == pixel);
+    // Nothing is clicked that was not.
+    QVERIFY(lessons.start("weng"));
+    follow(*window, QStringLiteral("restart:"));
+    QVERIFY(!window->document().pick());
 }
 
 void TestAroundLessons::takingApartGoesBack()
