@@ -1169,7 +1169,7 @@
     </message>
     <message>
         <source>By the inverse of projection × view, in double, as gluUnProject does; world units</source>
-        <translation>用“投影 × 视图”的逆矩阵计算，double，与 gluUnProject 相同；世界单位</translation>
+        <translation>用“投影矩阵 × 观察矩阵”的逆矩阵计算，double，与 gluUnProject 相同；世界单位</translation>
     </message>
     <message>
         <source>Formula minus matrix inverse; world units</source>
@@ -2391,6 +2391,10 @@ Both are as large as fits.</source>
         <translation>向量</translation>
     </message>
     <message>
+        <source>clipping</source>
+        <translation>裁剪变换</translation>
+    </message>
+    <message>
         <source>kept</source>
         <translation>保留</translation>
     </message>
@@ -3560,7 +3564,7 @@ Both are as large as fits.</source>
     </message>
     <message>
         <source>Take the camera from projection and view, or their product, as another program prints them</source>
-        <translation>让相机取自其他程序打印的投影和视图，或它们的乘积</translation>
+        <translation>让相机取自其他程序打印的投影矩阵和观察矩阵，或它们的乘积</translation>
     </message>
     <message>
         <source>Select a placed point first: its mark in the view, or its row under Points.</source>
@@ -5119,7 +5123,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>Projection and view</source>
-        <translation>投影和视图</translation>
+        <translation>投影和观察</translation>
     </message>
     <message>
         <source>The two matrices, or one of them; the other stays that of the scene</source>
@@ -5143,7 +5147,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>The product cannot be taken apart into lens and eye: it is neither a perspective&apos;s nor a box&apos;s. Paste projection and view.</source>
-        <translation>无法把乘积拆成投影和视图：它既不是透视投影的乘积，也不是正交投影的乘积。请粘贴投影和视图。</translation>
+        <translation>无法把乘积拆成投影矩阵和观察矩阵：它既不是透视投影的乘积，也不是正交投影的乘积。请分别粘贴这两个矩阵。</translation>
     </message>
     <message>
         <source>No picture can be made of it: %1</source>
@@ -5151,7 +5155,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
     <message>
         <source>Taken apart into projection and view, which make the product again up to %1 of its largest entry.</source>
-        <translation>已拆成投影和视图，两者相乘与原乘积之差不超过其最大元素的 %1。</translation>
+        <translation>已拆成投影矩阵和观察矩阵，两者相乘与原乘积之差不超过其最大元素的 %1。</translation>
     </message>
     <message>
         <source>Of a box the eye may be anywhere along the view: it is put on the near plane.</source>
@@ -5491,7 +5495,7 @@ m[0] … m[15]、JSON、C、three.js</translation>
     </message>
     <message>
         <source>↓  divide by w</source>
-        <translation>↓  除以 w</translation>
+        <translation>↓  透视除法：除以 w</translation>
     </message>
     <message>
         <source>None (identity)</source>
@@ -5796,7 +5800,7 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <source>%1 = %2
 in the object&apos;s own units</source>
         <translation>%1 = %2
-物体自身的单位</translation>
+物体坐标（模型坐标，MC），物体自身的单位</translation>
     </message>
     <message>
         <source>%1 = %2
@@ -5820,7 +5824,7 @@ in world units, from the eye</source>
         <source>w = %1
 what x, y and z are divided by</source>
         <translation>w = %1
-x、y、z 要除以的数</translation>
+透视除法中 x、y、z 要除以的数</translation>
     </message>
     <message>
         <source>%1 = %2
@@ -5832,7 +5836,7 @@ homogeneous; inside the view volume from −w to w</source>
         <source>%1 = %2
 inside the view volume from −1 to 1</source>
         <translation>%1 = %2
-视景体内从 −1 到 1</translation>
+规范化设备坐标 (NDC)，视景体内从 −1 到 1</translation>
     </message>
     <message>
         <source>depth = %1
@@ -5850,7 +5854,7 @@ in device pixels from the bottom-left corner, y up</source>
         <source>%1 = %2
 in logical pixels from the top-left corner, y down</source>
         <translation>%1 = %2
-逻辑像素，原点在左上角，y 向下</translation>
+控件坐标（Windows 屏幕坐标），逻辑像素，原点在左上角，y 向下</translation>
     </message>
     <message>
         <source>eye · w′</source>
@@ -6881,7 +6885,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Move the camera until all objects fill the view</source>
-        <translation>移动相机，使全部物体充满视图</translation>
+        <translation>移动相机，使所有物体充满视图</translation>
     </message>
     <message>
         <source>Fit This Object</source>
@@ -7081,7 +7085,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Saved. The projection and the view have changed since they came as matrices; they are written by their arguments.</source>
-        <translation>已保存。投影和视图原为矩阵，读入后有改动，现按参数写出。</translation>
+        <translation>已保存。投影变换和观察变换原以矩阵给出，读入后有改动，现按参数写出。</translation>
     </message>
     <message>
         <source>Saved. The projection has changed since it came as a matrix; it is written by its arguments.</source>
@@ -7089,7 +7093,7 @@ of a point that needs no division</source>
     </message>
     <message>
         <source>Saved. The view has changed since it came as a matrix; it is written as eye, center and up.</source>
-        <translation>已保存。视图原为矩阵，读入后有改动，现以 eye、center 和 up 写出。</translation>
+        <translation>已保存。观察变换原以矩阵给出，读入后有改动，现以 eye、center 和 up 写出。</translation>
     </message>
     <message>
         <source>In case of a crash unsaved changes would be lost. They cannot be kept: %1</source>

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 using namespace source_examples;
@@ -38,6 +39,53 @@ struct Errata {
     }
 };
 
+// What is printed of programs, where it is the text that is wrong.
+
+/// The third program's glFrustum, in its ReSize().
+constexpr std::string_view kThirdProgram = R"(GLdouble left =-nearz*tan(ViewAngleV/2);
+    GLdouble right =nearz*tan(ViewAngleV/2);
+    GLdouble bottom =-nearz*tan(ViewAngleH/2);
+    GLdouble top =nearz*tan(ViewAngleH/2);
+    glFrustum(left,right,bottom,top,nearz,farz);
+)";
+/// What the first program's ReSize() has.
+constexpr std::string_view kDeclarations = R"(float nearz =5.0;
+    float farz =80000;
+    float AspectRatio =float(m_view_height)/ float(m_view_width);
+    float ViewAngleH =90 * (PI / 180);
+    float ViewAngleV = atan(tan(ViewAngleH/2) * AspectRatio)* 2;
+)";
+constexpr std::string_view kInitApp = "void initApp\n const int SIZE = 4.5;\n}\n";
+constexpr std::string_view kFragmentShader = R"(#version 430
+in vec4 fColor;
+void main(){
+ gl_FragColor=fColor;
+}
+)";
+
+int countOf(std::string_view text, std::string_view what)
+{
+    int count = 0;
+    for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + what.size()))
+        ++count;
+    return count;
+}
+
+std::string withInstead(std::string_view text, std::string_view from, std::string_view to)
+{
+    std::string changed(text);
+    return changed.replace(changed.find(from), from.size(), to);
+}
+
+/// How many of the third program's names stand in a text that does not declare them.
+int undeclaredIn(const std::string &text)
+{
+    int count = 0;
+    for (const std::string name : {"nearz", "farz", "ViewAngleH", "ViewAngleV"})
+        count += countOf(text, name) > 0 && countOf(text, "float " + name) == 0 ? 1 : 0;
+    return count;
+}
+
 void errorsOfThePaper(Errata &errors)
 {
     // Off the middle, so that nothing is 0 or hidden by symmetry.
@@ -61,6 +109,10 @@ void errorsOfThePaper(Errata &errors)
     const Picture before = pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, kFromFive);
     errors.add("error-weng-x-axis", "the side of the middle that x lies on", -1, 1,
                std::copysign(1.0, windowFromWorld(before, WorldPoint(1, 0, 0)).value().x - 400));
+    const WindowPoint foot = windowFromWorld(before, WorldPoint(0, 0, 0)).value(),
+                      tip = windowFromWorld(before, WorldPoint(0, 1, 0)).value();
+    errors.add("error-weng-y-axis", "how far up a unit of the y axis leads, over its length", 0, 1,
+               (tip.y - foot.y) / std::hypot(tip.x - foot.x, tip.y - foot.y));
     errors.add("error-weng-look-at", "z of the direction, from (0, 0, 5) to the origin", 1, -1,
                eyeFrame(kFromFive).value().forward.z);
 
@@ -81,8 +133,9 @@ void errorsOfThePaper(Errata &errors)
     // By hand: (13) solved for d, 10 (4 - 2) / (4 (10 - 2)).
     errors.add("error-weng-depth", "depth of z = -4 between 2 and 10", 0, 0.625, at.z);
     // Straight ahead of the eye, whose axes figure 2 shows, is 0; the viewport's origin, of figure 5, is a corner.
-    errors.add("error-weng-figure", "NDC x of where x_v = 0", 0, -1,
-               ndcFromWindow(frustum.viewport, DepthRange{}, WindowPoint(0, 0, 0)).x);
+    const auto ndcX = [&before](const WindowPoint &point) { return ndcFromWindow(before.viewport, {}, point).x; };
+    errors.add("error-weng-figure", "NDC x of where x_v = 0",
+               ndcX(windowFromWorld(before, WorldPoint(0, 0, 0)).value()), -1, ndcX(WindowPoint(0, 0, 0)));
 
     // A rectangle whose top is 40: its height is still 600.
     errors.add("error-weng-bottom", "y_v by the bottom of a rectangle from 40 to 640", 640 - 20.5, 579.5,
@@ -92,6 +145,10 @@ void errorsOfThePaper(Errata &errors)
     const Unprojected origin = unprojectedAt(aside, windowFromWorld(aside, WorldPoint(0, 0, 0)).value());
     errors.add("error-weng-eye", "z of the world's origin", origin.eye[Method::Formula].value().z, 0,
                origin.world[Method::Formula].value().z);
+
+    // A view whose upper left corner is 200 below the screen's.
+    errors.add("error-weng-client", "y_v by the position on the screen", flippedY(surface, 200 + 20.5), 579.5,
+               flippedY(surface, 20.5));
 }
 
 void errorsOfZhangci(Errata &errors)
@@ -145,8 +202,28 @@ void errorsOfProjectionDerivation(Errata &errors)
                m0("derivation-perspective"));
     errors.add("error-derivation-three", "m[0] of gluPerspective is that of glFrustum", m0("derivation-frustum"), 0.75,
                m0("derivation-perspective"));
+    // The circle of radius 5 around (-8, 0, -20).
+    const auto widthOverHeight = [](const char *id) {
+        const Picture picture = pipelineOf(id).geometry;
+        const auto at = [&picture](double x, double y) {
+            return windowFromWorld(picture, WorldPoint(x, y, -20)).value();
+        };
+        return (at(-3, 0).x - at(-13, 0).x) / (at(-8, 5).y - at(-8, -5).y);
+    };
+    for (const char *id : {"derivation-matrix", "derivation-frustum"})
+        errors.add("error-derivation-three", "width over height of the circle, as by gluPerspective",
+                   widthOverHeight("derivation-perspective"), 16.0 / 9.0, widthOverHeight(id));
+    const auto degrees = [](double tangentOfHalf) { return 2.0 * std::atan(tangentOfHalf) * 180.0 / std::numbers::pi; };
+    const double angleH = 90, angleV = degrees(std::tan(kRightAngle / 2.0) * 600.0 / 800.0); // as the program has them
+    const auto frustum = std::get<Frustum>(exampleScene("derivation-frustum").projection);
+    errors.add("error-derivation-three", "the horizontal angle, called H", angleH, degrees(0.75),
+               degrees(frustum.right / frustum.nearDistance));
+    errors.add("error-derivation-three", "the vertical angle, called V", angleV, 90,
+               degrees(frustum.top / frustum.nearDistance));
     errors.add("error-derivation-translate", "z of the apex", -20, -10,
                pointsForward(pipelineOf("derivation-matrix"), ObjectPoint(0, 0, -20)).eye.value().z);
+    errors.add("error-derivation-undeclared", "names that nothing declares", undeclaredIn(std::string(kThirdProgram)),
+               0, undeclaredIn(std::string(kDeclarations) + std::string(kThirdProgram)));
 }
 
 void errorsOfOpenCascade(Errata &errors)
@@ -155,6 +232,11 @@ void errorsOfOpenCascade(Errata &errors)
     const glm::dmat4 view = eyeFromWorld(eyeFrame(kFromAside).value());
     errors.add("error-opencascade-model-view", "-e u, printed as -ex", -3, 0, element(view, 12));
     errors.add("error-opencascade-model-view", "-e n, printed as -ez", -12, -13, element(view, 14));
+    const Pipeline modelView = pipelineOf("zhangci-model-view");
+    const glm::dvec4 world(1, 1, -3, 1);
+    errors.add("error-opencascade-world", "z of (1, 1, -3) for the eye",
+               (forward(modelView, PipelineStage::ModelviewMatrix) * world).z, -8,
+               (forward(modelView, PipelineStage::ViewMatrix) * world).z);
     const glm::dmat4 ortho = clipFromEye(Ortho{-1, 3, -2, 1, 2, 10}).value();
     errors.add("error-opencascade-ortho", "m[12]", (3.0 + -1.0) / (3.0 - -1.0), -0.5, element(ortho, 12));
     errors.add("error-opencascade-ortho", "m[13]", (1.0 + -2.0) / (1.0 - -2.0), 1.0 / 3.0, element(ortho, 13));
@@ -200,13 +282,23 @@ void errorsOfParallelProjection(Errata &errors)
     const double cot = 1.0 / std::tan(0.78);
     errors.add("error-parallel-way", "the way along x at z = -3", cot, -3.0 * cot,
                10.0 * pointsForward(oblique, ObjectPoint(4.5, 4.5, -3)).ndc.value().x - 4.5);
-    errors.add("error-parallel-size", "SIZE", 4.5, 4,
+    errors.add("error-parallel-init", "braces that close, without one that opens",
+               countOf(kInitApp, "}") - countOf(kInitApp, "{"), 0, [] {
+                   const std::string right = withInstead(kInitApp, "initApp", "initApp() {");
+                   return countOf(right, "}") - countOf(right, "{");
+               }());
+    const double size = 4.5;
+    errors.add("error-parallel-size", "SIZE", size, static_cast<int>(size),
                double(exampleScene("parallel-orthographic").objects.at(0).model->bounds.highest.x));
 
     const int n = 2, f = 9, quotient = -(n + f) / (f - n); // as its shader has them
     errors.add("error-parallel-integers", "m[14]", quotient, -11.0 / 7.0, element(ortho, 14));
     errors.add("error-parallel-integers", "z of the square's NDC", -2.0 / (f - n) * -4.0 + quotient, -3.0 / 7.0,
                pointsForward(square, ObjectPoint(4, 4, -4)).ndc.value().z);
+    const std::string shader = withInstead(withInstead(kFragmentShader, "gl_FragColor", "color"), "in vec4 fColor;",
+                                           "in vec4 fColor;\nout vec4 color;");
+    errors.add("error-parallel-output", "outputs that the fragment shader declares",
+               countOf(kFragmentShader, "out vec4"), 1, countOf(shader, "out vec4"));
     errors.add("error-parallel-cot", "cot 0.78", 1.0, cot, cotangent(0.78));
 }
 

@@ -188,6 +188,7 @@ void TestExamplesHelp::everyErrorIsThere_data()
     row("error-weng-sign", "z, without a sign", "distance in front of the eye");
     row("error-weng-row", "yv = rect.bottom − py", "½ lower");
     row("error-weng-x-axis", "x axis points left", "right");
+    row("error-weng-y-axis", "y axis points horizontally", "vertically");
     row("error-weng-look-at", "from (cx, cy, cz) to (ex, ey, ez)", "from (ex, ey, ez), the eye, to (cx, cy, cz)");
     row("error-weng-near", "(xw, yw, near)", "(xw, yw, −near)");
     row("error-weng-clip-plane", "above the plane is cut off", "≥ 0");
@@ -195,6 +196,7 @@ void TestExamplesHelp::everyErrorIsThere_data()
     row("error-weng-figure", "figure 2", "figure 5");
     row("error-weng-bottom", "m_rect.height, rect.bottom and m_rect.bottom", "the top of a client rectangle is 0");
     row("error-weng-eye", "coordinates of the view volume", "eye coordinates");
+    row("error-weng-client", "screen", "in client coordinates");
     row("error-zhangci-product", "M = VC−1", "M = VC−1 · MC");
     row("error-zhangci-cube", "side 10, normalised to side 1", "20 and 2");
     row("error-zhangci-ortho", "−2/(znear − zfar)", "−2/(f − n)");
@@ -204,7 +206,9 @@ void TestExamplesHelp::everyErrorIsThere_data()
     row("error-zhangci-object", "a world coordinate", "an object coordinate");
     row("error-derivation-three", "the same picture", "1.3333, the second 0.75");
     row("error-derivation-translate", "glTranslatef after glBegin", "translate before glBegin");
+    row("error-derivation-undeclared", "nearz, farz", "are the first program’s");
     row("error-opencascade-model-view", "−ex, −ey, −ez, 1", "−e · u, −e · v, −e · n, 1");
+    row("error-opencascade-world", "VVCS = VWCS · Mmodel-view", "by the view matrix alone");
     row("error-opencascade-ortho", "+(max + min)/(max − min)", "−(max + min)/(max − min)");
     row("error-opencascade-perspective", "+2 znear zfar/(znear − zfar)", "−2 znear zfar/(znear − zfar)");
     row("error-opencascade-viewport", "downwards in BuildNorm2ViewportMatrix", "no flip shows");
@@ -213,8 +217,10 @@ void TestExamplesHelp::everyErrorIsThere_data()
     row("error-parallel-range", "near ≤ z ≤ far", "−far ≤ z ≤ −near");
     row("error-parallel-flip", "from the right", "from the left");
     row("error-parallel-way", "by cot θ", "by cot θ · z");
+    row("error-parallel-init", "void initApp", "opening brace");
     row("error-parallel-size", "const int SIZE = 4.5", "truncates to 4");
     row("error-parallel-integers", "int n=2, f=9", "+1/7 = 0.143");
+    row("error-parallel-output", "gl_FragColor", "out vec4");
     row("error-parallel-cot", "π/4 ≈ 0.78", "1.01086");
 }
 

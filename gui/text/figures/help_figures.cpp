@@ -21,7 +21,7 @@ struct Figure {
 };
 
 constexpr std::array kFigures{
-    Figure{"pipeline", 42.0, 11.0, drawPipeline},
+    Figure{"pipeline", 47.0, 12.1, drawPipeline},
     Figure{"homogeneous", 25.0, 10.2, drawHomogeneous},
     Figure{"normals", 31.0, 8.4, drawNormals},
     Figure{"look-at", 26.0, 11.0, drawLookAt},

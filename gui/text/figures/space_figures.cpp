@@ -17,8 +17,10 @@ using Side = Drawing::Side;
 /// The paper's figure 1, with the call of each step and the way back below.
 void drawPipeline(Drawing &d)
 {
-    constexpr double kBox = 4.0, kPitch = 6.2, kLeft = 0.2, kTop = 3.4, kBottom = 6.2, kMiddle = (kTop + kBottom) / 2.0;
-    const auto left = [](int space) { return kLeft + kPitch * space; };
+    constexpr double kBox = 4.0, kPitch = 6.2, kLeft = 0.2, kTop = 4.5, kBottom = 7.3, kMiddle = (kTop + kBottom) / 2.0;
+    constexpr double kClipping = 5.0; // what the station between clip and NDC takes
+    constexpr int kClip = 3;
+    const auto left = [](int space) { return kLeft + kPitch * space + (space > kClip ? kClipping : 0.0); };
     struct Space {
         QString name;
         const char *inPaper;
@@ -38,20 +40,34 @@ void drawPipeline(Drawing &d)
         if (isInPaper)
             d.label({middle, kMiddle + 0.6}, text(inPaper), Side::Center, Stroke::Quiet);
     }
+    // A station of its own, which changes no coordinates.
+    constexpr double kGap = 1.0;
+    const double gate = left(kClip) + kBox + kGap, gateEnd = left(kClip + 1) - (kPitch - kBox);
+    const std::vector<QPointF> clipping = rectangle(gate, kTop, gateEnd, kBottom);
+    d.outline(clipping, Stroke::Dashed);
+    d.label({(gate + gateEnd) / 2.0, kMiddle - 0.55}, Words::tr("clipping"));
+    d.label({(gate + gateEnd) / 2.0, kMiddle + 0.6}, text("−w … w"), Side::Center, Stroke::Quiet);
+    d.label({(gate + gateEnd) / 2.0, kTop - 0.9}, text("glClipPlane"));
+    d.arrow({left(kClip) + kBox, kMiddle}, {gate, kMiddle}, Stroke::Accent);
     struct Step {
-        const char *above, *call, *alsoCall;
+        const char *above;
+        std::vector<const char *> calls; ///< one below the other
     };
-    constexpr std::array kSteps{Step{"M", "glTranslate,", "glRotate"}, Step{"V", "gluLookAt", ""},
-                                Step{"P", "glFrustum,", "glOrtho"},    Step{"÷ w", "", ""},
-                                Step{"W", "glViewport", ""},           Step{"", "H − y", ""}};
-    for (int i = 0; i < static_cast<int>(kSteps.size()); ++i) {
-        const auto &[above, call, alsoCall] = kSteps[static_cast<std::size_t>(i)];
-        const double from = left(i) + kBox, to = left(i + 1), middle = (from + to) / 2.0;
+    const std::array steps{Step{"M", {"glTranslate,", "glRotate,", "glScale"}},
+                           Step{"V", {"gluLookAt"}},
+                           Step{"P", {"glFrustum,", "glOrtho"}},
+                           Step{"÷ w", {}},
+                           Step{"W", {"glViewport"}},
+                           Step{"", {"H − y"}}};
+    for (int i = 0; i < static_cast<int>(steps.size()); ++i) {
+        const auto &[above, calls] = steps[static_cast<std::size_t>(i)];
+        const double from = i == kClip ? gateEnd : left(i) + kBox, to = left(i + 1), middle = (from + to) / 2.0;
         d.arrow({from, kMiddle}, {to, kMiddle}, Stroke::Accent);
         d.label({middle, kMiddle}, text(above), Side::Above, Stroke::Accent);
-        const bool isTwo = *alsoCall != '\0';
-        d.label({middle, isTwo ? kTop - 2.0 : kTop - 0.9}, text(call));
-        d.label({middle, kTop - 0.9}, text(alsoCall));
+        constexpr double kLine = 1.1;
+        double line = kTop - 0.9 - kLine * static_cast<double>(calls.size());
+        for (const char *call : calls)
+            d.label({middle, line += kLine}, text(call));
     }
     // Back: from below one box to below another one on its left.
     const auto back = [&](double from, double to, double y, const char *name) {
@@ -59,7 +75,7 @@ void drawPipeline(Drawing &d)
         d.arrow({to, y}, {to, kBottom}, Stroke::Second);
         d.label({(from + to) / 2.0, y}, text(name), Side::Above, Stroke::Second);
     };
-    constexpr double kFirst = 8.0, kSecond = 10.0, kIn = 0.8;
+    constexpr double kFirst = 9.1, kSecond = 11.1, kIn = 0.8;
     back(left(6) + kBox / 2.0, left(5) + kBox - kIn, kFirst, "(7), (8)");
     back(left(5) + kIn, left(2) + kBox - kIn, kFirst, "(9) … (14)");
     back(left(2) + kIn, left(1) + kBox - kIn, kFirst, "(16)");
