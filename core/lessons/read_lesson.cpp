@@ -198,7 +198,8 @@ void readChanges(LessonReader &reader, const JsonNode &node, FieldReader &json, 
     }
 }
 
-/// The points that a click can read: those that are pixels, and those that links of the texts click.
+/// The points that a click can read: those that are pixels, and those that links of the texts click, of this step and of those
+/// before it.
 std::set<std::string> clickedPoints(const Step &step, const std::vector<Step> &before)
 {
     constexpr std::string_view kLink = "'click:";
@@ -207,18 +208,21 @@ std::set<std::string> clickedPoints(const Step &step, const std::vector<Step> &b
         if (std::holds_alternative<ClickedPixel>(point))
             clicked.insert(name);
     }
-    const auto look = [&](const Step &one) {
-        for (const std::string &paragraph : one.text) {
+    const auto look = [&](const std::vector<std::string> &paragraphs) {
+        for (const std::string &paragraph : paragraphs) {
             for (auto at = paragraph.find(kLink); at != std::string::npos; at = paragraph.find(kLink, at + 1)) {
                 const std::size_t from = at + kLink.size();
                 clicked.insert(paragraph.substr(from, paragraph.find('\'', from) - from));
             }
         }
     };
-    look(step);
+    look(step.text);
     for (const Step &one : before) { // a click stays as long as the scene does
-        if (one.scene == step.scene)
-            look(one);
+        if (one.scene != step.scene)
+            continue;
+        look(one.text);
+        if (one.question)
+            look(one.question->reveal);
     }
     return clicked;
 }

@@ -20,6 +20,7 @@ void Autosave::follow(bool isUnsaved)
         discard();
         return;
     }
+    m_isBehind = true;
     if (!m_sinceFirstChange.isValid())
         m_sinceFirstChange.start();
     const auto waited = std::chrono::milliseconds(m_sinceFirstChange.elapsed());
@@ -34,15 +35,18 @@ void Autosave::adopt(std::unique_ptr<RecoveryFile> file)
 
 std::unique_ptr<RecoveryFile> Autosave::release()
 {
-    if (m_timer.isActive())
-        write();
     m_timer.stop();
+    if (std::exchange(m_isBehind, false)) {
+        m_hasFailed = false;
+        write();
+    }
     return std::move(m_file);
 }
 
 void Autosave::discard()
 {
     m_timer.stop();
+    m_isBehind = false;
     m_sinceFirstChange.invalidate();
     if (!m_file)
         return;
@@ -55,7 +59,7 @@ void Autosave::write()
     m_sinceFirstChange.invalidate();
     const Kept kept = keep();
     if (kept)
-        m_hasFailed = false;
+        m_isBehind = m_hasFailed = false;
     else if (!std::exchange(m_hasFailed, true))
         emit failed(kept.error());
 }

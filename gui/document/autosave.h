@@ -40,15 +40,16 @@ public:
     void follow(bool isUnsaved);
     /// Goes on with a recovered file, which is the scene's own from now on. One that was kept before is removed.
     void adopt(std::unique_ptr<RecoveryFile> file);
-    /// Gives the file away, with the changes until now in it; the scene that comes gets another one.
-    /// @return null where there was nothing to keep, or it could not be kept
+    /// Gives the file away, with the changes until now in it; the scene that comes gets another one. Where they cannot be
+    /// written, `failed` tells it, even if it did before: nobody tries again until the file is back and followed.
+    /// @return null where there was nothing to keep; where it could not be written, what was kept before, which may be nothing
     std::unique_ptr<RecoveryFile> release();
     /// The changes are saved or not wanted: nothing is kept of them.
     void discard();
 
 signals:
     /// The changes could not be kept, and why: the folder and the system's reason, or the scene's. Said once until it works
-    /// again.
+    /// again, and when the file is given away.
     void failed(const QString &reason);
 
 private:
@@ -61,6 +62,7 @@ private:
     std::unique_ptr<RecoveryFile> m_file; ///< none while there is nothing to keep
     QTimer m_timer;
     QElapsedTimer m_sinceFirstChange; ///< of those that are not written; invalid without any
+    bool m_isBehind = false;          ///< there are changes that are not in the file
     bool m_hasFailed = false;
 };
 

@@ -62,6 +62,8 @@ void LessonPlayer::retranslate()
     const auto found = std::find_if(all.begin(), all.end(), [&name](const Lesson &one) { return one.name == name; });
     if (found == all.end()) { // it cannot be read in that language, which has been said
         m_shown.reset();
+        if (m_session.mayLeaveStep())
+            m_session.comeBack();
         emit changed();
         return;
     }
@@ -206,35 +208,11 @@ bool LessonPlayer::change(const std::string &name)
             tr("The scene as it is now cannot be changed so. Put it back as the step has it. (%1)").arg(reason));
         return false;
     };
-    const SceneSettings now = m_document.scene();
     const auto settings = lessons::settingsWith(m_document.scene(), m_document.geometry(), found->second);
     if (!settings)
         return refuse(QString::fromStdString(settings.error().text));
-    // Undone as one, whatever it is made of.
-    const Deed deed{tr("Change by the Lesson"), QStringLiteral("lesson %1").arg(++m_changes)};
-    const int before = m_document.undoStack().index();
-    Check done = std::monostate{};
-    const auto edit = [&done](bool isOther, const auto &take) {
-        if (isOther && done)
-            done = take();
-    };
-    edit(settings->camera != now.camera, [&] { return m_document.editCamera(settings->camera, deed); });
-    edit(settings->viewport != now.viewport || settings->depthRange != now.depthRange,
-         [&] { return m_document.editViewport(settings->viewport, settings->depthRange, deed); });
-    edit(settings->projection != now.projection || settings->projectionFollowsViewport != now.projectionFollowsViewport
-             || settings->clipDistancesFitObjects != now.clipDistancesFitObjects,
-         [&] {
-             return m_document.editProjection(
-                 {settings->projection, settings->projectionFollowsViewport, settings->clipDistancesFitObjects}, deed);
-         });
-    edit(settings->clipPlanes != now.clipPlanes || settings->clipPlanesOff != now.clipPlanesOff,
-         [&] { return m_document.editClipPlanes(settings->clipPlanes, settings->clipPlanesOff, deed); });
-    edit(settings->givenPoint != now.givenPoint, [&] { return m_document.editGivenPoint(settings->givenPoint, deed); });
-    if (done)
-        return true;
-    while (m_document.undoStack().index() > before)
-        m_document.undoStack().undo();
-    return refuse(errorText(done.error()));
+    const Check done = m_document.editSettings(*settings, {tr("Change by the Lesson")});
+    return done ? true : refuse(errorText(done.error()));
 }
 
 } // namespace unprojector::gui

@@ -50,7 +50,8 @@ public:
     bool leave();
     /// Ends the lesson, if there is one, and leaves what is shown.
     void end();
-    /// Reads the lessons in the language that the program speaks now; the step stays the one that is shown.
+    /// Reads the lessons in the language that the program speaks now; the step stays the one that is shown. A lesson that cannot
+    /// be read in it is left.
     void retranslate();
 
     /// Whether camera, projection, viewport and objects are as the step has them.
@@ -91,7 +92,6 @@ private:
     const Lesson *m_lesson = nullptr; ///< one of m_lessons
     std::size_t m_place = 0;
     bool m_isRevealed = false;
-    int m_changes = 0;            ///< by links
     std::optional<Scene> m_shown; ///< the step's, as it was opened
 };
 

@@ -3,15 +3,6 @@
 #include "gui/text/bundled_names.h"
 
 namespace unprojector::gui {
-namespace {
-
-/// In the language that the program speaks.
-QString bundledName(const SceneObject &object)
-{
-    return object.file.empty() ? readName(object.name) : QString::fromStdString(object.name);
-}
-
-} // namespace
 
 NameFault faultOf(const std::string &name, std::size_t place, const std::vector<SceneObject> &objects)
 {
@@ -19,7 +10,7 @@ NameFault faultOf(const std::string &name, std::size_t place, const std::vector<
         return NameFault::Empty;
     const QString asRead = QString::fromStdString(name);
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (i != place && (objects[i].name == name || bundledName(objects[i]) == asRead))
+        if (i != place && (objects[i].name == name || readName(objects[i].name, objects) == asRead))
             return NameFault::Taken;
     }
     return NameFault::None;

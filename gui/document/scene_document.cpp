@@ -317,10 +317,17 @@ Check SceneDocument::editViewport(const ViewportRule &rule, const DepthRange &ra
 {
     SceneSettings settings = m_state.settings;
     settings.viewport = rule;
-    // A depth range that the user has set is not the one that a reversed matrix had turned round.
-    if (settings.depthRange != range && isReversed(settings.given) && !givenProjection())
-        settings.given.reset();
     settings.depthRange = range;
+    return editSettings(std::move(settings), deed);
+}
+
+Check SceneDocument::editSettings(SceneSettings settings, const Deed &deed)
+{
+    settings.landmarks = m_state.settings.landmarks; // the state has them elsewhere
+    // A depth range that the user has set is not the one that a reversed matrix had turned round.
+    if (settings.depthRange != m_state.settings.depthRange && settings.given == m_state.settings.given
+        && isReversed(settings.given) && !givenProjection())
+        settings.given.reset();
     return edit(std::move(settings), deed);
 }
 

@@ -164,6 +164,9 @@ public:
     /// @return the errors of byParameters and pictureOf
     Check editMatrices(const std::optional<MatrixProjection> &projection, const std::optional<glm::dmat4> &eyeFromWorld,
                        const Deed &deed);
+    /// Several settings as one edit; the points stay those that are placed.
+    /// @return the errors of pictureOf: then none of them has changed, and there is nothing to redo
+    Check editSettings(SceneSettings settings, const Deed &deed);
     Check editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed);
     /// @param off  planes that are kept but do not cut; with the others no more than kMostClipPlanes
     Check editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed);

@@ -136,8 +136,10 @@ bool Session::mayLeave()
     }
     if (!mayLeaveStep())
         return false;
-    // What is asked about is to be seen.
-    return !m_options.remembers || !m_aside->isUnsaved || (comeBack() && mayLoseChanges());
+    if (!m_options.remembers || !m_aside->isUnsaved)
+        return true;
+    // It comes back only to be saved: who would rather stay goes on with the lesson.
+    return mayLoseChanges(nameText(m_aside->name), !m_aside->file.empty(), [this] { return comeBack() && save(); });
 }
 
 bool Session::mayLeaveStep()
@@ -157,7 +159,12 @@ bool Session::mayLoseChanges()
 {
     if (!m_options.remembers || !hasUnsavedChanges())
         return true;
-    switch (m_questions.askSave(name(), !m_file.empty())) {
+    return mayLoseChanges(name(), !m_file.empty(), [this] { return save(); });
+}
+
+bool Session::mayLoseChanges(const QString &name, bool hasFile, const std::function<bool()> &save)
+{
+    switch (m_questions.askSave(name, hasFile)) {
     case SessionQuestions::SaveAnswer::Save: return save();
     case SessionQuestions::SaveAnswer::Discard: return true;
     case SessionQuestions::SaveAnswer::Cancel: return false;

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -112,9 +113,9 @@ public:
     bool saveAs();
     std::filesystem::path proposedName() const;
     bool saveScene(const std::filesystem::path &file);
-    /// Asks about unsaved changes. In a lesson they are those of the scene that was shown before it, which comes back to be asked
-    /// about, and of a step's scene that has a file.
-    /// @return whether the scene may be left
+    /// Asks about unsaved changes. In a lesson they are those of a step's scene that has a file, and of the scene that was shown
+    /// before the lesson, which comes back only to be saved.
+    /// @return whether the scene may be left; else what is shown stays, or what came back and could not be saved
     bool mayLeave();
     /// The same for a lesson's step, or to come back: only a step's scene that has a file is asked about. The changes of one
     /// that has none are given up; the scene before the lesson keeps its own.
@@ -215,6 +216,9 @@ private:
     Result<Autosave::Content, QString> unsavedContent() const;
     /// What is loading ends, and what was typed counts, before the scene is left.
     void finishBeforeLeaving();
+    /// @param hasFile  see SessionQuestions::askSave
+    /// @param save     of the scene that is asked about
+    bool mayLoseChanges(const QString &name, bool hasFile, const std::function<bool()> &save);
     bool mayLoseChanges();
     void rememberRecent(const std::filesystem::path &file);
 

@@ -118,6 +118,7 @@ bool Session::openLesson(Scene scene, const QString &name, const QString &lesson
     if (const Check shown = m_document.open(std::move(scene)); !shown) {
         if (before && before->recovery)
             m_autosave->adopt(std::move(before->recovery));
+        followChanges(); // those that could not be written when the file was given away
         emit failed(errorText(shown.error()));
         return false;
     }

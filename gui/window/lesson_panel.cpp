@@ -217,10 +217,8 @@ void LessonPanel::follow(const QString &link)
 void LessonPanel::check()
 {
     m_checked = m_answer->text();
-    const auto value = text::evaluate(m_checked->toStdString());
-    if (const std::optional<double> answer = m_player.answer(); value && answer && isRight(*value, *answer))
+    if (showVerdict())
         showAnswer();
-    showVerdict();
 }
 
 void LessonPanel::reveal()
@@ -237,28 +235,31 @@ void LessonPanel::showAnswer()
     m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
 }
 
-bool LessonPanel::isRight(double value, double answer) const
+bool LessonPanel::showVerdict()
 {
-    return std::abs(value - answer) <= m_player.step().question->tolerance;
-}
-
-void LessonPanel::showVerdict()
-{
+    m_verdict->clear();
     const std::optional<double> answer = m_player.answer();
     if (!m_checked) {
         if (answer)
             m_verdict->setText(tr("It is %1.").arg(writtenText(*answer, kDigits)));
-        return;
+        return false;
     }
     const auto value = text::evaluate(m_checked->toStdString());
-    if (!value)
+    if (!value) {
         m_verdict->setText(errorText(value.error(), *m_checked));
-    else if (answer && isRight(*value, *answer))
+        return false;
+    }
+    if (!answer)
+        return false;
+    const auto isIt = [&](double given) { return std::abs(given - *answer) <= m_player.step().question->tolerance; };
+    const bool isRight = isIt(*value);
+    if (isRight)
         m_verdict->setText(tr("Right: %1.").arg(writtenText(*answer, kDigits)));
-    else if (answer && isRight(-*value, *answer))
+    else if (isIt(-*value))
         m_verdict->setText(tr("%1 has the wrong sign. Try again, or have it shown.").arg(writtenText(*value, kDigits)));
-    else if (answer)
+    else
         m_verdict->setText(tr("%1 is not it. Try again, or have it shown.").arg(writtenText(*value, kDigits)));
+    return isRight;
 }
 
 void LessonPanel::takeOver(const LessonPanel &former)

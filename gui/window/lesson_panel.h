@@ -40,7 +40,8 @@ public:
 signals:
     /// Its own button was pressed.
     void closeRequested();
-    /// A link was followed: "formulas", "click", "set", "panel", "apart", "place" or "view", and what stands behind the colon.
+    /// A link was followed: "formulas", "click", "set", "panel", "apart", "place", "view" or "action", and what stands behind the
+    /// colon.
     void linkFollowed(const QString &scheme, const QString &target);
 
 private:
@@ -51,8 +52,8 @@ private:
     void check();
     void reveal();
     void showAnswer();
-    bool isRight(double value, double answer) const;
-    void showVerdict();
+    /// @return whether what was checked is right
+    bool showVerdict();
 
     LessonPlayer &m_player;
     SceneDocument &m_document;

@@ -100,14 +100,15 @@ void takeOverState(QWidget &now, const QWidget &former)
             continue; // what was set before it has taken it away
         const auto other = others.find(key);
         if (other != others.end()) {
-            takeOverState(*part, *other->second);
+            if (other->second)
+                takeOverState(*part, *other->second);
             others.erase(other);
         } else if (canBeSet(*part)) {
             warnOf(key, now);
         }
     }
     for (const auto &[key, other] : others) {
-        if (canBeSet(*other))
+        if (other && canBeSet(*other))
             warnOf(key, former);
     }
 }

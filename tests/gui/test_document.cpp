@@ -224,6 +224,12 @@ void TestDocument::aRefusedVerbChangesNothing_data()
     QTest::newRow("plane without a normal")
         << Verb([](SceneDocument &d) { QVERIFY(!d.editClipPlanes({glm::dvec4(0.0)}, {}, kDeed)); });
     QTest::newRow("eye at center") << Verb([](SceneDocument &d) { QVERIFY(!d.editCamera(cameraAt(0.0), kDeed)); });
+    QTest::newRow("one setting of two") << Verb([](SceneDocument &d) {
+        SceneSettings settings = d.scene();
+        settings.camera = cameraAt(7.0);
+        settings.projection = Ortho{-1, 1, -1, 1, 9, 3};
+        QVERIFY(!d.editSettings(settings, kDeed));
+    });
     QTest::newRow("look from nowhere") << Verb([](SceneDocument &d) { d.setCamera(cameraAt(0.0)); });
     QTest::newRow("another scene") << Verb([](SceneDocument &d) {
         Scene scene;

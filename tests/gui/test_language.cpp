@@ -1,5 +1,6 @@
 // Another language is chosen while the program runs.
 
+#include "broken_texts.h"
 #include "cut_texts.h"
 #include "window_user.h"
 
@@ -284,6 +285,7 @@ private slots:
     void hanziAreThoseOfChina();
     void everyBundledNameIsChinese();
     void aLessonGoesOn();
+    void aLessonThatCannotBeReadIsLeft();
     void anAnswerStaysAnswered_data();
     void anAnswerStaysAnswered();
     void whatHelpIsSearchedForStays();
@@ -511,6 +513,10 @@ void TestLanguage::twoObjectsNeverLookTheSame()
     chooseChinese(*window);
     QVERIFY(areOthers());
     QCOMPARE(listedObjects(*window)[2], QStringLiteral("圆环"));
+    // The teapot is read by its own name beside that one, which so is nobody else's: it may be called as it is.
+    QCOMPARE(window->document().renameObject(1, QStringLiteral("茶壶")), NameFault::None);
+    QCOMPARE(window->document().renameObject(2, QStringLiteral("茶壶")), NameFault::Taken);
+    QCOMPARE(window->document().renameObject(1, QStringLiteral("Teapot")), NameFault::Taken);
 }
 
 void TestLanguage::objectsAreNamedInTheLanguage()
@@ -704,6 +710,23 @@ void TestLanguage::aLessonGoesOn()
     QVERIFY(lessons.leave());
     QVERIFY(window->windowTitle().contains(Session::tr("Bundled scene")));
     QVERIFY(Session::tr("Bundled scene") != QStringLiteral("Bundled scene"));
+}
+
+void TestLanguage::aLessonThatCannotBeReadIsLeft()
+{
+    Translation translation(m_english);
+    const auto window = windowIn(translation);
+    const QString name = window->session().name();
+    const int objects = static_cast<int>(window->document().objects().size());
+    QVERIFY(window->lessons().start("pipeline"));
+    QVERIFY(actionOf(*window, QStringLiteral("Leave Lesson"))->isEnabled());
+    BrokenTexts texts;
+    QVERIFY(QCoreApplication::installTranslator(&texts));
+    QTRY_VERIFY(!window->lessons().lesson());
+    QCOMPARE(window->session().name(), name);
+    QCOMPARE(static_cast<int>(window->document().objects().size()), objects);
+    QVERIFY(!actionOf(*window, QStringLiteral("Leave Lesson"))->isEnabled());
+    QVERIFY(dockOf(*window, "lesson")->isHidden());
 }
 
 void TestLanguage::anAnswerStaysAnswered_data()

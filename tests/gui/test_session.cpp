@@ -1,124 +1,14 @@
 // A session without a window: what it opens, saves and asks. Questions are answered by the test.
 
 #include "core/scene/bundled_scene.h"
-#include "gui/document/lesson_player.h"
-#include "gui/document/scene_document.h"
-#include "gui/document/session.h"
+#include "session_desk.h"
 
-#include <QDir>
-#include <QFile>
 #include <QSignalSpy>
 #include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
 
-#include <functional>
-#include <memory>
+using namespace sessions;
 
-using namespace unprojector;
-using namespace unprojector::gui;
-
-namespace {
-
-constexpr int kMostMilliseconds = 20000;
-const QByteArray kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-const QByteArray kHead = R"({"unprojector": 1, "window": {"width": 300, "height": 200},
-    "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
-    "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})";
-
-std::filesystem::path pathOf(const QString &name)
-{
-    return std::filesystem::path(name.toStdU16String());
-}
-
-QByteArray read(const QString &file)
-{
-    QFile stream(file);
-    return stream.open(QIODevice::ReadOnly) ? stream.readAll() : QByteArray();
-}
-
-/// Answers as it was told to, and notes what it was asked.
-class CannedAnswers : public SessionQuestions {
-public:
-    SaveAnswer save = SaveAnswer::Cancel;
-    bool yes = false;
-    std::filesystem::path fileName;
-    QStringList asked;
-    std::function<void()> whileAsking = [] {};
-
-    SaveAnswer askSave(const QString &name, bool) override
-    {
-        note(QStringLiteral("save ") + name);
-        return save;
-    }
-    std::filesystem::path askFileName(const std::filesystem::path &proposal) override
-    {
-        note(QStringLiteral("name ") + QString::fromStdU16String(proposal.filename().u16string()));
-        return fileName;
-    }
-    bool askOverwrite(const std::filesystem::path &file) override
-    {
-        note(QStringLiteral("overwrite ") + QString::fromStdU16String(file.filename().u16string()));
-        return yes;
-    }
-    bool askOverwriteChanged(const std::filesystem::path &file) override
-    {
-        note(QStringLiteral("changed ") + QString::fromStdU16String(file.filename().u16string()));
-        return yes;
-    }
-    bool askDeleteKept(const QString &name) override
-    {
-        note(QStringLiteral("delete ") + name);
-        return yes;
-    }
-
-private:
-    void note(const QString &question)
-    {
-        asked << question;
-        whileAsking();
-    }
-};
-
-/// A session with all it needs.
-struct Desk {
-    explicit Desk(const QString &recoveryFolder) : session(document, answers, {true, recoveryFolder, {}})
-    {
-        QObject::connect(&session, &Session::failed, &context, [this](const QString &reason) { failures << reason; });
-        QObject::connect(&session, &Session::noticed, &context, [this](const QString &text) { notices << text; });
-    }
-    bool openAndWait(const QStringList &files, bool adds = false)
-    {
-        std::vector<std::filesystem::path> paths;
-        for (const QString &file : files)
-            paths.push_back(pathOf(file));
-        adds ? session.addFiles(paths) : session.openFiles(paths);
-        return QTest::qWaitFor([this] { return !session.isLoading(); }, kMostMilliseconds);
-    }
-    QStringList names() const
-    {
-        QStringList names;
-        for (const SceneObject &object : document.objects())
-            names << QString::fromStdString(object.name);
-        return names;
-    }
-    void cut(double d = 0.5) { QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, d}}, {}, {QStringLiteral("Plane")})); }
-
-    SceneDocument document;
-    CannedAnswers answers;
-    Session session;
-    QStringList failures;
-    QStringList notices;
-    QObject context;
-};
-
-using Step = std::function<void(Desk &)>;
-
-} // namespace
-
-Q_DECLARE_METATYPE(Step)
-
-class TestSession : public QObject {
+class TestSession : public QObject, protected FolderUser {
     Q_OBJECT
 
 private slots:
@@ -127,11 +17,7 @@ private slots:
         QStandardPaths::setTestModeEnabled(true);
         QCoreApplication::setOrganizationName(QStringLiteral("unprojector-test-session"));
     }
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        write(QStringLiteral("triangle.obj"), kTriangle);
-    }
+    void init() { changeFolder(); }
 
     void scenesAreKnownByTheirContents_data();
     void scenesAreKnownByTheirContents();
@@ -149,29 +35,8 @@ private slots:
     void modelsFarApartAreTold();
     void modelsOfOneNameAreToldApart();
     void aFileOfManyObjectsIsReadOnce();
-    void aLessonAsksNothingAndLosesNothing();
-    void theSceneBehindALessonIsAskedAbout_data();
-    void theSceneBehindALessonIsAskedAbout();
-    void theSceneBehindALessonIsKeptInCaseOfACrash();
     void theNameAndTheMarkFollow();
     void theAnswerIsObeyed();
-
-private:
-    QString file(const QString &name) const { return m_folder->filePath(name); }
-    QString write(const QString &name, const QByteArray &text) const
-    {
-        QFile stream(file(name));
-        if (!stream.open(QIODevice::WriteOnly) || stream.write(text) != text.size())
-            qFatal("the test's folder cannot be written");
-        return file(name);
-    }
-    QString writeScene(const QString &name) const
-    {
-        return write(name, kHead + R"(, "objects": [{"name": "t", "file": "triangle.obj"}]})");
-    }
-    std::unique_ptr<Desk> desk() const { return std::make_unique<Desk>(file(QStringLiteral("recovery"))); }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 void TestSession::scenesAreKnownByTheirContents_data()
@@ -436,7 +301,7 @@ void TestSession::modelsFarApartAreTold()
 
 void TestSession::modelsOfOneNameAreToldApart()
 {
-    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("other")));
+    QVERIFY(QDir(file(QString())).mkpath(QStringLiteral("other")));
     const QString other = write(QStringLiteral("other/triangle.obj"), kTriangle);
     const auto desk = this->desk();
     QVERIFY(desk->openAndWait({file(QStringLiteral("triangle.obj")), other}));
@@ -457,102 +322,6 @@ void TestSession::aFileOfManyObjectsIsReadOnce()
     for (std::size_t i = 2; i < shown.size(); ++i)
         QCOMPARE(shown[i].model.get(), shown[i % 2].model.get());
     QVERIFY(shown[0].model != shown[1].model);
-}
-
-void TestSession::aLessonAsksNothingAndLosesNothing()
-{
-    const auto desk = this->desk();
-    desk->session.openBundledScene();
-    desk->cut();
-    const QStringList names = desk->names();
-    LessonPlayer player(desk->document, desk->session);
-    desk->session.openFiles({pathOf(file(QStringLiteral("triangle.obj")))});
-    QVERIFY(player.start("pipeline"));
-    QVERIFY(!desk->session.isLoading()); // it would replace the step
-    QVERIFY(!desk->session.hasUnsavedChanges());
-    desk->cut(0.25);
-    QVERIFY(player.next() && player.leave());
-    QCOMPARE(desk->names(), names);
-    QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.5);
-    QVERIFY(desk->session.hasUnsavedChanges());
-    QVERIFY(desk->answers.asked.isEmpty());
-    desk->session.end();
-}
-
-void TestSession::theSceneBehindALessonIsAskedAbout_data()
-{
-    QTest::addColumn<Step>("step");
-    QTest::newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); });
-    QTest::newRow("model") << Step([this](Desk &d) { d.openAndWait({file(QStringLiteral("triangle.obj"))}); });
-    QTest::newRow("scene") << Step([this](Desk &d) { d.openAndWait({writeScene(QStringLiteral("scene.json"))}); });
-    QTest::newRow("closing") << Step([](Desk &d) {
-        if (d.session.mayLeave())
-            d.session.end();
-    });
-}
-
-void TestSession::theSceneBehindALessonIsAskedAbout()
-{
-    QFETCH(Step, step);
-    const auto desk = this->desk();
-    desk->session.openBundledScene();
-    desk->cut();
-    const QStringList names = desk->names();
-    LessonPlayer player(desk->document, desk->session);
-    QVERIFY(player.start("pipeline"));
-    desk->cut(0.25);
-    desk->answers.whileAsking = [&] { QCOMPARE(desk->names(), names); }; // what is asked about is shown
-    step(*desk);
-    QCOMPARE(desk->answers.asked, QStringList(QStringLiteral("save Bundled scene")));
-    QVERIFY(!player.lesson());
-    QCOMPARE(desk->names(), names);
-    QVERIFY(desk->session.hasUnsavedChanges());
-    desk->answers.asked.clear();
-    desk->answers.save = SessionQuestions::SaveAnswer::Discard;
-    QVERIFY(player.start("pipeline"));
-    step(*desk);
-    QCOMPARE(desk->answers.asked.size(), 1);
-    desk->session.end();
-    QVERIFY(QDir(file(QStringLiteral("recovery"))).entryList(QDir::Files).isEmpty());
-    // Where nothing is unsaved nothing is asked, and nothing comes back.
-    desk->session.openBundledScene();
-    desk->answers.asked.clear();
-    QVERIFY(player.start("pipeline"));
-    desk->cut(0.25);
-    step(*desk);
-    QVERIFY(desk->answers.asked.isEmpty());
-    desk->session.end();
-}
-
-void TestSession::theSceneBehindALessonIsKeptInCaseOfACrash()
-{
-    {
-        const auto crashed = desk();
-        crashed->session.openBundledScene();
-        crashed->cut();
-        LessonPlayer player(crashed->document, crashed->session);
-        QVERIFY(player.start("pipeline"));
-    }
-    const auto desk = this->desk();
-    desk->session.offerRecovery();
-    QCOMPARE(desk->session.offered().size(), std::size_t(1));
-    QCOMPARE(desk->session.offered()[0].name, QStringLiteral("Bundled scene"));
-    desk->session.recover(0);
-    QTRY_COMPARE(desk->document.scene().clipPlanes.size(), std::size_t(1));
-    // It goes with the scene, there and back, and ends with it.
-    const auto kept = [this] { return QDir(file(QStringLiteral("recovery"))).entryList({"*"}, QDir::Files).size(); };
-    const int files = static_cast<int>(kept());
-    QVERIFY(files > 0);
-    LessonPlayer player(desk->document, desk->session);
-    QVERIFY(player.start("pipeline"));
-    QVERIFY(kept() == files);
-    QVERIFY(player.leave());
-    QVERIFY(kept() == files);
-    QVERIFY(player.start("pipeline"));
-    desk->answers.save = SessionQuestions::SaveAnswer::Discard;
-    QVERIFY(desk->session.mayLeave());
-    desk->session.end();
-    QVERIFY(kept() == 0);
 }
 
 void TestSession::theNameAndTheMarkFollow()

@@ -1,0 +1,174 @@
+// The tables that are written of a series of scans.
+
+#include "core/landmark_files/landmark_file.h"
+#include "gui/document/point_templates.h"
+#include "point_desk.h"
+
+using namespace pointfiles;
+
+class TestScanTables : public PointsTest {
+    Q_OBJECT
+
+private slots:
+    void init() { begin(); }
+
+    void tablesOfASeries();
+    void repeatsOfASeries();
+    void whatATableLacksIsSaid();
+    void aHundredScansAndABrokenOne();
+};
+
+void TestScanTables::tablesOfASeries()
+{
+    write(QStringLiteral("other.obj"), kSquare);
+    write(QStringLiteral("other.obj.points.csv"), "name,x,y,z\nb,1,2,0\na,3,4,0\n");
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,5,6,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->pointNames(), (QStringList{"b", "a"}));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
+    QCOMPARE(read(QStringLiteral("wide.csv")),
+             QByteArray("specimen,b_x,b_y,b_z,a_x,a_y,a_z\nother,1,2,0,3,4,0\nsquare,,,,5,6,0\n"));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("all.tps")), ScanSeries::Table::Tps));
+    QCOMPARE(read(QStringLiteral("all.tps")),
+             QByteArray("LM3=2\n1 2 0\n3 4 0\nID=other\n\nLM3=2\nNA NA NA\n5 6 0\nID=square\n\n"));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("all.nts")), ScanSeries::Table::Nts));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("long.csv")), ScanSeries::Table::Long));
+    QVERIFY(read(QStringLiteral("long.csv")).startsWith("specimen,name,x,y,z"));
+    QVERIFY(!m_series->exportTable(file(QStringLiteral("no/folder/x.csv")), ScanSeries::Table::Wide));
+}
+
+void TestScanTables::repeatsOfASeries()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,0,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QStringList told;
+    connect(m_series.get(), &ScanSeries::noticed, this, [&told](const QString &text) { told << text; });
+    QVERIFY(m_series->exportTable(file(QStringLiteral("repeats.csv")), ScanSeries::Table::Repeats));
+    QVERIFY2(told.back().contains(QStringLiteral("No scan was placed more than once")), qPrintable(told.back()));
+    m_series->setPlacing(2);
+    QCOMPARE(points().size(), std::size_t(1));
+    QVERIFY(points()[0].isMissing());
+    m_document->points().waitForNext(std::nullopt);
+    placeAll(3.0);
+    QVERIFY(m_series->exportTable(file(QStringLiteral("repeats.csv")), ScanSeries::Table::Repeats));
+    QVERIFY2(told.back().startsWith(QStringLiteral("Repeats written to repeats.csv. Scans that were placed more than "
+                                                   "once: 1;")),
+             qPrintable(told.back()));
+    QVERIFY(QFile::exists(path(QStringLiteral("square.obj.points-2.csv"))));
+    QCOMPARE(read(QStringLiteral("square.obj.points.csv")), QByteArray("name,x,y,z\na,1,0,0\n"));
+    const QByteArray repeats = read(QStringLiteral("repeats.csv"));
+    QVERIFY2(repeats.startsWith("specimen,name,placings,x,y,z,error,farthest\nsquare,a,2,2,0.5,0,1.58"),
+             repeats.constData());
+    m_series->setPlacing(1);
+    QCOMPARE(points()[0].world->x, 1.0);
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(4.0, 4.0, 0.0)));
+    QVERIFY(m_series->close());
+    QVERIFY(!m_series->isOpen() && !m_series->hasNext() && !m_series->hasPrevious());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,4,4,0")); // kept, and still shown
+    QCOMPARE(points()[0].world->x, 4.0);
+    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 4.0, 0.0)));
+    QVERIFY(m_session->mayLeave());
+    QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,4,4,0")); // no scan of a series any more
+}
+
+void TestScanTables::whatATableLacksIsSaid()
+{
+    write(QStringLiteral("other.obj"), kSquare);
+    write(QStringLiteral("third.obj"), kSquare);
+    write(QStringLiteral("other.obj.points.csv"), "name,x,y,z,note\na,3,4,0,worn\n");
+    write(QStringLiteral("other.obj.points-3.csv"), "name,x,y,z\na,3,5,0\n"); // the second observer left it out
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,two,3\n");
+    write(QStringLiteral("third.obj.points.csv"), "specimen,name,x,y,z\np,a,1,2,3\nq,a,1,2,3\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    for (const auto table : {ScanSeries::Table::Wide, ScanSeries::Table::Tps, ScanSeries::Table::Repeats}) {
+        m_warnings.clear();
+        QVERIFY(m_series->exportTable(file(QStringLiteral("all.csv")), table));
+        QCOMPARE(m_warnings.size(), 1);
+        QVERIFY2(m_warnings[0].contains(QStringLiteral("square.obj.points.csv:2:"))
+                     && m_warnings[0].contains(QStringLiteral("third.obj.points.csv")),
+                 qPrintable(m_warnings[0]));
+        QCOMPARE(m_warnings[0].contains(QStringLiteral("note")), table != ScanSeries::Table::Repeats);
+    }
+    QVERIFY2(read(QStringLiteral("all.csv")).contains("other,a,2,3,4.5,0,"),
+             read(QStringLiteral("all.csv")).constData());
+}
+
+/// Each scan is a triangle of its own size, on which three points have been placed; one file is broken, and so are the points of
+/// another one.
+void TestScanTables::aHundredScansAndABrokenOne()
+{
+    constexpr int kScans = 100, kBroken = 41, kDamaged = 70;
+    QVERIFY(QFile::remove(path(QStringLiteral("square.obj"))));
+    const auto nameOf = [](int i) { return QStringLiteral("scan%1.obj").arg(i, 3, 10, QChar(u'0')); };
+    for (int i = 0; i < kScans; ++i) {
+        const QByteArray size = QByteArray::number(i + 1);
+        write(nameOf(i),
+              i == kBroken ? QByteArray("v 1 2\n") : "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n");
+        if (i == kDamaged)
+            write(nameOf(i) + QStringLiteral(".points.csv"), "name,x,y,z\na,1,two,3\n");
+    }
+    open({nameOf(0)});
+    fillFromTemplate(
+        *m_document,
+        [] {
+            std::vector<Landmark> names(3);
+            names[0].name = "a";
+            names[1].name = "b";
+            names[2].name = "c";
+            return names;
+        }(),
+        QStringLiteral("three"));
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY(!m_session->isLoading());
+    QCOMPARE(m_series->scans().size(), std::size_t(kScans));
+    for (int i = 0; i < kScans; ++i) {
+        QCOMPARE(m_series->current(), std::optional<std::size_t>(i));
+        if (i != kBroken && i != kDamaged) {
+            QCOMPARE(m_document->objects()[0].name, nameOf(i).toStdString());
+            for (const glm::dvec3 &corner : {glm::dvec3(0.0), glm::dvec3(i + 1, 0, 0), glm::dvec3(0, i + 1, 0)}) {
+                Landmark placed;
+                placed.world = WorldPoint(corner);
+                QVERIFY(m_document->points().place(placed));
+            }
+            QVERIFY(!m_document->points().waiting());
+        }
+        m_series->next();
+        QTRY_VERIFY(!m_session->isLoading());
+    }
+    QCOMPARE(m_answers->saveQuestions, 1); // of the names that were there before
+    QCOMPARE(m_failures.size(), 2);
+    QVERIFY(m_failures[0].contains(nameOf(kBroken)) && m_failures[1].contains(nameOf(kDamaged)));
+
+    QVERIFY(m_series->exportTable(file(QStringLiteral("long.csv")), ScanSeries::Table::Long));
+    const auto rows = landmark_files::readLandmarkFile(file(QStringLiteral("long.csv")));
+    QVERIFY(rows);
+    QCOMPARE(rows->sets.size(), std::size_t(kScans - 2));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("all.tps")), ScanSeries::Table::Tps));
+    const auto tps = landmark_files::readLandmarkFile(file(QStringLiteral("all.tps")));
+    QVERIFY(tps);
+    QCOMPARE(tps->sets.size(), std::size_t(kScans - 2));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
+    const QList<QByteArray> wide = read(QStringLiteral("wide.csv")).trimmed().split('\n');
+    QCOMPARE(wide.size(), qsizetype(kScans - 2 + 1));
+    QCOMPARE(wide[0], QByteArray("specimen,a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z"));
+    std::size_t row = 0;
+    for (int i = 0; i < kScans; ++i) {
+        if (i == kBroken || i == kDamaged)
+            continue;
+        const std::string specimen = nameOf(i).chopped(4).toStdString();
+        QCOMPARE(rows->sets[row].name, specimen);
+        QCOMPARE(tps->sets[row].name, specimen);
+        QCOMPARE(rows->sets[row].landmarks[2].world->coordinates(), glm::dvec3(0, i + 1, 0));
+        QCOMPARE(tps->sets[row].landmarks[1].world->coordinates(), glm::dvec3(i + 1, 0, 0));
+        ++row;
+        QCOMPARE(wide[qsizetype(row)],
+                 QStringLiteral("scan%1,0,0,0,%2,0,0,0,%2,0").arg(i, 3, 10, QChar(u'0')).arg(i + 1).toUtf8());
+    }
+    QVERIFY(m_warnings.join(u'\n').contains(nameOf(kDamaged)));
+}
+
+QTEST_MAIN(TestScanTables)
+#include "test_scan_tables.moc"

@@ -1,0 +1,226 @@
+// A lesson over a session without a window: what becomes of the scene that was shown before it.
+
+#include "broken_texts.h"
+#include "gui/document/lesson_player.h"
+#include "session_desk.h"
+
+#include <QSignalSpy>
+#include <QStandardPaths>
+
+using namespace sessions;
+
+class TestSessionLessons : public QObject, protected FolderUser {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("unprojector-test-session-lessons"));
+    }
+    void init() { changeFolder(); }
+
+    void aLessonAsksNothingAndLosesNothing();
+    void theSceneBehindALessonIsAskedAbout_data() { waysToLeave(); }
+    void theSceneBehindALessonIsAskedAbout();
+    void theSceneBehindALessonIsSaved_data() { waysToLeave(); }
+    void theSceneBehindALessonIsSaved();
+    void theSceneBehindALessonIsKeptInCaseOfACrash();
+    void changesThatCannotBeKeptAreToldAgain();
+    void aStepThatCannotBeShownLeavesTheChangesKept();
+    void aLessonThatCannotBeReadIsLeft();
+
+private:
+    void waysToLeave();
+};
+
+void TestSessionLessons::aLessonAsksNothingAndLosesNothing()
+{
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    const QStringList names = desk->names();
+    LessonPlayer player(desk->document, desk->session);
+    desk->session.openFiles({pathOf(file(QStringLiteral("triangle.obj")))});
+    QVERIFY(player.start("pipeline"));
+    QVERIFY(!desk->session.isLoading()); // it would replace the step
+    QVERIFY(!desk->session.hasUnsavedChanges());
+    desk->cut(0.25);
+    QVERIFY(player.next() && player.leave());
+    QCOMPARE(desk->names(), names);
+    QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.5);
+    QVERIFY(desk->session.hasUnsavedChanges());
+    QVERIFY(desk->answers.asked.isEmpty());
+    desk->session.end();
+}
+
+void TestSessionLessons::waysToLeave()
+{
+    QTest::addColumn<Step>("step");
+    QTest::newRow("bundled scene") << Step([](Desk &d) { d.session.openBundledScene(); });
+    QTest::newRow("model") << Step([this](Desk &d) { d.openAndWait({file(QStringLiteral("triangle.obj"))}); });
+    QTest::newRow("scene") << Step([this](Desk &d) { d.openAndWait({writeScene(QStringLiteral("scene.json"))}); });
+    QTest::newRow("closing") << Step([](Desk &d) {
+        if (d.session.mayLeave())
+            d.session.end();
+    });
+}
+
+void TestSessionLessons::theSceneBehindALessonIsAskedAbout()
+{
+    QFETCH(Step, step);
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline") && player.next());
+    desk->cut(0.25);
+    const QStringList names = desk->names();
+    step(*desk);
+    QCOMPARE(desk->answers.asked, QStringList(QStringLiteral("save Bundled scene")));
+    // Who stays is where they were, and the scene is still behind it.
+    QVERIFY(player.lesson());
+    QCOMPARE(player.place(), std::size_t(1));
+    QCOMPARE(desk->names(), names);
+    QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.25);
+    QVERIFY(kept() > 0);
+    QVERIFY(player.leave());
+    QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.5);
+    QVERIFY(desk->session.hasUnsavedChanges());
+
+    desk->answers.asked.clear();
+    desk->answers.save = SessionQuestions::SaveAnswer::Discard;
+    QVERIFY(player.start("pipeline"));
+    step(*desk);
+    QCOMPARE(desk->answers.asked.size(), 1);
+    desk->session.end();
+    QCOMPARE(kept(), 0);
+
+    // Where nothing is unsaved nothing is asked, and nothing comes back.
+    desk->session.openBundledScene();
+    desk->answers.asked.clear();
+    QVERIFY(player.start("pipeline"));
+    desk->cut(0.25);
+    step(*desk);
+    QVERIFY(desk->answers.asked.isEmpty());
+    desk->session.end();
+}
+
+void TestSessionLessons::theSceneBehindALessonIsSaved()
+{
+    QFETCH(Step, step);
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    const QStringList names = desk->names();
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline"));
+    desk->answers.save = SessionQuestions::SaveAnswer::Save;
+    step(*desk); // no name is given
+    QCOMPARE(desk->answers.asked,
+             QStringList({QStringLiteral("save Bundled scene"), QStringLiteral("name scene.json")}));
+    QVERIFY(!player.lesson());
+    QCOMPARE(desk->names(), names);
+    QVERIFY(desk->session.hasUnsavedChanges());
+
+    QVERIFY(player.start("pipeline"));
+    desk->answers.fileName = pathOf(file(QStringLiteral("mine.json")));
+    step(*desk);
+    QVERIFY2(read(file(QStringLiteral("mine.json"))).contains("0.5"), "the scene's plane");
+    QVERIFY(!player.lesson());
+    QVERIFY(!desk->session.hasUnsavedChanges());
+    desk->session.end();
+}
+
+void TestSessionLessons::theSceneBehindALessonIsKeptInCaseOfACrash()
+{
+    {
+        const auto crashed = desk();
+        crashed->session.openBundledScene();
+        crashed->cut();
+        LessonPlayer player(crashed->document, crashed->session);
+        QVERIFY(player.start("pipeline"));
+    }
+    const auto desk = this->desk();
+    desk->session.offerRecovery();
+    QCOMPARE(desk->session.offered().size(), std::size_t(1));
+    QCOMPARE(desk->session.offered()[0].name, QStringLiteral("Bundled scene"));
+    desk->session.recover(0);
+    QTRY_COMPARE(desk->document.scene().clipPlanes.size(), std::size_t(1));
+    // It goes with the scene, there and back, and ends with it.
+    const int files = kept();
+    QVERIFY(files > 0);
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline"));
+    QVERIFY(kept() == files);
+    QVERIFY(player.leave());
+    QVERIFY(kept() == files);
+    QVERIFY(player.start("pipeline"));
+    desk->answers.save = SessionQuestions::SaveAnswer::Discard;
+    QVERIFY(desk->session.mayLeave());
+    desk->session.end();
+    QVERIFY(kept() == 0);
+}
+
+void TestSessionLessons::changesThatCannotBeKeptAreToldAgain()
+{
+    const QString inTheWay = write(QStringLiteral("recovery"), "a file, where the folder is to be");
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    QTRY_COMPARE(desk->notices.size(), 1); // once, however often it fails
+    QVERIFY2(desk->notices[0].contains(QStringLiteral("cannot be kept")), qPrintable(desk->notices[0]));
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline"));
+    QCOMPARE(desk->notices.size(), 2); // nobody tries again for as long as the scene is behind the lesson
+    QVERIFY(player.next() && player.leave());
+    QVERIFY(QFile::remove(inTheWay));
+    QVERIFY(player.start("pipeline")); // and now it is tried
+    QCOMPARE(desk->notices.size(), 2);
+    QVERIFY(kept() > 0);
+    QVERIFY(player.leave());
+    QVERIFY(desk->session.hasUnsavedChanges());
+    desk->session.end();
+    QCOMPARE(kept(), 0);
+}
+
+void TestSessionLessons::aStepThatCannotBeShownLeavesTheChangesKept()
+{
+    const QString inTheWay = write(QStringLiteral("recovery"), "a file, where the folder is to be");
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    Scene step = desk->document.scene();
+    step.camera.eye = step.camera.center;
+    QVERIFY(!desk->session.openLesson(step, QStringLiteral("Step"), QStringLiteral("rows")));
+    QCOMPARE(desk->notices.size(), 1);
+    QVERIFY(QFile::remove(inTheWay));
+    QTRY_VERIFY(kept() > 0);
+    desk->session.end();
+}
+
+void TestSessionLessons::aLessonThatCannotBeReadIsLeft()
+{
+    const auto desk = this->desk();
+    desk->session.openBundledScene();
+    desk->cut();
+    const QStringList names = desk->names();
+    LessonPlayer player(desk->document, desk->session);
+    QVERIFY(player.start("pipeline") && player.next());
+    const QSignalSpy changes(&player, &LessonPlayer::changed), failures(&player, &LessonPlayer::failed);
+    BrokenTexts texts;
+    QVERIFY(QCoreApplication::installTranslator(&texts));
+    player.retranslate();
+    QVERIFY(player.lessons().empty() && !failures.isEmpty());
+    QCOMPARE(changes.size(), 1);
+    QVERIFY(!player.lesson());
+    QCOMPARE(desk->names(), names);
+    QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.5);
+    QCOMPARE(desk->session.name(), QStringLiteral("Bundled scene"));
+    QVERIFY(desk->session.hasUnsavedChanges());
+    QVERIFY(desk->answers.asked.isEmpty());
+    desk->session.end();
+}
+
+QTEST_GUILESS_MAIN(TestSessionLessons)
+#include "test_session_lessons.moc"
