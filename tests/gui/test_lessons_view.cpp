@@ -274,7 +274,7 @@ void TestLessonsView::lettersOverlapNothing_data()
     QTest::newRow("lengths") << QByteArray("weng") << QByteArray("windows") << QSize(500, 500);
     QTest::newRow("lengths in a small view") << QByteArray("weng") << QByteArray("windows") << QSize(300, 260);
     QTest::newRow("lengths of a whole view") << QByteArray("first") << QByteArray("window") << QSize(500, 500);
-    QTest::newRow("axes") << QByteArray("pipeline") << QByteArray("plane") << QSize(500, 500);
+    QTest::newRow("axes") << QByteArray("derivation") << QByteArray("translation") << QSize(500, 500);
     QTest::newRow("axes upon each other") << QByteArray("pipeline") << QByteArray("model_view") << QSize(400, 400);
 }
 
