@@ -142,17 +142,22 @@ FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Pa
     setZoomPercent(100);
     bar->addSeparator();
     add(tr("Find"), tr("Find words in the page"), {QKeySequence::Find}, [this] { m_find->openField(); });
-    const auto addKeys = [this](QKeySequence::StandardKey standard, const QKeySequence &everywhere, auto slot) {
+    const auto addKeys = [this](QKeySequence::StandardKey standard, const QKeySequence &everywhere, auto does) {
         auto *action = new QAction(this);
         QList<QKeySequence> keys = QKeySequence::keyBindings(standard);
         if (!keys.contains(everywhere))
             keys << everywhere;
         action->setShortcuts(keys);
-        connect(action, &QAction::triggered, m_find, slot);
+        connect(action, &QAction::triggered, this, does);
         addAction(action);
     };
-    addKeys(QKeySequence::FindNext, Qt::Key_F3, &FindBar::findNext);
-    addKeys(QKeySequence::FindPrevious, Qt::SHIFT | Qt::Key_F3, &FindBar::findPrevious);
+    addKeys(QKeySequence::FindNext, Qt::Key_F3, [this] { m_find->findNext(); });
+    addKeys(QKeySequence::FindPrevious, Qt::SHIFT | Qt::Key_F3, [this] { m_find->findPrevious(); });
+    // A page without a caret has none of its own for these.
+    QScrollBar *scroll = m_page->verticalScrollBar();
+    addKeys(QKeySequence::MoveToStartOfDocument, Qt::CTRL | Qt::Key_Home, [scroll] { scroll->setValue(0); });
+    addKeys(QKeySequence::MoveToEndOfDocument, Qt::CTRL | Qt::Key_End,
+            [scroll] { scroll->setValue(scroll->maximum()); });
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

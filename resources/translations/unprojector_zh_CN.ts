@@ -186,6 +186,14 @@
         <source>--language is %1; give system, en or zh_CN.</source>
         <translation>--language 是 %1；请给出 system、en 或 zh_CN。</translation>
     </message>
+    <message>
+        <source>Start with a lesson, or with one of its steps: first, weng:3.</source>
+        <translation>从一门课程或其中一步开始：first、weng:3。</translation>
+    </message>
+    <message>
+        <source>Give --lesson or what to open, not both.</source>
+        <translation>--lesson 与要打开的文件只能给出其一。</translation>
+    </message>
 </context>
 <context>
     <name>CopyMenu</name>
@@ -2834,6 +2842,10 @@ Both are as large as fits.</source>
         <source>Panels that show the answer are closed until then.</source>
         <translation>显示答案的面板在作答之前关闭。</translation>
     </message>
+    <message>
+        <source>Finish</source>
+        <translation>结束</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::LessonPlayer</name>
@@ -3651,6 +3663,11 @@ Both are as large as fits.</source>
         <source>The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, or take the window out of full screen.</source>
         <extracomment>Sizes in pixels: what the view has, then what it should have.</extracomment>
         <translation>视图现在是 %1 × %2：在这个窗口中无法达到 %3 × %4。请关闭旁边的面板，或退出全屏。</translation>
+    </message>
+    <message>
+        <source>--lesson is %1; give a lesson, or one of its steps behind a colon: %2.</source>
+        <extracomment>%2 are all lessons with their steps: first:1-7, weng:1-16</extracomment>
+        <translation>--lesson 为 %1；请给出一门课程，或在冒号后给出其中一步：%2。</translation>
     </message>
 </context>
 <context>

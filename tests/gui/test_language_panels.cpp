@@ -19,6 +19,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFontDatabase>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -109,6 +110,11 @@ public:
 private:
     QFont m_own;
 };
+
+bool hasHanzi()
+{
+    return QFontDatabase::writingSystems().contains(QFontDatabase::SimplifiedChinese);
+}
 
 } // namespace
 
@@ -236,13 +242,14 @@ void TestLanguagePanels::partsAreKnownByTheirNames()
 void TestLanguagePanels::noTextOfAPanelIsCut_data()
 {
     QTest::addColumn<double>("points");
-    QTest::newRow("9 pt") << 9.0;
-    QTest::newRow("11 pt") << 11.0;
-    QTest::newRow("13 pt") << 13.0;
+    for (const int points : {9, 10, 11, 13})
+        QTest::addRow("%d pt", points) << double(points);
 }
 
 void TestLanguagePanels::noTextOfAPanelIsCut()
 {
+    if (!hasHanzi())
+        QSKIP("No font here has Hanzi: boxes say nothing of their room. Install one, such as fonts-noto-cjk.");
     QFETCH(double, points);
     const TemporaryFontSize size(points);
     Translation translation({QStringLiteral("zh-CN")});
@@ -268,13 +275,15 @@ void TestLanguagePanels::noTextOfAPanelIsCut()
 void TestLanguagePanels::noTextOfALessonIsCut_data()
 {
     QTest::addColumn<double>("points");
-    QTest::newRow("9 pt") << 9.0;
-    QTest::newRow("13 pt") << 13.0;
+    for (const int points : {9, 11, 13})
+        QTest::addRow("%d pt", points) << double(points);
 }
 
 /// The texts of a lesson, its question's answers among them, and the view from outside.
 void TestLanguagePanels::noTextOfALessonIsCut()
 {
+    if (!hasHanzi())
+        QSKIP("No font here has Hanzi: boxes say nothing of their room. Install one, such as fonts-noto-cjk.");
     QFETCH(double, points);
     const TemporaryFontSize size(points);
     Translation translation({QStringLiteral("zh-CN")});
