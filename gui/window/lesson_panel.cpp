@@ -213,7 +213,9 @@ void LessonPanel::showText()
         if (m_player.isRevealed())
             html += lessonHtml(step.question->reveal);
         else if (!step.question->hides.empty())
-            html += QStringLiteral("<p><i>%1</i></p>").arg(tr("Panels that show the answer are closed until then."));
+            html += QStringLiteral("<p style='color: %1'>%2</p>")
+                        .arg(palette().color(QPalette::PlaceholderText).name(),
+                             tr("Panels that show the answer are closed until then."));
     }
     m_text->setHtml(html);
 }

@@ -209,12 +209,12 @@ std::vector<std::string> MainWindow::panelsWithAnswer() const
 
 void MainWindow::showPanelsOfStep()
 {
+    hideAnswers();
     const std::vector<std::string> hidden = panelsWithAnswer();
-    for (const std::string &panel : m_lessons->step().panels) {
+    for (const std::string &panel : m_lessons->step().panels) { // in front of those that come back
         if (std::count(hidden.begin(), hidden.end(), panel) == 0)
             followLessonLink(QStringLiteral("panel"), QString::fromStdString(panel));
     }
-    hideAnswers();
 }
 
 void MainWindow::hideAnswers()
