@@ -29,6 +29,11 @@ std::array<glm::dvec3, 8> cubeCorners()
     return corners;
 }
 
+std::array<glm::dvec3, 3> axisEnds()
+{
+    return {glm::dvec3(kAxis, 0, 0), glm::dvec3(0, kAxis, 0), glm::dvec3(0, 0, kAxis)};
+}
+
 /// On the paper, y downwards: a parallel projection, in which lengths along z come out shorter.
 QPointF onPaper(const glm::dvec3 &p)
 {
@@ -118,39 +123,14 @@ void FactorDrawing::paintEvent(QPaintEvent *)
     const QColor nearInk = isDark ? kNear.lighter(150) : kNear.darker(140),
                  farInk = isDark ? kFar.lighter(140) : kFar.darker(160);
 
-    // What is drawn, and how large that can be.
-    const std::array<glm::dvec3, 8> cube = cubeCorners();
-    const std::array axes{glm::dvec3(0.0), glm::dvec3(kAxis, 0, 0), glm::dvec3(0, kAxis, 0), glm::dvec3(0, 0, kAxis)};
-    QRectF bounds(onPaper(cube.front()), QSizeF(0.0, 0.0));
-    const auto include = [&bounds](const auto &points) {
-        for (const glm::dvec3 &point : points) {
-            const QPointF at = onPaper(point);
-            bounds.setCoords(std::min(bounds.left(), at.x()), std::min(bounds.top(), at.y()),
-                             std::max(bounds.right(), at.x()), std::max(bounds.bottom(), at.y()));
-        }
-    };
-    include(cube);
-    include(m_corners);
-    include(axes);
-    const QFontMetricsF metrics(font());
-    const double margin = 1.3 * metrics.height();
-    const double scale =
-        std::min((width() - 2.0 * margin) / bounds.width(), (height() - 2.0 * margin) / bounds.height());
-    const QPointF middle(width() / 2.0, height() / 2.0);
-    const auto placed = [&](const glm::dvec3 &point) { return (onPaper(point) - bounds.center()) * scale + middle; };
-    const auto allPlaced = [&](const std::array<glm::dvec3, 8> &points) {
-        std::array<QPointF, 8> places;
-        std::transform(points.begin(), points.end(), places.begin(), placed);
-        return places;
-    };
-
+    const Paper paper = this->paper();
     // The cube, and its axes where there is room for their letters.
-    const std::array<QPointF, 8> cubePlaces = allPlaced(cube), places = allPlaced(m_corners);
+    const std::array<QPointF, 8> places = paper.placed(m_corners);
     painter.setPen(QPen(quiet, 1.0, Qt::DashLine));
-    drawEdges(painter, cubePlaces);
+    drawEdges(painter, paper.placed(cubeCorners()));
     painter.setPen(QPen(quiet, 1.0));
-    for (std::size_t axis = 1; axis < axes.size(); ++axis)
-        painter.drawLine(placed(axes.front()), placed(axes[axis]));
+    for (const glm::dvec3 &end : axisEnds())
+        painter.drawLine(paper.placed(glm::dvec3(0.0)), paper.placed(end));
 
     // The volume: the sides that have a colour, then its edges.
     for (const bool isFar : {true, false}) {
@@ -174,25 +154,90 @@ void FactorDrawing::paintEvent(QPaintEvent *)
         painter.drawPolygon(side);
     }
 
-    std::vector<QRectF> taken;
-    const double half = metrics.xHeight() / 2.0 + 2.0;
-    const QMarginsF letterMargins(half, half, half, half);
-    if (kAxis * scale > 3.0 * metrics.height()) {
-        for (std::size_t axis = 1; axis < axes.size(); ++axis) {
-            constexpr std::array kNames{'x', 'y', 'z'};
-            const QPointF at = placed(axes[axis] * 1.12);
-            drawLetter(painter, at, QString(QLatin1Char(kNames[axis - 1])), quiet, base);
-            taken.push_back(QRectF(at, QSizeF()).marginsAdded(letterMargins));
-        }
-    }
-    // Each letter beside the middle of its side, away from the middle of all.
-    QPointF center;
-    for (const QPointF &place : places)
-        center += place / 8.0;
+    const std::vector<QPointF> ofAxes = axisLetters(paper);
+    for (std::size_t axis = 0; axis < ofAxes.size(); ++axis)
+        drawLetter(painter, ofAxes[axis], QString(QLatin1Char("xyz"[axis])), quiet, base);
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);
+    const std::array<QRectF, 6> boxes = letterBoxes();
     for (std::size_t side = 0; side < kLetters.size(); ++side) {
+        drawLetter(painter, boxes[side].center(), QString(QLatin1Char(kLetters[side])),
+                   side == 4   ? nearInk
+                   : side == 5 ? farInk
+                               : ink,
+                   base);
+    }
+}
+
+QPointF FactorDrawing::Paper::placed(const glm::dvec3 &point) const
+{
+    return (onPaper(point) - from) * scale + middle;
+}
+
+std::array<QPointF, 8> FactorDrawing::Paper::placed(const std::array<glm::dvec3, 8> &points) const
+{
+    std::array<QPointF, 8> places;
+    std::transform(points.begin(), points.end(), places.begin(), [this](const glm::dvec3 &p) { return placed(p); });
+    return places;
+}
+
+FactorDrawing::Paper FactorDrawing::paper() const
+{
+    // What is drawn, and how large that can be.
+    QRectF bounds(onPaper(glm::dvec3(0.0)), QSizeF(0.0, 0.0));
+    const auto include = [&bounds](const auto &points) {
+        for (const glm::dvec3 &point : points) {
+            const QPointF at = onPaper(point);
+            bounds.setCoords(std::min(bounds.left(), at.x()), std::min(bounds.top(), at.y()),
+                             std::max(bounds.right(), at.x()), std::max(bounds.bottom(), at.y()));
+        }
+    };
+    include(cubeCorners());
+    include(m_corners);
+    include(axisEnds());
+    const double margin = 1.3 * QFontMetricsF(font()).height();
+    return {bounds.center(), QPointF(width() / 2.0, height() / 2.0),
+            std::min((width() - 2.0 * margin) / bounds.width(), (height() - 2.0 * margin) / bounds.height())};
+}
+
+std::vector<QPointF> FactorDrawing::axisLetters(const Paper &paper) const
+{
+    std::vector<QPointF> letters;
+    if (kAxis * paper.scale > 3.0 * QFontMetricsF(font()).height()) {
+        for (const glm::dvec3 &end : axisEnds())
+            letters.push_back(paper.placed(end * 1.12));
+    }
+    return letters;
+}
+
+QRectF FactorDrawing::cubeBox() const
+{
+    QPolygonF corners;
+    for (const QPointF &corner : paper().placed(cubeCorners()))
+        corners << corner;
+    return corners.boundingRect();
+}
+
+std::array<QRectF, 6> FactorDrawing::letterBoxes() const
+{
+    const QFontMetricsF metrics(font());
+    const Paper paper = this->paper();
+    std::vector<QRectF> taken;
+    const double half = metrics.xHeight() / 2.0 + 2.0;
+    for (const QPointF &at : axisLetters(paper))
+        taken.push_back(QRectF(at, QSizeF()).marginsAdded(QMarginsF(half, half, half, half)));
+    // A cube that a letter would cover, or nearly.
+    const QRectF cube = cubeBox();
+    if (std::max(cube.width(), cube.height()) < 3.0 * metrics.height())
+        taken.push_back(cube);
+    // Each letter beside the middle of its side, away from the middle of all.
+    const std::array<QPointF, 8> places = paper.placed(m_corners);
+    QPointF center;
+    for (const QPointF &place : places)
+        center += place / 8.0;
+    std::array<QRectF, 6> boxes;
+    for (std::size_t side = 0; side < boxes.size(); ++side) {
         QPointF at;
         for (const std::size_t corner : sideOf(std::size_t(1) << (side / 2), side % 2 == 1))
             at += places[corner] / 4.0;
@@ -201,8 +246,8 @@ void FactorDrawing::paintEvent(QPaintEvent *)
         // A flat volume has two sides at one place.
         const QPointF step =
             length > 1.0 ? way / length : QPointF(side % 2 == 1 ? 1.0 : -1.0, side % 2 == 1 ? -0.5 : 0.5);
-        const QSizeF size(metrics.averageCharWidth() + 4.0, metrics.xHeight() + 6.0);
-        QRectF box(QPointF(), size);
+        QRectF &box = boxes[side];
+        box.setSize({metrics.averageCharWidth() + 4.0, metrics.xHeight() + 6.0});
         box.moveCenter(at + step * (metrics.height() * 0.5));
         const auto isTaken = [&] {
             return std::any_of(taken.begin(), taken.end(), [&](const QRectF &one) { return one.intersects(box); });
@@ -210,12 +255,8 @@ void FactorDrawing::paintEvent(QPaintEvent *)
         for (int trial = 0; trial < 12 && isTaken(); ++trial)
             box.translate(step * 4.0);
         taken.push_back(box);
-        drawLetter(painter, box.center(), QString(QLatin1Char(kLetters[side])),
-                   side == 4   ? nearInk
-                   : side == 5 ? farInk
-                               : ink,
-                   base);
     }
+    return boxes;
 }
 
 } // namespace unprojector::gui

@@ -4,9 +4,12 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <QPointF>
+#include <QRectF>
 #include <QWidget>
 
 #include <array>
+#include <vector>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -27,6 +30,10 @@ public:
     };
     Extent extent() const;
 
+    /// Of l, r, b, t, n, f: none is on another, nor on the cube where that is small.
+    std::array<QRectF, 6> letterBoxes() const;
+    QRectF cubeBox() const; ///< what it takes of the drawing
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -34,6 +41,17 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    /// The way onto the paper.
+    struct Paper {
+        QPointF from, middle;
+        double scale;
+        QPointF placed(const glm::dvec3 &point) const;
+        std::array<QPointF, 8> placed(const std::array<glm::dvec3, 8> &points) const;
+    };
+    Paper paper() const;
+    /// Those of the cube's axes; none where there is no room for them.
+    std::vector<QPointF> axisLetters(const Paper &paper) const;
+
     std::array<glm::dvec3, 8> m_corners{}; ///< in the order of viewVolumeCorners
 };
 

@@ -1,6 +1,7 @@
 #include "gui/view/highlight_marks.h"
 
-#include "gui/view/point_marks.h"
+#include "gui/painters/scene_lines.h"
+#include "gui/view/letter_places.h"
 
 #include <QPainter>
 
@@ -17,9 +18,7 @@ const std::array<QColor, 3> kAxisColors{QColor(0xb4, 0x1c, 0x20), QColor(0x1b, 0
 const QColor kDark(0x18, 0x1a, 0x1c), kRim(0xff, 0xff, 0xff, 225);
 // Of the planes in View from Outside, as text.
 const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
-constexpr double kHead = 8.0, kHalfHead = 3.5, kRing = 5.0;
-/// The size of an index, of its letter's.
-constexpr double kIndexShare = 0.75;
+constexpr double kHead = 8.0;
 
 double axisLength(const Picture &picture)
 {
@@ -43,20 +42,32 @@ void addAxis(HighlightMarks &marks, const Picture &picture, const glm::dvec4 &or
     Tips tips = Tips::End;
     if (line.length() < kLeast)
         tips = tip.z / tip.w < origin.z / origin.w ? Tips::Towards : Tips::Away;
+    const std::string letter(1, "xyz"[axis]);
+    for (HighlightMarks::Text &text : marks.texts) {
+        if (!text.arrow || text.letter.letter != letter)
+            continue;
+        constexpr double kSame = 2.0;
+        const HighlightMarks::Arrow &other = marks.arrows[*text.arrow];
+        if (other.tips == tips && QLineF(other.line.p1(), *from).length() < kSame
+            && QLineF(other.line.p2(), *to).length() < kSame) {
+            text.letter.index += ", " + name;
+            return;
+        }
+    }
+    marks.texts.push_back({*to, {letter, name}, kAxisColors[axis], marks.arrows.size()});
     marks.arrows.push_back({line, tips, kAxisColors[axis]});
-    marks.texts.push_back({*to, {std::string(1, "xyz"[axis]), name}, kAxisColors[axis]});
 }
 
-QFont letterFont(QFont font)
+/// What of a line is in front of the eye, logical pixels.
+std::optional<QLineF> lineInPicture(const Picture &picture, glm::dvec4 from, glm::dvec4 to)
 {
-    font.setBold(true);
-    return font;
-}
-
-QFont indexFont(QFont font)
-{
-    font.setPixelSize(std::max(7, static_cast<int>(std::lround(font.pixelSize() * kIndexShare))));
-    return font;
+    const double least = 1e-3 * std::max(from.w, to.w);
+    if (from.w < least)
+        std::swap(from, to);
+    if (to.w < least)
+        to = glm::mix(from, to, (from.w - least) / (from.w - to.w));
+    const std::optional<QPointF> one = placeInPicture(picture, from), other = placeInPicture(picture, to);
+    return one && other ? std::optional(QLineF(*one, *other)) : std::nullopt;
 }
 
 void drawArrow(QPainter &painter, const HighlightMarks::Arrow &arrow)
@@ -100,7 +111,7 @@ void drawLetter(QPainter &painter, const QFont &usual, const HighlightMarks::Tex
 {
     const QString letter = QString::fromStdString(text.letter.letter),
                   index = QString::fromStdString(text.letter.index);
-    const QFont font = letterFont(usual), small = indexFont(font);
+    const QFont font = letterFont(usual), small = letterIndexFont(font);
     const QFontMetricsF metrics(font), ofIndex(small);
     const double width = metrics.horizontalAdvance(letter) + ofIndex.horizontalAdvance(index);
     const QPointF start(box.center().x() - width / 2.0,
@@ -140,10 +151,12 @@ HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Hi
     const Result<glm::dmat4> clip = clipFromWorld(g);
     if (highlights.contains(Highlight::Axes) && eye && clip) {
         const auto clipOf = [&](const WorldPoint &point) { return *clip * glm::dvec4(point.coordinates(), 1.0); };
+        // The eye of a perspective has the depth 0, but for rounding.
+        const double least = isPerspective(g.projection()) ? 1e-3 * projectionWindow(g.projection()).nearDistance : 0.0;
         for (const lessons::NamedAxes &axes : lessons::namedAxes(document.scene(), *eye)) {
             const glm::dvec4 origin = clipOf(axes.origin);
-            if (!(origin.w > 0.0))
-                continue; // the eye of a perspective, for one
+            if (!(origin.w > least))
+                continue;
             const double length = axisLength(g) * worldPerLogicalPixel(g, axes.origin);
             for (std::size_t axis = 0; axis < 3; ++axis)
                 addAxis(marks, g, origin, clipOf(axes.origin + axes.directions[axis] * length), axis, axes.name);
@@ -160,9 +173,23 @@ HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Hi
             const bool isAxis = arrow.kind == lessons::LetteredArrow::Kind::Axis;
             const QLineF line(seen(arrow.from), seen(arrow.to));
             const QColor color = isAxis ? kAxisColors[arrow.letter.letter == "x" ? 0 : 1] : kDark;
+            marks.texts.push_back({isAxis ? line.p2() : line.center(), arrow.letter, color, marks.arrows.size()});
             marks.arrows.push_back({line, isAxis ? Tips::End : Tips::Both, color});
-            marks.texts.push_back({isAxis ? line.p2() : line.center(), arrow.letter, color});
         }
+    }
+    if (marks.isEmpty() || !clip)
+        return marks;
+    for (const LineSegment &axis : axisLines(document.ground())) {
+        if (const std::optional<QLineF> line =
+                lineInPicture(g, *clip * glm::dvec4(axis.from, 1.0), *clip * glm::dvec4(axis.to, 1.0)))
+            marks.lines.push_back(*line);
+    }
+    for (const std::optional<WorldPoint> &point : {document.pickedPoint(), document.givenWorld()}) {
+        const std::optional<QPointF> at =
+            point ? placeInPicture(g, *clip * glm::dvec4(point->coordinates(), 1.0)) : std::nullopt;
+        constexpr double kHalf = 15.0; // the arms of the crosshair
+        if (at)
+            marks.things.emplace_back(*at - QPointF(kHalf, kHalf), QSizeF(2.0 * kHalf, 2.0 * kHalf));
     }
     return marks;
 }
@@ -209,32 +236,17 @@ HighlightMarks highlightsFromOutside(const SceneDocument &document, const Observ
         for (std::size_t i = 0; i < letters.size(); ++i)
             add(drawnFromNdc * glm::dvec4(letters[i].at.coordinates(), 1.0), letters[i].letter, kAxisColors[i / 2]);
     }
+    // The camera's sign: a body behind the eye.
+    if (const std::optional<WorldPoint> eye = picture.drawnPoint(EyePoint());
+        eye && eyeOpacity(picture.projection, picture.t) > 0.0f) {
+        constexpr double kMiddle = 18.0, kHalf = 18.0; // logical pixels
+        const double pixel = worldPerLogicalPixel(g, *eye);
+        const glm::dvec3 body =
+            eye->coordinates() + glm::mat3_cast(picture.placement.rotation) * glm::dvec3(0.0, 0.0, kMiddle * pixel);
+        if (const std::optional<QPointF> at = placeInPicture(g, picture.clipFromDrawn * glm::dvec4(body, 1.0)))
+            marks.things.emplace_back(*at - QPointF(kHalf, kHalf), QSizeF(2.0 * kHalf, 2.0 * kHalf));
+    }
     return marks;
-}
-
-std::vector<QRectF> boxesOf(const HighlightMarks &marks, const QFont &font, const QRectF &area,
-                            const std::vector<QRectF> &taken)
-{
-    std::vector<QLineF> lines;
-    for (const HighlightMarks::Arrow &arrow : marks.arrows) {
-        if (QRectF(arrow.line.p1(), arrow.line.p2()).normalized().adjusted(-1, -1, 1, 1).intersects(area))
-            lines.push_back(arrow.line);
-    }
-    std::vector<PointMark> labelled;
-    for (std::size_t i = 0; i < marks.texts.size(); ++i) {
-        const HighlightMarks::Text &text = marks.texts[i];
-        if (!area.contains(text.at))
-            continue;
-        PointMark mark;
-        mark.place = i;
-        mark.at = text.at;
-        mark.label = QString::fromStdString(text.letter.letter + text.letter.index);
-        labelled.push_back(std::move(mark));
-    }
-    std::vector<QRectF> boxes(marks.texts.size());
-    for (const PlacedLabel &label : placedLabels(labelled, QFontMetricsF(letterFont(font)), area, lines, taken))
-        boxes[labelled[label.mark].place] = label.box;
-    return boxes;
 }
 
 void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::vector<QRectF> &boxes)
@@ -243,6 +255,15 @@ void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::v
     const QFont font = painter.font();
     for (const HighlightMarks::Arrow &arrow : marks.arrows)
         drawArrow(painter, arrow);
+    for (std::size_t i = 0; i < marks.texts.size(); ++i) {
+        const std::optional<QLineF> leader = leaderOf(marks, i, boxes[i]);
+        if (!leader)
+            continue;
+        for (const QPen &pen : {QPen(kRim, 3.0), QPen(marks.texts[i].color, 1.0)}) {
+            painter.setPen(pen);
+            painter.drawLine(*leader);
+        }
+    }
     for (std::size_t i = 0; i < marks.texts.size(); ++i) {
         if (!boxes[i].isNull())
             drawLetter(painter, font, marks.texts[i], boxes[i]);

@@ -10,6 +10,7 @@
 #include <QPointF>
 #include <QRectF>
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <vector>
@@ -34,17 +35,21 @@ struct HighlightMarks {
         QColor color;
     };
     struct Text {
-        QPointF at; ///< beside this
+        QPointF at; ///< beside this: of an axis its tip, of a length its middle
         Letter letter;
         QColor color;
+        std::optional<std::size_t> arrow = std::nullopt; ///< its place among the arrows
     };
-    std::vector<Arrow> arrows;
+    std::vector<Arrow> arrows; ///< those of axes that are seen upon each other are one, which has the names of all
     std::vector<Text> texts;
+    std::vector<QLineF> lines;  ///< of the scene: no letter stands on them while there is room elsewhere
+    std::vector<QRectF> things; ///< such as marks: the same
 
     bool isEmpty() const { return arrows.empty() && texts.empty(); }
 };
 
-/// Those of the view: axes and viewport. Axes whose origin or end is behind the eye are not in it.
+/// Those of the view: axes and viewport. Axes whose origin or end is behind the eye or in it, as the eye's own are in a perspective,
+/// are not in it.
 HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights);
 
 /// Those of View from Outside: axes, the volume's sides, and the numbers at the cube once the volume has nearly become it.
@@ -54,13 +59,18 @@ HighlightMarks highlightsFromOutside(const SceneDocument &document, const Observ
 /// How far View from Outside has come to show the normalised cube, 0 to 1, at a place of its morph.
 float cubeOpacity(double t);
 
-/// Where the letters stand: none overlaps another nor an arrow nor leaves the area. One that finds no room is null.
+/// Where the letters stand: none overlaps another nor an arrow nor leaves the area. One of an axis is at its tip, outwards where that
+/// is free, and nearer to it than to any other tip; where there is no such place, farther away with a leader. One of a length is
+/// beside it, outside of the middle of the area. One that finds no room is null.
 /// @param font   of the widget, its size in pixels
 /// @param taken  what is there already
 std::vector<QRectF> boxesOf(const HighlightMarks &marks, const QFont &font, const QRectF &area,
                             const std::vector<QRectF> &taken);
 
-/// Draws arrows and letters, dark or coloured in a light rim: to be seen on any surface.
+/// The line from what a letter is of to its box, where the box is not right beside it.
+std::optional<QLineF> leaderOf(const HighlightMarks &marks, std::size_t text, const QRectF &box);
+
+/// Draws arrows, leaders and letters, dark or coloured in a light rim: to be seen on any surface.
 void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::vector<QRectF> &boxes);
 
 /// The logical pixels that a clip-space point of a picture is seen at; nothing behind the eye.

@@ -6,7 +6,6 @@
 #include "gui/painters/observer_shapes.h"
 #include "gui/painters/scene_lines.h"
 #include "gui/text/error_text.h"
-#include "gui/view/highlight_marks.h"
 #include "gui/view/wrong_point_marks.h"
 
 #include <QPainter>
@@ -211,7 +210,7 @@ void ObserverView::paintGL()
     drawVolume(*p);
     drawCamera(*p);
     drawPick(*p);
-    drawHighlighted(*p);
+    drawHighlighted();
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
 }
@@ -410,12 +409,18 @@ void ObserverView::drawPick(const ObserverPicture &p)
         drawMark(*pick->point.world[Method::Formula], PickPainter::Mark::Picked);
 }
 
-void ObserverView::drawHighlighted(const ObserverPicture &p)
+HighlightMarks ObserverView::highlightMarks() const
 {
-    const HighlightMarks marks = highlightsFromOutside(m_document, p, m_highlights);
+    const std::optional<ObserverPicture> p = picture();
+    return p ? highlightsFromOutside(m_document, *p, m_highlights) : HighlightMarks();
+}
+
+void ObserverView::drawHighlighted()
+{
+    const HighlightMarks marks = highlightMarks();
     if (marks.isEmpty())
         return;
-    paintOver(p.observer.surface.devicePixelRatio, [&](QPainter &painter) {
+    paintOver(m_observer.surface.devicePixelRatio, [&](QPainter &painter) {
         drawHighlights(painter, marks, boxesOf(marks, painter.font(), QRectF(rect()), {}));
     });
 }

@@ -6,6 +6,7 @@
 #include "gui/painters/line_painter.h"
 #include "gui/painters/pick_painter.h"
 #include "gui/view/frame_view.h"
+#include "gui/view/highlight_marks.h"
 #include "gui/view/observer_picture.h"
 
 #include <optional>
@@ -37,6 +38,8 @@ public:
     void takeOver(const ObserverView &other);
     /// Where a world point stands in this view's picture, logical pixels; nothing when it has no place in it.
     std::optional<QPointF> placeOf(const WorldPoint &point) const;
+    /// What of a lesson is written into the picture as it is now.
+    HighlightMarks highlightMarks() const;
 
 signals:
     void morphChanged(double t);
@@ -76,7 +79,7 @@ private:
     void drawCamera(const ObserverPicture &p);
     void drawPick(const ObserverPicture &p);
     void drawWrong(const ObserverPicture &p);
-    void drawHighlighted(const ObserverPicture &p);
+    void drawHighlighted();
     /// Where they are hidden, the lines show faintly.
     void drawLines(const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource, double widthLogical);
 

@@ -9,7 +9,10 @@
 #include <QFontMetricsF>
 #include <QHelpEvent>
 #include <QImage>
+#include <QPaintDevice>
+#include <QPaintEngine>
 #include <QPainter>
+#include <QPainterPath>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QTest>
@@ -70,6 +73,81 @@ QImage drawn(const QString &name, double ratio, bool isDark = false, double marg
     return image;
 }
 
+/// What a figure consists of.
+struct Ink {
+    struct Label {
+        QString text;
+        QRectF box; ///< of its ink
+        QColor color;
+    };
+    std::vector<Label> labels;
+    std::vector<QLineF> lines;
+};
+
+/// Draws nothing, and notes what it would.
+class InkEngine : public QPaintEngine {
+public:
+    InkEngine() : QPaintEngine(AllFeatures) {}
+    bool begin(QPaintDevice *) override { return true; }
+    bool end() override { return true; }
+    void updateState(const QPaintEngineState &) override {}
+    Type type() const override { return User; }
+    void drawPixmap(const QRectF &, const QPixmap &, const QRectF &) override {}
+    void drawPath(const QPainterPath &) override {}
+    void drawLines(const QLineF *lines, int count) override
+    {
+        for (int i = 0; i < count; ++i)
+            ink.lines.push_back(state->transform().map(lines[i]));
+    }
+    void drawPolygon(const QPointF *points, int count, PolygonDrawMode mode) override
+    {
+        for (int i = 1; i < count && mode == PolylineMode; ++i)
+            ink.lines.push_back(state->transform().map(QLineF(points[i - 1], points[i])));
+    }
+    void drawTextItem(const QPointF &at, const QTextItem &item) override
+    {
+        const QRectF box = QFontMetricsF(item.font()).tightBoundingRect(item.text()).translated(at);
+        ink.labels.push_back({item.text(), state->transform().mapRect(box), state->pen().color()});
+    }
+
+    Ink ink;
+};
+
+class InkDevice : public QPaintDevice {
+public:
+    QPaintEngine *paintEngine() const override { return &m_engine; }
+    const Ink &ink() const { return m_engine.ink; }
+
+protected:
+    int metric(PaintDeviceMetric metric) const override
+    {
+        switch (metric) {
+        case PdmWidth:
+        case PdmHeight: return 2000;
+        case PdmDevicePixelRatio: return 1;
+        case PdmDevicePixelRatioScaled: return static_cast<int>(devicePixelRatioFScale());
+        case PdmDpiX:
+        case PdmDpiY:
+        case PdmPhysicalDpiX:
+        case PdmPhysicalDpiY: return 96;
+        default: return 1000;
+        }
+    }
+
+private:
+    mutable InkEngine m_engine;
+};
+
+Ink inkOf(const QString &name)
+{
+    InkDevice device;
+    const QFont font = formulaFont(kPointSize);
+    QPainter painter(&device);
+    drawHelpFigure(painter, QRectF(QPointF(), helpFigureSize(name, font)), name, font, colorsOf(false));
+    painter.end();
+    return device.ink();
+}
+
 /// The mean difference of two pictures of one size, 0 to 255.
 double differenceOf(const QImage &one, const QImage &other)
 {
@@ -92,6 +170,8 @@ private slots:
     void bothPagesHaveTheSame();
     void aFigureIsDrawn_data();
     void aFigureIsDrawn();
+    void itsLabelsAreClear_data();
+    void itsLabelsAreClear();
     void thePageDrawsItInItsSize();
     void anUnknownFigureIsNone();
     void aLabelIsOneLineInEverySize();
@@ -195,6 +275,37 @@ void TestHelpFigures::aFigureIsDrawn()
             }
         }
     }
+}
+
+void TestHelpFigures::itsLabelsAreClear_data()
+{
+    aFigureIsDrawn_data();
+}
+
+void TestHelpFigures::itsLabelsAreClear()
+{
+    QFETCH(QString, name);
+    const Ink ink = inkOf(name);
+    QVERIFY(!ink.labels.empty());
+    const double em = QFontMetricsF(formulaFont(kPointSize)).height();
+    QStringList faults;
+    for (const Ink::Label &label : ink.labels) {
+        for (const QLineF &line : ink.lines) {
+            for (int i = 0; i <= 400; ++i) {
+                if (label.box.contains(line.pointAt(i / 400.0))) {
+                    faults << QStringLiteral("a line through %1").arg(label.text);
+                    break;
+                }
+            }
+        }
+        // Two of different colours are two labels, and seen to be.
+        for (const Ink::Label &other : ink.labels) {
+            if (other.color != label.color && other.box.left() >= label.box.left()
+                && other.box.adjusted(-0.4 * em, 0, 0, 0).intersects(label.box))
+                faults << QStringLiteral("%1 at %2").arg(other.text, label.text);
+        }
+    }
+    QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QStringLiteral("; "))));
 }
 
 void TestHelpFigures::thePageDrawsItInItsSize()

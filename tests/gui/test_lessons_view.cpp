@@ -293,7 +293,7 @@ void TestLessonsView::lettersOverlapNothing()
     const double side = SceneOverlay::axesSide(*drawable(g));
     const QRectF cross(g.viewport.x, g.surface.heightPixels - g.viewport.y - side, side, side);
     const HighlightMarks marks = highlightsInView(window->document(), player.step().highlights);
-    QVERIFY(marks.texts.size() >= 5);
+    QVERIFY(marks.texts.size() >= 3);
     const std::vector<QRectF> boxes = boxesOf(marks, window->view().font(), QRectF(window->view().rect()), {cross});
     std::size_t placed = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -304,7 +304,7 @@ void TestLessonsView::lettersOverlapNothing()
         for (std::size_t j = 0; j < i; ++j)
             QVERIFY2(!boxes[i].intersects(boxes[j]), marks.texts[i].letter.letter.c_str());
     }
-    QVERIFY(placed >= 5);
+    QVERIFY(placed >= 3);
     // What was there before is kept clear of.
     const QRectF former = boxes.front();
     QVERIFY(!former.isNull());

@@ -36,6 +36,7 @@ private slots:
     void aMatrixIsTakenApartAndItsFactorsFollow();
     void partsOfTheFactorsActAsTheSlidersSay();
     void theVolumeIsDrawnAsItIsCarried();
+    void itsLettersCoverNoSmallCube();
     void copyingTakesAllDigits();
     void theWheelOverAMatrixIsLeftToThePanel();
     void everyControlHasAName();
@@ -278,6 +279,26 @@ void TestPipelineWidgets::theVolumeIsDrawnAsItIsCarried()
             QVERIFY(image.pixelColor(x, 0) == base && image.pixelColor(x, image.height() - 1) == base);
         for (int y = 0; y < image.height(); ++y)
             QVERIFY(image.pixelColor(0, y) == base && image.pixelColor(image.width() - 1, y) == base);
+    }
+}
+
+void TestPipelineWidgets::itsLettersCoverNoSmallCube()
+{
+    FactorDrawing drawing;
+    drawing.resize(386, 13 * drawing.fontMetrics().height());
+    for (const double size : {5.0, 9.0, 20.0, 200.0}) {
+        for (const Projection &box : {Projection(Ortho{-size, size, -size, size, 2, size}),
+                                      Projection(Ortho{-size, size, -size, size, -1, size}),
+                                      Projection(Ortho{-size, 1.2 * size, -size, size, -size, size})}) {
+            drawing.setVolume(box, glm::dmat4(1.0));
+            const std::array<QRectF, 6> letters = drawing.letterBoxes();
+            for (std::size_t i = 0; i < letters.size(); ++i) {
+                QVERIFY2(!letters[i].intersects(drawing.cubeBox()), qPrintable(QString::number(size)));
+                QVERIFY(QRectF(drawing.rect()).contains(letters[i]));
+                for (std::size_t j = 0; j < i; ++j)
+                    QVERIFY(!letters[i].intersects(letters[j]));
+            }
+        }
     }
 }
 

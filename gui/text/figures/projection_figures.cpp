@@ -41,7 +41,7 @@ void drawOrtho(Drawing &d)
     d.label({kLeft, kTop}, text("−f"), Side::Above);
     d.label({kRight, kTop}, text("−n"), Side::Above);
     d.label({kRight, kTop + 0.5}, text("t"), Side::Right);
-    d.label({kRight, kBottom - 0.6}, text("b"), Side::Right);
+    d.label({kRight, kBottom - 0.2}, text("b"), Side::Right);
     d.dot({kEye, kAxis});
     step(10.6, "T");
     constexpr double kHalfWide = (kRight - kLeft) / 2.0, kHalfHigh = (kBottom - kTop) / 2.0;
@@ -91,13 +91,14 @@ void drawFrustum(Drawing &d)
     d.label(at(0, 2.5, 0), text("y"), Side::Left);
     d.dot(eye);
     d.dot(at(0, 0, kNear), Stroke::Second);
-    const auto edge = [&](std::size_t one, std::size_t other, const char *name, Side side) {
-        d.label(between(nearEnd[one], nearEnd[other], 0.5), text(name), side, Stroke::Second);
+    // Where none of the lines from the eye passes.
+    const auto edge = [&](std::size_t one, std::size_t other, double share, const char *name, Side side) {
+        d.label(between(nearEnd[one], nearEnd[other], share), text(name), side, Stroke::Second);
     };
-    edge(0, 1, "t", Side::Above);
-    edge(2, 3, "b", Side::Below);
-    edge(1, 2, "r", Side::Left);
-    edge(3, 0, "l", Side::Right);
+    d.label(between(nearEnd[0], nearEnd[1], 0.5) - QPointF(0.0, 0.5), text("t"), Side::Above, Stroke::Second);
+    d.label(between(nearEnd[2], nearEnd[3], 0.78) + QPointF(0.1, 0.25), text("b"), Side::Below, Stroke::Second);
+    edge(1, 2, 0.75, "r", Side::Left);
+    edge(3, 0, 0.5, "l", Side::Right);
     constexpr double kFirst = 14.6, kSecond = 15.9;
     const double nearAt = eye.x() + kNear, farAt = eye.x() + kFar;
     d.line(eye, {eye.x(), kSecond}, Stroke::Dashed);
@@ -125,7 +126,8 @@ void drawFrustumSteps(Drawing &d)
         d.outline(corners);
         d.line(corners[2], corners[3], Stroke::Second);
         d.line(corners[2] + QPointF(0.04, 0.0), corners[3] + QPointF(0.04, 0.0), Stroke::Second);
-        d.label({corners[2].x(), std::max(corners[2].y(), corners[3].y())}, Words::tr("near"), Side::Below,
+        const double aside = corners[1].y() > corners[2].y() ? 0.8 : 0.0; // of the edge that comes down there
+        d.label({corners[2].x() + aside, std::max(corners[2].y(), corners[3].y())}, Words::tr("near"), Side::Below,
                 Stroke::Second);
     };
     const auto step = [&](double at, const char *letter) {
@@ -199,7 +201,7 @@ void drawDepth(Drawing &d)
     const auto at = [](double distance, double ndc) { return QPointF(4.0 + 2.0 * distance, 5.6 - 4.4 * ndc); };
     d.arrow({at(0, 0).x(), at(0, -1).y() + 0.9}, {at(0, 1.2).x(), at(0, 1).y() - 0.9}, Stroke::Quiet);
     d.label({at(0, 0).x(), 0.6}, text("z<sub>n</sub>"), Side::Right);
-    d.arrow(at(0, 0) - QPointF(0.3, 0.0), at(11.3, 0), Stroke::Quiet);
+    d.arrow(at(0, 0), at(11.3, 0), Stroke::Quiet);
     d.label(at(11.1, 0), text("−z"), Side::Below);
     const double half = 2.0 * kNear * kFar / (kFar + kNear);
     for (const double ndc : {-1.0, 1.0}) {

@@ -97,7 +97,7 @@ void drawHomogeneous(Drawing &d)
     for (const double w : {1.0, 2.0})
         d.dot(at(w, w), Stroke::Accent);
     d.label(at(1, 1) + QPointF(1.2, 0.1), text("(x, 1)"), Side::Below);
-    d.label(at(2, 2), text("(2 x, 2)"), Side::Left);
+    d.label(at(2, 2) - QPointF(0.1, 0.45), text("(2 x, 2)"), Side::Left);
     d.dot(at(3.0, 1));
     d.arrow(at(1.05, 1), at(2.95, 1), Stroke::Second);
     d.label(at(2.0, 1), text("a"), Side::Above, Stroke::Second);
@@ -201,12 +201,14 @@ void drawNormals(Drawing &d)
         // Perpendicular to (stretch, -1): (1, stretch) / stretch, as the normal matrix has it.
         const QPointF normal = middle + QPointF(kUnit * 0.62 / stretch, -kUnit * 0.62);
         d.arrow(middle, normal, Stroke::Accent);
-        d.label(normal, isScaled ? text("(½, 1, 0)") : text("n = (1, 1, 0)"), Side::Above, Stroke::Accent);
+        // Scaled, the other's name stands beside it.
+        d.label(normal - QPointF(isScaled ? 0.7 : 0.0, 0.0), isScaled ? text("(½, 1, 0)") : text("n = (1, 1, 0)"),
+                Side::Above, Stroke::Accent);
         d.rightAngle(middle, normal, tangent);
         if (isScaled) {
             const QPointF wrong = middle + QPointF(kUnit * 1.24, -kUnit * 0.62);
             d.arrow(middle, wrong, Stroke::SecondDashed);
-            d.label(wrong, text("(2, 1, 0)"), Side::Above, Stroke::Second);
+            d.label(wrong + QPointF(0.7, 0.0), text("(2, 1, 0)"), Side::Above, Stroke::Second);
         }
     };
     draw({2.0, 7.0}, 1.0, false);

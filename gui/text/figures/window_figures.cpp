@@ -125,6 +125,7 @@ void drawScales(Drawing &d)
         Stroke stroke;
     };
     constexpr double kShare = 0.62;
+    constexpr double kRaised = 0.3; // labels above the lines to the next scale
     const std::vector<Scale> scales{
         {1.6, 7.0, 17.0, "l", "x", "r", Stroke::Second},
         {3.8, 4.0, 16.0, "−1", "x<sub>n</sub>", "1", Stroke::Ink},
@@ -135,8 +136,8 @@ void drawScales(Drawing &d)
         d.line({scale.left, scale.y}, {scale.right, scale.y}, scale.stroke);
         for (const double end : {scale.left, scale.right})
             d.line({end, scale.y - 0.35}, {end, scale.y + 0.35}, scale.stroke);
-        d.label({scale.left, scale.y}, text(scale.from), Side::Left);
-        d.label({scale.right, scale.y}, text(scale.to), Side::Right);
+        d.label({scale.left - 0.1, scale.y - kRaised}, text(scale.from), Side::Left);
+        d.label({scale.right + 0.25, scale.y - kRaised}, text(scale.to), Side::Right);
     }
     for (std::size_t i = 0; i + 1 < scales.size(); ++i) {
         d.line({scales[i].left, scales[i].y}, {scales[i + 1].left, scales[i + 1].y}, Stroke::Dashed);
@@ -145,7 +146,8 @@ void drawScales(Drawing &d)
     }
     for (std::size_t i = 0; i < scales.size(); ++i) {
         d.dot(places[i], scales[i].stroke);
-        d.label(places[i] - QPointF(0.5, 0.0), text(scales[i].at), Side::Above);
+        const bool isFromLeft = i > 0 && places[i - 1].x() < places[i].x(); // its line
+        d.label(places[i] + QPointF(isFromLeft ? 0.7 : -0.5, 0.0), text(scales[i].at), Side::Above);
     }
 }
 
@@ -230,7 +232,7 @@ void drawRay(Drawing &d)
     d.outline({pixel + QPointF(0.2, -0.42), pixel + QPointF(-0.2, -0.14), pixel + QPointF(-0.2, 0.42),
                pixel + QPointF(0.2, 0.14)},
               Stroke::Accent);
-    d.label(pixel + QPointF(-0.4, -0.3), text("(x<sub>v</sub>, y<sub>v</sub>)"), Side::Left, Stroke::Second);
+    d.label(pixel + QPointF(-0.75, -0.75), text("(x<sub>v</sub>, y<sub>v</sub>)"), Side::Left, Stroke::Second);
     d.dot(met, Stroke::Accent);
     d.label(met + QPointF(-0.1, -0.4), text("p"), Side::Above, Stroke::Accent);
     d.dot(eye);
