@@ -34,7 +34,7 @@ void TestLessonsAnswers::anAnswerIsChecked()
     answer(*window, QStringLiteral("312"));
     QCOMPARE(verdictOf(*window), QStringLiteral("312 is not it. Try again, or have it shown."));
     answer(*window, QStringLiteral("-312.5"));
-    QCOMPARE(verdictOf(*window), QStringLiteral("-312.5 has the wrong sign. Try again, or have it shown."));
+    QCOMPARE(verdictOf(*window), QStringLiteral("−312.5 has the wrong sign. Try again, or have it shown."));
     QCOMPARE(panelOf(*window).text(), shown);
     answer(*window, QStringLiteral("2*"));
     QCOMPARE(verdictOf(*window), QStringLiteral("“2*” ends where a number is wanted."));
@@ -52,7 +52,7 @@ void TestLessonsAnswers::anAnswerIsShown()
     follow(*window, QStringLiteral("step:model_view"));
     QVERIFY(!panelOf(*window).text().contains(QStringLiteral("m[14] = −8")));
     buttonOf(*window, QStringLiteral("Show"))->click();
-    QCOMPARE(verdictOf(*window), QStringLiteral("It is -8."));
+    QCOMPARE(verdictOf(*window), QStringLiteral("It is −8."));
     QVERIFY(panelOf(*window).text().contains(QStringLiteral("m[14] = −8")));
 }
 

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <utility>
 
 using namespace program_run;
 
@@ -34,6 +35,7 @@ class TestScreenshot : public QObject {
 
 private slots:
     void initTestCase();
+    void aLessonHasItsOwnView();
     void theJsonHasItsContractedShape();
     void theSameClicksMeanTheSamePixels_data();
     void theSameClicksMeanTheSamePixels();
@@ -87,6 +89,18 @@ void TestScreenshot::theSameClicksMeanTheSamePixels()
     QCOMPARE(clicks[0]["scene"]["window"]["width"].get<int>(), 600);
     QCOMPARE(clicks[0]["scene"]["window"]["height"].get<int>(), 500);
     QVERIFY(clicks[0]["hit"].get<bool>());
+}
+
+void TestScreenshot::aLessonHasItsOwnView()
+{
+    const Run result = run({"--screenshot", path("lesson.png"), "--lesson", "first:2", "--click", "162,187"});
+    QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
+    const Json click = Json::parse(result.output.toStdString(), nullptr, false)[0];
+    QCOMPARE(click["scene"]["window"]["width"].get<int>(), 500);
+    QCOMPARE(click["scene"]["window"]["height"].get<int>(), 500);
+    const Json point = click["world"]["formula"];
+    for (const auto &[place, wanted] : {std::pair(0, -1.5), std::pair(1, 3.5), std::pair(2, 5.0)})
+        QVERIFY(std::fabs(point[std::size_t(place)].get<double>() - wanted) < 1e-6);
 }
 
 void TestScreenshot::theJsonHasItsContractedShape()
@@ -232,6 +246,10 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     row("view size without a height", {"--screenshot", picture, "--view-size", "640"}, "--view-size is 640");
     row("two sizes", {"--screenshot", picture, "--size", "640x480", "--view-size", "640x480"}, "not both");
     row("unknown place", {"--screenshot", picture, "--place", "kitchen"}, "--place is kitchen");
+    row("unknown lesson", {"--screenshot", picture, "--lesson", "kitchen"}, "--lesson is kitchen");
+    row("unknown step", {"--screenshot", picture, "--lesson", "first:8"}, "first:1-7");
+    row("no step", {"--screenshot", picture, "--lesson", "first:"}, "--lesson is first:;");
+    row("a lesson and a model", {"--screenshot", picture, "--lesson", "first", broken.fileName()}, "not both");
     row("unknown colours", {"--screenshot", picture, "--appearance", "pink"}, "--appearance is pink");
     row("unknown language", {"--screenshot", picture, "--language", "fr"}, "--language is fr");
 #ifdef UNPROJECTOR_IS_TRANSLATED
