@@ -229,10 +229,10 @@ private:
                                 ? (arrow->line.p2() - arrow->line.p1()) / arrow->line.length()
                                 : QPointF(0.0, 1.0);
         const QSizeF size = sizeOf(text);
-        constexpr double kFirst = 20.0, kStep = 8.0, kLast = 120.0, kTurn = 15.0;
+        constexpr int kFirst = 20, kStep = 8, kLast = 120, kTurn = 15; // pixels and degrees
         for (const bool wantsAll : {true, false}) {
-            for (double gap = kFirst; gap <= kLast; gap += kStep) {
-                for (double turn = 0.0; turn <= 180.0; turn += kTurn) {
+            for (int gap = kFirst; gap <= kLast; gap += kStep) {
+                for (int turn = 0; turn <= 180; turn += kTurn) {
                     for (const double side : {1.0, -1.0}) {
                         const QRectF box = boxAt(at, turned(way, side * turn), gap, size);
                         if (isFree(box) && isLeaderFree(text, box, wantsAll) && (!wantsAll || isClear(box)))

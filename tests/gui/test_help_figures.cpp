@@ -352,7 +352,8 @@ void TestHelpFigures::anUnknownFigureIsNone()
 
 void TestHelpFigures::aLabelIsOneLineInEverySize()
 {
-    for (double points = 6.0; points < 30.0; points += 0.3) {
+    for (int tenths = 60; tenths < 300; tenths += 3) {
+        const double points = tenths / 10.0;
         const QFont font = formulaFont(points);
         const FormulaLayout label(QStringLiteral("A x + B y + C z + D ≥ 0"), font);
         QVERIFY2(label.size().height() < 1.7 * QFontMetricsF(font).height(), qPrintable(QString::number(points)));

@@ -234,7 +234,8 @@ void TestLetters::whereThereIsNoRoomALeaderLeads()
     // Twelve tips in the place of one letter.
     HighlightMarks marks;
     for (int i = 0; i < 12; ++i) {
-        const QPointF tip(200.0 + 6.0 * (i % 4), 150.0 + 6.0 * (i / 4));
+        const int column = i % 4, row = i / 4;
+        const QPointF tip(200.0 + 6.0 * column, 150.0 + 6.0 * row);
         marks.texts.push_back({tip, {"x", std::to_string(i)}, Qt::black, marks.arrows.size()});
         marks.arrows.push_back({QLineF(QPointF(200.0, 250.0 + 4.0 * i), tip), HighlightMarks::Tips::End, Qt::black});
     }
