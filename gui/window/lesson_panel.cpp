@@ -214,7 +214,7 @@ void LessonPanel::showText()
             html += lessonHtml(step.question->reveal);
         else if (!step.question->hides.empty())
             html += QStringLiteral("<p style='color: %1'>%2</p>")
-                        .arg(palette().color(QPalette::PlaceholderText).name(),
+                        .arg(palette().color(QPalette::Disabled, QPalette::WindowText).name(),
                              tr("Panels that show the answer are closed until then."));
     }
     m_text->setHtml(html);
