@@ -111,7 +111,11 @@ QStringList textsWithPick(MainWindow &window)
     window.places().show("precision"); // hidden, it would tell of the last time that it was seen
     QTest::qWait(20);
     dockOf(window, "precision")->hide();
-    return textsOf(window);
+    // How many blanks stand before a fraction goes by the font's widths to a fraction of a pixel.
+    static const QRegularExpression blanks(QStringLiteral("  +"));
+    QStringList texts = textsOf(window).replaceInStrings(blanks, QStringLiteral(" "));
+    texts.sort();
+    return texts;
 }
 
 /// The texts that only one of them has.
@@ -480,10 +484,13 @@ void TestLanguage::withoutAFontThereIsNoChinese()
     {
         const auto window = windowIn(translation, true);
         QCOMPARE(window->menuBar()->actions().constFirst()->text(), QStringLiteral("&File"));
+        QCOMPARE(window->message(), missingFontText());
+#ifdef Q_OS_LINUX
         QVERIFY(window->message().contains(QStringLiteral("fonts-noto-cjk")));
+#endif
         const QAction *chinese = actionOf(*window, QStringLiteral("Chinese, simplified"));
         QVERIFY(chinese && !chinese->isEnabled());
-        QVERIFY(chinese->toolTip().contains(QStringLiteral("fonts-noto-cjk")));
+        QVERIFY(chinese->toolTip().startsWith(QStringLiteral("No font here has Chinese characters. ")));
     }
     const auto again = windowIn(translation, true);
     QVERIFY2(again->message().isEmpty(), qPrintable(again->message()));
