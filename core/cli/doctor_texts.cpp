@@ -7,6 +7,8 @@
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>

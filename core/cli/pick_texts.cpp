@@ -9,6 +9,7 @@
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <nlohmann/json.hpp>
 
 namespace unprojector::cli {
 using namespace geometry;

@@ -2,6 +2,7 @@
 
 #include "core/geometry/angle.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "core/geometry/picture.h"
 #include "core/geometry/view_volume.h"
 
-#include <glm/gtc/quaternion.hpp>
+#include <glm/ext/quaternion_double.hpp>
 
 #include <optional>
 #include <vector>

@@ -6,6 +6,8 @@
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -197,7 +199,7 @@ Landmark landmarkOf(const Header &header, const CsvRow &row)
                           tr("the cell \"%1\" stands in a column without a name; give it one in the first line",
                              row.cells[place])};
         if (!row.cells[place].empty())
-            landmark.extra[name] = jsonOf(row.cells[place]);
+            landmark.extra.edit()[name] = jsonOf(row.cells[place]);
     }
     return landmark;
 }
@@ -454,7 +456,7 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
             rows.back()[Specimen] = specimen;
             landmarks.push_back(&landmark);
             use(rows.back());
-            for (auto it = landmark.extra.begin(); it != landmark.extra.end(); ++it) {
+            for (auto it = landmark.extra.json().begin(); it != landmark.extra.json().end(); ++it) {
                 if (it.key().empty() || isOurs(it.key()))
                     notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
                 else if (known.insert(it.key()).second)
@@ -471,7 +473,7 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
                 rows.push_back(std::move(row));
                 landmarks.push_back(nullptr);
             }
-            for (auto it = curve.extra.begin(); it != curve.extra.end(); ++it)
+            for (auto it = curve.extra.json().begin(); it != curve.extra.json().end(); ++it)
                 notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
         }
     }
@@ -501,7 +503,7 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
             text += ',';
             if (!landmarks[row])
                 continue;
-            const Json &extra = landmarks[row]->extra;
+            const Json &extra = landmarks[row]->extra.json();
             if (extra.is_object() && extra.contains(other))
                 appendCell(text, cellOf(extra[other]));
         }

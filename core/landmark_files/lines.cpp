@@ -4,6 +4,8 @@
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -154,10 +156,10 @@ void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const Holds &for
     for (const LandmarkSet &set : sets) {
         for (const Landmark &landmark : set.landmarks) {
             if (!format.keys)
-                keys.add(landmark.extra);
+                keys.add(landmark.extra.json());
         }
         if (!format.specimenKeys)
-            specimenKeys.add(set.extra);
+            specimenKeys.add(set.extra.json());
         if (!format.specimenName && !set.name.empty())
             notes.add(Kind::SpecimenNameLeftOut, 1, set.name);
         if (!format.mesh && !set.mesh.empty())

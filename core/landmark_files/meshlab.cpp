@@ -6,6 +6,7 @@
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -138,7 +139,7 @@ void readDocumentData(const Tree &data, LandmarkSet &set)
             others[tag] = attributesOf(element);
     }
     if (!others.empty())
-        set.extra[kDocumentData] = std::move(others);
+        set.extra.edit()[kDocumentData] = std::move(others);
 }
 
 Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool isTemplate, Notes &notes)
@@ -168,7 +169,7 @@ Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool i
     const Json attributes = attributesOf(point);
     for (auto it = attributes.begin(); it != attributes.end(); ++it) {
         if (std::find(kKnown.begin(), kKnown.end(), it.key()) == kKnown.end())
-            landmark.extra[it.key()] = *it;
+            landmark.extra.edit()[it.key()] = *it;
     }
     return landmark;
 }
@@ -264,7 +265,7 @@ std::string documentData(const LandmarkSet &set, Notes &notes)
 {
     std::string text;
     bool hasTemplate = false;
-    for (auto it = set.extra.begin(); it != set.extra.end(); ++it) {
+    for (auto it = set.extra.json().begin(); it != set.extra.json().end(); ++it) {
         if (it.key() != kDocumentData || !it->is_object()) {
             notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
             continue;

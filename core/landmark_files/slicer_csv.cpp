@@ -6,6 +6,8 @@
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 
 namespace unprojector::landmark_files {
@@ -81,7 +83,7 @@ Landmark oldLandmarkOf(CsvRow row)
     landmark.name = row.cells[0];
     landmark.world = positionOf(row, 1, Axes::Ras);
     if (!flagOf(row.cells[4], true, row.line, "sel"))
-        landmark.extra["selected"] = false;
+        landmark.extra.edit()["selected"] = false;
     landmark.isHidden = !flagOf(row.cells[5], true, row.line, "vis");
     return landmark;
 }
@@ -101,22 +103,22 @@ Landmark landmarkOf(CsvRow row, Axes axes, std::size_t number, Notes &notes)
         notes.add(LandmarkNote::Kind::MissingHadPosition);
     landmark.isHidden = !flagOf(cells[Visible], true, row.line, "vis");
     if (!cells[Id].empty() && cells[Id] != std::to_string(number))
-        landmark.extra["id"] = cells[Id];
+        landmark.extra.edit()["id"] = cells[Id];
     bool isTurned = false;
     for (std::size_t i = 0; i < kOrientation.size(); ++i)
         isTurned = isTurned || (!cells[Orientation + i].empty() && cells[Orientation + i] != kUsualOrientation[i]);
     for (std::size_t i = 0; i < kOrientation.size() && isTurned; ++i) {
         static_cast<void>(numberOf(cells[Orientation + i], row.line, kOrientation[i]));
-        landmark.extra[kOrientation[i]] = cells[Orientation + i];
+        landmark.extra.edit()[kOrientation[i]] = cells[Orientation + i];
     }
     if (!flagOf(cells[Selected], true, row.line, "sel"))
-        landmark.extra["selected"] = false;
+        landmark.extra.edit()["selected"] = false;
     if (flagOf(cells[Locked], false, row.line, "lock"))
-        landmark.extra["locked"] = true;
+        landmark.extra.edit()["locked"] = true;
     if (!cells[AssociatedNode].empty())
-        landmark.extra["associatedNodeID"] = cells[AssociatedNode];
+        landmark.extra.edit()["associatedNodeID"] = cells[AssociatedNode];
     if (flagOf(cells[AutoCreated], false, row.line, marked("the last field")))
-        landmark.extra["autoCreated"] = true;
+        landmark.extra.edit()["autoCreated"] = true;
     return landmark;
 }
 
@@ -174,10 +176,10 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
     // These have their fields.
     LandmarkSet others = set;
     for (Landmark &landmark : others.landmarks) {
-        if (!landmark.extra.is_object())
+        if (!landmark.extra.json().is_object())
             continue;
         for (const char *key : {"id", "ow", "ox", "oy", "oz", "selected", "locked", "associatedNodeID", "autoCreated"})
-            landmark.extra.erase(key);
+            landmark.extra.edit().erase(key);
     }
     addLosses(notes, {&others, 1}, {.names = true, .notes = true, .hidden = true});
     std::string text = "# Markups fiducial file version = 5.8\n# CoordinateSystem = ";
@@ -189,8 +191,8 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
     for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
         const Landmark &landmark = set.landmarks[i];
         const auto extra = [&](const char *key, const std::string &usual) {
-            const bool isThere = landmark.extra.is_object() && landmark.extra.contains(key);
-            const Json value = isThere ? landmark.extra[key] : Json(usual);
+            const bool isThere = landmark.extra.json().is_object() && landmark.extra.json().contains(key);
+            const Json value = isThere ? landmark.extra.json()[key] : Json(usual);
             if (value.is_boolean())
                 return std::string(value.get<bool>() ? "1" : "0");
             return plain.of(value.is_string() ? value.get<std::string>() : scene_file::compactJson(value));

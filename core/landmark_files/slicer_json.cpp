@@ -7,6 +7,8 @@
 #include "core/scene_file/strict_json.h"
 #include "core/text/translation.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <set>
 
@@ -29,18 +31,18 @@ struct Point {
     std::optional<glm::dvec3> position;
     bool visibility = true;
     Status status = Status::Defined;
-    Json extra;
+    text::JsonValue extra;
 };
 struct Markup {
     std::string name;
     Axes axes = Axes::Lps;
     std::vector<Point> points;
-    Json extra;
+    text::JsonValue extra;
 };
 struct Document {
     std::string schema = kSchema;
     std::vector<Markup> markups;
-    Json extra;
+    text::JsonValue extra;
 };
 
 template <class Fields, Is<Point> T>
@@ -102,7 +104,7 @@ Landmark landmarkOf(Point &&point, Axes axes, std::size_t number, Notes &notes)
     landmark.note = std::move(point.description);
     landmark.isHidden = !point.visibility;
     landmark.extra = std::move(point.extra);
-    removeUsual(landmark.extra, axes, number);
+    removeUsual(landmark.extra.edit(), axes, number);
     const bool isDefined = point.status == Point::Status::Defined || point.status == Point::Status::Preview;
     if (isDefined && point.position)
         landmark.world = turned(WorldPoint(*point.position), axes);
@@ -117,15 +119,15 @@ LandmarkSet setOf(Markup &&markup, Notes &notes)
     set.name = std::move(markup.name);
     set.axes = markup.axes;
     set.extra = std::move(markup.extra);
-    if (set.extra.is_object()) {
-        if (set.extra.contains(kUnits) && set.extra[kUnits].is_string()) { // else a code, which is kept as it is
-            set.unit = set.extra[kUnits].get<std::string>();
-            set.extra.erase(kUnits);
+    if (Json &extra = set.extra.edit(); extra.is_object()) {
+        if (extra.contains(kUnits) && extra[kUnits].is_string()) { // else a code, which is kept as it is
+            set.unit = extra[kUnits].get<std::string>();
+            extra.erase(kUnits);
         }
-        if (set.extra.contains("type") && set.extra["type"] == "Fiducial")
-            set.extra.erase("type");
-        if (set.extra.empty())
-            set.extra = nullptr;
+        if (extra.contains("type") && extra["type"] == "Fiducial")
+            extra.erase("type");
+        if (extra.empty())
+            extra = nullptr;
     }
     for (std::size_t i = 0; i < markup.points.size(); ++i)
         set.landmarks.push_back(landmarkOf(std::move(markup.points[i]), set.axes, i, notes));
@@ -167,7 +169,7 @@ ReadLandmarks readSlicerJson(std::string_view text)
         read.sets.push_back(setOf(std::move(markup), notes));
     if (read.sets.empty())
         throw Failure{1, tr("the list \"markups\" is empty; there are no points")};
-    for (auto it = document.extra.begin(); it != document.extra.end(); ++it)
+    for (auto it = document.extra.json().begin(); it != document.extra.json().end(); ++it)
         notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
     read.notes = notes.take();
     return read;
@@ -186,12 +188,14 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
     Document document;
     for (const LandmarkSet &set : sets) {
         Markup markup{set.name, set.axes, {}, Json::object()};
-        if (!set.extra.is_object() || !set.extra.contains("type"))
-            markup.extra["type"] = "Fiducial";
+        const Json &kept = set.extra.json();
+        Json &extra = markup.extra.edit();
+        if (!kept.is_object() || !kept.contains("type"))
+            extra["type"] = "Fiducial";
         if (!set.unit.empty())
-            markup.extra[kUnits] = set.unit;
-        if (set.extra.is_object())
-            markup.extra.update(set.extra);
+            extra[kUnits] = set.unit;
+        if (kept.is_object())
+            extra.update(kept);
         std::set<std::string> ids;
         for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
             const Landmark &landmark = set.landmarks[i];
@@ -203,13 +207,14 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
                         Json::object()};
             if (landmark.world)
                 point.position = turned(*landmark.world, set.axes).coordinates();
-            point.extra["id"] = std::to_string(i + 1);
-            point.extra["associatedNodeID"] = "";
-            point.extra["orientation"] = usualOrientation(set.axes);
-            point.extra["selected"] = true;
-            point.extra["locked"] = false;
-            if (landmark.extra.is_object())
-                point.extra.update(landmark.extra);
+            Json &pointExtra = point.extra.edit();
+            pointExtra["id"] = std::to_string(i + 1);
+            pointExtra["associatedNodeID"] = "";
+            pointExtra["orientation"] = usualOrientation(set.axes);
+            pointExtra["selected"] = true;
+            pointExtra["locked"] = false;
+            if (landmark.extra.json().is_object())
+                pointExtra.update(landmark.extra.json());
             markup.points.push_back(std::move(point));
         }
         document.markups.push_back(std::move(markup));

@@ -5,6 +5,8 @@
 #include "core/mesh_import/text_scanner.h"
 #include "core/text/translation.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -153,7 +155,7 @@ ReadLandmarks readTps(std::string_view text)
             curve.count = std::min(count, std::uint32_t{kMostSemilandmarks});
             set.curves.push_back(std::move(curve));
         } else if (!key.starts_with("CURVES")) {
-            set.extra[key] = value;
+            set.extra.edit()[key] = value;
         }
     }
     if (read.sets.empty())
@@ -220,7 +222,7 @@ std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
         appendCurves(text, set, notes);
         if (!set.mesh.empty())
             text += "IMAGE=" + names.of(set.mesh) + '\n';
-        for (auto it = set.extra.begin(); it != set.extra.end(); ++it) {
+        for (auto it = set.extra.json().begin(); it != set.extra.json().end(); ++it) {
             if (isTpsEntry(it.key(), *it))
                 text += it.key() + '=' + it->get<std::string>() + '\n';
             else

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/geometry/spaces.h"
+#include "core/text/json_value.h"
 
-#include <glm/gtc/type_precision.hpp>
+#include <glm/fwd.hpp> // u8vec3
 #include <glm/vec3.hpp>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdint>
@@ -50,7 +50,7 @@ struct Landmark {
     std::optional<glm::u8vec3> color;       ///< none: the usual one
     bool isHidden = false;
     /// What a file said of it that has no place here, to be written again: null or an object.
-    nlohmann::ordered_json extra;
+    text::JsonValue extra;
 
     bool isMissing() const { return !world; }
     friend bool operator==(const Landmark &, const Landmark &) = default;
@@ -76,7 +76,7 @@ struct Curve {
     std::uint32_t count = 10; ///< of semilandmarks, those at both ends included; at least 2
     /// Where they are, if somebody has worked that out: in what goes to files and comes from them.
     std::vector<WorldPoint> semilandmarks;
-    nlohmann::ordered_json extra; ///< as a landmark's
+    text::JsonValue extra; ///< as a landmark's
 
     friend bool operator==(const Curve &, const Curve &) = default;
 };
@@ -92,7 +92,7 @@ struct LandmarkSet {
     Axes axes = Axes::Lps;
     std::vector<Landmark> landmarks;
     std::vector<Curve> curves;
-    nlohmann::ordered_json extra; ///< as a landmark's
+    text::JsonValue extra; ///< as a landmark's
 
     friend bool operator==(const LandmarkSet &, const LandmarkSet &) = default;
 };

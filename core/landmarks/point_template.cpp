@@ -1,5 +1,7 @@
 #include "core/landmarks/point_template.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -107,11 +109,11 @@ std::string_view hintFor(std::string_view name, std::span<const Landmark> names)
 std::string_view pictureFor(std::string_view name, std::span<const Landmark> names)
 {
     const Landmark *found = find(name, names);
-    if (!found || !found->extra.is_object())
+    if (!found || !found->extra.json().is_object())
         return {};
-    const auto picture = found->extra.find(kPictureColumn);
-    return picture != found->extra.end() && picture->is_string() ? picture->get_ref<const std::string &>()
-                                                                 : std::string_view();
+    const auto picture = found->extra.json().find(kPictureColumn);
+    return picture != found->extra.json().end() && picture->is_string() ? picture->get_ref<const std::string &>()
+                                                                        : std::string_view();
 }
 
 } // namespace unprojector::landmarks

@@ -4,9 +4,9 @@
 #include "core/geometry/result.h"
 #include "core/geometry/viewport.h"
 #include "core/ray/scene_rays.h"
+#include "core/text/json_value.h"
 
 #include <glm/vec2.hpp>
-#include <nlohmann/json.hpp>
 
 #include <map>
 #include <optional>
@@ -96,13 +96,13 @@ struct Step {
     std::string title;
     std::vector<std::string> text; ///< paragraphs
     std::string source;            ///< may be empty
-    nlohmann::ordered_json scene;  ///< the whole document, or the name of one of scene::examples()
+    text::JsonValue scene;         ///< the whole document, or the name of one of scene::examples()
     std::optional<glm::ivec2> view;
     std::string place; ///< empty: wherever one is
     std::vector<std::string> panels;
     std::set<Highlight> highlights;
     std::map<std::string, StepPoint> points;
-    std::map<std::string, nlohmann::ordered_json> changes; ///< "set": merge patches of the scene document, by name
+    std::map<std::string, text::JsonValue> changes; ///< "set": merge patches of the scene document, by name
     std::optional<Question> question;
 };
 

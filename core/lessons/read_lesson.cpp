@@ -241,7 +241,7 @@ void readStep(LessonReader &reader, const JsonNode &node, const std::vector<Step
             step.changes = before->changes;
         }
         static_cast<void>(json.has("change", true));
-        readScene(reader, node, step.scene);
+        readScene(reader, node, step.scene.edit());
         if (json.has("view", true)) {
             glm::dvec2 size{0.0};
             json.required("view", size);

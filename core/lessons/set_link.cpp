@@ -3,6 +3,8 @@
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
+#include <nlohmann/json.hpp>
+
 namespace unprojector::lessons {
 namespace {
 
@@ -17,7 +19,7 @@ std::string firstPath(const nlohmann::ordered_json &object)
 } // namespace
 
 Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Picture &picture,
-                                                const nlohmann::ordered_json &change)
+                                                const text::JsonValue &change)
 {
     using namespace scene_file;
     const auto failed = [](SceneFileError error) {
@@ -27,15 +29,16 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Pictur
     const auto text = sceneText(sceneFileFrom(scene, picture, {}));
     if (!text)
         return failed(text.error());
+    const nlohmann::ordered_json &patch = change.json();
     nlohmann::ordered_json document = nlohmann::ordered_json::parse(*text);
-    if (change.contains("point"))
+    if (patch.contains("point"))
         document.erase("point"); // coordinates alone would be of the space in which the user gave the last one
-    document.merge_patch(change);
+    document.merge_patch(patch);
     const Result<SceneFile, SceneFileError> file = parseScene(document.dump(), "set");
     if (!file)
         return failed(file.error());
-    if (!file->extra.empty())
-        return LessonError{"set: there is no " + firstPath(file->extra)};
+    if (!file->extra.json().empty())
+        return LessonError{"set: there is no " + firstPath(file->extra.json())};
     std::vector<std::shared_ptr<const Model>> models;
     for (const SceneObject &object : scene.objects)
         models.push_back(object.model);
@@ -44,23 +47,23 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Pictur
         return failed(made.error());
 
     SceneSettings settings = scene;
-    if (change.contains("projection")) {
+    if (patch.contains("projection")) {
         settings.projection = made->projection;
         settings.given = made->given;
     }
-    if (change.contains("view")) {
+    if (patch.contains("view")) {
         settings.camera = made->camera;
         settings.givenView = made->givenView;
     }
-    if (change.contains("depthRange"))
+    if (patch.contains("depthRange"))
         settings.depthRange = made->depthRange;
-    if (change.contains("clipPlanes")) {
+    if (patch.contains("clipPlanes")) {
         settings.clipPlanes = made->clipPlanes;
         settings.clipPlanesOff = made->clipPlanesOff;
     }
-    if (change.contains("point"))
+    if (patch.contains("point"))
         settings.givenPoint = made->givenPoint;
-    if (change.contains("ui")) {
+    if (patch.contains("ui")) {
         settings.viewport = made->viewport;
         settings.projectionFollowsViewport = made->projectionFollowsViewport;
         settings.clipDistancesFitObjects = made->clipDistancesFitObjects;

@@ -2,6 +2,7 @@
 
 #include "core/lessons/lesson.h"
 #include "core/scene/scene.h"
+#include "core/text/json_value.h"
 
 #include <array>
 #include <string_view>
@@ -20,6 +21,6 @@ inline constexpr std::array<std::string_view, 6> kSettableKeys{"projection", "vi
 /// @param change   as "change" of a step (RFC 7396), of kSettableKeys alone
 /// @return an error where the result is no scene, or has no such key, as left and right of a gluPerspective
 Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Picture &picture,
-                                                const nlohmann::ordered_json &change);
+                                                const text::JsonValue &change);
 
 } // namespace unprojector::lessons

@@ -12,6 +12,8 @@
 #include "core/text/number_text.h"
 #include "core/unproject/unprojector.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -198,7 +200,7 @@ Result<Scene, LessonError> sceneOf(const Step &step, const std::map<std::string,
 {
     const std::string where = step.id + ".scene";
     const Result<scene_file::SceneFile, scene_file::SceneFileError> file =
-        scene_file::parseScene(step.scene.dump(), where);
+        scene_file::parseScene(step.scene.json().dump(), where);
     if (!file)
         return LessonError{scene_file::sceneErrorText(file.error())};
     std::vector<std::shared_ptr<const Model>> inOrder;
@@ -224,7 +226,7 @@ Surface surfaceOf(const Step &step, const Surface &surface)
 
 Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surface &surface,
                                                  const std::map<std::string, StepPoint> &points,
-                                                 const std::map<std::string, Json> &changes)
+                                                 const std::map<std::string, text::JsonValue> &changes)
 {
     const Result<Picture> picture = pictureOf(scene, surface, {});
     if (!picture)
@@ -236,44 +238,47 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
     Result<Json, LessonError> tree = treeOf(scene, *picture, followed, "point");
     if (!tree)
         return tree.error();
-    numbers.m_tree = std::move(tree).value();
+    Json &all = numbers.m_tree.edit();
+    all = std::move(tree).value();
     if (!scene.givenPoint) { // the matrices are there all the same
         for (const char *space :
              {"object", "world", "eye", "clip", "ndc", "window", "device", "widget", "pixel", "formula", "inverse"})
-            numbers.m_tree.erase(space);
+            all.erase(space);
     }
     if (picture->isByParameters()) {
         const auto view = matrices::factors(picture->camera());
         const auto projection = matrices::factors(picture->projection());
         if (view && projection) {
-            numbers.m_tree["viewSteps"] = rowsOf(*view);
-            numbers.m_tree["projectionSteps"] = rowsOf(*projection);
+            all["viewSteps"] = rowsOf(*view);
+            all["projectionSteps"] = rowsOf(*projection);
         }
     }
     const auto file = scene_file::sceneText(scene_file::sceneFileFrom(scene, *picture, {}));
     if (!file)
         return LessonError{scene_file::sceneErrorText(file.error())};
-    numbers.m_tree["surface"] = {
+    all["surface"] = {
         {"width", surface.widthPixels}, {"height", surface.heightPixels}, {"ratio", surface.devicePixelRatio}};
-    numbers.m_tree["scene"] = Json::parse(*file);
-    numbers.m_tree["set"] = changes;
+    all["scene"] = Json::parse(*file);
+    for (const auto &[name, change] : changes)
+        all["set"][name] = change.json();
     for (const auto &[name, point] : points) {
         Result<Json, LessonError> one = std::visit(
             [&, where = "points." + name](const auto &given) { return treeOf(scene, *picture, given, where); }, point);
         if (!one)
             return one.error();
-        numbers.m_tree[name] = std::move(one).value();
+        all[name] = std::move(one).value();
     }
     return numbers;
 }
 
 std::vector<double> StepNumbers::at(std::string_view path) const
 {
-    const Json *node = &m_tree;
+    const Json *const root = &m_tree.json();
+    const Json *node = root;
     while (node && !path.empty())
         node = follow(node, path);
     std::vector<double> numbers;
-    if (node && node != &m_tree)
+    if (node && node != root)
         flatten(*node, numbers);
     return numbers;
 }

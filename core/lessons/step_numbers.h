@@ -2,6 +2,7 @@
 
 #include "core/lessons/lesson.h"
 #include "core/scene/scene.h"
+#include "core/text/json_value.h"
 
 #include <map>
 #include <memory>
@@ -43,7 +44,7 @@ public:
     /// @return where the scene has no picture, or a point's object is not there, or its pixel shows nothing
     static Result<StepNumbers, LessonError> of(const Scene &scene, const Surface &surface,
                                                const std::map<std::string, StepPoint> &points,
-                                               const std::map<std::string, nlohmann::ordered_json> &changes = {});
+                                               const std::map<std::string, text::JsonValue> &changes = {});
 
     /// @return none where there is no such number
     std::vector<double> at(std::string_view path) const;
@@ -53,7 +54,7 @@ public:
     std::optional<DevicePixel> pixelOf(const std::string &point) const;
 
 private:
-    nlohmann::ordered_json m_tree;
+    text::JsonValue m_tree;
 };
 
 /// The numbers of a lesson's steps, so that one can speak of another.

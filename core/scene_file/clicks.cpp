@@ -6,6 +6,8 @@
 #include "core/scene_file/strict_json.h"
 #include "core/unproject/object_from_world.h"
 
+#include <nlohmann/json.hpp>
+
 #include <limits>
 #include <utility>
 

@@ -2,6 +2,7 @@
 
 #include "core/scene_file/json_node.h"
 #include "core/scene_file/json_values.h"
+#include "core/text/json_value.h"
 
 #include <algorithm>
 #include <concepts>
@@ -140,7 +141,7 @@ public:
     /// The same of elements that have no place for their unknown keys.
     /// @param extra  those of each element
     template <class T>
-    void list(const char *key, std::vector<T> &values, std::vector<Json> &extra)
+    void list(const char *key, std::vector<T> &values, std::vector<text::JsonValue> &extra)
     {
         m_known.add(key);
         const JsonNode member = m_object.member(key);
@@ -294,12 +295,12 @@ public:
     }
     /// @param extra  of the first elements; the others have none
     template <class T>
-    void list(const char *key, const std::vector<T> &values, const std::vector<Json> &extra)
+    void list(const char *key, const std::vector<T> &values, const std::vector<text::JsonValue> &extra)
     {
         m_known.add(key);
         Json elements = Json::array();
         for (std::size_t i = 0; i < values.size(); ++i)
-            elements.push_back(write(values[i], Plain{}, i < extra.size() ? &extra[i] : nullptr));
+            elements.push_back(write(values[i], Plain{}, i < extra.size() ? &extra[i].json() : nullptr));
         add(key, std::move(elements));
     }
     void angle(const char *degreesKey, const char *radiansKey, double radians);
@@ -329,7 +330,7 @@ public:
     static Json write(const T &value, const How &how, const Json *unknown)
     {
         if constexpr (KeepsUnknownKeys<const T>)
-            unknown = &value.extra;
+            unknown = &value.extra.json();
         if constexpr (std::invocable<How, FieldWriter &, const T &>)
             return writeObject([&](FieldWriter &fields) { how(fields, value); }, unknown);
         else if constexpr (DescribedTo<const T, FieldWriter>)

@@ -2,6 +2,8 @@
 
 #include "core/text/number_text.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -2,7 +2,7 @@
 
 #include "core/scene_file/scene_file_error.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

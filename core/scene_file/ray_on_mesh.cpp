@@ -2,6 +2,8 @@
 
 #include "core/scene_file/json_text.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace unprojector::scene_file {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/ray/scene_hit.h"
-#include "core/scene_file/json_node.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>

@@ -1,5 +1,7 @@
 #include "core/scene_file/scene_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <fstream>
 

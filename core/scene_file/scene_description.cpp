@@ -66,12 +66,12 @@ std::filesystem::path relativePath(const std::filesystem::path &file, const std:
 /// What a thing that is written again had of keys that are not ours: those of the first one `isIt` of those before, each
 /// taken once.
 template <class Thing, class IsIt>
-nlohmann::ordered_json takeExtra(std::vector<Thing> &before, const IsIt &isIt)
+text::JsonValue takeExtra(std::vector<Thing> &before, const IsIt &isIt)
 {
     const auto found = std::find_if(before.begin(), before.end(), isIt);
     if (found == before.end())
-        return nullptr;
-    nlohmann::ordered_json extra = std::move(found->extra);
+        return {};
+    text::JsonValue extra = std::move(found->extra);
     before.erase(found);
     return extra;
 }
@@ -85,9 +85,9 @@ bool hasSameSource(const SceneFileObject &a, const SceneFileObject &b)
 
 /// What the steps of a transform had of keys that are not ours, each once: to the step that is as it was, else to the one
 /// of its kind that stands in its place.
-std::vector<nlohmann::ordered_json> keptExtra(const std::vector<TransformStep> &steps, const SceneFileObject &before)
+std::vector<text::JsonValue> keptExtra(const std::vector<TransformStep> &steps, const SceneFileObject &before)
 {
-    std::vector<nlohmann::ordered_json> extra(before.transformExtra.empty() ? 0 : steps.size());
+    std::vector<text::JsonValue> extra(before.transformExtra.empty() ? 0 : steps.size());
     const std::size_t count = std::min(before.transform.size(), before.transformExtra.size());
     std::vector<bool> isTaken(count), isKnown(extra.size());
     const auto take = [&](std::size_t i, std::size_t k) {

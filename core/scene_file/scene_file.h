@@ -4,9 +4,8 @@
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
 #include "core/scene_file/scene_file_error.h"
+#include "core/text/json_value.h"
 #include "core/unproject/unprojector.h"
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -24,18 +23,18 @@ struct SceneFileObject {
     std::filesystem::path file; ///< as written: relative to the scene file, or absolute; empty for a bundled model
     std::string bundled;        ///< name of a model that the program brings along, UTF-8; empty where there is a file
     std::vector<TransformStep> transform;
-    nlohmann::ordered_json extra; ///< keys that this version does not know; null or an object
+    text::JsonValue extra; ///< keys that this version does not know; null or an object
 
     std::filesystem::path absoluteFile; ///< where `file` is, once that is known (see locateObjects)
     bool isHidden = false;              ///< "hidden": the window does not show it. Written only where it is so
-    std::vector<nlohmann::ordered_json> transformExtra = {}; ///< as `extra`, of the first steps of `transform`
+    std::vector<text::JsonValue> transformExtra = {}; ///< as `extra`, of the first steps of `transform`
 };
 
 /// A plane that does not cut, see ClipPlaneOff.
 struct SceneFilePlaneOff {
     std::size_t place = 0;
     glm::dvec4 plane{0.0};
-    nlohmann::ordered_json extra;
+    text::JsonValue extra;
 };
 
 /// What only the window uses of a scene: "ui". Whatever is left out has no value here.
@@ -82,7 +81,7 @@ struct SceneFile {
 
     /// Unknown keys, each where it stood: {"author": "A", "window": {"title": "T"}}; null or an object. Objects and planes
     /// that do not cut have their own.
-    nlohmann::ordered_json extra;
+    text::JsonValue extra;
 };
 
 /// A scene file may have this many bytes, and brackets nested this deep: enough for tens of thousands of objects, and

@@ -3,6 +3,8 @@
 #include "core/scene_file/scene_file.h"
 #include "core/scene_file/strict_json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace unprojector::scene_file {
 
 Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name)

@@ -3,6 +3,8 @@
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <iterator>
 #include <unordered_set>

@@ -2,6 +2,8 @@
 
 #include "core/landmarks/point_template.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -27,8 +29,10 @@ QString keyOf(const std::string &name)
 }
 
 /// The keys of other programs that only one of both has come to it; which of the others are left out.
-QStringList addKeys(nlohmann::ordered_json &to, const nlohmann::ordered_json &from)
+QStringList addKeys(text::JsonValue &kept, const text::JsonValue &added)
 {
+    nlohmann::ordered_json &to = kept.edit();
+    const nlohmann::ordered_json &from = added.json();
     QStringList leftOut;
     for (auto it = from.begin(); from.is_object() && it != from.end(); ++it) {
         if (!to.is_object() || !to.contains(it.key()))

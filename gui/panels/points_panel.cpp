@@ -15,6 +15,8 @@
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QColorDialog>
 #include <QFileDialog>
 #include <QHBoxLayout>

@@ -11,6 +11,8 @@
 #include "gui/window/place_ids.h"
 #include "gui/window/work_places.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
@@ -267,7 +269,7 @@ void MainWindow::followLessonLink(const QString &scheme, const QString &target)
                 tr("The point is not in the picture as it is now. Put the picture back as the step has it."));
     } else if (scheme == QLatin1String("set")) {
         const std::string change = target.toStdString();
-        if (m_lessons->change(change) && m_lessons->step().changes.at(change).contains("point"))
+        if (m_lessons->change(change) && m_lessons->step().changes.at(change).json().contains("point"))
             m_places->dock(kPipelinePanel)->findChild<PipelinePanel *>()->followGiven();
     } else if (scheme == QLatin1String("panel")) {
         const auto &panels = m_places->panels();

@@ -4,7 +4,7 @@
 
 #include "mesh_measures.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>

@@ -7,7 +7,7 @@
 #include "core/scene_file/scene_file.h"
 #include "core/unproject/unprojector.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <glm/geometric.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "core/lessons/highlights.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

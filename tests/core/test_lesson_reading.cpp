@@ -8,7 +8,7 @@
 #include "core/scene/bundled_models.h"
 #include "lesson_texts.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

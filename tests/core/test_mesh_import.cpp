@@ -1,6 +1,6 @@
 #include "imported.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <glm/geometric.hpp>
 

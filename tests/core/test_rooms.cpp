@@ -32,14 +32,50 @@ QString textOf(const QString &file)
     return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()) : QString();
 }
 
+QStringList matchesIn(const QString &text, const QRegularExpression &pattern)
+{
+    QStringList found;
+    for (auto it = pattern.globalMatch(text); it.hasNext();)
+        found << it.next().captured(1);
+    return found;
+}
+
 QStringList includesOf(const QString &text)
 {
     static const QRegularExpression include(QStringLiteral("^#include \"([^\"]+)\""),
                                             QRegularExpression::MultilineOption);
-    QStringList files;
-    for (auto it = include.globalMatch(text); it.hasNext();)
-        files << it.next().captured(1);
-    return files;
+    return matchesIn(text, include);
+}
+
+/// The headers of libraries.
+QStringList libraryIncludesOf(const QString &text)
+{
+    static const QRegularExpression include(QStringLiteral("^#include <([^>]+)>"), QRegularExpression::MultilineOption);
+    return matchesIn(text, include);
+}
+
+/// How a file comes to include a library's header: "a.h > b.h > json.hpp"; empty where it does not.
+/// @param textOf  the text of a file by its name
+QString wayTo(const QString &header, const QString &file, const std::function<QString(const QString &)> &textOf,
+              QSet<QString> &seen)
+{
+    seen.insert(file);
+    const QString text = textOf(file);
+    if (libraryIncludesOf(text).contains(header))
+        return file + QStringLiteral(" > ") + header;
+    for (const QString &next : includesOf(text)) {
+        if (seen.contains(next))
+            continue;
+        if (const QString way = wayTo(header, next, textOf, seen); !way.isEmpty())
+            return file + QStringLiteral(" > ") + way;
+    }
+    return {};
+}
+
+QString wayTo(const QString &header, const QString &file, const std::function<QString(const QString &)> &textOf)
+{
+    QSet<QString> seen;
+    return wayTo(header, file, textOf, seen);
 }
 
 /// "core/unproject" of "core/unproject/batch/kernels.h": rooms are the folders of the second level.
@@ -86,6 +122,9 @@ private slots:
     void nothingPointsBack();
     void everySourceLiesInARoom();
     void namespacesAreFolders();
+    void waysToHeavyHeadersAreFound();
+    void heavyHeadersStayInTheirRooms_data();
+    void heavyHeadersStayInTheirRooms();
 };
 
 /// A check that could find nothing would prove nothing.
@@ -143,6 +182,48 @@ void TestRooms::namespacesAreFolders()
             QVERIFY2(name == "::" + room || name.startsWith("::" + room + "::"), qPrintable(file + ": " + name));
         }
     }
+}
+
+void TestRooms::waysToHeavyHeadersAreFound()
+{
+    const QMap<QString, QString> texts{{"a.h", "#include \"b.h\"\n"},
+                                       {"b.h", "#include \"a.h\"\n#include <heavy.hpp>\n"},
+                                       {"c.h", "#include <light.hpp>\n#include \"a.h\" // as <heavy.hpp>\n"}};
+    const auto textOf = [&](const QString &file) { return texts.value(file); };
+    QCOMPARE(wayTo("heavy.hpp", "a.h", textOf), QStringLiteral("a.h > b.h > heavy.hpp"));
+    QCOMPARE(wayTo("heavy.hpp", "c.h", textOf), QStringLiteral("c.h > a.h > b.h > heavy.hpp"));
+    QCOMPARE(wayTo("light.hpp", "a.h", textOf), QString());
+}
+
+/// Headers of libraries that take a second or more to compile, and the rooms whose own headers may include them. A header of
+/// another room would pass them on to everything that includes it: most of the program includes scene.h and scene_document.h.
+void TestRooms::heavyHeadersStayInTheirRooms_data()
+{
+    QTest::addColumn<QString>("header");
+    QTest::addColumn<QStringList>("rooms");
+    QTest::newRow("json") << "nlohmann/json.hpp" << QStringList{"core/scene_file", "core/mesh_import"};
+    QTest::newRow("cli11") << "CLI/CLI.hpp" << QStringList{"core/cli"};
+    QTest::newRow("multiprecision") << "boost/multiprecision/cpp_bin_float.hpp" << QStringList{"core/cli"};
+    QTest::newRow("property tree") << "boost/property_tree/xml_parser.hpp" << QStringList{};
+    for (const char *header :
+         {"QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtTest", "glm/glm.hpp", "glm/ext.hpp", "glm/gtc/quaternion.hpp",
+          "glm/gtc/type_precision.hpp", "glm/gtx/transform.hpp", "regex", "iostream"})
+        QTest::newRow(header) << header << QStringList{};
+}
+
+void TestRooms::heavyHeadersStayInTheirRooms()
+{
+    QFETCH(QString, header);
+    QFETCH(QStringList, rooms);
+    int count = 0;
+    for (const QString &file : sourcesUnder({"core", "gui"})) {
+        if (!file.endsWith(QLatin1String(".h")) || rooms.contains(roomOf(file)))
+            continue;
+        ++count;
+        const QString way = wayTo(header, file, textOf);
+        QVERIFY2(way.isEmpty(), qPrintable(way));
+    }
+    QVERIFY(count > 200);
 }
 
 QTEST_GUILESS_MAIN(TestRooms)

@@ -4,7 +4,7 @@
 
 #include "mesh_measures.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <glm/geometric.hpp>
 
