@@ -7,9 +7,12 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 # CMake reads this when it configures a build folder for the first time. What was compiled in one clone serves another one:
 # the folder's own name is no part of what is compiled.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=true
-if command -v ccache >/dev/null; then
-    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
-fi
+# Precompiled headers count by their content.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+useCcache() {
+    ! command -v ccache >/dev/null || export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+}
+useCcache
 
 # A display of its own, with software OpenGL. A QT_QPA_PLATFORM or a Wayland display of the surroundings would keep Qt
 # away from it.

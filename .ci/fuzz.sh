@@ -14,7 +14,7 @@ fuzzOne() {
     mkdir -p "$corpus"
     if "$build/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -max_len=8192 -timeout=20 -rss_limit_mb=3000 \
         -artifact_prefix="$findings/$name-" -print_final_stats=1 -close_fd_mask=1 \
-        "$corpus" "$root/tests/fuzz/seeds/$name" >"$log" 2>&1 </dev/null; then
+        "$corpus" "$root/tests/fuzz/corpus/$name" >"$log" 2>&1 </dev/null; then
         printf 'fuzz_%s: %s inputs in %s s, nothing found\n' "$name" \
             "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$seconds"
     else

@@ -1,35 +1,51 @@
 #!/usr/bin/env bash
-# bash .ci/guards.sh [format] [package] [asan] [tidy] [tsan] [fuzz]: the guards beside the tests; without names, all of them.
+# bash .ci/guards.sh [NAME …]: the checks of a push, or those named. `.ci/run` runs the first six, `.ci/nightly` the rest.
 #
-#   format  clang-format has nothing to change
-#   package the Debian package of the preset ci's programs: what lintian says of it, whether both programs work from where it
-#           puts them, and whether anything is left when it is removed. In a root folder of its own: nothing is installed here
-#   asan    everything compiles with Clang without a warning; all tests under the address and undefined behaviour
-#           sanitizers, with all assertions
-#   tidy    clang-tidy finds nothing in what changed lately
-#   tsan    the loader's and the rows' tests under the thread sanitizer
-#   fuzz    each reader's fuzzer for a minute
+#   format   clang-format changes nothing
+#   release  the release build: compiler warnings are errors, and the tests with the label "optimised" pass
+#   package  the Debian package of the release build: lintian finds nothing, both programs work from where the package puts
+#            them, nothing is left when it is removed. In a root folder of its own: nothing is installed here
+#   asan     everything compiles with Clang without a warning; all tests pass under the address and undefined behaviour
+#            sanitizers, with all assertions
+#   tidy     clang-tidy finds nothing in the sources that changed last, in 90 seconds
+#   fuzz     no reader fails on its corpus or on what its fuzzer makes of it in 10 seconds
 #
-# A guard whose tools are not there, or are of another version than Debian 12's where that matters, is passed over, and says
-# so. The last line names those that failed.
+#   all      the release build without precompiled headers, so that a missing #include is an error; all tests
+#   tsan     the tests with the label "threads" under the thread sanitizer
+#   windows  the build for Windows by MinGW, and its tests under Wine. Needs MINGW_SYSROOT, a folder with Qt and the other
+#            libraries, mingw-toolchain.cmake and run-wine.sh
+#   tidyall  clang-tidy finds nothing in any source
+#   fuzzlong as fuzz, for 10 minutes a reader
+#
+# A check whose tools are missing, or are of another version than Debian 12's where that matters, is skipped and says so.
+# The table at the end has a line a check: its seconds, and how many of its compilations came from the cache.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 export LC_ALL=C.UTF-8
 cd -- "$root" # Presets are looked for in the current folder.
-bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev lld llvm ccache \
+
+push=(format release package asan tidy fuzz)
+guards=("$@")
+[ ${#guards[@]} -gt 0 ] || guards=("${push[@]}")
+for guard in "${guards[@]}"; do
+    case $guard in
+    format | release | package | asan | tidy | fuzz | all | tsan | windows | tidyall | fuzzlong) ;;
+    *) echo "There is no check $guard" >&2; exit 2 ;;
+    esac
+done
+
+bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev mold llvm ccache \
     dpkg-dev file lintian desktop-file-utils appstream ||
-    echo "The guards' tools could not be installed: those that need them are passed over."
-if command -v ccache >/dev/null; then
-    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
-fi
+    echo "The tools could not be installed: checks that need them are skipped."
+useCcache
 
 # In a container the clone may belong to somebody else.
 repository() { git -c safe.directory="$root" "$@"; }
 
 isThere() {
     command -v "$1" >/dev/null && return
-    echo "There is no $1: passed over"
+    echo "There is no $1: skipped"
     return 1
 }
 
@@ -39,17 +55,15 @@ isVersion14() { "$1" --version | grep 'version 14\.' >/dev/null; }
 isDebian12s() {
     isThere "$1" || return
     isVersion14 "$1" && return
-    echo "$1 is not version 14, Debian 12's: passed over"
+    echo "$1 is not version 14, Debian 12's: skipped"
     return 1
 }
 
 # Builds the preset asan, or the targets named of it; the warnings of another Clang are no errors.
 buildWithClang() {
     local errors=ON
-    local linker=()
     isVersion14 clang++ || { echo "clang++ is not version 14, Debian 12's: its warnings are no errors"; errors=OFF; }
-    ! command -v ld.lld >/dev/null || linker=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld)
-    cmake --preset asan -DUNPROJECTOR_WARNINGS_AS_ERRORS=$errors "${linker[@]}" >/dev/null &&
+    cmake --preset asan -DUNPROJECTOR_WARNINGS_AS_ERRORS=$errors >/dev/null &&
         cmake --build --preset asan "$@"
 }
 
@@ -57,7 +71,7 @@ buildWithClang() {
 isReleaseDebian12() {
     isThere "$1" || return
     [ "$(sed -n 's/^ID=//p' /etc/os-release)-$(sed -n 's/^VERSION_ID="\(.*\)"/\1/p' /etc/os-release)" = debian-12 ] && return
-    echo "$1 is not Debian 12's: passed over"
+    echo "$1 is not Debian 12's: skipped"
     return 1
 }
 
@@ -66,9 +80,11 @@ format() {
     find core gui tests '(' -name '*.cpp' -o -name '*.h' -o -name '*.inl' ')' -print0 | xargs -0 clang-format --dry-run --Werror
 }
 
+release() { bash .ci/test.sh optimised; }
+
 asan() {
     isThere clang++ || return 0
-    buildWithClang && onVirtualDisplay ctest --preset asan
+    buildWithClang && ctest --preset asan
 }
 
 # Sources that changed against main or, on main itself, in its last commits, and those whose header did: the latest
@@ -86,15 +102,10 @@ changedSources() {
     done
 }
 
-tidy() {
-    isDebian12s clang-tidy || return 0
-    [ -e build/asan/compile_commands.json ] || { echo "It needs what the guard asan builds: run that first"; return 1; }
-    local changed rc=0
-    changed=$(changedSources)
-    [ -n "$changed" ] || { echo "No source changed."; return 0; }
-    echo "$(wc -l <<<"$changed") changed sources"
-    # A minute and a half's worth of them: the whole is to end within 35 minutes on two cores.
-    timeout 90 xargs -P 2 -n 1 clang-tidy -p build/asan --quiet --warnings-as-errors='*' <<<"$changed" \
+# tidySources SECONDS: clang-tidy on the sources that it reads from standard input, in so much time at most.
+tidySources() {
+    local rc=0
+    timeout "$1" xargs -P 2 -n 1 clang-tidy -p build/asan --quiet --warnings-as-errors='*' \
         >build/asan/tidy.log 2>/dev/null || rc=$?
     cat build/asan/tidy.log
     [ "$rc" -ne 124 ] || echo "The time was over before all were read."
@@ -102,13 +113,54 @@ tidy() {
     [ "$rc" -eq 0 ] || { [ "$rc" -eq 124 ] && ! grep -q ' error: ' build/asan/tidy.log; }
 }
 
+tidy() {
+    isDebian12s clang-tidy || return 0
+    [ -e build/asan/compile_commands.json ] || { echo "It needs what the check asan builds: run that first"; return 1; }
+    local changed
+    changed=$(changedSources)
+    [ -n "$changed" ] || { echo "No source changed."; return 0; }
+    echo "$(wc -l <<<"$changed") changed sources"
+    tidySources 90 <<<"$changed"
+}
+
+tidyall() {
+    isDebian12s clang-tidy || return 0
+    buildWithClang || return
+    find core gui tests -name '*.cpp' | while read -r file; do
+        if grep -qF "/$file\"" build/asan/compile_commands.json; then echo "$file"; fi
+    done | tidySources 7200
+}
+
+all() {
+    cmake --workflow --preset plain-headers
+}
+
 tsan() {
     cmake --workflow --preset tsan
 }
 
-fuzz() {
+# fuzzFor SECONDS: each fuzzer.
+fuzzFor() {
     isThere clang++ || return 0
-    buildWithClang --target unprojector_fuzzers && bash .ci/fuzz.sh 60
+    buildWithClang --target unprojector_fuzzers && bash .ci/fuzz.sh "$1"
+}
+fuzz() { fuzzFor 10; }
+fuzzlong() { fuzzFor 600; }
+
+windows() {
+    [ -n "${MINGW_SYSROOT:-}" ] || { echo "MINGW_SYSROOT is empty: skipped"; return 0; }
+    [ -e "$MINGW_SYSROOT/mingw-toolchain.cmake" ] || { echo "There is no $MINGW_SYSROOT/mingw-toolchain.cmake"; return 1; }
+    bash .ci/setup.sh g++-mingw-w64-x86-64-posix wine64 wine nsis zip || return
+    # Header-only libraries are this system's, in a folder of their own: /usr/include as a whole would hide MinGW's headers.
+    local headers=$root/build/windows-headers
+    rm -rf "$headers" && mkdir -p "$headers/include" "$headers/share/cmake"
+    cp -r /usr/include/nlohmann /usr/include/CLI "$headers/include/"
+    cp -r /usr/share/cmake/nlohmann_json "$headers/share/cmake/"
+    ln -s /usr/include/boost "$headers/include/boost"
+    cmake -S . -B build/windows -G Ninja -DCMAKE_BUILD_TYPE=Release -DUNPROJECTOR_WARNINGS_AS_ERRORS=ON \
+        -DCMAKE_TOOLCHAIN_FILE="$MINGW_SYSROOT/mingw-toolchain.cmake" -Dnlohmann_json_DIR="$headers/share/cmake/nlohmann_json" \
+        -DUNPROJECTOR_CLI11_INCLUDE_DIR="$headers/include" -DUNPROJECTOR_BOOST_INCLUDE_DIR="$headers/include" >/dev/null &&
+        cmake --build build/windows && onVirtualDisplay ctest --test-dir build/windows --output-on-failure
 }
 
 # Files that are in a root folder, but for dpkg's own.
@@ -116,7 +168,7 @@ filesIn() { find "$1" -path "$1/var" -prune -o ! -type d -print; }
 
 package() {
     isThere dpkg-shlibdeps && isThere file || return 0
-    [ "$(id -u)" -eq 0 ] || { echo "Only root unpacks packages: passed over"; return 0; }
+    [ "$(id -u)" -eq 0 ] || { echo "Only root unpacks packages: skipped"; return 0; }
     local work=$root/build/ci/package lib=var/lib/dpkg tree share
     rm -rf "$work" && mkdir -p "$work/root/$lib/info" "$work/root/$lib/updates" && touch "$work/root/$lib/status"
     cmake --preset ci >/dev/null && cmake --build --preset ci --target unproject unprojector unprojector_manual &&
@@ -146,21 +198,32 @@ package() {
     echo "$(du -h "$work"/*.deb | cut -f 1) package: installed, both programs ran, removed without a trace"
 }
 
-guards=("$@")
-[ ${#guards[@]} -gt 0 ] || guards=(format package asan tidy tsan fuzz)
+# "HITS MISSES" of the compiler cache so far; nothing without one.
+cacheCounts() {
+    ! command -v ccache >/dev/null || ccache --print-stats | awk '
+        $1 == "direct_cache_hit" || $1 == "preprocessed_cache_hit" { hits += $2 }
+        $1 == "cache_miss" { misses += $2 }
+        END { print hits + 0, misses + 0 }'
+}
+
 failed=()
+table=$(printf '%-9s %-6s %7s  %s' check result seconds 'compilations from the cache')
 for guard in "${guards[@]}"; do
-    case $guard in
-    format | package | tidy | asan | tsan | fuzz) ;;
-    *) echo "There is no guard $guard" >&2; exit 2 ;;
-    esac
     echo "== $guard"
-    start=$SECONDS
-    "$guard" || failed+=("$guard")
+    start=$SECONDS result=passed cached=-
+    read -r hits misses <<<"$(cacheCounts)" || true
+    "$guard" || { failed+=("$guard"); result=FAILED; }
+    read -r hitsNow missesNow <<<"$(cacheCounts)" || true
+    if [ -n "${hits:-}" ] && [ $((hitsNow - hits + missesNow - misses)) -gt 0 ]; then
+        cached="$((hitsNow - hits)) of $((hitsNow - hits + missesNow - misses))"
+    fi
+    table+=$(printf '\n%-9s %-6s %7d  %s' "$guard" $result $((SECONDS - start)) "$cached")
     echo "== $guard: $((SECONDS - start)) s"
 done
+table+=$(printf '\n%-9s %-6s %7d' total '' "$SECONDS")
+echo "$table"
 if [ ${#failed[@]} -gt 0 ]; then
-    echo "Guards failed: ${failed[*]}"
+    echo "Failed: ${failed[*]}"
     exit 1
 fi
-echo "All guards passed: ${guards[*]}"
+echo "All passed: ${guards[*]}"
