@@ -279,12 +279,19 @@ void TestHelpFigures::aFigureIsDrawn()
 
 void TestHelpFigures::itsLabelsAreClear_data()
 {
-    aFigureIsDrawn_data();
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("language");
+    for (const char *language : {"en-US", "zh-CN"}) {
+        for (const QString &name : helpFigureNames())
+            QTest::addRow("%s %s", qPrintable(name), language) << name << QString::fromLatin1(language);
+    }
 }
 
 void TestHelpFigures::itsLabelsAreClear()
 {
     QFETCH(QString, name);
+    QFETCH(QString, language);
+    const Translation translation({language});
     const Ink ink = inkOf(name);
     QVERIFY(!ink.labels.empty());
     const double em = QFontMetricsF(formulaFont(kPointSize)).height();
