@@ -18,7 +18,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 export LC_ALL=C.UTF-8
 cd -- "$root" # Presets are looked for in the current folder.
 bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev lld llvm ccache \
-    dpkg-dev file lintian desktop-file-utils appstream ||
+    dpkg-dev file lintian desktop-file-utils appstream fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation ||
     echo "The guards' tools could not be installed: those that need them are passed over."
 if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
