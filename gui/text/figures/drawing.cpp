@@ -220,24 +220,25 @@ void Drawing::avoid(const QPolygonF &line)
 
 bool Drawing::isClear(const Label &label, const QPointF &corner) const
 {
-    const double room = kLineRoom * m_em, outside = kStroke * m_em;
+    const double room = kLineRoom * m_em, edge = kStroke * m_em;
+    const QRectF inside = m_place.adjusted(edge, edge, -edge, -edge);
     return std::all_of(label.ink.begin(), label.ink.end(), [&](const QRectF &rect) {
-        const QRectF ink = rect.translated(corner);
-        if (!m_place.adjusted(outside, outside, -outside, -outside).contains(ink))
-            return false;
-        const QRectF around = ink.adjusted(-room, -room, room, room);
-        const auto passes = [&around](const QLineF &line) { return isIn(around, line); };
-        if (std::any_of(m_lines.begin(), m_lines.end(), passes))
-            return false;
-        return std::all_of(m_labels.begin(), m_labels.end(), [&](const Label &other) {
-            // Two of one colour that come close read as one.
-            const double apart = &other == &label ? 0.0 : kLabelRoom * m_em;
-            const QRectF wide = ink.adjusted(-apart, -room, apart, room);
-            return &other == &label || std::none_of(other.ink.begin(), other.ink.end(), [&](const QRectF &one) {
-                return wide.intersects(one.translated(other.corner));
-            });
-        });
+        const QRectF ink = rect.translated(corner), around = ink.adjusted(-room, -room, room, room);
+        return inside.contains(ink)
+               && std::none_of(m_lines.begin(), m_lines.end(),
+                               [&around](const QLineF &line) { return isIn(around, line); })
+               && std::none_of(m_labels.begin(), m_labels.end(),
+                               [&](const Label &other) { return &other != &label && isBeside(ink, other); });
     });
+}
+
+bool Drawing::isBeside(const QRectF &ink, const Label &other) const
+{
+    // Words that are closer than that read as one label.
+    const double apart = kLabelRoom * m_em, room = kLineRoom * m_em;
+    const QRectF around = ink.adjusted(-apart, -room, apart, room);
+    return std::any_of(other.ink.begin(), other.ink.end(),
+                       [&](const QRectF &rect) { return around.intersects(rect.translated(other.corner)); });
 }
 
 void Drawing::paintLabels()

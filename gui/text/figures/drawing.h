@@ -47,7 +47,7 @@ public:
     void area(const std::vector<QPointF> &corners, Stroke stroke = Stroke::Accent);
     void arrow(const QPointF &from, const QPointF &to, Stroke stroke = Stroke::Ink);
     void dot(const QPointF &at, Stroke stroke = Stroke::Ink);
-    /// @param side  also the way that the label moves first where a line or another label is
+    /// @param side  a label that has to move prefers this way
     void label(const QPointF &at, const QString &markup, Side side = Side::Center, Stroke stroke = Stroke::Ink);
     /// How far it is from one point to the other: a line with a head at each end, and its name at the middle.
     void measure(const QPointF &from, const QPointF &to, const QString &markup, Side side);
@@ -73,6 +73,7 @@ private:
     void head(const QPointF &from, const QPointF &to, Stroke stroke);
     void avoid(const QPolygonF &line);
     bool isClear(const Label &label, const QPointF &corner) const;
+    bool isBeside(const QRectF &ink, const Label &other) const;
 
     QPainter &m_painter;
     QRectF m_place;
