@@ -4,6 +4,7 @@
 #include "gui/text/formula_layout.h"
 #include "gui/text/translation.h"
 #include "gui/window/formulas_window.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QFontMetricsF>
@@ -341,7 +342,7 @@ void TestHelpFigures::thePageDrawsItInItsSize()
     QVERIFY(window.page().verticalScrollBar()->maximum() > all);
     window.setZoomPercent(100);
     window.resize(420, 600);
-    QTRY_COMPARE(window.page().width(), 420);
+    QTRY_COMPARE_WITH_TIMEOUT(window.page().width(), 420, kPatienceMilliseconds);
     const QString figures = [] {
         QString page;
         for (const QString &name : helpFigureNames())
@@ -349,7 +350,7 @@ void TestHelpFigures::thePageDrawsItInItsSize()
         return page;
     }();
     window.page().setHtml(figures);
-    QTRY_COMPARE(window.page().horizontalScrollBar()->maximum(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(window.page().horizontalScrollBar()->maximum(), 0, kPatienceMilliseconds);
 }
 
 void TestHelpFigures::anUnknownFigureIsNone()
