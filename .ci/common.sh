@@ -9,6 +9,8 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=true
 # Precompiled headers count by their content.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
+
+# The compiler cache, where it is installed.
 useCcache() {
     ! command -v ccache >/dev/null || export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 }
@@ -19,3 +21,8 @@ useCcache
 onVirtualDisplay() {
     env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" "$@"
 }
+
+# What the tests need beside the program: the fonts that tests/fonts names, and a linker that is done with 200 tests in
+# seconds.
+# shellcheck disable=SC2034 # for the scripts that source this
+testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation mold)

@@ -35,8 +35,8 @@ for guard in "${guards[@]}"; do
     esac
 done
 
-bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev mold llvm ccache \
-    dpkg-dev file lintian desktop-file-utils appstream ||
+bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev llvm ccache \
+    dpkg-dev file lintian desktop-file-utils appstream "${testPackages[@]}" ||
     echo "The tools could not be installed: checks that need them are skipped."
 useCcache
 

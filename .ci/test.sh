@@ -4,8 +4,7 @@
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
-# The fonts that tests/fonts names, and a linker that is done with 200 tests in seconds.
-bash "$root/.ci/setup.sh" fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation mold
+bash "$root/.ci/setup.sh" "${testPackages[@]}"
 cd -- "$root" # Presets are looked for in the current folder.
 if [ $# -eq 0 ]; then
     cmake --workflow --preset ci

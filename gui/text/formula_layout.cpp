@@ -31,8 +31,10 @@ Box textBox(const QString &text, const QFont &font, double spaceBefore = 0.0, do
     box.kind = Box::Kind::Text;
     box.text = text;
     box.font = font;
-    box.ascent = metrics.ascent();
-    box.descent = metrics.descent();
+    // Some fonts' parentheses reach below their descent, where a fraction's bar may be.
+    const QRectF ink = metrics.tightBoundingRect(text);
+    box.ascent = std::max(metrics.ascent(), -ink.top());
+    box.descent = std::max(metrics.descent(), ink.bottom());
     box.width = spaceBefore + metrics.horizontalAdvance(text) + spaceAfter;
     box.axis = spaceBefore; // of a text: where it begins
     return box;
@@ -262,6 +264,19 @@ void findPlaces(const Box &box, const QPointF &around, const QString &term, std:
         findPlaces(part, around + box.origin, term, places);
 }
 
+void findInk(const Box &box, const QPointF &around, std::vector<QRectF> &ink)
+{
+    const QPointF origin = around + box.origin;
+    if (box.kind == Box::Kind::Text && !box.text.isEmpty())
+        ink.push_back(QFontMetricsF(box.font).tightBoundingRect(box.text).translated(origin + QPointF(box.axis, 0.0)));
+    if (box.kind == Box::Kind::Fraction)
+        ink.emplace_back(origin.x(), origin.y() - box.axis, box.width, QFontMetricsF(box.font).lineWidth());
+    if (box.kind == Box::Kind::Column)
+        ink.push_back(box.rect().translated(around));
+    for (const Box &part : box.parts)
+        findInk(part, origin, ink);
+}
+
 } // namespace
 
 QFont formulaFont(double pointSize)
@@ -345,6 +360,14 @@ void FormulaLayout::paint(QPainter &painter, const QPointF &topLeft, const Color
 {
     for (const Box &line : m_lines)
         paintBox(painter, line, topLeft, colors, marked);
+}
+
+std::vector<QRectF> FormulaLayout::inkRects() const
+{
+    std::vector<QRectF> ink;
+    for (const Box &line : m_lines)
+        findInk(line, {}, ink);
+    return ink;
 }
 
 QString FormulaLayout::termAt(const QPointF &position) const

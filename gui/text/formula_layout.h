@@ -24,6 +24,8 @@ public:
     /// @param width  logical pixels
     void setWidth(double width);
     QSizeF size() const { return m_size; }
+    /// What the letters and bars cover, one rectangle each: italics reach beyond their advance.
+    std::vector<QRectF> inkRects() const;
 
     struct Colors {
         QColor ink;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/patience.h"
+
 #include <QFile>
 #include <QList>
 #include <QMap>
@@ -33,15 +35,16 @@ inline Run runCommand(const QStringList &arguments, const QByteArray &input = {}
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove(QStringLiteral("LANGUAGE"));
+    environment.remove(QStringLiteral("COLUMNS")); // lines of help would be as long
     for (auto it = variables.begin(); it != variables.end(); ++it)
         environment.insert(it.key(), it.value());
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(UNPROJECT_COMMAND), arguments);
-    if (!process.waitForStarted())
+    if (!process.waitForStarted(kPatienceMilliseconds))
         qFatal("the command does not start: %s", qPrintable(process.errorString()));
     process.write(input);
     process.closeWriteChannel();
-    if (!process.waitForFinished(120000))
+    if (!process.waitForFinished(kPatienceMilliseconds))
         qFatal("the command does not end");
     QByteArray errors = process.readAllStandardError();
     errors.replace("\r\n", "\n"); // stderr is a text on Windows

@@ -1,6 +1,7 @@
 // The pipeline that takes blocks of lines through workers on several threads, where a worker fails.
 
 #include "tests/cli/command.h"
+#include "tests/support/patience.h"
 
 #include "core/cli/block_pipeline.h"
 
@@ -91,7 +92,7 @@ void TestBlockPipeline::outOfMemoryIsAMessage()
         shell.setStandardOutputFile("/dev/null");
         shell.start("sh", {"-c", "ulimit -v " + QString::number(kilobytes) + "; exec '" UNPROJECT_COMMAND "' points '"
                                      + scene + "' '" + rows + "' --threads 8"});
-        QVERIFY(shell.waitForFinished(60000));
+        QVERIFY(shell.waitForFinished(kPatienceMilliseconds));
         const QByteArray errors = shell.readAllStandardError();
         if (shell.exitCode() == 127)
             continue; // not even the program's libraries found room

@@ -1,6 +1,7 @@
 // Whoever reads the command's output may go away at any time, as head does: that is no error, and nobody is told of it.
 
 #include "tests/cli/command.h"
+#include "tests/support/patience.h"
 
 #ifdef Q_OS_WIN
 #include <qt_windows.h>
@@ -125,12 +126,12 @@ void TestClosedPipe::endsQuietly()
     QProcess process;
     pipe.takeOutputOf(process);
     process.start(QStringLiteral(UNPROJECT_COMMAND), arguments);
-    QVERIFY(process.waitForStarted());
+    QVERIFY(process.waitForStarted(kPatienceMilliseconds));
     pipe.closeWrite();
     if (isRead)
         QVERIFY(!pipe.read().isEmpty());
     pipe.closeRead();
-    QVERIFY(process.waitForFinished(60000));
+    QVERIFY(process.waitForFinished(kPatienceMilliseconds));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     const QByteArray errors = process.readAllStandardError();
     if (arguments.contains(m_folder.path("bad.csv"))) {

@@ -1,6 +1,7 @@
 // The words of the command line: what every command says of itself, and of words that it does not know.
 
 #include "tests/cli/command.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 
@@ -71,7 +72,7 @@ void TestCommandLine::helpHasExamplesThatWork()
         QProcess shell;
         shell.setWorkingDirectory(m_folder.path("."));
         shell.start("sh", {"-c", "unproject() { '" UNPROJECT_COMMAND "' \"$@\"; }; " + QString::fromUtf8(example)});
-        QVERIFY(shell.waitForFinished(60000));
+        QVERIFY(shell.waitForFinished(kPatienceMilliseconds));
         const QByteArray errors = shell.readAllStandardError();
         const bool saysWhatItWrote = command == "cloud" && errors == "cloud.ply: 480000 points of 480000 pixels\n";
         QVERIFY2((errors.isEmpty() || saysWhatItWrote) && shell.exitCode() == 0, (example + '\n' + errors).constData());
@@ -176,7 +177,7 @@ void TestCommandLine::resultsThatCannotBeWritten()
     QProcess process;
     process.setStandardOutputFile("/dev/full");
     process.start(QStringLiteral(UNPROJECT_COMMAND), words);
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kPatienceMilliseconds));
     QCOMPARE(process.readAllStandardError(), QByteArray("stdout: cannot be written: No space left on device\n"));
     QCOMPARE(process.exitCode(), 2);
 }

@@ -1,6 +1,7 @@
 // `unproject points` with ten million rows, made while they stream and checked while they come back.
 
 #include "tests/cli/command.h"
+#include "tests/support/patience.h"
 
 #include <QEventLoop>
 
@@ -80,7 +81,7 @@ void TestLongStreams::tenMillionRowsKeepTheirOrderInLittleMemory()
     QProcess process;
     process.start(QStringLiteral(UNPROJECT_COMMAND),
                   {"points", "--method", "formula", folder.write("scene.json", kScene)});
-    QVERIFY(process.waitForStarted());
+    QVERIFY(process.waitForStarted(kPatienceMilliseconds));
 
     QByteArray expected("px,py,depth,formula_x,formula_y,formula_z\n");
     int written = 0, awaited = 0;

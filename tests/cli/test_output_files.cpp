@@ -1,6 +1,7 @@
 // Where the command writes: files are whole or as they were, inputs are never written over, devices stay devices.
 
 #include "tests/cli/command.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 
@@ -181,7 +182,7 @@ void TestOutputFiles::rowsAreNotAddedToTheirOwnInput()
         if (isStdin)
             process.setStandardInputFile(file);
         process.start(QStringLiteral(UNPROJECT_COMMAND), {"points", m_scene, isStdin ? "-" : file});
-        QVERIFY(process.waitForFinished());
+        QVERIFY(process.waitForFinished(kPatienceMilliseconds));
         QCOMPARE(process.readAllStandardError(), "stdout: this is the input " + (isStdin ? "stdin" : file.toUtf8())
                                                      + " too and would be destroyed; give another name\n");
         QCOMPARE(process.exitCode(), 2);
@@ -204,7 +205,7 @@ void TestOutputFiles::aFullDiskLeavesWhatWasThere()
         setrlimit(RLIMIT_FSIZE, &small);
     });
     process.start(QStringLiteral(UNPROJECT_COMMAND), cloudTo(path("cloud.ply")));
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kPatienceMilliseconds));
     QCOMPARE(process.readAllStandardError(),
              path("cloud.ply").toUtf8() + ": the file cannot be written (File too large)\n");
     QCOMPARE(process.exitCode(), 2);
@@ -244,10 +245,11 @@ void TestOutputFiles::anInterruptionLeavesWhatWasThere()
     QProcess process;
     process.start(QStringLiteral(UNPROJECT_COMMAND),
                   {"cloud", "--size", "800x600", m_scene, "-", "-o", path("cloud.ply")});
-    QVERIFY(process.waitForStarted());
-    QTRY_COMPARE(names().size(), qsizetype(2)); // it has begun, and waits for depths
+    QVERIFY(process.waitForStarted(kPatienceMilliseconds));
+    QTRY_COMPARE_WITH_TIMEOUT(names().size(), qsizetype(2),
+                              kPatienceMilliseconds); // it has begun, and waits for depths
     QCOMPARE(kill(pid_t(process.processId()), signal), 0);
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kPatienceMilliseconds));
     QCOMPARE(process.exitStatus(), QProcess::CrashExit); // whoever started it sees that it was ended
     QCOMPARE(process.exitCode(), signal);
     QCOMPARE(read("cloud.ply"), QByteArray("before"));
@@ -284,7 +286,7 @@ void TestOutputFiles::standardOutputByItsName()
     QProcess process;
     process.setStandardOutputFile(path("out"), QIODevice::Append);
     process.start(QStringLiteral(UNPROJECT_COMMAND), words);
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kPatienceMilliseconds));
     QCOMPARE(process.exitCode(), 0);
     QCOMPARE(reader.readAll(), "before\n" + runCommand(words).output);
 }
@@ -298,9 +300,9 @@ void TestOutputFiles::aNamedPipeIsWrittenTo()
     QProcess reader;
     reader.setStandardOutputFile(m_folder->path("read"));
     reader.start("cat", {path("pipe")});
-    QVERIFY(reader.waitForStarted());
+    QVERIFY(reader.waitForStarted(kPatienceMilliseconds));
     QVERIFY(hasWritten(runCommand(cloudTo(path("pipe"))), path("pipe")));
-    QVERIFY(reader.waitForFinished());
+    QVERIFY(reader.waitForFinished(kPatienceMilliseconds));
     QFile file(m_folder->path("read"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), runCommand(cloudTo("-")).output);

@@ -1,6 +1,7 @@
 // The progress bar: what it writes to a terminal of the test's own, by a clock of the test's own; and that the command has one.
 
 #include "tests/cli/command.h"
+#include "tests/support/patience.h"
 
 #include "core/cli/progress_bar.h"
 
@@ -98,7 +99,7 @@ public:
     bool readUntil(const std::function<bool(const QByteArray &)> &isSeen)
     {
         while (!isSeen(m_text)) {
-            if (!m_process.waitForReadyRead(60000))
+            if (!m_process.waitForReadyRead(kPatienceMilliseconds))
                 return false;
             m_text += m_process.readAllStandardOutput();
         }
@@ -109,7 +110,7 @@ public:
     QByteArray finished()
     {
         QFile(m_stop).open(QIODevice::WriteOnly);
-        m_process.waitForFinished(60000);
+        m_process.waitForFinished(kPatienceMilliseconds);
         return m_text + m_process.readAllStandardOutput();
     }
 

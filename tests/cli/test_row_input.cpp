@@ -1,6 +1,7 @@
 // Rows as programs and people write them, through the executable.
 
 #include "tests/cli/command.h"
+#include "tests/support/patience.h"
 
 class TestRowInput : public QObject {
     Q_OBJECT
@@ -165,19 +166,19 @@ void TestRowInput::aRowIsAnsweredAtOnce()
 {
     QProcess process;
     process.start(QStringLiteral(UNPROJECT_COMMAND), {"points", "--method", "formula", m_scene});
-    QVERIFY(process.waitForStarted());
+    QVERIFY(process.waitForStarted(kPatienceMilliseconds));
     process.write("px,py,depth\n");
     QByteArray output;
     for (const QByteArray &row : {QByteArray("400,300,0\n"), QByteArray("400,300,1\n")}) {
         process.write(row);
         const QByteArray answer = row.chopped(1) + (row.contains(",0\n") ? ",0,0,4\n" : ",0,0,1\n");
         while (!output.endsWith(answer)) {
-            QVERIFY2(process.waitForReadyRead(60000), output.constData());
+            QVERIFY2(process.waitForReadyRead(kPatienceMilliseconds), output.constData());
             output += process.readAllStandardOutput();
         }
     }
     process.closeWriteChannel();
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kPatienceMilliseconds));
     QCOMPARE(process.exitCode(), 0);
 }
 
@@ -186,13 +187,13 @@ void TestRowInput::aPipeInPieces()
     const QByteArray input("\xEF\xBB\xBFpx,py,depth\r\n400,300,0\r\n400,300,1\r\n\"400\",\"300\",1");
     QProcess process;
     process.start(QStringLiteral(UNPROJECT_COMMAND), {"points", "--method", "formula", m_scene});
-    QVERIFY(process.waitForStarted());
+    QVERIFY(process.waitForStarted(kPatienceMilliseconds));
     for (const char byte : input) {
         process.write(&byte, 1);
-        QVERIFY(process.waitForBytesWritten());
+        QVERIFY(process.waitForBytesWritten(kPatienceMilliseconds));
     }
     process.closeWriteChannel();
-    QVERIFY(process.waitForFinished());
+    QVERIFY(process.waitForFinished(kPatienceMilliseconds));
     QCOMPARE(process.readAllStandardError(), QByteArray());
     QCOMPARE(process.readAllStandardOutput(), points(input).output);
     QCOMPARE(points(input).lines().size(), 4);

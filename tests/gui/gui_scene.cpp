@@ -2,6 +2,7 @@
 
 #include "core/scene/solids.h"
 #include "tests/support/mesh_model.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -121,7 +122,8 @@ int differentPixels(const QImage &a, const QImage &b)
 void bringUp(MainWindow &window)
 {
     window.show();
-    if (!QTest::qWaitForWindowExposed(&window) || !QTest::qWaitFor([&] { return window.view().isReady(); }))
+    if (!QTest::qWaitForWindowExposed(&window, kPatienceMilliseconds)
+        || !QTest::qWaitFor([&] { return window.view().isReady(); }, kPatienceMilliseconds))
         qFatal("the window does not come up");
 }
 
@@ -160,11 +162,21 @@ std::unique_ptr<MainWindow> twoCubesWindow(const DepthRange &range)
     return window;
 }
 
+void settle(int milliseconds)
+{
+    constexpr int kRounds = 3; // what happens has consequences of its own
+    for (int round = 0; round < kRounds; ++round) {
+        QTest::qWait(milliseconds / kRounds);
+        QGuiApplication::sync();
+        QCoreApplication::processEvents();
+    }
+}
+
 bool resized(MainWindow &window, const QSize &size)
 {
     window.resize(size);
-    const bool has = QTest::qWaitFor([&] { return window.size() == size; });
-    QTest::qWait(30);
+    const bool has = QTest::qWaitFor([&] { return window.size() == size; }, kPatienceMilliseconds);
+    settle(30);
     (void)window.view().grabFramebuffer();
     return has;
 }

@@ -68,6 +68,9 @@ std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, boo
 std::unique_ptr<MainWindow> cubeWindow(bool isOrtho);
 /// The two cubes in a window of 420 x 360, from kBeforeTwoCubes.
 std::unique_ptr<MainWindow> twoCubesWindow(const DepthRange &range = {});
+/// Lets happen what the last step causes: timers that are due within the time, answers of the window system, layouts and
+/// paints. A busy machine may wake up only after the time; what was due by then happens all the same.
+void settle(int milliseconds = 50);
 /// Resizes and waits until the view has its new size.
 bool resized(MainWindow &window, const QSize &size);
 

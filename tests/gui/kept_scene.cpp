@@ -1,4 +1,5 @@
 #include "tests/gui/kept_scene.h"
+#include "tests/support/patience.h"
 
 #include "gui/document/scene_document.h"
 
@@ -44,7 +45,7 @@ std::unique_ptr<MainWindow> windowKeepingIn(const QString &folder)
 bool openAndWait(MainWindow &window, const QString &file)
 {
     window.session().openFiles({pathOf(file)});
-    return QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kMostMilliseconds);
+    return QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kPatienceMilliseconds);
 }
 
 void edit(MainWindow &window, double d)
@@ -60,7 +61,7 @@ QStringList keptIn(const QString &folder)
 
 bool becomesKept(const QString &folder, int count)
 {
-    return QTest::qWaitFor([&] { return keptIn(folder).size() == count; }, kMostMilliseconds);
+    return QTest::qWaitFor([&] { return keptIn(folder).size() == count; }, kPatienceMilliseconds);
 }
 
 } // namespace keeping

@@ -20,9 +20,6 @@ namespace keeping {
 using namespace unprojector;
 using namespace unprojector::gui;
 
-/// How long to wait for what must come.
-constexpr int kMostMilliseconds = 20000;
-
 /// Has a key of somebody else's and a model by a relative name.
 inline const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 300, "height": 200},
     "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},

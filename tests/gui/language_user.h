@@ -32,7 +32,7 @@ inline void choose(MainWindow &window, const QString &language)
 {
     actionOf(window, language)->trigger();
     QCoreApplication::sendPostedEvents();
-    QTest::qWait(50);
+    settle();
 }
 inline void chooseChinese(MainWindow &window)
 {

@@ -1,4 +1,5 @@
 #include "panel_user.h"
+#include "tests/support/patience.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
@@ -41,7 +42,7 @@ void PanelUser::start()
     m_panel->resize(m_panel->minimumSizeHint().width(), 430);
     m_panel->show();
     m_panel->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    QVERIFY(QTest::qWaitForWindowActive(m_panel.get(), kPatienceMilliseconds));
 }
 
 ParameterGroup *PanelUser::showGroup(const QString &name)

@@ -4,6 +4,7 @@
 #include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -90,7 +91,7 @@ protected:
         for (const QString &name : names)
             files.push_back(file(name));
         m_session->openFiles(files);
-        QTRY_VERIFY(!m_session->isLoading());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     }
     const std::vector<Landmark> &points() const { return m_document->landmarks(); }
     void placeAll(double x)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/patience.h"
+
 #include <nlohmann/json.hpp>
 
 #include <QByteArray>
@@ -11,8 +13,6 @@
 namespace program_run {
 
 using Json = nlohmann::ordered_json;
-
-inline constexpr int kRunMilliseconds = 60000;
 
 struct Run {
     int exitCode = -1;
@@ -38,7 +38,7 @@ inline Run run(const QStringList &arguments, const QStringList &environment = {}
         process.setStandardOutputFile(output);
     process.start(QStringLiteral(UNPROJECTOR_EXECUTABLE), arguments);
     Run result;
-    const bool ended = process.waitForFinished(kRunMilliseconds);
+    const bool ended = process.waitForFinished(kPatienceMilliseconds);
     if (!ended)
         process.kill();
     result.hasExited = ended && process.exitStatus() == QProcess::NormalExit;

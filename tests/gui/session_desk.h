@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 #include <QFile>
@@ -18,7 +19,6 @@ namespace sessions {
 using namespace unprojector;
 using namespace unprojector::gui;
 
-constexpr int kMostMilliseconds = 20000;
 inline const QByteArray kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 inline const QByteArray kHead = R"({"unprojector": 1, "window": {"width": 300, "height": 200},
     "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
@@ -91,7 +91,7 @@ struct Desk {
         for (const QString &file : files)
             paths.push_back(pathOf(file));
         adds ? session.addFiles(paths) : session.openFiles(paths);
-        return QTest::qWaitFor([this] { return !session.isLoading(); }, kMostMilliseconds);
+        return QTest::qWaitFor([this] { return !session.isLoading(); }, kPatienceMilliseconds);
     }
     QStringList names() const
     {

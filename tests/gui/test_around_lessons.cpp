@@ -5,6 +5,7 @@
 #include "gui/panels/pipeline_panel.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/lesson_panel.h"
+#include "tests/support/patience.h"
 #include "window_user.h"
 
 #include <QTest>
@@ -33,8 +34,9 @@ bool grow(MainWindow &window)
     const int high = static_cast<int>(std::lround(before * window.view().devicePixelRatioF()));
     follow(window, QStringLiteral("view:%1x%1").arg(high));
     const bool hasGrown = QTest::qWaitFor(
-        [&] { return window.height() > before && window.document().geometry().surface.heightPixels == high; });
-    QTest::qWait(200);
+        [&] { return window.height() > before && window.document().geometry().surface.heightPixels == high; },
+        kPatienceMilliseconds);
+    settle(200);
     return hasGrown;
 }
 
@@ -168,7 +170,7 @@ void TestAroundLessons::aWindowThatGrewIsAsBefore()
     QVERIFY(window->lessons().start("weng"));
     QVERIFY(grow(*window));
     QVERIFY(window->lessons().leave());
-    QTRY_COMPARE(window->size(), before);
+    QTRY_COMPARE_WITH_TIMEOUT(window->size(), before, kPatienceMilliseconds);
 }
 
 void TestAroundLessons::aWindowOfTheUsersSizeStaysSo()
@@ -178,9 +180,9 @@ void TestAroundLessons::aWindowOfTheUsersSizeStaysSo()
     QVERIFY(window->lessons().start("weng"));
     QVERIFY(grow(*window));
     window->resize(users);
-    QTRY_COMPARE(window->size(), users);
+    QTRY_COMPARE_WITH_TIMEOUT(window->size(), users, kPatienceMilliseconds);
     QVERIFY(window->lessons().leave());
-    QTest::qWait(50); // a size that is put back needs the window manager
+    settle(); // a size that is put back needs the window manager
     QCOMPARE(window->size(), users);
 }
 
@@ -192,13 +194,14 @@ void TestAroundLessons::aSizeThatTheScreenCannotShowIsTold()
     const int logical = static_cast<int>(std::lround(500 / ratio));
     const int device = static_cast<int>(std::floor(logical * ratio + 0.5)); // of a widget that is so large
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_COMPARE(window->view().width(), logical);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().width(), logical, kPatienceMilliseconds);
     if (device == 500) {
-        QTRY_VERIFY(window->lessons().hasViewOfStep());
+        QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
         QCOMPARE(window->message(), QString());
     } else {
-        QTRY_VERIFY(window->message().contains(QString::number(device))
-                    && window->message().contains(QStringLiteral("500")));
+        QTRY_VERIFY_WITH_TIMEOUT(window->message().contains(QString::number(device))
+                                     && window->message().contains(QStringLiteral("500")),
+                                 kPatienceMilliseconds);
         QVERIFY(window->message().contains(QString::number(ratio)));
         QVERIFY(!window->lessons().hasViewOfStep());
     }

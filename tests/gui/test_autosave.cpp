@@ -1,6 +1,7 @@
 // Unsaved changes are kept in case of a crash, for as long as they are unsaved.
 
 #include "tests/gui/kept_scene.h"
+#include "tests/support/patience.h"
 
 #include "gui/document/scene_document.h"
 
@@ -71,7 +72,7 @@ void TestAutosave::aFolderThatCannotBeWrittenIsToldOnce()
     QSignalSpy failed(window->findChild<Autosave *>(), &Autosave::failed);
     window->session().openBundledScene();
     edit(*window, 1.0);
-    QVERIFY(failed.wait(kMostMilliseconds));
+    QVERIFY(failed.wait(kPatienceMilliseconds));
     QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("scene.json")),
              qPrintable(window->statusBar()->currentMessage()));
     QVERIFY(window->message().isEmpty());
@@ -116,7 +117,7 @@ void TestAutosave::theReasonIsTold()
     }
     words = problem;
     autosave.follow(true);
-    QVERIFY(failed.wait(kMostMilliseconds));
+    QVERIFY(failed.wait(kPatienceMilliseconds));
     const QString told = QDir::fromNativeSeparators(failed[0][0].toString());
     // The system's own words, whatever they are, stand behind the folder.
     QVERIFY2(told.contains(reason) && !told.endsWith(u' '), qPrintable(told));

@@ -9,6 +9,7 @@
 #include "gui/view/curve_shapes.h"
 #include "gui/view/measure_mark.h"
 #include "gui_scene.h"
+#include "tests/support/patience.h"
 #include "window_user.h"
 
 #include <QHBoxLayout>
@@ -201,7 +202,7 @@ void TestCurves::largeModelsAreWorkedOutAside()
     QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
     QVERIFY(document.curves().line(0).isComputing);
     QVERIFY(!document.curves().line(0).line);
-    QTRY_VERIFY(!document.curves().line(0).isComputing);
+    QTRY_VERIFY_WITH_TIMEOUT(!document.curves().line(0).isComputing, kPatienceMilliseconds);
     QVERIFY(std::abs(lengthOf(document, 0) - 1.5708) < 2e-3);
     // Moved, the line before is what it is until the new one comes; it is not drawn as the curve.
     QVERIFY(document.points().move(1, heldAt(ball, {0, 0, 1}, "b")));
@@ -304,7 +305,7 @@ void TestCurves::theListEditsCurves()
     QTest::keyClicks(rows, "7");
     view.applyTyped();
     QCOMPARE(document->curves().all()[0].count, 7u);
-    QTRY_VERIFY(!rows->viewport()->findChild<QLineEdit *>());
+    QTRY_VERIFY_WITH_TIMEOUT(!rows->viewport()->findChild<QLineEdit *>(), kPatienceMilliseconds);
     view.applyTyped();
     QCOMPARE(document->curves().all()[0].count, 7u);
     // No room for rows that there are not.
@@ -320,24 +321,24 @@ void TestCurves::theListEditsCurves()
         QVERIFY(editor);
         QTest::keyClicks(editor, digits.mid(1));
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_VERIFY(!rows->viewport()->findChild<QLineEdit *>());
+        QTRY_VERIFY_WITH_TIMEOUT(!rows->viewport()->findChild<QLineEdit *>(), kPatienceMilliseconds);
     };
     type("25");
-    QTRY_COMPARE(document->curves().all()[0].count, 25u);
+    QTRY_COMPARE_WITH_TIMEOUT(document->curves().all()[0].count, 25u, kPatienceMilliseconds);
     const auto *reason = view.findChild<QLabel *>();
     for (const char *refused : {"5000", "1"}) { // not capped in silence
         type(refused);
-        QTRY_VERIFY2(reason->isVisible() && reason->text().contains(QStringLiteral("“%1”").arg(refused)),
-                     qPrintable(reason->text()));
+        QTRY_VERIFY2_WITH_TIMEOUT(reason->isVisible() && reason->text().contains(QStringLiteral("“%1”").arg(refused)),
+                                  qPrintable(reason->text()), kPatienceMilliseconds);
         QVERIFY2(reason->text().contains("2 to 1000"), qPrintable(reason->text()));
         QCOMPARE(document->curves().all()[0].count, 25u);
         QCOMPARE(rows->topLevelItem(0)->text(3), "25");
     }
     type("1000");
-    QTRY_COMPARE(document->curves().all()[0].count, 1000u);
+    QTRY_COMPARE_WITH_TIMEOUT(document->curves().all()[0].count, 1000u, kPatienceMilliseconds);
     QVERIFY(!reason->isVisible());
     rows->topLevelItem(0)->setText(0, "ridge");
-    QTRY_COMPARE(document->curves().all()[0].name, "ridge");
+    QTRY_COMPARE_WITH_TIMEOUT(document->curves().all()[0].name, "ridge", kPatienceMilliseconds);
     QVERIFY(document->points().setMissing({1}));
     QCOMPARE(rows->topLevelItem(0)->text(4), "“front” is not placed");
     rows->setCurrentItem(rows->topLevelItem(0));

@@ -5,6 +5,7 @@
 #include "gui/view/observer_view.h"
 #include "tests/gui/depth_ranges.h"
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 
@@ -133,7 +134,8 @@ void TestDepthRanges::thePointerReadsWhatAClickReads()
     for (const QPointF &place : {localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.1, 1.0)), QPointF(5.0, 7.0)}) {
         hovered.clear();
         sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
-        QTRY_VERIFY(!hovered.isEmpty() && hovered.last().at(0).value<WidgetPoint>().x == place.x());
+        QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty() && hovered.last().at(0).value<WidgetPoint>().x == place.x(),
+                                 kPatienceMilliseconds);
         click(view, place);
         const auto read = hovered.last().at(1).value<DepthSample>();
         QCOMPARE(read.depth, window->document().pick()->window.z);
@@ -179,7 +181,7 @@ void TestDepthRanges::theViewFromOutsideIsTheSame()
     ObserverPanel panel(document);
     panel.resize(500, 600);
     panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMilliseconds));
     ObserverView &view = panel.view();
     const auto pictures = [&] {
         std::vector<QImage> seen;

@@ -16,6 +16,7 @@
 #include "gui/text/mistake_text.h"
 #include "gui/view/observer_view.h"
 #include "gui/window/place_ids.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -46,7 +47,7 @@ std::unique_ptr<MainWindow> doctorWindow()
     window->document().setObjects(
         cubeScene(), {WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     window->places().enter(kDoctorPlace);
-    QTest::qWait(50);
+    settle();
     return window;
 }
 
@@ -166,7 +167,8 @@ void TestDoctorPlace::theMistakeIsNamed()
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(),
              QStringLiteral("%1, %2").arg(pixel.i + 0.5).arg(pixel.j + 0.5));
     type(gotOf(*window), pointText(got));
-    QTRY_COMPARE(verdictOf(*window), QString::fromLatin1(doctor::remedyOf("y-not-flipped").sentence));
+    QTRY_COMPARE_WITH_TIMEOUT(verdictOf(*window), QString::fromLatin1(doctor::remedyOf("y-not-flipped").sentence),
+                              kPatienceMilliseconds);
     const QString text = panelOf(*window).answer().text();
     QVERIFY2(text.contains(QStringLiteral("y not flipped: all ")), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("Runner-up")), qPrintable(text));
@@ -189,7 +191,8 @@ void TestDoctorPlace::aRightPointIsRight()
     const auto window = doctorWindow();
     clickedAndWrong(*window);
     type(gotOf(*window), pointText(window->document().pick()->point.world[Method::Formula]->coordinates()));
-    QTRY_COMPARE(verdictOf(*window), QStringLiteral("The point is right, to the digits given."));
+    QTRY_COMPARE_WITH_TIMEOUT(verdictOf(*window), QStringLiteral("The point is right, to the digits given."),
+                              kPatienceMilliseconds);
     QVERIFY(!panelOf(*window).code().isVisible());
 }
 
@@ -214,7 +217,9 @@ void TestDoctorPlace::garbageIsUnknown()
     const auto window = doctorWindow();
     clickedAndWrong(*window);
     type(gotOf(*window), QStringLiteral("11.1234 22.2345 -30.3456"));
-    QTRY_VERIFY(verdictOf(*window).startsWith(QStringLiteral("Unknown: nothing that is known explains this point")));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        verdictOf(*window).startsWith(QStringLiteral("Unknown: nothing that is known explains this point")),
+        kPatienceMilliseconds);
     QVERIFY(panelOf(*window).answer().text().contains(QStringLiteral("Lands by the right matrices on pixel ")));
     QVERIFY(!panelOf(*window).code().isVisible());
     // What comes closest has its code all the same, once it is chosen.
@@ -250,12 +255,12 @@ void TestDoctorPlace::nonsenseIsNamedAndStays()
     type(fieldsOf(*window, QStringLiteral("Depth")).value(0), {});
     // Without Enter too, once the typing pauses.
     window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     pixel->setFocus();
     pixel->selectAll();
     QTest::keyClicks(pixel, QStringLiteral("abc"));
     QVERIFY2(fault().isEmpty(), qPrintable(fault()));
-    QTRY_VERIFY(fault().startsWith(QStringLiteral("“abc” is no pixel")));
+    QTRY_VERIFY_WITH_TIMEOUT(fault().startsWith(QStringLiteral("“abc” is no pixel")), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::pointsAsProgramsPrintThem_data()
@@ -278,7 +283,8 @@ void TestDoctorPlace::pointsAsProgramsPrintThem()
     for (int axis = 0; axis < 3; ++axis)
         text = text.arg(QString::number(got[axis], 'f', 4).replace(u'-', QChar(0x2212)));
     type(gotOf(*window), text);
-    QTRY_VERIFY2(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")), qPrintable(verdictOf(*window)));
+    QTRY_VERIFY2_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")),
+                              qPrintable(verdictOf(*window)), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::digitsAreSaidAsTheyCount()
@@ -300,7 +306,7 @@ void TestDoctorPlace::theCodeIsThatOfTheLibrary()
     const auto window = doctorWindow();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
     CodeChangesView &code = panelOf(*window).code();
-    QTRY_VERIFY(code.isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(code.isVisible(), kPatienceMilliseconds);
     for (const char *library : {"GLU", "GLM", "Qt", "three.js", "NumPy"}) {
         code.setLibrary(QLatin1String(library));
         QCOMPARE(code.library(), QLatin1String(library));
@@ -328,7 +334,7 @@ void TestDoctorPlace::aSecondClickMakesASecondRow()
     const glm::dvec3 second = clickedAndWrong(*window, {-0.7, 0.3, 1.0});
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 2);
     type(gotOf(*window, 1), pointText(second));
-    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(2));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(2), kPatienceMilliseconds);
     QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
     for (QToolButton *button : panelOf(*window).findChildren<QToolButton *>()) {
         if (button->accessibleName() == QStringLiteral("Remove this point")) {
@@ -336,7 +342,7 @@ void TestDoctorPlace::aSecondClickMakesASecondRow()
             break;
         }
     }
-    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::aDragIsNoClick()
@@ -384,14 +390,14 @@ void TestDoctorPlace::aWindowOfOnesOwnHasTheRatioOfTheScreen()
     type(fieldsOf(*window, QStringLiteral("Pixel")).value(0), QStringLiteral("300.5, 200.5"));
     type(fieldsOf(*window, QStringLiteral("Depth")).value(0), QStringLiteral("0.9"));
     type(gotOf(*window), pointText(unprojected(*window, {at.x / kRatio, height - at.y / kRatio, depth})));
-    QTRY_COMPARE(verdictOf(*window), mistakeSentence("ratio-logical-in-device"));
+    QTRY_COMPARE_WITH_TIMEOUT(verdictOf(*window), mistakeSentence("ratio-logical-in-device"), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::withoutAnAnswerTheLastOneGoes()
 {
     const auto window = doctorWindow();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
     emit panelOf(*window).findChild<Diagnoser *>()->outOfMemory();
     QVERIFY2(verdictOf(*window).startsWith(QStringLiteral("There is not enough memory")),
              qPrintable(verdictOf(*window)));
@@ -407,7 +413,7 @@ void TestDoctorPlace::theVerdictIsLargeInEveryFont()
     font.setPixelSize(16); // its size in points is then -1
     panelOf(*window).setFont(font);
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_VERIFY(panelOf(*window).code().isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(panelOf(*window).code().isVisible(), kPatienceMilliseconds);
     const QLabel *verdict = labelOf(*window, QStringLiteral("Verdict"));
     QVERIFY(verdict->fontInfo().pixelSize() > 16);
     font.setPixelSize(24);
@@ -415,7 +421,7 @@ void TestDoctorPlace::theVerdictIsLargeInEveryFont()
     QVERIFY(verdict->fontInfo().pixelSize() > 24);
     gotOf(*window)->selectAll();
     QTest::keyClick(gotOf(*window), Qt::Key_Delete);
-    QTRY_COMPARE(verdict->fontInfo().pixelSize(), 24);
+    QTRY_COMPARE_WITH_TIMEOUT(verdict->fontInfo().pixelSize(), 24, kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::theClickThatTellsIsPicked()
@@ -425,7 +431,7 @@ void TestDoctorPlace::theClickThatTellsIsPicked()
     QPushButton *there = nullptr;
     for (QPushButton *button : panelOf(*window).answer().findChildren<QPushButton *>())
         there = button;
-    QTRY_VERIFY(there && there->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(there && there->isVisible(), kPatienceMilliseconds);
     QTest::mouseClick(there, Qt::LeftButton);
     const DevicePixel pixel = window->document().pick()->devicePixel;
     const QString text = QStringLiteral("%1, %2").arg(pixel.i + 0.5).arg(pixel.j + 0.5);
@@ -478,7 +484,8 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
 {
     const auto window = doctorWindow();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_VERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
+    QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")),
+                             kPatienceMilliseconds);
     QPushButton *now = nullptr;
     for (QPushButton *button : panelOf(*window).findChildren<QPushButton *>()) {
         if (button->text().remove(u'&') == QStringLiteral("As it is now"))
@@ -486,11 +493,12 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
     }
     QVERIFY(now && !now->isVisible());
     window->document().setCamera({WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
-    QTest::qWait(100);
+    settle(100);
     QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
     QVERIFY(now->isVisible());
     QTest::mouseClick(now, Qt::LeftButton);
-    QTRY_VERIFY(!verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
+    QTRY_VERIFY_WITH_TIMEOUT(!verdictOf(*window).startsWith(QStringLiteral("y is not turned over")),
+                             kPatienceMilliseconds);
     QVERIFY(!now->isVisible());
 }
 
@@ -498,13 +506,13 @@ void TestDoctorPlace::theChosenCandidateStaysWhileTheViewTurns()
 {
     const auto window = doctorWindow();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_VERIFY(panelOf(*window).code().isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(panelOf(*window).code().isVisible(), kPatienceMilliseconds);
     auto *candidates = panelOf(*window).findChild<CandidatesTable *>();
     candidates->setCurrentCell(2, 0);
     const QString code = panelOf(*window).code().text();
     const QSignalSpy answers(panelOf(*window).findChild<Diagnoser *>(), &Diagnoser::answered);
     window->document().setCamera({WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
-    QTest::qWait(100);
+    settle(100);
     QCOMPARE(answers.size(), 0);
     QCOMPARE(candidates->currentRow(), 2);
     QCOMPARE(panelOf(*window).code().text(), code);
@@ -515,7 +523,7 @@ void TestDoctorPlace::theMarksGoWithThePlace()
     const auto window = doctorWindow();
     const QImage before = window->view().grabFramebuffer();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
     const WrongPointMark mark = window->document().wrongPoints().front();
     const QImage marked = window->view().grabFramebuffer();
     const glm::dvec2 place = placeOf(*window, mark.got.coordinates());
@@ -523,9 +531,9 @@ void TestDoctorPlace::theMarksGoWithThePlace()
     QVERIFY(marked.rect().contains(at));
     QVERIFY(marked.pixelColor(at) != before.pixelColor(at));
     window->places().enter(kClickPlace);
-    QTRY_VERIFY(window->document().wrongPoints().empty());
+    QTRY_VERIFY_WITH_TIMEOUT(window->document().wrongPoints().empty(), kPatienceMilliseconds);
     window->places().enter(kDoctorPlace);
-    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::theWrongPointIsFoundFromOutside()
@@ -533,18 +541,18 @@ void TestDoctorPlace::theWrongPointIsFoundFromOutside()
     const auto window = doctorWindow();
     actionOf(*window, QStringLiteral("View from Outside"))->setChecked(true);
     auto *observer = window->findChild<ObserverPanel *>();
-    QVERIFY(observer && QTest::qWaitForWindowExposed(window.get()));
-    QTRY_VERIFY(observer->view().isReady());
+    QVERIFY(observer && QTest::qWaitForWindowExposed(window.get(), kPatienceMilliseconds));
+    QTRY_VERIFY_WITH_TIMEOUT(observer->view().isReady(), kPatienceMilliseconds);
     const auto button = [&] {
         const auto buttons = observer->view().findChildren<QPushButton *>();
         return buttons.value(0);
     };
     clickedAndWrong(*window);
     type(gotOf(*window), QStringLiteral("300.1234 222.2345 3000.3456"));
-    QTRY_COMPARE(window->document().wrongPoints().size(), std::size_t(1));
-    QTRY_VERIFY(button()->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isVisible(), kPatienceMilliseconds);
     QTest::mouseClick(button(), Qt::LeftButton);
-    QTRY_VERIFY(!button()->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!button()->isVisible(), kPatienceMilliseconds);
     const auto place = observer->view().placeOf(window->document().wrongPoints().front().got);
     QVERIFY(place && QRectF(observer->view().rect()).contains(*place));
 }

@@ -4,6 +4,7 @@
 #include "core/scene/examples.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/scene_view.h"
+#include "tests/support/patience.h"
 
 #include <QTest>
 
@@ -69,7 +70,7 @@ void TestExamplesDrawn::everyExampleShowsItsObjects()
 {
     QFETCH(QString, id);
     Stage stage;
-    QVERIFY(QTest::qWaitForWindowExposed(&stage.view));
+    QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
     Scene scene = example(id.toStdString()).scene;
     const QImage shown = stage.picture(scene);
     // All of the objects is cut away; ground and axes stay.
@@ -108,7 +109,7 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
     QFETCH(double, y);
     QFETCH(double, z);
     Stage stage;
-    QVERIFY(QTest::qWaitForWindowExposed(&stage.view));
+    QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
     QVERIFY(!stage.picture(example(id.toStdString()).scene).isNull());
     const WorldPoint expected(x, y, z);
     const Picture &geometry = stage.document.geometry();
@@ -116,7 +117,7 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
     QVERIFY(window);
     const WidgetPoint widget = widgetFromDevice(geometry.surface, deviceFromWindow(geometry.surface, *window));
     QTest::mouseClick(&stage.view, Qt::LeftButton, {}, QPoint(int(widget.x), int(widget.y)));
-    QTRY_VERIFY(stage.document.pick());
+    QTRY_VERIFY_WITH_TIMEOUT(stage.document.pick(), kPatienceMilliseconds);
     const Pick &pick = *stage.document.pick();
     QVERIFY(pick.hit());
     QVERIFY(pick.point.world[Method::Formula] && pick.point.world[Method::Matrix]);
@@ -131,7 +132,7 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
 void TestExamplesDrawn::aMirroredObjectIsLitLikeAnother()
 {
     Stage stage;
-    QVERIFY(QTest::qWaitForWindowExposed(&stage.view));
+    QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
     Scene scene = example("zhangci-viewport-quarter").scene;
     scene.viewport = {};
     const auto color = [&](const glm::dvec3 &factors) {

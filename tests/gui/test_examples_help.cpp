@@ -8,6 +8,7 @@
 #include "gui/window/appearance.h"
 #include "gui/window/formulas_window.h"
 #include "tests/support/errata.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -305,7 +306,7 @@ void TestExamplesHelp::theContentsLeadSomewhere()
     int last = -1;
     for (const char *name : {"contents", "forward", "ortho", "weng", "w9", "closed", "errors"}) {
         window.showFormula(QString::fromLatin1(name));
-        QTRY_VERIFY2(bar->value() > last, name);
+        QTRY_VERIFY2_WITH_TIMEOUT(bar->value() > last, name, kPatienceMilliseconds);
         last = bar->value();
     }
 }
@@ -327,7 +328,7 @@ void TestExamplesHelp::thePageIsAsWideAsTheWindow()
     window.setZoomPercent(percent);
     window.resize(size);
     window.show();
-    QTRY_COMPARE(window.page().horizontalScrollBar()->maximum(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(window.page().horizontalScrollBar()->maximum(), 0, kPatienceMilliseconds);
     QVERIFY(window.page().verticalScrollBar()->maximum() > 1000);
 }
 
@@ -385,10 +386,10 @@ void TestExamplesHelp::thePageIsDarkWhereTheWindowIs()
     window.show();
     QVERIFY(lightShare(window) > 0.8);
     setAppearance(Appearance::Dark);
-    QTRY_VERIFY(lightShare(window) < 0.1);
+    QTRY_VERIFY_WITH_TIMEOUT(lightShare(window) < 0.1, kPatienceMilliseconds);
     QVERIFY(longestLightLine(window) > 30); // of a matrix
     setAppearance(before);
-    QTRY_VERIFY(lightShare(window) > 0.8);
+    QTRY_VERIFY_WITH_TIMEOUT(lightShare(window) > 0.8, kPatienceMilliseconds);
 }
 
 QTEST_MAIN(TestExamplesHelp)

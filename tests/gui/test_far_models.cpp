@@ -4,6 +4,7 @@
 #include "gui/text/formula_text.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/mesh_model.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -18,7 +19,6 @@ using namespace guitest;
 
 namespace {
 
-constexpr int kLoadMilliseconds = 20000;
 constexpr double kMillimetre = 1e-3;
 const glm::dvec3 kCorner{4000000.123, 500000.456, 300.789};
 
@@ -212,7 +212,7 @@ void TestFarModels::millimetresArePicked()
 
     const auto window = shownWindow(false, {500, 420});
     window->session().openFiles({std::filesystem::path(file.fileName().toStdU16String())});
-    QVERIFY(QTest::qWaitFor([&] { return !window->session().isLoading(); }, kLoadMilliseconds));
+    QVERIFY(QTest::qWaitFor([&] { return !window->session().isLoading(); }, kPatienceMilliseconds));
     SceneDocument &document = window->document();
     QCOMPARE(document.objects().size(), std::size_t(1));
     QCOMPARE(document.objects()[0].model->triangleCount(), std::size_t(2 * kCount));

@@ -7,6 +7,7 @@
 #include "gui/view/observer_view.h"
 #include "tests/gui/depth_ranges.h"
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -231,7 +232,7 @@ void TestFrame::aRemovedPlaneIsGoneInTheObserver()
     ObserverPanel panel(document);
     panel.resize(500, 600);
     panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMilliseconds));
     ObserverView &view = panel.view();
     const QImage before = view.grabFramebuffer();
     setClipPlanes(document, {planeThrough(kCubeCenter, {-0.6, 0.3, -1.0})});

@@ -3,6 +3,7 @@
 
 #include "gui/view/observer_view.h"
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QAction>
 #include <QScreen>
@@ -74,8 +75,8 @@ void TestFrameView::smoothEdgesAreSeenInBothViews()
     observer->trigger();
     auto *outside = window->findChild<ObserverView *>();
     QVERIFY(outside);
-    QVERIFY(QTest::qWaitFor([&] { return outside->width() > 200; }));
-    QTest::qWait(50);
+    QVERIFY(QTest::qWaitFor([&] { return outside->width() > 200; }, kPatienceMilliseconds));
+    settle();
     const QImage before = window->view().grabFramebuffer(), outsideBefore = outside->grabFramebuffer();
     smooth->trigger();
     QVERIFY(window->view().grabFramebuffer() != before);
@@ -117,7 +118,7 @@ void TestFrameView::aGrabbedPictureIsSmoothInMotion()
     const auto window = twoCubesWindow();
     SceneView &view = window->view();
     view.setSmoothEdges(true);
-    QTest::qWait(300);
+    settle(300);
     const QImage atRest = grabbed(view);
     window->document().setCamera(kElsewhere);
     QVERIFY(grabbed(view) != atRest);
@@ -130,16 +131,16 @@ void TestFrameView::theScreenShowsSmoothEdgesAtRest()
     const auto window = twoCubesWindow();
     SceneView &view = window->view();
     const QImage plain = grabbed(view);
-    QTRY_VERIFY(isOnScreen(view, plain));
+    QTRY_VERIFY_WITH_TIMEOUT(isOnScreen(view, plain), kPatienceMilliseconds);
     view.setSmoothEdges(true);
     const QImage smooth = grabbed(view);
     QVERIFY(smooth != plain);
-    QTRY_VERIFY(isOnScreen(view, smooth));
+    QTRY_VERIFY_WITH_TIMEOUT(isOnScreen(view, smooth), kPatienceMilliseconds);
     // A picture that has just been drawn may be shown as it is; it does not stay so.
     window->document().setCamera(kElsewhere);
     window->document().setCamera(kBeforeTwoCubes);
-    QTest::qWait(40);
-    QTRY_VERIFY(isOnScreen(view, smooth));
+    settle(40);
+    QTRY_VERIFY_WITH_TIMEOUT(isOnScreen(view, smooth), kPatienceMilliseconds);
 }
 
 void TestFrameView::aWindowThatOpensIsDrawnOnce()
@@ -149,9 +150,9 @@ void TestFrameView::aWindowThatOpensIsDrawnOnce()
     MainWindow window(options);
     QSignalSpy steps(&window.view(), &SceneView::happened);
     window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
-    QTRY_VERIFY(drawnObjects(steps) > 0);
-    QTest::qWait(50);
+    QVERIFY(QTest::qWaitForWindowExposed(&window, kPatienceMilliseconds));
+    QTRY_VERIFY_WITH_TIMEOUT(drawnObjects(steps) > 0, kPatienceMilliseconds);
+    settle();
     // The window's system may lay it out once more.
     QVERIFY2(drawnObjects(steps) <= 2, qPrintable(QString::number(drawnObjects(steps))));
 }
@@ -161,9 +162,9 @@ void TestFrameView::aResizedViewIsOnTheScreen()
     const auto window = twoCubesWindow();
     for (const QSize &size : {QSize(500, 300), QSize(300, 420), QSize(640, 480)}) {
         window->resize(size);
-        QTRY_COMPARE(window->size(), size);
-        QTest::qWait(30);
-        QTRY_VERIFY(isOnScreen(window->view(), grabbed(window->view())));
+        QTRY_COMPARE_WITH_TIMEOUT(window->size(), size, kPatienceMilliseconds);
+        settle(30);
+        QTRY_VERIFY_WITH_TIMEOUT(isOnScreen(window->view(), grabbed(window->view())), kPatienceMilliseconds);
     }
 }
 
@@ -175,9 +176,9 @@ void TestFrameView::objectsAreDrawnOnceAChange()
     QSignalSpy steps(&view, &SceneView::happened);
     view.resize(400, 300);
     view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
-    QTRY_VERIFY(pictures(steps) > 0);
-    QTest::qWait(50);
+    QVERIFY(QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds));
+    QTRY_VERIFY_WITH_TIMEOUT(pictures(steps) > 0, kPatienceMilliseconds);
+    settle();
     QCOMPARE(drawnObjects(steps), 1);
 
     // A pick is drawn over the picture that is there; the pointer draws nothing at all.
@@ -187,20 +188,21 @@ void TestFrameView::objectsAreDrawnOnceAChange()
     QVERIFY(document.pick() && document.pick()->hit());
     QVERIFY(pictures(steps) > 0);
     QCOMPARE(drawnObjects(steps), 0);
-    QTest::qWait(50);
+    settle();
     steps.clear();
     QSignalSpy hovered(&view, &SceneView::hovered);
     for (int x = 190; x < 210; ++x)
         sendMouse(view, QEvent::MouseMove, QPointF(x, 150.0), Qt::NoButton, Qt::NoButton);
-    QTRY_VERIFY(!hovered.isEmpty() && hovered.last().at(0).value<WidgetPoint>().x == 209.0);
+    QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty() && hovered.last().at(0).value<WidgetPoint>().x == 209.0,
+                             kPatienceMilliseconds);
     QCOMPARE(pictures(steps), 0);
 
     // A click on a picture that is not drawn yet draws it; the paint that follows does not.
     document.setCamera({WorldPoint(kCubeCenter + glm::dvec3(0.5, 0.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     click(view, {200.0, 150.0});
     QCOMPARE(drawnObjects(steps), 1);
-    QTRY_VERIFY(pictures(steps) > 1);
-    QTest::qWait(50);
+    QTRY_VERIFY_WITH_TIMEOUT(pictures(steps) > 1, kPatienceMilliseconds);
+    settle();
     QCOMPARE(drawnObjects(steps), 1);
 }
 
@@ -232,7 +234,7 @@ void TestFrameView::theReadoutFollowsThePointer()
     // The picture changes while the pointer waits for its answer: it is given the new one's.
     window->document().setCamera(
         {WorldPoint(kCubeCenter + glm::dvec3(0.0, 0.0, 9.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
-    QTRY_VERIFY(!hovered.isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty(), kPatienceMilliseconds);
     click(view, place);
     QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
     // Nothing is told of a pointer that has left.
@@ -240,11 +242,11 @@ void TestFrameView::theReadoutFollowsThePointer()
     sendMouse(view, QEvent::MouseMove, place + QPointF(3.0, 0.0), Qt::NoButton, Qt::NoButton);
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&view, &leave);
-    QTest::qWait(50);
+    settle();
     QVERIFY(hovered.isEmpty());
     // It comes back.
     sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
-    QTRY_COMPARE(hovered.size(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(hovered.size(), 1, kPatienceMilliseconds);
     QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
 }
 
@@ -259,10 +261,10 @@ void TestFrameView::anAnswerThatIsOvertakenIsGivenOfTheNextPicture()
     // The answer comes while the next picture is not drawn yet.
     view.setUpdatesEnabled(false);
     window->document().setCamera(kElsewhere);
-    QTest::qWait(100);
+    settle(100);
     QVERIFY(hovered.isEmpty());
     view.setUpdatesEnabled(true);
-    QTRY_COMPARE(hovered.size(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(hovered.size(), 1, kPatienceMilliseconds);
     click(view, place);
     QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
 }

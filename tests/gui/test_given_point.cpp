@@ -5,6 +5,7 @@
 #include "gui/panels/number_grid.h"
 #include "gui/panels/pipeline_panel.h"
 #include "gui/text/typed_numbers.h"
+#include "tests/support/patience.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -30,7 +31,7 @@ struct ShownPanel {
         openFigures(document);
         panel.resize(420, 900);
         panel.show();
-        if (!QTest::qWaitForWindowExposed(&panel))
+        if (!QTest::qWaitForWindowExposed(&panel, kPatienceMilliseconds))
             qFatal("The panel is not shown.");
     }
     const PipelineModel &model() const { return panel.model(); }
@@ -272,7 +273,7 @@ void TestGivenPoint::aPanelMayGoWhileANumberIsTyped()
     {
         PipelinePanel panel(*document);
         panel.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMilliseconds));
         NumberGrid *grid = panel.findChildren<NumberGrid *>().constFirst();
         grid->setFocus();
         grid->setCurrentIndex(grid->model()->index(0, 0));

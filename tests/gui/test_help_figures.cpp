@@ -4,6 +4,7 @@
 #include "gui/text/formula_layout.h"
 #include "gui/text/translation.h"
 #include "gui/window/formulas_window.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QFontMetricsF>
@@ -279,12 +280,19 @@ void TestHelpFigures::aFigureIsDrawn()
 
 void TestHelpFigures::itsLabelsAreClear_data()
 {
-    aFigureIsDrawn_data();
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("language");
+    for (const char *language : {"en-US", "zh-CN"}) {
+        for (const QString &name : helpFigureNames())
+            QTest::addRow("%s %s", qPrintable(name), language) << name << QString::fromLatin1(language);
+    }
 }
 
 void TestHelpFigures::itsLabelsAreClear()
 {
     QFETCH(QString, name);
+    QFETCH(QString, language);
+    const Translation translation({language});
     const Ink ink = inkOf(name);
     QVERIFY(!ink.labels.empty());
     const double em = QFontMetricsF(formulaFont(kPointSize)).height();
@@ -334,7 +342,7 @@ void TestHelpFigures::thePageDrawsItInItsSize()
     QVERIFY(window.page().verticalScrollBar()->maximum() > all);
     window.setZoomPercent(100);
     window.resize(420, 600);
-    QTRY_COMPARE(window.page().width(), 420);
+    QTRY_COMPARE_WITH_TIMEOUT(window.page().width(), 420, kPatienceMilliseconds);
     const QString figures = [] {
         QString page;
         for (const QString &name : helpFigureNames())
@@ -342,7 +350,7 @@ void TestHelpFigures::thePageDrawsItInItsSize()
         return page;
     }();
     window.page().setHtml(figures);
-    QTRY_COMPARE(window.page().horizontalScrollBar()->maximum(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(window.page().horizontalScrollBar()->maximum(), 0, kPatienceMilliseconds);
 }
 
 void TestHelpFigures::anUnknownFigureIsNone()

@@ -4,6 +4,7 @@
 #include "gui/text/translation.h"
 #include "gui/window/formulas_window.h"
 #include "tests/support/errata.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 #include <QFile>
@@ -170,13 +171,13 @@ void TestHelpLanguages::theWindowShowsThePageOfItsLanguage()
     for (const int width : {0, 700, 760, 761, 900, 1000}) { // columns in per cent are rounded differently in each
         if (width > 0)
             window.resize(width, 700);
-        QTRY_COMPARE(window.page().horizontalScrollBar()->maximum(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(window.page().horizontalScrollBar()->maximum(), 0, kPatienceMilliseconds);
     }
     const QScrollBar *bar = window.page().verticalScrollBar();
     int last = -1;
     for (const char *name : {"contents", "forward", "ortho", "weng", "w9", "closed", "errors"}) {
         window.showFormula(QString::fromLatin1(name));
-        QTRY_VERIFY2(bar->value() > last, name);
+        QTRY_VERIFY2_WITH_TIMEOUT(bar->value() > last, name, kPatienceMilliseconds);
         last = bar->value();
     }
 }

@@ -4,6 +4,7 @@
 #include "gui/window/appearance.h"
 #include "gui/window/find_bar.h"
 #include "gui/window/formulas_window.h"
+#include "tests/support/patience.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -22,7 +23,7 @@ struct Search {
         window.resize(700, 500);
         window.show();
         window.activateWindow();
-        isActive = QTest::qWaitForWindowActive(&window);
+        isActive = QTest::qWaitForWindowActive(&window, kPatienceMilliseconds);
         QTest::keyClick(&window, Qt::Key_F, Qt::ControlModifier);
     }
     void type(const QString &words)
@@ -176,7 +177,8 @@ void TestHelpSearch::theSearchOutlivesOtherColours()
     search.type(QStringLiteral("thermometer"));
     const auto hits = search.bar().hits().size();
     setAppearance(Appearance::Dark);
-    QTRY_VERIFY(search.window.page().palette().color(QPalette::Base).lightnessF() < 0.5F);
+    QTRY_VERIFY_WITH_TIMEOUT(search.window.page().palette().color(QPalette::Base).lightnessF() < 0.5F,
+                             kPatienceMilliseconds);
     QCOMPARE(search.bar().hits().size(), hits);
     QCOMPARE(search.present(), QStringLiteral("thermometer"));
     setAppearance(before);

@@ -11,6 +11,7 @@
 #include "gui/window/find_bar.h"
 #include "gui/window/formulas_window.h"
 #include "gui/window/lesson_panel.h"
+#include "tests/support/patience.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -97,11 +98,11 @@ QStringList textsWithPick(MainWindow &window)
     window.document().clearPick(); // the doctor would keep it
     for (const char *place : {"pipeline", "points", "doctor", "click"}) {
         window.places().enter(place);
-        QTest::qWait(20);
+        settle(20);
     }
     for (int trial = 0; trial < 5 && window.view().size() != kViewSize; ++trial) {
         window.setViewSize(kViewSize);
-        QTest::qWait(20);
+        settle(20);
     }
     if (window.view().size() != kViewSize)
         return {QStringLiteral("no such view")};
@@ -109,7 +110,7 @@ QStringList textsWithPick(MainWindow &window)
     window.document().fit(); // near and far depend on the sizes before
     window.view().pickPixel(kPixel);
     window.places().show("precision"); // hidden, it would tell of the last time that it was seen
-    QTest::qWait(20);
+    settle(20);
     dockOf(window, "precision")->hide();
     // How many blanks stand before a fraction goes by the font's widths to a fraction of a pixel.
     static const QRegularExpression blanks(QStringLiteral("  +"));
@@ -209,7 +210,7 @@ void TestLanguage::nothingIsLost()
     QVERIFY(document.removeObject(4).hasValue());
     document.undoStack().undo();
     window->places().enter("points");
-    QTest::qWait(50);
+    settle();
     const std::string scene = sceneOf(*window);
     const auto state = [&] {
         const QUndoStack &stack = document.undoStack();
@@ -450,7 +451,7 @@ void TestLanguage::whatCoreSaysIsInTheLanguage()
     const auto window = windowIn(translation);
     const auto messageOfOpening = [&] {
         window->session().openFiles({std::filesystem::path(file.fileName().toStdU16String())});
-        const bool isDone = QTest::qWaitFor([&] { return !window->session().isLoading(); });
+        const bool isDone = QTest::qWaitFor([&] { return !window->session().isLoading(); }, kPatienceMilliseconds);
         return isDone ? window->message() : QString();
     };
     QFETCH(QString, english);

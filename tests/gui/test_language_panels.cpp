@@ -14,6 +14,7 @@
 #include "gui/view/scene_view.h"
 #include "gui/window/lesson_panel.h"
 #include "gui/window/widget_state.h"
+#include "tests/support/patience.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -70,7 +71,7 @@ QStringList shownByPanels(MainWindow &window)
     for (const auto &[place, panel] : kPanels) {
         window.places().enter(place);
         window.places().show(panel);
-        QTest::qWait(30);
+        settle(30);
         for (const QString &text : shownBy(*dockOf(window, panel)->widget()))
             shown << QStringLiteral("%1: %2").arg(QLatin1String(panel), text);
     }
@@ -161,7 +162,7 @@ void TestLanguagePanels::whatPanelsShowStays()
     SceneDocument &document = window->document();
     window->comparison().setShowsFloat(true);
     window->places().enter("pipeline");
-    QTest::qWait(50);
+    settle();
     const auto chooseItem = [](QComboBox *box, int item) {
         box->setCurrentIndex(item);
         emit box->activated(item);
@@ -206,7 +207,7 @@ void TestLanguagePanels::panelsOutOfSightChangeNothing()
     SceneDocument &document = window->document();
     window->places().enter("pipeline");
     window->places().show("parameters");
-    QTRY_VERIFY(isSeen(*window, "parameters"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "parameters"), kPatienceMilliseconds);
     window->places().enter("click");
     document.switchProjection();
     const ProjectionKind kind = kindOf(document.scene().projection);
@@ -261,10 +262,10 @@ void TestLanguagePanels::noTextOfAPanelIsCut()
             if (qstrcmp(panel.id, "lesson") == 0 || qstrcmp(panel.id, "observer") == 0)
                 continue; // there is none of them: a lesson has both
             window->places().show(panel.id);
-            QTest::qWait(20);
+            settle(20);
             QStringList texts;
             for (int trial = 0; trial < 5 && !(texts = cutTexts(*panel.widget)).isEmpty(); ++trial)
-                QTest::qWait(50); // until it is laid out
+                settle(); // until it is laid out
             for (const QString &text : texts)
                 cut << QStringLiteral("%1 in %2: %3").arg(QLatin1String(panel.id), QLatin1String(place), text);
         }
@@ -297,7 +298,7 @@ void TestLanguagePanels::noTextOfALessonIsCut()
             const QWidget &panel = *dockOf(*window, id)->widget();
             QStringList texts;
             for (int trial = 0; trial < 5 && !(texts = cutTexts(panel)).isEmpty(); ++trial)
-                QTest::qWait(20); // until it is laid out
+                settle(20); // until it is laid out
             for (const QString &text : texts)
                 cut << QStringLiteral("%1 in “%2”: %3")
                            .arg(QLatin1String(id), QString::fromStdString(lessons.step().title), text);
@@ -322,7 +323,7 @@ void TestLanguagePanels::aLessonGoesOn()
     LessonPlayer &lessons = window->lessons();
     QVERIFY(lessons.start(lessons.lessons().front().name));
     QVERIFY(lessons.next());
-    QTest::qWait(50);
+    settle();
     const std::string name = lessons.lesson()->name, title = lessons.step().title;
     const std::size_t place = lessons.place();
     chooseChinese(*window);
@@ -347,7 +348,7 @@ void TestLanguagePanels::aLessonThatCannotBeReadIsLeft()
     QVERIFY(actionOf(*window, QStringLiteral("Leave Lesson"))->isEnabled());
     BrokenTexts texts;
     QVERIFY(QCoreApplication::installTranslator(&texts));
-    QTRY_VERIFY(!window->lessons().lesson());
+    QTRY_VERIFY_WITH_TIMEOUT(!window->lessons().lesson(), kPatienceMilliseconds);
     QCOMPARE(window->session().name(), name);
     QCOMPARE(static_cast<int>(window->document().objects().size()), objects);
     QVERIFY(!actionOf(*window, QStringLiteral("Leave Lesson"))->isEnabled());
@@ -379,7 +380,7 @@ void TestLanguagePanels::anAnswerStaysAnswered()
     const auto panel = [&] { return window->findChild<LessonPanel *>(); };
     const QSize view(500, 500);
     emit panel()->linkFollowed(QStringLiteral("view"), QStringLiteral("500x500"));
-    QTRY_COMPARE(window->view().size(), view);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), view, kPatienceMilliseconds);
     const auto said = [&] {
         for (const QLabel *label : panel()->findChildren<QLabel *>()) {
             if (label->accessibleName() == LessonPanel::tr("Whether your answer is right"))
@@ -402,11 +403,11 @@ void TestLanguagePanels::anAnswerStaysAnswered()
         QCOMPARE(before, verdict);
     chooseChinese(*window);
     QVERIFY(!said().isEmpty() && said() != before);
-    QTest::qWait(50);
-    QTRY_COMPARE(window->view().size(), view);
+    settle();
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), view, kPatienceMilliseconds);
     chooseEnglish(*window);
     QCOMPARE(said(), before);
-    QTRY_COMPARE(window->view().size(), view);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), view, kPatienceMilliseconds);
 }
 
 void TestLanguagePanels::aPanelOfItsOwnWindowGoesOn_data()
@@ -425,7 +426,7 @@ void TestLanguagePanels::aPanelOfItsOwnWindowGoesOn()
     window->places().enter("pipeline");
     for (const char *panel : {"pipeline", "lesson"}) {
         dockOf(*window, panel)->setFloating(true);
-        QTest::qWait(50);
+        settle();
         dockOf(*window, panel)->setHidden(isHidden);
     }
     chooseChinese(*window);
@@ -437,14 +438,14 @@ void TestLanguagePanels::aPanelOfItsOwnWindowGoesOn()
         QWidget *part = dock->findChild<QComboBox *>();
         Paints paints(*part);
         part->update();
-        QTRY_VERIFY2(paints.count() > 0, panel);
+        QTRY_VERIFY2_WITH_TIMEOUT(paints.count() > 0, panel, kPatienceMilliseconds);
     }
     QCOMPARE(dockOf(*window, "pipeline")->windowTitle(), QStringLiteral("渲染管线"));
     auto *steps = dockOf(*window, "lesson")->findChild<QComboBox *>();
     QVERIFY(steps->currentText().contains(QString::fromStdString(window->lessons().step().title)));
     Paints paints(*steps);
     QVERIFY(window->lessons().next());
-    QTRY_VERIFY(paints.count() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(paints.count() > 0, kPatienceMilliseconds);
 }
 
 void TestLanguagePanels::aLessonLeavesTheObserverAsItWas_data()
@@ -489,7 +490,7 @@ void TestLanguagePanels::whatTheDoctorWasToldStays()
     Translation translation(m_english);
     const auto window = windowIn(translation);
     window->places().enter("doctor");
-    QTest::qWait(50);
+    settle();
     const auto fieldsOf = [&] {
         QStringList texts;
         for (const QLineEdit *field : dockOf(*window, "doctor")->findChildren<QLineEdit *>())
@@ -507,10 +508,10 @@ void TestLanguagePanels::whatTheDoctorWasToldStays()
     window->view().pickPixel({kPixel.i + 20, kPixel.j}); // another row
     const QStringList before = fieldsOf();
     QVERIFY(before.size() >= 8); // two rows and the program's two sizes
-    QTRY_VERIFY(!window->document().wrongPoints().empty());
+    QTRY_VERIFY_WITH_TIMEOUT(!window->document().wrongPoints().empty(), kPatienceMilliseconds);
     chooseChinese(*window);
     QCOMPARE(fieldsOf(), before);
-    QTRY_VERIFY(!window->document().wrongPoints().empty());
+    QTRY_VERIFY_WITH_TIMEOUT(!window->document().wrongPoints().empty(), kPatienceMilliseconds);
 }
 
 QTEST_MAIN(TestLanguagePanels)

@@ -4,6 +4,7 @@
 #include "gui/document/model_store.h"
 #include "gui/window/overlay_bars.h"
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -16,8 +17,6 @@
 using namespace guitest;
 
 namespace {
-
-constexpr int kPatienceMilliseconds = 60000;
 
 /// Two balls of 327,680 triangles each, one model: more than is drawn in motion.
 std::vector<SceneObject> largeScene()
@@ -52,14 +51,15 @@ struct LargeView {
         QSignalSpy made(&models, &ModelStore::standInReady);
         view.resize(320, 240);
         view.show();
-        return QTest::qWaitForWindowExposed(&view) && QTest::qWaitFor([&] { return view.isReady(); })
+        return QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds)
+               && QTest::qWaitFor([&] { return view.isReady(); }, kPatienceMilliseconds)
                && QTest::qWaitFor([&] { return !made.isEmpty(); }, kPatienceMilliseconds) && rest();
     }
     /// Turns the camera, and waits until that is on the screen.
     bool turn(double degrees)
     {
         document.setCamera(turned(degrees), {});
-        return QTest::qWaitFor([&] { return view.isCoarse(); });
+        return QTest::qWaitFor([&] { return view.isCoarse(); }, kPatienceMilliseconds);
     }
     bool rest()
     {
@@ -95,7 +95,7 @@ void TestLargeModels::standInsAreOfWhatIsTooLarge()
     models.makeStandIns(objects);
     models.makeStandIns(objects); // they are under way
     QVERIFY(made.wait(kPatienceMilliseconds));
-    QTest::qWait(50);
+    settle();
     QCOMPARE(made.size(), 1);
     const auto standIns = models.standInsFor(objects);
     QVERIFY(standIns);
@@ -120,7 +120,8 @@ void TestLargeModels::whatIsReadIsWhole()
     SceneView whole(document);
     whole.resize(shown.view.size());
     whole.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&whole) && QTest::qWaitFor([&] { return whole.isReady(); }));
+    QVERIFY(QTest::qWaitForWindowExposed(&whole, kPatienceMilliseconds)
+            && QTest::qWaitFor([&] { return whole.isReady(); }, kPatienceMilliseconds));
 
     for (const double degrees : {20.0, -35.0}) {
         QVERIFY(shown.turn(degrees));
@@ -159,12 +160,12 @@ void TestLargeModels::coarsePicturesAreTold()
         return count;
     };
     QVERIFY(shown.turn(30.0));
-    QTRY_COMPARE(coarse(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(coarse(), 1, kPatienceMilliseconds);
     QVERIFY(shown.rest());
     QVERIFY(shown.turn(0.0));
-    QTRY_COMPARE(coarse(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(coarse(), 2, kPatienceMilliseconds);
     shown.view.onLButtonDown(WidgetPoint(160.0, 120.0));
-    QTest::qWait(20);
+    settle(20);
     QCOMPARE(coarse(), 2); // a click needs all of it, and that is no coarse picture
 }
 
@@ -194,7 +195,7 @@ void TestLargeModels::longDrawingIsTold()
     QVERIFY(!shown.view.awaitPicture());
     shown.document.setCamera(kFromBefore, {});
     QVERIFY(shown.view.awaitPicture());
-    QTRY_COMPARE(told.size(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, kPatienceMilliseconds);
     QCOMPARE(shareAt(0), 1.0);
     SceneView unseen(shown.document);
     unseen.setAttribute(Qt::WA_DontShowOnScreen);
@@ -206,7 +207,7 @@ void TestLargeModels::longDrawingIsTold()
 
     LoadingBar bar;
     bar.setDrawn(0.25);
-    QTRY_VERIFY(bar.isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible(), kPatienceMilliseconds);
     QVERIFY(bar.findChild<QLabel *>()->text().startsWith(QStringLiteral("Drawing")));
     QCOMPARE(bar.findChild<QProgressBar *>()->value(), 25);
     QVERIFY(bar.findChild<QPushButton *>()->isHidden());
@@ -215,7 +216,7 @@ void TestLargeModels::longDrawingIsTold()
     bar.start();
     bar.setDrawn(0.5); // of the scene that is there
     QVERIFY(bar.findChild<QLabel *>()->text().startsWith(QStringLiteral("Opening")));
-    QTRY_VERIFY(bar.isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible(), kPatienceMilliseconds);
     QVERIFY(!bar.findChild<QPushButton *>()->isHidden());
 }
 
@@ -242,12 +243,12 @@ void TestLargeModels::anotherSceneBeginsEmpty()
     view.setMotionBudget(0.0);
     view.resize(320, 240);
     view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QVERIFY(QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds));
     QTRY_VERIFY_WITH_TIMEOUT(view.isReady() && !view.isCoarse(), kPatienceMilliseconds);
     const auto showsBall = [&view] { return view.shownAt(110, 120) != view.shownAt(2, 120); };
     QVERIFY(showsBall());
     document.setObjects(largeScene(), kFromBefore);
-    QTRY_VERIFY(view.isCoarse());
+    QTRY_VERIFY_WITH_TIMEOUT(view.isCoarse(), kPatienceMilliseconds);
     QVERIFY(!showsBall());
     QTRY_VERIFY_WITH_TIMEOUT(!view.isCoarse(), kPatienceMilliseconds);
     QVERIFY(showsBall());
@@ -273,7 +274,8 @@ void TestLargeModels::smallModelsAreDrawnAtOnce()
     view.setModelStore(models);
     view.resize(320, 240);
     view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view) && QTest::qWaitFor([&] { return view.isReady(); }));
+    QVERIFY(QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds)
+            && QTest::qWaitFor([&] { return view.isReady(); }, kPatienceMilliseconds));
     for (int i = 1; i < 10; ++i) {
         document.setCamera(turned(i), {});
         QTest::qWait(2);

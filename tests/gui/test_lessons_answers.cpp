@@ -4,6 +4,7 @@
 #include "gui/view/lifecycle_log.h"
 #include "gui/view/scene_view.h"
 #include "lessons_user.h"
+#include "tests/support/patience.h"
 
 #include <QTest>
 
@@ -143,14 +144,16 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
 
     follow(*window, QStringLiteral("step:mfc_size"));
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY(window->lessons().hasViewOfStep());
+    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
     settle(*window);
     const int before = log->rowCount();
     follow(*window, QStringLiteral("view:500x250"));
-    QTRY_COMPARE(window->view().size(), QSize(500, 250));
-    QTRY_VERIFY(calls(before).contains(QStringLiteral("OnSize(500, 250)\tglViewport(0, 0, 500, 250)")));
-    QTRY_VERIFY(calls(before).lastIndexOf(QStringLiteral("OnDraw"))
-                > calls(before).lastIndexOf(QStringLiteral("OnSize")));
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), QSize(500, 250), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(calls(before).contains(QStringLiteral("OnSize(500, 250)\tglViewport(0, 0, 500, 250)")),
+                             kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(calls(before).lastIndexOf(QStringLiteral("OnDraw"))
+                                 > calls(before).lastIndexOf(QStringLiteral("OnSize")),
+                             kPatienceMilliseconds);
     QVERIFY2(calls(before).section(u'\n', 0, 0).contains(QStringLiteral("OnSize")), qPrintable(calls(before)));
     const auto stretch = [&] { // of a square
         const Picture &g = window->document().geometry();
@@ -165,7 +168,7 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
     follow(*window, QStringLiteral("step:mfc_click"));
     emit hintOf(*window)->linkActivated(QStringLiteral("restart:"));
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY(window->lessons().hasViewOfStep());
+    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
     QVERIFY(dockOf(*window, "lifecycle")->isHidden());
     follow(*window, QStringLiteral("click:clicked"));
     QVERIFY2(calls(0).contains(QStringLiteral("glReadPixels(230, %1, 1, 1,").arg(*window->lessons().answer())),

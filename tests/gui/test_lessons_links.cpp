@@ -7,6 +7,7 @@
 #include "gui/panels/pipeline_panel.h"
 #include "gui/text/formula_markup.h"
 #include "lessons_user.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -97,7 +98,7 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
             QVERIFY2(has(window->places().panels(), QString::fromStdString(panel)), step.id.c_str());
         if (step.view) {
             follow(*window, QStringLiteral("view:%1x%2").arg(step.view->x).arg(step.view->y));
-            QTRY_VERIFY2(player.hasViewOfStep(), step.id.c_str());
+            QTRY_VERIFY2_WITH_TIMEOUT(player.hasViewOfStep(), step.id.c_str(), kPatienceMilliseconds);
         }
         for (const bool isAnswered : {false, true}) {
             if (isAnswered && !step.question)
@@ -108,7 +109,7 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
                     QVERIFY2(dockOf(*window, panel.c_str())->isHidden(), step.id.c_str());
                 player.reveal();
                 if (step.view)
-                    QTRY_VERIFY2(player.hasViewOfStep(), step.id.c_str());
+                    QTRY_VERIFY2_WITH_TIMEOUT(player.hasViewOfStep(), step.id.c_str(), kPatienceMilliseconds);
                 for (const std::string &panel : step.panels)
                     QVERIFY2(!dockOf(*window, panel.c_str())->isHidden(), step.id.c_str());
             }
@@ -144,7 +145,8 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
                     const FactorShares *shares = dockOf(*window, "pipeline")->findChildren<FactorShares *>().back();
                     QVERIFY2(shares->isVisible(), where);
                     for (const QSlider *slider : shares->findChildren<QSlider *>())
-                        QTRY_VERIFY2(!slider->isVisible() || !slider->visibleRegion().isEmpty(), where);
+                        QTRY_VERIFY2_WITH_TIMEOUT(!slider->isVisible() || !slider->visibleRegion().isEmpty(), where,
+                                                  kPatienceMilliseconds);
                 } else if (link.startsWith(QLatin1String("place:"))) {
                     QVERIFY2(has(window->places().places(), to), where);
                 } else if (link.startsWith(QLatin1String("formulas:"))) {
@@ -194,7 +196,7 @@ void TestLessonsLinks::theWayToWriteVectorsGoesBackUnseen()
     QVERIFY(window->lessons().leave());
     QVERIFY(window->document().scene().conventions == Api::OpenGl);
     window->places().show("pipeline");
-    QTRY_VERIFY(isSeen(*window, "pipeline"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "pipeline"), kPatienceMilliseconds);
     QVERIFY(pipeline->matrixView() == rows);
 }
 
@@ -204,9 +206,11 @@ void TestLessonsLinks::whatALinkLeadsToHasRoom()
     QVERIFY(window->lessons().start("pipeline"));
     follow(*window, QStringLiteral("step:ortho"));
     const QDockWidget *pipeline = dockOf(*window, "pipeline"), *observer = dockOf(*window, "observer");
-    QTRY_VERIFY(isSeen(*window, "observer") && observer->height() > window->height() / 3);
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "observer") && observer->height() > window->height() / 3,
+                             kPatienceMilliseconds);
     follow(*window, QStringLiteral("action:open_projection"));
-    QTRY_VERIFY(isSeen(*window, "pipeline") && pipeline->height() > observer->height() * 4 / 3);
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "pipeline") && pipeline->height() > observer->height() * 4 / 3,
+                             kPatienceMilliseconds);
 }
 
 void TestLessonsLinks::aLinkChangesTheScene()

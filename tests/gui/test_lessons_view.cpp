@@ -6,6 +6,7 @@
 #include "gui/view/scene_overlay.h"
 #include "gui/view/scene_view.h"
 #include "lessons_user.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -54,8 +55,8 @@ void TestLessonsView::theViewGetsTheSizeOfTheNumbers()
     const auto window = windowOfSize(size);
     const QSize before = window->view().size();
     QVERIFY(window->lessons().start("first"));
-    QTRY_VERIFY(window->lessons().hasViewOfStep());
-    QTRY_VERIFY(!hintOf(*window));
+    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(!hintOf(*window), kPatienceMilliseconds);
     follow(*window, QStringLiteral("click:clicked"));
     const auto &pick = window->document().pick();
     QVERIFY(pick && pick->hit());
@@ -66,12 +67,13 @@ void TestLessonsView::theViewGetsTheSizeOfTheNumbers()
     QVERIFY(isSeen(*window, "pipeline"));
     QVERIFY(window->lessons().hasViewOfStep());
     window->places().hidePanels(true);
-    QTRY_COMPARE(window->view().width(), window->width()); // it has the whole window
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().width(), window->width(),
+                              kPatienceMilliseconds); // it has the whole window
     window->places().hidePanels(false);
-    QTRY_VERIFY(window->lessons().hasViewOfStep());
+    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
     QCOMPARE(window->size(), size);
     QVERIFY(window->lessons().leave());
-    QTRY_COMPARE(window->view().size(), before);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), before, kPatienceMilliseconds);
 }
 
 /// Where there is no room for it, the window grows only for who asks.
@@ -88,10 +90,10 @@ void TestLessonsView::aLinkMakesRoom()
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     QVERIFY(hintOf(*window) && hintOf(*window)->text().contains(QStringLiteral("500 × 500")));
     emit hintOf(*window)->linkActivated(QStringLiteral("view:500x500"));
-    QTRY_VERIFY(window->lessons().hasViewOfStep());
-    QTRY_VERIFY(!hintOf(*window));
+    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(!hintOf(*window), kPatienceMilliseconds);
     QVERIFY(window->lessons().leave());
-    QTRY_COMPARE(window->size(), small);
+    QTRY_COMPARE_WITH_TIMEOUT(window->size(), small, kPatienceMilliseconds);
 }
 
 void TestLessonsView::theLastLinkSaysTheSize_data()
@@ -114,9 +116,9 @@ void TestLessonsView::theLastLinkSaysTheSize()
         for (const QString &link : links) {
             follow(*window, link);
             if (!atOnce)
-                QTRY_VERIFY(hasSize(link));
+                QTRY_VERIFY_WITH_TIMEOUT(hasSize(link), kPatienceMilliseconds);
         }
-        QTRY_VERIFY(hasSize(links.last()));
+        QTRY_VERIFY_WITH_TIMEOUT(hasSize(links.last()), kPatienceMilliseconds);
         settle(*window); // and it stays so
         QVERIFY2(hasSize(links.last()), qPrintable(links.last()));
         QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
@@ -130,7 +132,8 @@ void TestLessonsView::aSizeThatCannotBeIsTold()
     follow(*window, QStringLiteral("step:round_trip"));
     window->setMaximumHeight(700);
     follow(*window, QStringLiteral("view:300x900"));
-    QTRY_VERIFY2(window->message().contains(QStringLiteral("it cannot be 300 × 900")), qPrintable(window->message()));
+    QTRY_VERIFY2_WITH_TIMEOUT(window->message().contains(QStringLiteral("it cannot be 300 × 900")),
+                              qPrintable(window->message()), kPatienceMilliseconds);
     const QString size = QStringLiteral("%1 × %2").arg(window->view().width()).arg(window->view().height());
     QVERIFY2(window->message().contains(QStringLiteral("The view is ") + size), qPrintable(window->message()));
     QVERIFY(hintOf(*window));
@@ -167,7 +170,7 @@ void TestLessonsView::aDraggedPointEndsWithItsScene()
     const QImage before = view.grabFramebuffer();
     QVERIFY(window->lessons().start("first"));
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY(window->lessons().hasViewOfStep());
+    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
     const QPointF at = view.rect().center();
     const auto there =
         document.points().onMeshAt(deviceFromWidget(document.geometry().surface, view.widgetPosition(at)));
@@ -185,8 +188,8 @@ void TestLessonsView::aDraggedPointEndsWithItsScene()
     send(QEvent::MouseMove, {40.0, 0.0}, Qt::NoButton, Qt::LeftButton);
     send(QEvent::MouseButtonRelease, {40.0, 0.0}, Qt::LeftButton, Qt::NoButton);
     QVERIFY(document.scene().camera == camera && !document.isModified());
-    QTRY_COMPARE(view.size(), before.size());
-    QTRY_COMPARE(differentPixels(before, view.grabFramebuffer()), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(view.size(), before.size(), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(differentPixels(before, view.grabFramebuffer()), 0, kPatienceMilliseconds);
 }
 
 void TestLessonsView::theCrosshairIsInTheMiddleOfAnotherScene()
@@ -233,7 +236,7 @@ void TestLessonsView::aClickMeetsTheStepsPointInEveryView()
     follow(*window, QStringLiteral("step:") + QString::fromLatin1(step));
     for (const QSize &size : {QSize(640, 480), QSize(420, 560)}) {
         follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
-        QTRY_COMPARE(window->view().size(), size);
+        QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), size, kPatienceMilliseconds);
         follow(*window, QStringLiteral("click:") + QString::fromLatin1(point));
         const auto &pick = window->document().pick();
         QVERIFY(pick && pick->hit());
@@ -249,7 +252,7 @@ void TestLessonsView::lettersAreDrawnWhereAStepWantsThem()
     LessonPlayer &player = window->lessons();
     QVERIFY(player.start("weng"));
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY(player.hasViewOfStep());
+    QTRY_VERIFY_WITH_TIMEOUT(player.hasViewOfStep(), kPatienceMilliseconds);
     // On the axis of x_v, which runs along the lower edge, left of the viewport.
     const auto axis = [&] {
         const QImage picture = window->view().grabFramebuffer();
@@ -257,11 +260,11 @@ void TestLessonsView::lettersAreDrawnWhereAStepWantsThem()
     };
     const QColor empty = axis();
     follow(*window, QStringLiteral("step:viewport"));
-    QTRY_VERIFY(axis().red() > axis().blue() + 80);
+    QTRY_VERIFY_WITH_TIMEOUT(axis().red() > axis().blue() + 80, kPatienceMilliseconds);
     follow(*window, QStringLiteral("step:frustum"));
-    QTRY_COMPARE(axis(), empty);
+    QTRY_COMPARE_WITH_TIMEOUT(axis(), empty, kPatienceMilliseconds);
     follow(*window, QStringLiteral("step:viewport"));
-    QTRY_VERIFY(axis() != empty);
+    QTRY_VERIFY_WITH_TIMEOUT(axis() != empty, kPatienceMilliseconds);
     QVERIFY(player.leave());
     QVERIFY(window->view().grabFramebuffer().pixelColor(50, window->view().height() - 6).red() < axis().blue() + 80);
 }
@@ -288,7 +291,7 @@ void TestLessonsView::lettersOverlapNothing()
     QVERIFY(player.start(lesson.toStdString()));
     QVERIFY(player.goTo(std::size_t(player.lesson()->step(step.toStdString()) - player.lesson()->steps.data())));
     follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
-    QTRY_COMPARE(window->view().size(), size);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), size, kPatienceMilliseconds);
     const Picture &g = window->document().geometry();
     const double side = SceneOverlay::axesSide(*drawable(g));
     const QRectF cross(g.viewport.x, g.surface.heightPixels - g.viewport.y - side, side, side);

@@ -5,6 +5,7 @@
 #include "gui/view/scene_view.h"
 #include "gui/window/first_steps.h"
 #include "lessons_user.h"
+#include "tests/support/patience.h"
 
 #include <QComboBox>
 #include <QSettings>
@@ -37,7 +38,7 @@ void TestLessonsWindow::whatIsDoneStaysInTheSameScene()
     LessonPlayer &player = window->lessons();
     QVERIFY(player.start("first"));
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY(player.hasViewOfStep());
+    QTRY_VERIFY_WITH_TIMEOUT(player.hasViewOfStep(), kPatienceMilliseconds);
     QVERIFY(!hintOf(*window));
     follow(*window, QStringLiteral("click:clicked"));
     QVERIFY(window->document().pick());
@@ -71,7 +72,7 @@ void TestLessonsWindow::whatWasShownComesBack()
     if (!height)
         QSKIP("The screen is too low for a view that the window grows for.");
     follow(*window, QStringLiteral("view:300x%1").arg(*height));
-    QTRY_COMPARE(window->view().size(), QSize(300, *height));
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), QSize(300, *height), kPatienceMilliseconds);
     QVERIFY(window->size() != size);
     QVERIFY(window->session().name() != name);
     follow(*window, QStringLiteral("panel:pipeline"));
@@ -116,7 +117,7 @@ void TestLessonsWindow::aClosedWindowIsAsBeforeTheLesson()
         if (!height)
             QSKIP("The screen is too low for a view that the window grows for.");
         follow(*window, QStringLiteral("view:400x%1").arg(*height));
-        QTRY_COMPARE(window->view().size(), QSize(400, *height));
+        QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), QSize(400, *height), kPatienceMilliseconds);
         QVERIFY(window->size() != size);
         follow(*window, QStringLiteral("panel:pipeline"));
         QVERIFY(window->close());
@@ -151,7 +152,7 @@ void TestLessonsWindow::theKeysGoFromStepToStep()
     QVERIFY(window->lessons().start("derivation"));
     QVERIFY(next->isEnabled() && !back->isEnabled() && leave->isEnabled());
     window->activateWindow(); // keys are for the active one
-    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     QTest::keyClick(&window->view(), Qt::Key_PageDown, Qt::AltModifier);
     QCOMPARE(window->lessons().place(), std::size_t(1));
     auto *steps = panelOf(*window).findChild<QComboBox *>();
@@ -181,7 +182,7 @@ void TestLessonsWindow::theNoteForNewcomersWaits()
     QVERIFY(!note->isVisible());
     follow(*window, QStringLiteral("step:round_trip"));
     follow(*window, QStringLiteral("view:300x300"));
-    QTRY_COMPARE(window->view().size(), QSize(300, 300));
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), QSize(300, 300), kPatienceMilliseconds);
     QVERIFY(window->lessons().leave());
     QVERIFY(note->isVisible());
 }
@@ -195,11 +196,11 @@ void TestLessonsWindow::aLessonBeginsAsIfNoneHadBeenBefore()
     if (!height)
         QSKIP("The screen is too low for a view that the window grows for.");
     follow(*window, QStringLiteral("view:300x%1").arg(*height));
-    QTRY_VERIFY(window->size() != size);
+    QTRY_VERIFY_WITH_TIMEOUT(window->size() != size, kPatienceMilliseconds);
     follow(*window, QStringLiteral("action:backward"));
     QVERIFY(isSeen(*window, "pipeline"));
     QVERIFY(window->lessons().start("first"));
-    QTRY_COMPARE(window->size(), size);
+    QTRY_COMPARE_WITH_TIMEOUT(window->size(), size, kPatienceMilliseconds);
     QVERIFY(dockOf(*window, "pipeline")->isHidden() && isSeen(*window, "lesson"));
     QCOMPARE(window->findChild<PipelinePanel *>()->direction(), PipelineDirection::Forward);
     QVERIFY(window->lessons().leave());
@@ -217,10 +218,10 @@ void TestLessonsWindow::theTextHasRoomBesideOtherPanels()
     };
     QVERIFY(player.start("first"));
     window->places().enter("pipeline");
-    QTRY_VERIFY(isLarger());
+    QTRY_VERIFY_WITH_TIMEOUT(isLarger(), kPatienceMilliseconds);
     // Drawn to another size it keeps that.
     window->resizeDocks({dockOf(*window, "lesson")}, {200}, Qt::Vertical);
-    QTRY_VERIFY(!isLarger());
+    QTRY_VERIFY_WITH_TIMEOUT(!isLarger(), kPatienceMilliseconds);
     QVERIFY(player.next());
     window->places().enter("click");
     window->places().enter("pipeline");

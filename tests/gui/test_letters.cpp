@@ -136,7 +136,7 @@ void TestLetters::eachIsAtItsOwn()
         QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
         if (!action->isChecked())
             action->trigger();
-        QTest::qWait(60);
+        settle(60);
         const QList<ObserverView *> observers = window->findChildren<ObserverView *>();
         const auto observer =
             std::find_if(observers.begin(), observers.end(), [](const QWidget *one) { return one->isVisible(); });
@@ -192,7 +192,7 @@ void TestLetters::aLengthLeavesTheMiddleFree()
                                        std::pair("weng", "viewport"), std::pair("weng", "back")}) {
         QVERIFY(player.start(lesson));
         QVERIFY(goTo(player, step));
-        QTest::qWait(60);
+        settle(60);
         const HighlightMarks marks = highlightsInView(window->document(), player.step().highlights);
         const QSizeF size = window->view().size();
         const QRectF middle(size.width() / 4.0, size.height() / 4.0, size.width() / 2.0, size.height() / 2.0);
@@ -217,7 +217,7 @@ void TestLetters::anAxisLineStrikesNoLetter()
                                        std::pair("pipeline", "load_identity"), std::pair("pipeline", "look_at")}) {
         QVERIFY(player.start(lesson));
         QVERIFY(goTo(player, step));
-        QTest::qWait(60);
+        settle(60);
         const HighlightMarks marks = highlightsInView(window->document(), player.step().highlights);
         const std::vector<QRectF> boxes = boxesIn(marks, window->view());
         QVERIFY(!marks.lines.empty());

@@ -6,6 +6,7 @@
 #include "gui/panels/lifecycle_panel.h"
 #include "gui/view/lifecycle_log.h"
 #include "gui/view/scene_view.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -158,8 +159,8 @@ void TestLifecycleLog::thePanelFollowsUnlessScrolledUp()
     const QScrollBar *bar = panel.findChild<QTableView *>()->verticalScrollBar();
     for (int width = 0; width < 100; ++width)
         log.append(size(width));
-    QTRY_VERIFY(bar->maximum() > 50);
-    QTRY_COMPARE(bar->value(), bar->maximum());
+    QTRY_VERIFY_WITH_TIMEOUT(bar->maximum() > 50, kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(bar->value(), bar->maximum(), kPatienceMilliseconds);
 
     panel.findChild<QTableView *>()->verticalScrollBar()->setValue(20);
     log.append(size(100));
@@ -246,14 +247,15 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     connect(view.get(), &SceneView::happened, &log, &LifecycleLog::append);
     view->resize(800, 600);
     view->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view.get()));
-    QTRY_VERIFY(!column(log, LifecycleLog::Step).filter(QStringLiteral("OnDraw")).isEmpty());
+    QVERIFY(QTest::qWaitForWindowExposed(view.get(), kPatienceMilliseconds));
+    QTRY_VERIFY_WITH_TIMEOUT(!column(log, LifecycleLog::Step).filter(QStringLiteral("OnDraw")).isEmpty(),
+                             kPatienceMilliseconds);
     const int beforeResize = log.rowCount();
     view->resize(400, 300);
-    QTRY_VERIFY(log.rowCount() >= beforeResize + 2);
+    QTRY_VERIFY_WITH_TIMEOUT(log.rowCount() >= beforeResize + 2, kPatienceMilliseconds);
     QTest::mouseClick(view.get(), Qt::LeftButton, {}, {100, 40});
-    QTRY_VERIFY(nameOf(cell(log, log.rowCount() - 1, LifecycleLog::Step))
-                == QStringLiteral("OnDraw")); // the pick is drawn
+    QTRY_VERIFY_WITH_TIMEOUT(nameOf(cell(log, log.rowCount() - 1, LifecycleLog::Step)) == QStringLiteral("OnDraw"),
+                             kPatienceMilliseconds); // the pick is drawn
     view.reset();
 
     // First and last of each step, in this order.

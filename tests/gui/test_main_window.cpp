@@ -11,6 +11,7 @@
 #include "gui/window/formulas_window.h"
 #include "gui/window/key_sheet.h"
 #include "gui/window/place_ids.h"
+#include "tests/support/patience.h"
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -71,7 +72,7 @@ void TestMainWindow::theViewHasMostOfTheWindowAtFirst()
     const double share = static_cast<double>(window->view().width()) * window->view().height()
                          / (static_cast<double>(window->width()) * window->height());
     QVERIFY2(share >= 0.55, qPrintable(QString::number(share)));
-    QTRY_VERIFY(isSeen(*window, "comparison"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "comparison"), kPatienceMilliseconds);
     for (const char *name : {"parameters", "pipeline", "inspector", "lifecycle"})
         QVERIFY2(dockOf(*window, name)->isHidden(), name);
 }
@@ -82,7 +83,7 @@ void TestMainWindow::eachPlaceShowsItsPanels()
     const SceneView &view = window->view();
     actionOf(*window, QStringLiteral("Pipeline"))->trigger();
     QCOMPARE(window->places().current(), "pipeline");
-    QTest::qWait(50);
+    settle();
     const auto leftOf = [&](const QWidget &widget) { return widget.mapTo(window.get(), QPoint(0, 0)).x(); };
     for (const char *name : {"parameters", "pipeline", "inspector"})
         QVERIFY2(isSeen(*window, name), name);
@@ -92,21 +93,21 @@ void TestMainWindow::eachPlaceShowsItsPanels()
     QVERIFY(dockOf(*window, "inspector")->mapTo(window.get(), QPoint(0, 0)).y() > view.height());
     QVERIFY(window->tabifiedDockWidgets(dockOf(*window, "inspector")).contains(dockOf(*window, "lifecycle")));
     actionOf(*window, QStringLiteral("Click"))->trigger();
-    QTRY_VERIFY(isSeen(*window, "comparison"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "comparison"), kPatienceMilliseconds);
     QVERIFY(dockOf(*window, "parameters")->isHidden());
 }
 
 void TestMainWindow::aPanelAskedForComesToTheFront()
 {
     const auto window = windowOfSize({1280, 800});
-    QTRY_VERIFY(isSeen(*window, "comparison"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "comparison"), kPatienceMilliseconds);
     for (const char *name : {"pipeline", "objects", "comparison"}) {
         QDockWidget *dock = dockOf(*window, name);
         if (!dock->isHidden())
             dock->toggleViewAction()->trigger();
         QVERIFY(dock->isHidden());
         dock->toggleViewAction()->trigger();
-        QTRY_VERIFY2(isSeen(*window, name), name);
+        QTRY_VERIFY2_WITH_TIMEOUT(isSeen(*window, name), name, kPatienceMilliseconds);
     }
 }
 
@@ -115,7 +116,7 @@ void TestMainWindow::aPlaceCanBeMadeNarrow()
     for (const char *place : {"click", "pipeline"}) {
         const auto window = windowOfSize({1280, 800});
         window->places().enter(place);
-        QTest::qWait(50);
+        settle();
         QVERIFY2(window->minimumSizeHint().width() <= 800 && window->minimumSizeHint().height() <= 600,
                  qPrintable(QStringLiteral("%1: %2 x %3")
                                 .arg(QLatin1String(place))
@@ -129,7 +130,7 @@ void TestMainWindow::theViewKeepsItsHalfOfASmallWindow()
     const auto window = windowOfSize({800, 600});
     for (const char *place : {"click", "pipeline"}) {
         window->places().enter(place);
-        QTest::qWait(50);
+        settle();
         QCOMPARE(window->size(), QSize(800, 600));
         QVERIFY2(2 * window->view().width() >= window->width(), place);
         QVERIFY2(2 * window->view().height() >= window->height(), place);
@@ -144,9 +145,9 @@ void TestMainWindow::theViewCanHaveTheWholeWindow()
     const auto window = windowOfSize({1280, 800});
     const int before = window->view().width();
     window->hidePanels(true);
-    QTRY_COMPARE(window->view().width(), window->width());
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().width(), window->width(), kPatienceMilliseconds);
     window->hidePanels(false);
-    QTRY_COMPARE(window->view().width(), before);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().width(), before, kPatienceMilliseconds);
 }
 
 void TestMainWindow::eachPlaceKeepsItsLayoutAndCanBeReset()
@@ -155,7 +156,7 @@ void TestMainWindow::eachPlaceKeepsItsLayoutAndCanBeReset()
         const auto window = windowOfSize({1280, 800}, true);
         window->addDockWidget(Qt::LeftDockWidgetArea, dockOf(*window, "comparison"));
         window->places().enter("pipeline");
-        QTest::qWait(20);
+        settle(20);
         dockOf(*window, "inspector")->hide();
         dockOf(*window, "lifecycle")->hide();
         window->places().enter("click");
@@ -189,13 +190,13 @@ void TestMainWindow::narrowingAndWideningBringsTheOldLayoutBack()
     QFETCH(QString, place);
     const auto window = windowOfSize({1280, 800});
     window->places().enter(place.toUtf8().constData());
-    QTest::qWait(50);
+    settle();
     const QSize before = window->view().size();
     for (const QSize &size : {QSize(1000, 640), QSize(800, 600), QSize(1280, 800)}) {
         window->resize(size);
-        QTest::qWait(50);
+        settle();
     }
-    QTRY_COMPARE(window->view().size(), before);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), before, kPatienceMilliseconds);
 }
 
 void TestMainWindow::nothingThatIsSaidChangesTheViewsSize_data()
@@ -209,7 +210,7 @@ void TestMainWindow::nothingThatIsSaidChangesTheViewsSize()
     QFETCH(QString, place);
     const auto window = windowOfSize({1280, 800});
     window->places().enter(place.toUtf8().constData());
-    QTest::qWait(50);
+    settle();
     SceneView &view = window->view();
     const QSize before = view.size();
     const QPointF middle(before.width() / 2.0, before.height() / 2.0);
@@ -219,13 +220,13 @@ void TestMainWindow::nothingThatIsSaidChangesTheViewsSize()
         window->document().fit();
         for (const QPointF &place2 : {middle, middle + QPointF(3.0, 1.0), QPointF(2.0, 2.0)}) {
             click(view, place2);
-            QTest::qWait(10);
+            settle(10);
             QCOMPARE(view.size(), before);
         }
         for (const int notches : {3, -6}) {
             turnWheel(view, middle, notches);
             QTest::mouseMove(&view, middle.toPoint() + QPoint(notches, 1));
-            QTest::qWait(10);
+            settle(10);
             QCOMPARE(view.size(), before);
         }
     }
@@ -236,7 +237,7 @@ void TestMainWindow::theViewGetsTheSizeThatIsAskedFor()
     const auto window = windowOfSize({1280, 800});
     for (const QSize &size : {QSize(600, 500), QSize(640, 480), QSize(333, 257)}) {
         window->setViewSize(size);
-        QTRY_COMPARE(window->view().size(), size);
+        QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), size, kPatienceMilliseconds);
     }
 }
 
@@ -245,7 +246,7 @@ void TestMainWindow::aPanelsNameStandsOnce()
     const auto window = windowOfSize({1280, 800});
     for (const char *place : {"click", "pipeline"}) {
         window->places().enter(place);
-        QTest::qWait(50);
+        settle();
         for (const char *name : kPanels) {
             QDockWidget *dock = dockOf(*window, name);
             if (dock->isHidden())
@@ -265,7 +266,8 @@ void TestMainWindow::theViewFromOutsideLeavesTheViewAlone()
     QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
     action->trigger();
     auto *outside = window->findChild<ObserverView *>();
-    QVERIFY(outside && QTest::qWaitFor([&] { return outside->isVisible() && outside->isReady(); }));
+    QVERIFY(outside
+            && QTest::qWaitFor([&] { return outside->isVisible() && outside->isReady(); }, kPatienceMilliseconds));
     QCOMPARE(window->view().size(), alone);
     const auto standsInTheView = [&] {
         const QPoint corner = window->view().mapFromGlobal(outside->mapToGlobal(QPoint(0, 0)));
@@ -273,10 +275,10 @@ void TestMainWindow::theViewFromOutsideLeavesTheViewAlone()
     };
     QVERIFY(standsInTheView());
     window->resize(900, 640);
-    QTest::qWait(50);
+    settle();
     QVERIFY(standsInTheView());
     action->trigger();
-    QTRY_VERIFY(!outside->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!outside->isVisible(), kPatienceMilliseconds);
 }
 
 void TestMainWindow::theViewFromOutsideCanBeAPanel()
@@ -285,11 +287,11 @@ void TestMainWindow::theViewFromOutsideCanBeAPanel()
     actionOf(*window, QStringLiteral("View from Outside"))->trigger();
     auto *panel = window->findChild<ObserverPanel *>();
     emit panel->dockRequested(true);
-    QTRY_VERIFY(isSeen(*window, "observer"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "observer"), kPatienceMilliseconds);
     QVERIFY(dockOf(*window, "observer")->isAncestorOf(panel) && panel->isVisible());
     emit panel->dockRequested(false);
     QVERIFY(dockOf(*window, "observer")->isHidden());
-    QTRY_VERIFY(panel->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible(), kPatienceMilliseconds);
     QVERIFY(!dockOf(*window, "observer")->isAncestorOf(panel));
 }
 
@@ -299,7 +301,7 @@ void TestMainWindow::theMorphHasRoomInACorner()
     window->places().enter(kPipelinePlace);
     actionOf(*window, QStringLiteral("View from Outside"))->setChecked(true);
     const auto *slider = window->findChild<ObserverPanel *>()->findChild<QSlider *>();
-    QTRY_VERIFY(slider->isVisible() && slider->width() >= 3 * slider->height());
+    QTRY_VERIFY_WITH_TIMEOUT(slider->isVisible() && slider->width() >= 3 * slider->height(), kPatienceMilliseconds);
 }
 
 void TestMainWindow::noPanelTakesAMenusLetter()
@@ -322,7 +324,7 @@ void TestMainWindow::aDarkWindowHasADarkView()
     const auto corner = [&] { return window->view().grabFramebuffer().pixelColor(3, 3).lightness(); };
     QVERIFY(corner() > 160);
     setAppearance(Appearance::Dark);
-    QTest::qWait(50);
+    settle();
     QVERIFY(corner() < 96);
     // What the viewport leaves of the view, too, and apart from what lies behind the objects.
     ViewportRule lowerRight;
@@ -330,11 +332,11 @@ void TestMainWindow::aDarkWindowHasADarkView()
     const int behindObjects = corner();
     const DepthRange depths = window->document().scene().depthRange;
     QVERIFY(window->document().editViewport(lowerRight, depths, {QStringLiteral("Viewport")}));
-    QTest::qWait(50);
+    settle();
     QVERIFY(corner() < behindObjects - 10);
     QVERIFY(window->document().editViewport({}, depths, {QStringLiteral("Viewport")}));
     setAppearance(Appearance::Desktop);
-    QTest::qWait(50);
+    settle();
     QVERIFY(corner() > 160);
 }
 

@@ -7,6 +7,7 @@
 #include "gui/view/scene_view.h"
 #include "gui/window/map_overlay.h"
 #include "tests/gui/window_user.h"
+#include "tests/support/patience.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -113,7 +114,7 @@ void TestMapOverlay::itComesAndGoes()
     QCOMPARE(action->shortcut(), QKeySequence(Qt::Key_M));
     action->trigger();
     QVERIFY(!window->map().panel().isHidden());
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     const Picture before = window->document().geometry();
     QVERIFY(window->map().map()->picture == before);
 
@@ -122,7 +123,7 @@ void TestMapOverlay::itComesAndGoes()
     window->document().setCamera(camera);
     QVERIFY(window->map().map() == nullptr); // no stale colours
     QVERIFY(window->map().image().isNull());
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     QVERIFY(window->map().map()->picture == window->document().geometry());
     QVERIFY(!(window->map().map()->picture == before));
 
@@ -138,7 +139,7 @@ void TestMapOverlay::itIsOfThePicture()
 {
     const auto window = windowOfSize({900, 600});
     window->map().setShown(true);
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *window->map().map();
     const Picture &picture = window->document().geometry();
     QCOMPARE(made.map.widthPixels, picture.surface.widthPixels);
@@ -176,7 +177,7 @@ void TestMapOverlay::theQuestion()
     QVERIFY(!convention->isHidden());
     convention->setCurrentIndex(2);
     boxOf(*window, "Unit")->setCurrentIndex(1);
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     const maps::Question &question = window->map().map()->question;
     QVERIFY(question.quantity == maps::Quantity::Displacement);
     QVERIFY(question.unit == maps::Unit::Ulps);
@@ -196,7 +197,7 @@ void TestMapOverlay::files()
     };
     QVERIFY(!window->map().exportTo(path("none.pfm")).isEmpty()); // no map yet
     window->map().setShown(true);
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     QCOMPARE(window->map().exportTo(path("a.PFM")), QString());
     QCOMPARE(window->map().exportTo(path("a.png")), QString());
     QFile pfm(folder.filePath("a.PFM"));
@@ -217,7 +218,7 @@ void TestMapOverlay::pointsAreOverTheMap()
     SceneDocument &document = window->document();
     SceneView &view = window->view();
     window->map().setShown(true);
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     const std::optional<DevicePixel> pixel = seenPixel(window->map().map()->map);
     QVERIFY(pixel);
     const QImage shown = view.grabFramebuffer();
@@ -257,7 +258,7 @@ void TestMapOverlay::uncertaintyIsThatOfAClick()
     const auto window = windowOfSize({900, 600});
     boxOf(*window, "What the map shows")->setCurrentIndex(3);
     window->map().setShown(true);
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *window->map().map();
     const Picture &picture = window->document().geometry();
     for (const double share : {0.4, 0.5, 0.6}) {
@@ -277,7 +278,7 @@ void TestMapOverlay::noEffectIsNoDifference()
     QComboBox *convention = boxOf(*window, "Whose displacement");
     convention->setCurrentIndex(convention->findText("the viewport's origin ignored")); // it is 0, 0
     window->map().setShown(true);
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     QVERIFY(window->map().map()->statistics.count > 0);
     QCOMPARE(window->map().map()->statistics.greatest, 0.0);
     const QList<QLabel *> labels = window->map().panel().findChildren<QLabel *>();

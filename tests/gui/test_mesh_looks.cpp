@@ -1,6 +1,7 @@
 // The colour of a surface that faces the viewer, for every kind of mesh that has shaders of its own.
 
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QTest>
 
@@ -113,7 +114,7 @@ void TestMeshLooks::aMeshHasItsColor()
     view.setSmoothEdges(false);
     view.resize(240, 200);
     view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QVERIFY(QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds));
     const QImage picture = view.grabFramebuffer();
     // Beside the middle, where the axes are drawn.
     const QColor shown = picture.pixelColor(picture.width() * 11 / 20, picture.height() * 9 / 20);
@@ -179,7 +180,7 @@ void TestMeshLooks::backSidesAreLeftOutWhereNobodySeesThem()
         view.setSmoothEdges(false);
         view.resize(240, 200);
         view.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        QVERIFY(QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds));
         const QImage picture = view.grabFramebuffer();
         const QColor shown = picture.pixelColor(picture.width() * 11 / 20, picture.height() * 9 / 20);
         QVERIFY2((shown.red() > shown.blue() + 60) == isDrawn, qPrintable(shown.name()));

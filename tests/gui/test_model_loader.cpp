@@ -2,6 +2,7 @@
 
 #include "gui/document/model_loader.h"
 #include "gui/document/model_store.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -15,8 +16,6 @@ using namespace unprojector::gui;
 using unprojector::mesh_import::ImportError;
 
 namespace {
-
-constexpr int kLoadMilliseconds = 60000;
 
 QByteArray manyTriangles(int count)
 {
@@ -72,7 +71,7 @@ void TestModelLoader::theGoodFilesComeInOrderAndTheOthersSayWhy()
     QSignalSpy progressed(&loader, &ModelLoader::progressed);
     loader.load({m_large, m_broken, m_small});
     QVERIFY(loader.isLoading());
-    QVERIFY(finished.wait(kLoadMilliseconds));
+    QVERIFY(finished.wait(kPatienceMilliseconds));
     QVERIFY(!loader.isLoading());
 
     const auto models = finished[0][0].value<std::vector<LoadedModel>>();
@@ -114,7 +113,7 @@ void TestModelLoader::aSecondLoadingTakesTheFirstOnesPlace()
     loader.load({m_large});
     loader.load({m_small});
     QCOMPARE(cancelled.size(), 1);
-    QVERIFY(finished.wait(kLoadMilliseconds));
+    QVERIFY(finished.wait(kPatienceMilliseconds));
     QCOMPARE(finished.size(), 1);
     const auto models = finished[0][0].value<std::vector<LoadedModel>>();
     QCOMPARE(models.size(), std::size_t(1));

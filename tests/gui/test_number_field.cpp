@@ -3,6 +3,7 @@
 #include "core/geometry/angle.h"
 #include "gui/panels/parameters/digit_step.h"
 #include "gui/panels/parameters/number_field.h"
+#include "tests/support/patience.h"
 
 #include <QTest>
 #include <QToolTip>
@@ -61,7 +62,7 @@ void TestNumberField::init()
     m_window->resize(300, 100);
     m_window->show();
     m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kPatienceMilliseconds));
     m_other->setFocus();
 }
 
@@ -110,7 +111,7 @@ void TestNumberField::withTheFocusItShowsAllDigits()
     m_other->setFocus();
     QCOMPARE(m_field->text(), QStringLiteral("0.3333333333333333"));
     m_field->setFixedWidth(m_field->minimumSizeHint().width());
-    QTRY_VERIFY(m_field->text().size() < 14);
+    QTRY_VERIFY_WITH_TIMEOUT(m_field->text().size() < 14, kPatienceMilliseconds);
     m_field->setFocus();
     QCOMPARE(m_field->text(), QStringLiteral("0.3333333333333333"));
     QVERIFY(!m_field->isTyping());
@@ -120,7 +121,7 @@ void TestNumberField::aNarrowFieldShowsFewerDigits()
 {
     m_field->setValue(-1.0 / 3.0);
     m_field->setFixedWidth(m_field->fontMetrics().horizontalAdvance(QStringLiteral("-0.3333")) + 20);
-    QTRY_VERIFY(m_field->text().size() <= QStringLiteral("-0.3333333").size());
+    QTRY_VERIFY_WITH_TIMEOUT(m_field->text().size() <= QStringLiteral("-0.3333333").size(), kPatienceMilliseconds);
     QVERIFY2(m_field->text().startsWith(QStringLiteral("-0.33")), qPrintable(m_field->text()));
     QVERIFY(m_field->value() == -1.0 / 3.0);
 }
@@ -259,8 +260,8 @@ void TestNumberField::typingIsFinishedBy()
         QWidget window;
         window.show();
         window.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&window));
-        QTRY_COMPARE(commits, 1);
+        QVERIFY(QTest::qWaitForWindowActive(&window, kPatienceMilliseconds));
+        QTRY_COMPARE_WITH_TIMEOUT(commits, 1, kPatienceMilliseconds);
         break;
     }
     case 7:

@@ -7,6 +7,7 @@
 #include "gui/panels/observer_panel.h"
 #include "gui/view/observer_view.h"
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -103,7 +104,7 @@ void TestObserverView::init()
     m_panel = std::make_unique<ObserverPanel>(*m_document);
     m_panel->resize(500, 600);
     m_panel->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get(), kPatienceMilliseconds));
     view().grabFramebuffer();
 }
 
@@ -323,7 +324,7 @@ void TestObserverView::aPictureThatCannotBeDrawnIsToldOnce()
     QSignalSpy failed(&wide, &ObserverView::failed);
     wide.resize(kMostDrawnPixels + 100, 160);
     window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QVERIFY(QTest::qWaitForWindowExposed(&window, kPatienceMilliseconds));
     for (int i = 0; i < 3; ++i)
         (void)wide.grabFramebuffer();
     QCOMPARE(failed.size(), 1);
@@ -335,7 +336,7 @@ void TestObserverView::aPictureThatCannotBeDrawnIsToldOnce()
     (void)wide.grabFramebuffer();
     QCOMPARE(failed.size(), 2);
     wide.resize(300, 200);
-    QTRY_COMPARE(wide.size(), QSize(300, 200));
+    QTRY_COMPARE_WITH_TIMEOUT(wide.size(), QSize(300, 200), kPatienceMilliseconds);
     (void)wide.grabFramebuffer();
     QCOMPARE(failed.size(), 2);
 }
@@ -355,7 +356,7 @@ void TestObserverView::itIsDrawnWhereverItIsMoved()
     }
     window.resize(900, 500);
     window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QVERIFY(QTest::qWaitForWindowExposed(&window, kPatienceMilliseconds));
     const auto isDrawn = [&] {
         const QPoint middle = view().mapTo(&window, view().rect().center());
         const QImage shown = window.screen()->grabWindow(window.winId()).toImage();
@@ -366,7 +367,7 @@ void TestObserverView::itIsDrawnWhereverItIsMoved()
         home[i]->layout()->addWidget(m_panel.get());
         home[i]->show();
         m_panel->show();
-        QTRY_VERIFY_WITH_TIMEOUT(isDrawn(), 3000);
+        QTRY_VERIFY_WITH_TIMEOUT(isDrawn(), kPatienceMilliseconds);
     }
     m_panel->setParent(nullptr);
 }

@@ -5,6 +5,7 @@
 #include "panel_user.h"
 
 #include "gui/text/translation.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QFile>
@@ -132,31 +133,31 @@ void TestParametersLayout::nothingIsCut()
     const int least = m_panel->minimumSizeHint().width();
     QVERIFY2(least <= 300.0 * points / 9.0, qPrintable(QString::number(least)));
     m_panel->resize(static_cast<int>(std::lround(least * width)), 600);
-    QTRY_COMPARE(whatIsCut(), QString());
+    QTRY_COMPARE_WITH_TIMEOUT(whatIsCut(), QString(), kPatienceMilliseconds);
 
     // Every kind of projection and of viewport.
     Scene scene = fullScene();
     oblique(scene);
     letterbox(scene);
     open(scene);
-    QTRY_COMPARE(whatIsCut(), QString());
+    QTRY_COMPARE_WITH_TIMEOUT(whatIsCut(), QString(), kPatienceMilliseconds);
     perspective(scene);
     scene.viewport = {};
     open(scene);
-    QTRY_COMPARE(whatIsCut(), QString());
+    QTRY_COMPARE_WITH_TIMEOUT(whatIsCut(), QString(), kPatienceMilliseconds);
 
     // What is refused, in sentences.
     for (const char *name : {"eyeX", "upY", "fovy", "nearDistance", "farDistance", "depthAtFar"})
         type(QString::fromLatin1(name), QStringLiteral("1,2,3"));
     type(field(QStringLiteral("number2"), QStringLiteral("step2")), QStringLiteral("0"));
     QVERIFY(field(QStringLiteral("fovy"))->isBad());
-    QTRY_COMPARE(whatIsCut(), QString());
+    QTRY_COMPARE_WITH_TIMEOUT(whatIsCut(), QString(), kPatienceMilliseconds);
 
     // And with nothing in it.
     scene.objects.clear();
     scene.clipPlanes.clear();
     open(scene);
-    QTRY_COMPARE(whatIsCut(), QString());
+    QTRY_COMPARE_WITH_TIMEOUT(whatIsCut(), QString(), kPatienceMilliseconds);
 }
 
 void TestParametersLayout::numbersShareARowWhereTheyFit()

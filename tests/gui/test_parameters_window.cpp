@@ -8,6 +8,7 @@
 #include "gui/panels/parameters/parameter_group.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/window/work_places.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QLabel>
@@ -139,7 +140,7 @@ void TestParametersWindow::savingSavesTheNameThatIsTyped()
     QFile saved(file);
     QVERIFY(saved.open(QIODevice::ReadOnly));
     QVERIFY(saved.readAll().contains("typed name"));
-    QTRY_VERIFY(!list->viewport()->findChild<QLineEdit *>());
+    QTRY_VERIFY_WITH_TIMEOUT(!list->viewport()->findChild<QLineEdit *>(), kPatienceMilliseconds);
 }
 
 void TestParametersWindow::theProjectionIsCalledByItsName_data()

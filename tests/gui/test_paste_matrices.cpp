@@ -8,6 +8,7 @@
 #include "gui/panels/paste_matrices_dialog.h"
 #include "gui/panels/pasted_matrix_box.h"
 #include "gui/panels/pipeline_panel.h"
+#include "tests/support/patience.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -97,7 +98,7 @@ struct Pasting {
         document.setSurface(surfaceFromWidget(400, 300, 1.0));
         document.setObjects(cubeScene());
         dialog.show();
-        if (!QTest::qWaitForWindowExposed(&dialog))
+        if (!QTest::qWaitForWindowExposed(&dialog, kPatienceMilliseconds))
             qFatal("The dialog is not shown.");
     }
     PastedMatrixBox *box(MatrixRole role) const
@@ -513,7 +514,7 @@ void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
     PipelinePanel panel(document);
     panel.resize(460, 2000);
     panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMilliseconds));
     QGuiApplication::clipboard()->setText(printed(view(), "Eigen"));
     const QSignalSpy typedCounts(&panel, &PipelinePanel::aboutToPaste);
     for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {

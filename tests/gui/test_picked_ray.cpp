@@ -6,6 +6,7 @@
 #include "core/ray/drawn_surface.h"
 #include "core/scene/solids.h"
 #include "tests/support/mesh_model.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -18,8 +19,6 @@ using namespace unprojector::gui;
 using namespace documenttest;
 
 namespace {
-
-constexpr int kPatienceMilliseconds = 60000;
 
 using Happening = std::function<void(SceneDocument &)>;
 

@@ -1,6 +1,7 @@
 // What a click of the mouse reads: surfaces, and never what is only drawn.
 
 #include "picking.h"
+#include "tests/support/patience.h"
 
 #include <QAction>
 
@@ -182,7 +183,7 @@ void TestPicking::clickingTheMarkerGivesTheSamePoint()
     click(view, position);
     const glm::dvec3 first = picked(*window);
     const double depth = window->document().pick()->window.z;
-    QTest::qWait(30); // the marker is on the screen
+    settle(30); // the marker is on the screen
     click(view, position);
     QCOMPARE(window->document().pick()->window.z, depth);
     QCOMPARE(picked(*window), first);
@@ -204,7 +205,7 @@ void TestPicking::smoothEdgesCanBeSwitchedWhileAPickIsShown()
         const glm::dvec3 shown = picked(*window);
         smooth->trigger();
         QCOMPARE(smooth->isChecked(), on);
-        QTest::qWait(30);
+        settle(30);
         QCOMPARE(picked(*window), shown); // nothing that was picked is lost
         click(window->view(), position);
         QVERIFY(window->document().pick()->hit());
@@ -226,11 +227,12 @@ void TestPicking::thePointerIsReadOutWithoutPicking()
     const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, -0.3));
     const DevicePixel pixel = pixelUnder(view, position);
     sendMouse(view, QEvent::MouseMove, position, Qt::NoButton, Qt::NoButton);
-    QTRY_VERIFY(readOut().startsWith(QStringLiteral("world (4.25, "))
-                || readOut().startsWith(QStringLiteral("world (4.2, ")));
+    QTRY_VERIFY_WITH_TIMEOUT(readOut().startsWith(QStringLiteral("world (4.25, "))
+                                 || readOut().startsWith(QStringLiteral("world (4.2, ")),
+                             kPatienceMilliseconds);
     QVERIFY2(readOut().endsWith(QStringLiteral("pixel (%1, %2)").arg(pixel.i).arg(pixel.j)), qPrintable(readOut()));
     sendMouse(view, QEvent::MouseMove, QPointF(view.width() - 5.0, 5.0), Qt::NoButton, Qt::NoButton);
-    QTRY_VERIFY(readOut().startsWith(QStringLiteral("background, pixel")));
+    QTRY_VERIFY_WITH_TIMEOUT(readOut().startsWith(QStringLiteral("background, pixel")), kPatienceMilliseconds);
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&view, &leave);
     QVERIFY(readOut().isEmpty());

@@ -1,6 +1,7 @@
 // Points from files and into files, alone and with their models.
 
 #include "point_desk.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 
@@ -188,7 +189,7 @@ void TestPointFiles::aPointOnAnObjectThatIsNotThereIsFree()
     // A scan's are the scan's, whatever it was called.
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z,object,face,u,v,w\na,2.5,5,0,old.obj,1,0.5,0.25,0.25\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(points()[0].object, std::string("square.obj"));
     QVERIFY2(m_warnings.back().contains(QStringLiteral("“old.obj”")), qPrintable(m_warnings.back()));
 }

@@ -4,6 +4,7 @@
 #include "gui/view/point_loupe.h"
 #include "gui/view/point_marks.h"
 #include "gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QAction>
 #include <QImage>
@@ -212,11 +213,11 @@ void TestPointView::whatIsToldGoesWithTheView()
     std::vector<WidgetPoint> told;
     connect(&view, &SceneView::hovered, this, [&told](const WidgetPoint &position) { told.push_back(position); });
     sendMouse(view, QEvent::MouseMove, localOf(*window, kFront), Qt::NoButton, Qt::NoButton);
-    QTRY_COMPARE(told.size(), std::size_t(1));
+    QTRY_COMPARE_WITH_TIMEOUT(told.size(), std::size_t(1), kPatienceMilliseconds);
     LookAt camera = window->document().scene().camera;
     camera.eye += WorldVector(0.2, 0.0, 0.0);
     window->document().setCamera(camera); // as by a key, while the pointer rests
-    QTRY_COMPARE(told.size(), std::size_t(2));
+    QTRY_COMPARE_WITH_TIMEOUT(told.size(), std::size_t(2), kPatienceMilliseconds);
     QVERIFY(told[0] == told[1]);
 }
 

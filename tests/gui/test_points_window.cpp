@@ -11,6 +11,7 @@
 #include "gui/panels/points_table.h"
 #include "gui/view/point_marks.h"
 #include "gui/window/overlay_bars.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QFile>
@@ -73,7 +74,7 @@ void TestPointsWindow::droppedPointsComeToTheTable()
     write(QStringLiteral("p.csv"), "name,x,y,z\nfirst,1,2,0\n");
     emit window->view().filesDropped(
         {QUrl::fromLocalFile(path(QStringLiteral("p.csv"))), QUrl::fromLocalFile(path(QStringLiteral("a.obj")))});
-    QTRY_COMPARE(window->document().landmarks().size(), std::size_t(1));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(1), kPatienceMilliseconds);
     window->places().show("points");
     QVERIFY(isSeen(*window, "points"));
     auto *table = window->findChild<PointsTable *>();
@@ -104,8 +105,8 @@ void TestPointsWindow::aDroppedTemplateHasItsNamesPlaced()
     // With a model, to that one.
     emit window->view().filesDropped(
         {QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL"))), QUrl::fromLocalFile(path(QStringLiteral("a.obj")))});
-    QTRY_COMPARE(window->document().objects().size(), std::size_t(1));
-    QTRY_COMPARE(window->document().landmarks().size(), std::size_t(2));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().objects().size(), std::size_t(1), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(2), kPatienceMilliseconds);
     write(QStringLiteral("t.PPTPL"), "<PickedPoints/>");
     emit window->view().filesDropped({QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL")))});
     QVERIFY2(window->message().contains(QStringLiteral("t.PPTPL")), qPrintable(window->message()));
@@ -136,7 +137,7 @@ void TestPointsWindow::keysGoThroughASeries()
 {
     std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
     QVERIFY(window->series().open(m_folder->path().toStdU16String()));
-    QTRY_COMPARE(window->document().objects().size(), std::size_t(1));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().objects().size(), std::size_t(1), kPatienceMilliseconds);
     QVERIFY(actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
     QVERIFY(!actionOf(*window, QStringLiteral("Previous Scan"))->isEnabled());
     landmarks::Landmark point;
@@ -144,9 +145,9 @@ void TestPointsWindow::keysGoThroughASeries()
     point.world = WorldPoint(1.0, 2.0, 0.0);
     QVERIFY(window->document().points().place(point));
     window->activateWindow(); // keys are for the active one
-    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     QTest::keyClick(&window->view(), Qt::Key_PageDown, Qt::ControlModifier);
-    QTRY_COMPARE(window->document().objects()[0].name, std::string("b.obj"));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, std::string("b.obj"), kPatienceMilliseconds);
     QVERIFY(QFile::exists(path(QStringLiteral("a.obj.points.csv"))));
     QCOMPARE(window->document().landmarks().size(), std::size_t(1)); // it waits here
     QVERIFY(window->document().landmarks()[0].isMissing());
@@ -160,7 +161,7 @@ void TestPointsWindow::whatIsBeingTypedIsKeptWithItsScan()
     write(QStringLiteral("a.obj.points.csv"), "name,x,y,z\nfirst,1,2,0\nlast,,,\n");
     const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
     QVERIFY(window->series().open(m_folder->path().toStdU16String()));
-    QTRY_COMPARE(window->document().landmarks().size(), std::size_t(2));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(2), kPatienceMilliseconds);
     window->places().show("points");
     auto *table = window->findChild<PointsTable *>();
     const auto type = [table](const QString &text) {
@@ -177,11 +178,11 @@ void TestPointsWindow::whatIsBeingTypedIsKeptWithItsScan()
     };
     type(QStringLiteral("nasion"));
     window->series().next();
-    QTRY_COMPARE(window->document().objects()[0].name, std::string("b.obj"));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, std::string("b.obj"), kPatienceMilliseconds);
     QVERIFY2(kept().contains("nasion,1,2,0"), kept().constData());
     QVERIFY(window->document().landmarks()[0].isMissing());
     window->series().previous();
-    QTRY_COMPARE(window->document().objects()[0].name, std::string("a.obj"));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, std::string("a.obj"), kPatienceMilliseconds);
     type(QStringLiteral("bregma"));
     QVERIFY(window->close());
     QVERIFY2(kept().contains("bregma,1,2,0"), kept().constData());
@@ -226,9 +227,9 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         SceneView &view = window->view();
         answer(path(QStringLiteral("hill.obj")));
         actionOf(*window, QStringLiteral("Open…"))->trigger();
-        QTRY_COMPARE(document.objects()[0].name, std::string("hill.obj"));
+        QTRY_COMPARE_WITH_TIMEOUT(document.objects()[0].name, std::string("hill.obj"), kPatienceMilliseconds);
         window->places().show("points");
-        QTest::qWait(50);
+        settle();
         answer(path(QStringLiteral("three.csv")));
         actionOf(*window, QStringLiteral("Load Template…"))->trigger();
         QCOMPARE(document.landmarks().size(), std::size_t(3));
@@ -278,7 +279,7 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         QVERIFY(number);
         QTest::keyClicks(number, QStringLiteral("5"));
         QTest::keyClick(number, Qt::Key_Return);
-        QTRY_COMPARE(document.curves().all()[0].count, 15u);
+        QTRY_COMPARE_WITH_TIMEOUT(document.curves().all()[0].count, 15u, kPatienceMilliseconds);
         QVERIFY(document.scene().camera.eye.coordinates() == eye); // no key of the camera
         for (const char *name : {"hill.csv", "hill.pp", "hill.mrk.json", "hill.fcsv", "hill.pts", "hill.tps"}) {
             answer(path(QLatin1String(name)));
@@ -301,7 +302,7 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
     }
     const std::unique_ptr<MainWindow> window = windowOfSize({1280, 900});
     window->session().openFiles({std::filesystem::path(path(QStringLiteral("hill.json")).toStdU16String())});
-    QTRY_COMPARE(window->document().landmarks().size(), std::size_t(3));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(3), kPatienceMilliseconds);
     QVERIFY(window->document().landmarkSet() == saved); // to the last digit
     for (const landmarks::Landmark &point : window->document().landmarks()) {
         const auto held = worldOf(point.hold, window->document().objects()[0]);

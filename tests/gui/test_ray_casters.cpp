@@ -3,6 +3,7 @@
 
 #include "core/scene/solids.h"
 #include "gui/document/ray_casters.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -15,8 +16,6 @@ using namespace unprojector;
 using namespace unprojector::gui;
 
 namespace {
-
-constexpr int kPatienceMilliseconds = 60000;
 
 /// 20 * 4^subdivisions triangles: up to 5 subdivisions are few.
 constexpr int kFew = 3, kMany = 7;
@@ -158,7 +157,7 @@ void TestRayCasters::noModelIsKept()
     objects.clear();
     QVERIFY(!isReady || model.expired());
     QVERIFY(isExpired(model));
-    QVERIFY(QTest::qWaitFor([&] { return !casters.isPreparing(); }));
+    QVERIFY(QTest::qWaitFor([&] { return !casters.isPreparing(); }, kPatienceMilliseconds));
 }
 
 void TestRayCasters::whoHasACasterHasItsModel()

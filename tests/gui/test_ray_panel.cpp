@@ -9,6 +9,7 @@
 #include "gui/panels/ray_table.h"
 #include "gui/text/ray_text.h"
 #include "tests/support/mesh_model.h"
+#include "tests/support/patience.h"
 
 #include <QLabel>
 #include <QTest>
@@ -21,8 +22,6 @@ using namespace unprojector::gui;
 using namespace documenttest;
 
 namespace {
-
-constexpr int kPatienceMilliseconds = 60000;
 
 Mesh pointAt(const glm::vec3 &position)
 {

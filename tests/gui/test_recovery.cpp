@@ -1,6 +1,7 @@
 // What a crash has left is offered at the next start.
 
 #include "tests/gui/kept_scene.h"
+#include "tests/support/patience.h"
 
 #include "gui/document/portable.h"
 #include "gui/document/recovery_file.h"
@@ -45,7 +46,7 @@ bool recover(MainWindow &window)
 {
     QSignalSpy ended(&window.session(), &Session::loadingEnded);
     buttonOf(window, QStringLiteral("Recover")).click();
-    return !ended.isEmpty() || ended.wait(kMostMilliseconds);
+    return !ended.isEmpty() || ended.wait(kPatienceMilliseconds);
 }
 
 /// Answers the message box that comes up next.
@@ -69,7 +70,7 @@ int runUntilKilled(const QString &folder, const QString &file)
     if (!openAndWait(*window, file) || !window->message().isEmpty())
         return 3;
     edit(*window);
-    if (!QTest::qWaitFor([&] { return !keptIn(folder).isEmpty(); }, kMostMilliseconds))
+    if (!QTest::qWaitFor([&] { return !keptIn(folder).isEmpty(); }, kPatienceMilliseconds))
         return 4;
     std::printf("kept\n");
     std::fflush(stdout);
@@ -154,9 +155,9 @@ void TestRecovery::aKilledProgramsChangesAreOfferedAndRecovered()
     program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     program.start(QCoreApplication::applicationFilePath(),
                   {QStringLiteral("--until-killed"), m_folder->recovery(), m_folder->sceneFile()});
-    QVERIFY(program.waitForStarted());
+    QVERIFY(program.waitForStarted(kPatienceMilliseconds));
     QByteArray said;
-    while (!said.contains("kept") && program.waitForReadyRead(kMostMilliseconds))
+    while (!said.contains("kept") && program.waitForReadyRead(kPatienceMilliseconds))
         said += program.readAllStandardOutput();
     QVERIFY2(said.contains("kept"), said.constData());
 
@@ -167,7 +168,7 @@ void TestRecovery::aKilledProgramsChangesAreOfferedAndRecovered()
         QVERIFY2(offeredBy(*beside).isEmpty(), "the other program is running");
     }
     program.kill();
-    QVERIFY(program.waitForFinished());
+    QVERIFY(program.waitForFinished(kPatienceMilliseconds));
     QCOMPARE(program.exitStatus(), QProcess::CrashExit);
 
     const auto window = windowKeepingIn(m_folder->recovery());
@@ -294,8 +295,8 @@ void TestRecovery::theOfferStandsBesideTheFileOfTheCommandLine()
     window->session().openFiles({pathOf(m_folder->triangleFile())});
     window->session().offerRecovery();
     window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
-    QVERIFY(!ended.isEmpty() || ended.wait(kMostMilliseconds));
+    QVERIFY(QTest::qWaitForWindowExposed(window.get(), kPatienceMilliseconds));
+    QVERIFY(!ended.isEmpty() || ended.wait(kPatienceMilliseconds));
     QVERIFY(window->windowTitle().startsWith(QStringLiteral("triangle.obj")));
     QVERIFY(barOf(*window).isVisible());
     QVERIFY(!QApplication::activeModalWidget());

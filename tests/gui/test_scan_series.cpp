@@ -5,6 +5,7 @@
 #include "gui/document/lesson_player.h"
 #include "gui/text/error_text.h"
 #include "point_desk.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 
@@ -41,7 +42,7 @@ void TestScanSeries::whatIsKeptWithAScanIsLetGoToo()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z,object,face,u,v,w\na,1,2,0,square.obj,7,1,0,0\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(points().size(), std::size_t(1));
     QVERIFY(std::holds_alternative<landmarks::Free>(points()[0].hold));
     QCOMPARE(m_warnings.size(), 1);
@@ -60,7 +61,7 @@ void TestScanSeries::aSeriesThatIsNotWantedLeavesTheOneBefore()
     QVERIFY(m_document->points().place(placed));
     m_answers->save = SessionQuestions::SaveAnswer::Cancel;
     QVERIFY(m_series->open(file(QStringLiteral("others"))));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_answers->saveQuestions, 1);
     QVERIFY(!m_series->isOpen()); // as if it had never been asked for
     QVERIFY(!m_series->current());
@@ -68,14 +69,14 @@ void TestScanSeries::aSeriesThatIsNotWantedLeavesTheOneBefore()
 
     m_answers->save = SessionQuestions::SaveAnswer::Discard;
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->folder(), file(QString()));
     QVERIFY(m_document->points().place(placed));
     QVERIFY(
         m_document->editTransform(0, {Translate{{1.0, 0.0, 0.0}}}, {QStringLiteral("Move")})); // this is asked about
     m_answers->save = SessionQuestions::SaveAnswer::Cancel;
     QVERIFY(m_series->open(file(QStringLiteral("others"))));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->folder(), file(QString()));
     QCOMPARE(m_series->scans().size(), std::size_t(1));
     QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
@@ -98,14 +99,14 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
     second.name = "second";
     QVERIFY(m_document->editLandmarks({first, second}, {QStringLiteral("template")}));
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->scans().size(), std::size_t(3));
     QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
     QCOMPARE(points().size(), std::size_t(2)); // what was to be placed is what is to be placed
     m_answers->saveQuestions = 0;
     placeAll(1.0);
     m_series->next();
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_answers->saveQuestions, 0);
     QVERIFY(read(QStringLiteral("a.obj.points.csv")).contains("first,1,1,0"));
     QCOMPARE(points().size(), std::size_t(2));
@@ -113,11 +114,11 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
     QCOMPARE(m_document->points().waiting(), std::optional<std::size_t>(0));
     placeAll(2.0);
     m_series->next();
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     m_series->next(); // there is none
     QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
     m_series->previous();
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(points()[1].world->x, 2.0);
     QVERIFY(!m_document->isModified());
     QVERIFY(!m_document->undoStack().canUndo());
@@ -132,7 +133,7 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
 
     // Opened again, the series goes on at the one that lacks points.
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
     open({QStringLiteral("a.obj")}); // another scene
     QCOMPARE(m_series->current(), std::optional<std::size_t>());
@@ -143,9 +144,9 @@ void TestScanSeries::aScanComesBackAfterALesson()
     for (const char *name : {"t.obj", "u.obj"})
         write(QLatin1String(name), kSquare);
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     m_series->next();
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     placeOne("first", 1.0);
     placeOne("second", 2.0);
     LessonPlayer player(*m_document, *m_session);
@@ -171,7 +172,7 @@ void TestScanSeries::aScanComesBackAfterALesson()
     QVERIFY(player.start("pipeline"));
     QVERIFY(m_document->editClipPlanes({{0.0, 1.0, 0.0, 0.25}}, {}, {QStringLiteral("Plane")}));
     m_series->next();
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QVERIFY(!player.lesson());
     QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
     QCOMPARE(m_answers->saveQuestions, 0);
@@ -192,7 +193,7 @@ void TestScanSeries::aScanThatIsNotKeptIsAskedAboutInALesson()
     QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("other")));
     write(QStringLiteral("other/v.obj"), kSquare);
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     placeOne("first", 1.0);
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\nfirst,5,5,0\n"); // by somebody else
     LessonPlayer player(*m_document, *m_session);
@@ -206,7 +207,7 @@ void TestScanSeries::aScanThatIsNotKeptIsAskedAboutInALesson()
             m_answers->save = answer;
             m_answers->saveQuestions = 0;
             leaves();
-            QTRY_VERIFY(!m_session->isLoading());
+            QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
             QCOMPARE(m_answers->saveQuestions, 1);
             if (answer == Answer::Cancel) { // who stays is in the lesson, and the scan still behind it
                 QVERIFY(player.lesson());
@@ -228,7 +229,7 @@ void TestScanSeries::anotherSceneIsNoneOfTheSeries()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->scans()[0].placedCount(), std::size_t(1));
     m_session->openBundledScene();
     QVERIFY(points().empty());
@@ -242,10 +243,10 @@ void TestScanSeries::aScanThatIsGivenUpLeavesTheOneShown()
     write(QStringLiteral("other.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,2,2,0\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     m_series->next();
     m_session->cancelLoading();
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
     QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 5.0, 0.0)));
     QVERIFY(m_series->keep());
@@ -260,7 +261,7 @@ void TestScanSeries::lookingAroundWritesNothing()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,7,7,0\n"); // by another program
     LookAt camera = m_document->scene().camera;
     camera.eye.x += 1.0;
@@ -274,13 +275,13 @@ void TestScanSeries::aSeriesWithABrokenScan()
     write(QStringLiteral("broken.obj"), "v 1 2\n");
     write(QStringLiteral("broken2.ply"), "ply\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
     QVERIFY(!m_series->scans()[0].problem.isEmpty());
     m_series->next();
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     m_series->next();
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
     QCOMPARE(m_document->objects()[0].name, std::string("square.obj"));
     QVERIFY(m_series->scans()[2].problem.isEmpty());
@@ -295,7 +296,7 @@ void TestScanSeries::aDamagedFileOfPointsIsNotWrittenOver()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,two,3\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QVERIFY(m_series->scans()[0].problem.contains(QStringLiteral("square.obj.points.csv:2:")));
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("two"));
@@ -306,7 +307,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,2,0\nb,,,\nc,,,\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     const QByteArray before = read(QStringLiteral("square.obj.points.csv"));
     QVERIFY(m_document->editTransform(0, {Rotate{90.0, {0, 0, 1}}, Scale{{2, 2, 2}}}, {QStringLiteral("turn")}));
     QVERIFY(glm::distance(points()[0].world->coordinates(), glm::dvec3(-4, 2, 0)) < 1e-12); // it has gone with its scan
@@ -349,7 +350,7 @@ void TestScanSeries::whatSomebodyElseWroteIsNotWrittenOver()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 5.0, 0.0)));
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,7,7,0\n");
     QVERIFY(!m_series->keep());
@@ -368,7 +369,7 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
     write(QStringLiteral("square.obj.points-2.csv"), damaged);
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     m_series->setPlacing(2);
     QCOMPARE(m_series->placing(), 1);
     QCOMPARE(m_failures.size(), 1);
@@ -381,7 +382,7 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     // From a damaged one it is gone on to one that is not, and what was placed meanwhile is asked about.
     write(QStringLiteral("square.obj.points.csv"), damaged);
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     Landmark placed;
     placed.world = WorldPoint(3.0, 3.0, 0.0);
     QVERIFY(m_document->points().place(placed));
@@ -427,7 +428,7 @@ void TestScanSeries::noScanGetsThePointsOfAnother()
     };
     const auto open = [&] {
         QVERIFY(m_series->open(file(QString())));
-        QTRY_VERIFY(!m_session->isLoading());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     };
     open();
     for (int step = 0; step < 300; ++step) {
@@ -461,12 +462,12 @@ void TestScanSeries::noScanGetsThePointsOfAnother()
         }
         look(kind == 10 || kind == 11);
         if (below(3) > 0) { // else what is loading is met by what comes next
-            QTRY_VERIFY(!m_session->isLoading());
+            QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
             look();
         }
         QVERIFY(!m_series->current() || *m_series->current() < m_series->scans().size());
     }
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     look();
     QVERIFY(m_series->keep());
     std::size_t count = 0;

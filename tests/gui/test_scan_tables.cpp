@@ -3,6 +3,7 @@
 #include "core/landmark_files/landmark_file.h"
 #include "gui/document/point_templates.h"
 #include "point_desk.h"
+#include "tests/support/patience.h"
 
 using namespace pointfiles;
 
@@ -24,7 +25,7 @@ void TestScanTables::tablesOfASeries()
     write(QStringLiteral("other.obj.points.csv"), "name,x,y,z\nb,1,2,0\na,3,4,0\n");
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,5,6,0\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->pointNames(), (QStringList{"b", "a"}));
     QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
     QCOMPARE(read(QStringLiteral("wide.csv")),
@@ -42,7 +43,7 @@ void TestScanTables::repeatsOfASeries()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,0,0\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QStringList told;
     connect(m_series.get(), &ScanSeries::noticed, this, [&told](const QString &text) { told << text; });
     QVERIFY(m_series->exportTable(file(QStringLiteral("repeats.csv")), ScanSeries::Table::Repeats));
@@ -82,7 +83,7 @@ void TestScanTables::whatATableLacksIsSaid()
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,two,3\n");
     write(QStringLiteral("third.obj.points.csv"), "specimen,name,x,y,z\np,a,1,2,3\nq,a,1,2,3\n");
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     for (const auto table : {ScanSeries::Table::Wide, ScanSeries::Table::Tps, ScanSeries::Table::Repeats}) {
         m_warnings.clear();
         QVERIFY(m_series->exportTable(file(QStringLiteral("all.csv")), table));
@@ -122,7 +123,7 @@ void TestScanTables::aHundredScansAndABrokenOne()
         }(),
         QStringLiteral("three"));
     QVERIFY(m_series->open(file(QString())));
-    QTRY_VERIFY(!m_session->isLoading());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->scans().size(), std::size_t(kScans));
     for (int i = 0; i < kScans; ++i) {
         QCOMPARE(m_series->current(), std::optional<std::size_t>(i));
@@ -136,7 +137,7 @@ void TestScanTables::aHundredScansAndABrokenOne()
             QVERIFY(!m_document->points().waiting());
         }
         m_series->next();
-        QTRY_VERIFY(!m_session->isLoading());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     }
     QCOMPARE(m_answers->saveQuestions, 1); // of the names that were there before
     QCOMPARE(m_failures.size(), 2);

@@ -1,6 +1,7 @@
 // The scene as code in its window: it is that of the scene as it is now, copied and saved as it is read.
 
 #include "gui/window/scene_code_window.h"
+#include "tests/support/patience.h"
 #include "window_user.h"
 
 #include <QClipboard>
@@ -65,7 +66,8 @@ void TestSceneCodeWindow::matricesOfAFileStayMatrices()
         "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, "objects": []})");
     file.close();
     m_window->session().openScene(std::filesystem::path(file.fileName().toStdU16String()));
-    QTRY_VERIFY2(shown().contains(QStringLiteral("0.0, 0.0, -1.25, -1.0")), qPrintable(shown()));
+    QTRY_VERIFY2_WITH_TIMEOUT(shown().contains(QStringLiteral("0.0, 0.0, -1.25, -1.0")), qPrintable(shown()),
+                              kPatienceMilliseconds);
 }
 
 void TestSceneCodeWindow::everyDialectIsCopiedAndSaved()

@@ -3,6 +3,7 @@
 #include "gui_scene.h"
 
 #include "gui/view/scene_view.h"
+#include "tests/support/patience.h"
 
 #include <QDir>
 #include <QFile>
@@ -42,7 +43,7 @@ private:
     static void openAndWait(MainWindow &window, const std::filesystem::path &file)
     {
         window.session().openFiles({file});
-        QVERIFY(QTest::qWaitFor([&window] { return !window.session().isLoading(); }, 10000));
+        QVERIFY(QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kPatienceMilliseconds));
     }
 
     QTemporaryDir m_folder;

@@ -2,6 +2,7 @@
 // each with and without smooth edges.
 
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QDockWidget>
 #include <QScreen>
@@ -271,8 +272,8 @@ void TestSceneView::everyDevicePixelCanBeClicked()
     for (const int size : {61, 62, 63, 64}) {
         dock->setFixedWidth(size);
         bar->setFixedHeight(size);
-        QVERIFY(QTest::qWaitFor([&] { return dock->width() == size && bar->height() == size; }));
-        QTest::qWait(20);
+        QVERIFY(QTest::qWaitFor([&] { return dock->width() == size && bar->height() == size; }, kPatienceMilliseconds));
+        settle(20);
         const QPoint corner = view.mapTo(window.get(), QPoint(0, 0));
         for (const int origin : {corner.x(), corner.y()})
             fractions.insert(origin * ratio - std::floor(origin * ratio));
@@ -323,7 +324,7 @@ void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
         return true;
     };
     // The picture reaches the screen some time after it is drawn.
-    QVERIFY2(QTest::qWaitFor(isSame, 5000),
+    QVERIFY2(QTest::qWaitFor(isSame, kPatienceMilliseconds),
              qPrintable(QStringLiteral("corner at (%1, %2), ratio %3").arg(corner.x()).arg(corner.y()).arg(ratio)));
 }
 

@@ -4,6 +4,7 @@
 
 #include "tests/gui/depth_ranges.h"
 #include "tests/gui/program_run.h"
+#include "tests/support/patience.h"
 #include "tests/support/unprojecting.h"
 
 #include <QFile>
@@ -150,7 +151,7 @@ void TestScreenshotClicks::theCommandComputesTheSamePoints()
                    space == "object" ? "object:" + QString::fromStdString(name) : space, "-"});
     command.write(printed.output);
     command.closeWriteChannel();
-    QVERIFY(command.waitForFinished(kRunMilliseconds));
+    QVERIFY(command.waitForFinished(kPatienceMilliseconds));
     QVERIFY2(command.exitCode() == 0, command.readAllStandardError().constData());
     const QList<QByteArray> rows = command.readAllStandardOutput().trimmed().split('\n');
     QCOMPARE(rows.size(), 2);
@@ -192,7 +193,7 @@ void TestScreenshotClicks::everyDepthRangeIsClickedAndComputedAgain()
     command.start(QStringLiteral(UNPROJECT_COMMAND), {"points", "--format", "jsonl", "-"});
     command.write(printed.output);
     command.closeWriteChannel();
-    QVERIFY(command.waitForFinished(kRunMilliseconds));
+    QVERIFY(command.waitForFinished(kPatienceMilliseconds));
     const QList<QByteArray> rows = command.readAllStandardOutput().trimmed().split('\n');
     const Json row = Json::parse(rows[0].toStdString(), nullptr, false);
     QVERIFY(row["formula_x"] == clicks[0]["world"]["formula"][0]

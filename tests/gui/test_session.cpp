@@ -2,6 +2,7 @@
 
 #include "core/scene/bundled_scene.h"
 #include "session_desk.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -158,7 +159,9 @@ void TestSession::aRecoveredSceneKnowsWhatItsFileHeld()
         const auto crashed = desk();
         QVERIFY(crashed->openAndWait({scene}));
         crashed->cut();
-        QTRY_VERIFY(!QDir(file(QStringLiteral("recovery"))).entryList({QStringLiteral("*.recovery")}).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !QDir(file(QStringLiteral("recovery"))).entryList({QStringLiteral("*.recovery")}).isEmpty(),
+            kPatienceMilliseconds);
     }
     write(QStringLiteral("scene.json"), kHead + R"(, "author": "somebody else"})");
     const auto desk = this->desk();
@@ -166,7 +169,7 @@ void TestSession::aRecoveredSceneKnowsWhatItsFileHeld()
     QCOMPARE(desk->session.offered().size(), std::size_t(1));
     QSignalSpy ended(&desk->session, &Session::loadingEnded);
     desk->session.recover(0);
-    QVERIFY(!ended.isEmpty() || ended.wait(kMostMilliseconds));
+    QVERIFY(!ended.isEmpty() || ended.wait(kPatienceMilliseconds));
     QVERIFY(desk->session.hasUnsavedChanges());
     QVERIFY(!desk->session.save());
     QCOMPARE(desk->answers.asked, QStringList(QStringLiteral("changed scene.json")));

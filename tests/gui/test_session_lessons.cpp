@@ -3,6 +3,7 @@
 #include "broken_texts.h"
 #include "gui/document/lesson_player.h"
 #include "session_desk.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -146,7 +147,7 @@ void TestSessionLessons::theSceneBehindALessonIsKeptInCaseOfACrash()
     QCOMPARE(desk->session.offered().size(), std::size_t(1));
     QCOMPARE(desk->session.offered()[0].name, QStringLiteral("Bundled scene"));
     desk->session.recover(0);
-    QTRY_COMPARE(desk->document.scene().clipPlanes.size(), std::size_t(1));
+    QTRY_COMPARE_WITH_TIMEOUT(desk->document.scene().clipPlanes.size(), std::size_t(1), kPatienceMilliseconds);
     // It goes with the scene, there and back, and ends with it.
     const int files = kept();
     QVERIFY(files > 0);
@@ -168,7 +169,7 @@ void TestSessionLessons::changesThatCannotBeKeptAreToldAgain()
     const auto desk = this->desk();
     desk->session.openBundledScene();
     desk->cut();
-    QTRY_COMPARE(desk->notices.size(), 1); // once, however often it fails
+    QTRY_COMPARE_WITH_TIMEOUT(desk->notices.size(), 1, kPatienceMilliseconds); // once, however often it fails
     QVERIFY2(desk->notices[0].contains(QStringLiteral("cannot be kept")), qPrintable(desk->notices[0]));
     LessonPlayer player(desk->document, desk->session);
     QVERIFY(player.start("pipeline"));
@@ -195,7 +196,7 @@ void TestSessionLessons::aStepThatCannotBeShownLeavesTheChangesKept()
     QVERIFY(!desk->session.openLesson(step, QStringLiteral("Step"), QStringLiteral("rows")));
     QCOMPARE(desk->notices.size(), 1);
     QVERIFY(QFile::remove(inTheWay));
-    QTRY_VERIFY(kept() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(kept() > 0, kPatienceMilliseconds);
     desk->session.end();
 }
 

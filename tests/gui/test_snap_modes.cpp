@@ -3,6 +3,7 @@
 #include "gui/document/ray_casters.h"
 #include "gui/panels/comparison_panel.h"
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QAction>
 #include <QToolBar>
@@ -27,7 +28,7 @@ std::unique_ptr<MainWindow> activeWindow(bool isOrtho)
 {
     auto window = cubeWindow(isOrtho);
     window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get()))
+    if (!QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds))
         qFatal("the window does not become active");
     window->view().setFocus();
     return window;

@@ -5,6 +5,7 @@
 #include "gui/window/main_window.h"
 
 #include "gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -367,7 +368,7 @@ void TestUnsavedChanges::ofALessonsSceneOnlyASavedOneIsAskedAbout()
     dock->close();
     QCOMPARE(answers.questions().size(), 2);
     QVERIFY(player.lesson());
-    QTRY_VERIFY2(dock->isVisible(), "who stays sees the lesson");
+    QTRY_VERIFY2_WITH_TIMEOUT(dock->isVisible(), "who stays sees the lesson", kPatienceMilliseconds);
     QCOMPARE(window->session().file(), path());
 }
 

@@ -1,6 +1,7 @@
 // Keys on the view: the standard views, fit, home, the projection; turning, moving, zooming and picking at the crosshair.
 
 #include "tests/gui/gui_scene.h"
+#include "tests/support/patience.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -24,7 +25,7 @@ std::unique_ptr<MainWindow> activeCubeWindow()
 {
     auto window = cubeWindow(false);
     window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get()))
+    if (!QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds))
         qFatal("the window does not become active");
     window->view().setFocus();
     return window;
@@ -102,7 +103,7 @@ void TestViewKeys::keysLookFromTheSides()
     QFETCH(QString, face);
     const auto window = cubeWindow(false);
     window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     const LookAt before = window->document().geometry().camera();
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
     const LookAt &after = window->document().geometry().camera();
@@ -122,7 +123,7 @@ void TestViewKeys::keysFitGoHomeAndSwitchTheProjection()
     document.setObjects(cubeScene());
     const Picture home = document.geometry();
     window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     SceneView &view = window->view();
 
     QTest::keyClick(&view, Qt::Key_5);
@@ -189,7 +190,7 @@ void TestViewKeys::whatEnterPicksIsTold()
     QSignalSpy told(&window->view(), &SceneView::hovered);
     QTest::keyClick(&window->view(), Qt::Key_Return);
     QVERIFY(window->document().pick() && window->document().pick()->hit());
-    QTRY_COMPARE(told.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMilliseconds);
     const auto position = told[0][0].value<WidgetPoint>();
     const Surface &surface = window->document().geometry().surface;
     QCOMPARE(*devicePixelFromWidget(surface, position), window->document().pick()->devicePixel);

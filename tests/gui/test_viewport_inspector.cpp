@@ -6,6 +6,7 @@
 #include "gui/panels/viewport_inspector.h"
 #include "gui/text/proportion_text.h"
 #include "tests/gui/depth_ranges.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -336,7 +337,7 @@ void TestViewportInspector::everythingCanBeCopied()
     ViewportInspector panel(document);
     panel.show();
     panel.setPointer(WidgetPoint(412.0, 300.0));
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMilliseconds));
     panel.actions().constFirst()->trigger();
     const QString text = QApplication::clipboard()->text();
     for (const char *part : {"Window 800 × 600", "glViewport(0, 0, 800, 600)", "= (412.5 - 0) / 800 = 0.5156",
@@ -362,7 +363,7 @@ void TestViewportInspector::atAnyWidthNothingIsCutOff()
     ViewportInspector panel(document);
     panel.resize(width, 190);
     panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMilliseconds));
     panel.setPointer(WidgetPoint(412.0, 300.0));
     QVERIFY2(panel.minimumSizeHint().width() <= 620, qPrintable(QString::number(panel.minimumSizeHint().width())));
     for (const QLabel *label : panel.findChildren<QLabel *>()) {

@@ -7,6 +7,7 @@
 #include "gui/text/translation.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/work_places.h"
+#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -119,11 +120,12 @@ void TestWindowGrid::everythingFits()
         MainWindow window(options);
         window.session().openBundledScene();
         window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window) && QTest::qWaitFor([&] { return window.view().isReady(); }));
+        QVERIFY(QTest::qWaitForWindowExposed(&window, kPatienceMilliseconds)
+                && QTest::qWaitFor([&] { return window.view().isReady(); }, kPatienceMilliseconds));
         QStringList all;
         for (const QSize &size : sizes) {
             window.resize(size);
-            QTest::qWait(10);
+            settle(10);
             // Windows makes no window larger than the screen.
             if (window.size() != size && !QRect(QPoint(), window.screen()->size()).contains(QRect(QPoint(), size))) {
                 qInfo("The screen has no room for %d x %d.", size.width(), size.height());
@@ -133,7 +135,7 @@ void TestWindowGrid::everythingFits()
             for (const char *place : {"click", "pipeline", "doctor"}) {
                 window.places().enter(place);
                 window.places().reset(); // as it starts at this size
-                QTest::qWait(10);
+                settle(10);
                 QStringList shown;
                 for (const WorkPlaces::Panel &panel : window.places().panels()) {
                     if (!panel.dock->isHidden())

@@ -10,6 +10,7 @@
 #include "gui/window/observer_inset.h"
 #include "gui/window/overlay_bars.h"
 #include "gui/window/place_ids.h"
+#include "tests/support/patience.h"
 
 #include <QLabel>
 #include <QMenu>
@@ -30,7 +31,7 @@ constexpr QSize kWide(1280, 800), kNarrow(800, 600);
 void resizeTo(MainWindow &window, const QSize &size)
 {
     window.resize(size);
-    QTest::qWait(50);
+    settle();
 }
 
 /// Takes the separator left of a dock on the right and lets it go so many pixels to the left.
@@ -42,9 +43,9 @@ void widen(MainWindow &window, const char *panel, int pixels)
     QTest::mouseMove(&window, to);
     QMouseEvent move(QEvent::MouseMove, to, window.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
     QCoreApplication::sendEvent(&window, &move);
-    QTest::qWait(20); // it follows a moment later
+    settle(20); // it follows a moment later
     QTest::mouseRelease(&window, Qt::LeftButton, {}, to);
-    QTest::qWait(20);
+    settle(20);
 }
 
 } // namespace
@@ -83,9 +84,11 @@ void TestWorkPlaces::thePanelInFrontIsKnown()
     const auto window = windowOfSize(kWide);
     QVERIFY(isSeen(*window, "comparison") && !isSeen(*window, "objects"));
     window->places().show("objects");
-    QTRY_VERIFY(!isSeen(*window, "comparison") && isSeen(*window, "objects"));
+    QTRY_VERIFY_WITH_TIMEOUT(!isSeen(*window, "comparison") && isSeen(*window, "objects"), kPatienceMilliseconds);
     window->places().enter("pipeline");
-    QTRY_VERIFY(isSeen(*window, "pipeline") && isSeen(*window, "parameters") && isSeen(*window, "inspector"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "pipeline") && isSeen(*window, "parameters")
+                                 && isSeen(*window, "inspector"),
+                             kPatienceMilliseconds);
     QVERIFY(!isSeen(*window, "lifecycle") && !isSeen(*window, "comparison"));
     dockOf(*window, "inspector")->setFloating(true);
     QVERIFY(!isSeen(*window, "inspector"));
@@ -98,7 +101,7 @@ void TestWorkPlaces::theOldSizesComeBack_data()
     const Act nothing = [](MainWindow &) {};
     const Act thereAndBack = [](MainWindow &window) {
         window.places().enter("pipeline");
-        QTest::qWait(20);
+        settle(20);
         window.places().enter("click");
     };
     QTest::newRow("narrow, then wide") << nothing << nothing;
@@ -106,11 +109,11 @@ void TestWorkPlaces::theOldSizesComeBack_data()
     QTest::newRow("another place meanwhile") << nothing << thereAndBack;
     QTest::newRow("a click into the status bar meanwhile") << nothing << Act([](MainWindow &window) {
         QTest::mouseClick(window.statusBar()->findChild<QLabel *>(), Qt::LeftButton);
-        QTest::qWait(10);
+        settle(10);
     });
     QTest::newRow("all panels hidden meanwhile") << nothing << Act([](MainWindow &window) {
         window.hidePanels(true);
-        QTest::qWait(10);
+        settle(10);
         window.hidePanels(false);
     });
     QTest::newRow("with a panel that was shown by its key")
@@ -127,14 +130,14 @@ void TestWorkPlaces::theOldSizesComeBack()
     QFETCH(Act, whileNarrow);
     const auto window = windowOfSize(kWide);
     before(*window);
-    QTest::qWait(50);
+    settle();
     const QSize wide = window->view().size();
     resizeTo(*window, kNarrow);
     QVERIFY(window->view().width() < wide.width());
     whileNarrow(*window);
-    QTest::qWait(20);
+    settle(20);
     resizeTo(*window, kWide);
-    QTRY_COMPARE(window->view().size(), wide);
+    QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), wide, kPatienceMilliseconds);
 }
 
 void TestWorkPlaces::whatTheUserMadeWiderStaysWider_data()
@@ -155,11 +158,11 @@ void TestWorkPlaces::whatTheUserMadeWiderStaysWider()
     resizeTo(*window, kNarrow);
     if (withOtherPlace) {
         window->places().enter("pipeline");
-        QTest::qWait(20);
+        settle(20);
         window->places().enter("click");
     }
     resizeTo(*window, kWide);
-    QTRY_COMPARE(dockOf(*window, "comparison")->width(), wider);
+    QTRY_COMPARE_WITH_TIMEOUT(dockOf(*window, "comparison")->width(), wider, kPatienceMilliseconds);
 }
 
 void TestWorkPlaces::theOldSizesComeBackAfterARestart()
@@ -176,7 +179,7 @@ void TestWorkPlaces::theOldSizesComeBackAfterARestart()
     const auto window = windowOfSize(kWide, true);
     QCOMPARE(window->size(), kNarrow);
     resizeTo(*window, kWide);
-    QTRY_COMPARE(dockOf(*window, "comparison")->width(), wider);
+    QTRY_COMPARE_WITH_TIMEOUT(dockOf(*window, "comparison")->width(), wider, kPatienceMilliseconds);
 }
 
 void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft_data()
@@ -198,7 +201,7 @@ void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft()
         QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
         action->trigger();
         auto *panel = window->findChild<ObserverPanel *>();
-        QTRY_VERIFY(panel->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible(), kPatienceMilliseconds);
         auto *inset = static_cast<ObserverInset *>(panel->parentWidget());
         QTest::mousePress(inset, Qt::LeftButton, {}, {2, 2});
         QMouseEvent move(QEvent::MouseMove, QPointF(-38.0, -22.0), inset->mapToGlobal(QPointF(-38.0, -22.0)),
@@ -209,7 +212,7 @@ void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft()
         QVERIFY(share.width() > 0.42);
         if (isDocked) {
             emit panel->dockRequested(true);
-            QTRY_VERIFY(isSeen(*window, "observer"));
+            QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "observer"), kPatienceMilliseconds);
         }
         if (!isShown)
             action->trigger();
@@ -224,7 +227,7 @@ void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft()
     }
     auto *panel = window->findChild<ObserverPanel *>();
     QVERIFY(panel);
-    QTRY_VERIFY(panel->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible(), kPatienceMilliseconds);
     QCOMPARE(isSeen(*window, "observer"), isDocked);
     emit panel->dockRequested(false);
     QCOMPARE(static_cast<ObserverInset *>(panel->parentWidget())->share(), share);
@@ -236,7 +239,7 @@ void TestWorkPlaces::theViewFromOutsideIsOffOnceItsDockIsClosed()
     QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
     action->trigger();
     emit window->findChild<ObserverPanel *>()->dockRequested(true);
-    QTRY_VERIFY(isSeen(*window, "observer"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "observer"), kPatienceMilliseconds);
     dockOf(*window, "observer")->close(); // as the x of its frame does
     QVERIFY(!action->isChecked());
     for (const char *place : {"pipeline", "click"}) {
@@ -246,9 +249,9 @@ void TestWorkPlaces::theViewFromOutsideIsOffOnceItsDockIsClosed()
     window->places().reset();
     QVERIFY(dockOf(*window, "observer")->isHidden());
     action->trigger();
-    QTRY_VERIFY(isSeen(*window, "observer"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "observer"), kPatienceMilliseconds);
     window->places().enter("pipeline");
-    QTRY_VERIFY(!dockOf(*window, "observer")->isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(!dockOf(*window, "observer")->isHidden(), kPatienceMilliseconds);
 }
 
 void TestWorkPlaces::aLessonHasOneButtonThatClosesIt_data()
@@ -268,7 +271,7 @@ void TestWorkPlaces::aLessonHasOneButtonThatClosesIt()
         window->places().enter(place);
         QVERIFY(window->lessons().start("rows"));
         const QDockWidget *lesson = dockOf(*window, "lesson");
-        QTRY_VERIFY(lesson->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(lesson->isVisible(), kPatienceMilliseconds);
         QCOMPARE(lesson->titleBarWidget() != nullptr, isTab);
         QToolButton *own = nullptr;
         for (QToolButton *button : lesson->findChildren<QToolButton *>()) {
@@ -311,7 +314,7 @@ void TestWorkPlaces::hiddenPanelsComeBackAsTheyAreNow()
     window->session().openBundledScene();
     window->hidePanels(false);
     QVERIFY(dockOf(*window, "lesson")->isHidden());
-    QTRY_VERIFY(isSeen(*window, "comparison"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "comparison"), kPatienceMilliseconds);
 }
 
 void TestWorkPlaces::aRightClickOffersNoEmptyPanel()
@@ -331,10 +334,10 @@ void TestWorkPlaces::theInsetsBorderAloneHasItsPointer()
     const auto window = windowOfSize(kWide);
     actionOf(*window, QStringLiteral("View from Outside"))->trigger();
     auto *panel = window->findChild<ObserverPanel *>();
-    QTRY_VERIFY(panel->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible(), kPatienceMilliseconds);
     QWidget *inset = panel->parentWidget();
     QTest::mouseMove(inset, QPoint(1, 1));
-    QTest::qWait(10);
+    settle(10);
     QCOMPARE(inset->cursor().shape(), Qt::SizeFDiagCursor);
     QVERIFY(panel->view().cursor().shape() != Qt::SizeFDiagCursor);
     QVERIFY(panel->cursor().shape() != Qt::SizeFDiagCursor);
@@ -349,8 +352,8 @@ void TestWorkPlaces::messagesAreReadBesideTheFirstSteps()
     const QPoint corner = window->view().mapFromGlobal(steps->mapToGlobal(QPoint(0, 0)));
     QVERIFY(corner.x() > 0 && corner.y() > 0);
     window->session().openFiles({"not-there.obj"});
-    QTRY_VERIFY(!window->message().isEmpty());
-    QTest::qWait(20);
+    QTRY_VERIFY_WITH_TIMEOUT(!window->message().isEmpty(), kPatienceMilliseconds);
+    settle(20);
     const auto *message = window->findChild<MessageBar *>();
     const auto placeOf = [&](const QWidget &widget) {
         return QRect(widget.mapTo(window.get(), QPoint(0, 0)), widget.size());
@@ -403,7 +406,7 @@ void TestWorkPlaces::aSmallWindowHasEveryPanelOfItsPlace()
         for (const char *panel : place.panels) {
             QVERIFY2(!dockOf(*window, panel)->isHidden(), panel);
             window->places().show(panel);
-            QTRY_VERIFY2(isSeen(*window, panel), panel);
+            QTRY_VERIFY2_WITH_TIMEOUT(isSeen(*window, panel), panel, kPatienceMilliseconds);
         }
     }
 }

@@ -40,7 +40,7 @@ inline std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remember
         window->resize(size);
     window->session().openBundledScene();
     bringUp(*window);
-    QTest::qWait(50);
+    settle();
     return window;
 }
 

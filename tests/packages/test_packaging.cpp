@@ -3,6 +3,7 @@
 #include "core/scene_file/scene_file.h"
 #include "gui/panels/icons.h"
 #include "gui/window/about_dialog.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QImage>
@@ -48,7 +49,7 @@ QString said(const QString &program, const QStringList &arguments)
     environment.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
     process.setProcessEnvironment(environment);
     process.start(program, arguments);
-    const bool ended = process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit;
+    const bool ended = process.waitForFinished(kPatienceMilliseconds) && process.exitStatus() == QProcess::NormalExit;
     const QByteArray errors = process.readAllStandardError();
     if (!ended || process.exitCode() != 0)
         qWarning("%s %s: %s", qPrintable(program), qPrintable(arguments.join(u' ')), errors.constData());

@@ -1,7 +1,5 @@
 #include "gui/text/figures/drawing.h"
 
-#include "gui/text/formula_layout.h"
-
 #include <QFontMetricsF>
 #include <QLineF>
 #include <QPainter>
@@ -19,6 +17,8 @@ constexpr double kStroke = 0.07;
 constexpr double kHeadLength = 0.55, kHeadWidth = 0.36;
 constexpr double kDotRadius = 0.17;
 constexpr double kLabelGap = 0.22;
+/// Between a label's ink and the middle of a line, and beside another label's ink.
+constexpr double kLineRoom = 0.08, kLabelRoom = 0.45;
 constexpr double kRightAngle = 0.5;
 
 constexpr float kTint = 0.16F;
@@ -34,6 +34,55 @@ QPointF towards(const QPointF &from, const QPointF &to, double length)
 {
     const double distance = QLineF(from, to).length();
     return from + (to - from) * (distance > 0.0 ? length / distance : 0.0);
+}
+
+/// From a label's anchor to its side; none for Center.
+QPointF wayOf(Drawing::Side side)
+{
+    switch (side) {
+    case Drawing::Side::Center: return {};
+    case Drawing::Side::Left: return {-1.0, 0.0};
+    case Drawing::Side::Right: return {1.0, 0.0};
+    case Drawing::Side::Above: return {0.0, -1.0};
+    case Drawing::Side::Below: return {0.0, 1.0};
+    }
+    Q_UNREACHABLE();
+}
+
+/// Moves to try in turn, the least disturbing first: short ones, and those that keep a label on its side of the anchor.
+std::vector<QPointF> movesOf(Drawing::Side side)
+{
+    constexpr double kStep = 0.05, kFarthest = 1.6, kTurn = 360.0;
+    constexpr int kWays = 24;
+    const QPointF away = wayOf(side);
+    const auto costOf = [&away](const QPointF &move) {
+        return std::hypot(move.x(), move.y()) - 0.5 * QPointF::dotProduct(away, move);
+    };
+    std::vector<QPointF> moves;
+    for (double length = kStep; length < kFarthest; length += kStep) {
+        for (int way = 0; way < kWays; ++way)
+            moves.push_back(QLineF::fromPolar(length, way * kTurn / kWays).p2());
+    }
+    std::stable_sort(moves.begin(), moves.end(),
+                     [&](const QPointF &one, const QPointF &other) { return costOf(one) < costOf(other); });
+    return moves;
+}
+
+/// Whether a piece of the line lies in the rectangle.
+bool isIn(const QRectF &rect, const QLineF &line)
+{
+    // Clipped by each pair of edges (Liang and Barsky).
+    double from = 0.0, to = 1.0;
+    const auto clip = [&](double start, double way, double low, double high) {
+        if (way == 0.0)
+            return start > low && start < high;
+        const double one = (low - start) / way, other = (high - start) / way;
+        from = std::max(from, std::min(one, other));
+        to = std::min(to, std::max(one, other));
+        return from < to;
+    };
+    return clip(line.x1(), line.dx(), rect.left(), rect.right())
+           && clip(line.y1(), line.dy(), rect.top(), rect.bottom());
 }
 
 } // namespace
@@ -59,8 +108,8 @@ std::vector<QPointF> figures::rectangle(double left, double top, double right, d
     return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
-Drawing::Drawing(QPainter &painter, const QPointF &topLeft, const QFont &font, const FigureColors &colors)
-    : m_painter(painter), m_topLeft(topLeft), m_font(font), m_colors(colors), m_em(QFontMetricsF(font).height())
+Drawing::Drawing(QPainter &painter, const QRectF &place, const QFont &font, const FigureColors &colors)
+    : m_painter(painter), m_place(place), m_font(font), m_colors(colors), m_em(QFontMetricsF(font).height())
 {
     m_painter.setRenderHint(QPainter::Antialiasing);
 }
@@ -94,6 +143,7 @@ void Drawing::line(const QPointF &from, const QPointF &to, Stroke stroke)
 {
     setPen(stroke);
     m_painter.drawLine(placed(from), placed(to));
+    avoid(QPolygonF() << placed(from) << placed(to));
 }
 
 void Drawing::path(const std::vector<QPointF> &points, Stroke stroke)
@@ -103,6 +153,7 @@ void Drawing::path(const std::vector<QPointF> &points, Stroke stroke)
     for (const QPointF &point : points)
         line << placed(point);
     m_painter.drawPolyline(line);
+    avoid(line);
 }
 
 void Drawing::outline(std::vector<QPointF> corners, Stroke stroke)
@@ -130,7 +181,9 @@ void Drawing::head(const QPointF &from, const QPointF &to, Stroke stroke)
     const QPointF across(-along.y(), along.x());
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(colorOf(stroke));
-    m_painter.drawPolygon(QPolygonF() << placed(to) << placed(base + across) << placed(base - across));
+    const QPolygonF triangle({placed(to), placed(base + across), placed(base - across), placed(to)});
+    m_painter.drawPolygon(triangle);
+    avoid(triangle);
 }
 
 void Drawing::arrow(const QPointF &from, const QPointF &to, Stroke stroke)
@@ -143,23 +196,64 @@ void Drawing::dot(const QPointF &at, Stroke stroke)
 {
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(colorOf(stroke));
-    m_painter.drawEllipse(placed(at), kDotRadius * m_em, kDotRadius * m_em);
+    const double radius = kDotRadius * m_em;
+    m_painter.drawEllipse(placed(at), radius, radius);
+    avoid(QRectF(placed(at) - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius)));
 }
 
 void Drawing::label(const QPointF &at, const QString &markup, Side side, Stroke stroke)
 {
     const FormulaLayout text(markup, m_font);
     const QSizeF size = text.size();
+    const QPointF away = wayOf(side);
     const double gap = kLabelGap * m_em;
-    QPointF corner = placed(at) - QPointF(size.width() / 2.0, size.height() / 2.0);
-    switch (side) {
-    case Side::Center: break;
-    case Side::Left: corner.rx() -= size.width() / 2.0 + gap; break;
-    case Side::Right: corner.rx() += size.width() / 2.0 + gap; break;
-    case Side::Above: corner.ry() -= size.height() / 2.0; break;
-    case Side::Below: corner.ry() += size.height() / 2.0; break;
+    const QPointF corner = placed(at) - QPointF(size.width() / 2.0, size.height() / 2.0)
+                           + QPointF(away.x() * (size.width() / 2.0 + gap), away.y() * size.height() / 2.0);
+    m_labels.push_back({text, text.inkRects(), corner, side, stroke});
+}
+
+void Drawing::avoid(const QPolygonF &line)
+{
+    for (qsizetype i = 1; i < line.size(); ++i)
+        m_lines.emplace_back(line[i - 1], line[i]);
+}
+
+bool Drawing::isClear(const Label &label, const QPointF &corner) const
+{
+    const double room = kLineRoom * m_em, edge = kStroke * m_em;
+    const QRectF inside = m_place.adjusted(edge, edge, -edge, -edge);
+    return std::all_of(label.ink.begin(), label.ink.end(), [&](const QRectF &rect) {
+        const QRectF ink = rect.translated(corner), around = ink.adjusted(-room, -room, room, room);
+        return inside.contains(ink)
+               && std::none_of(m_lines.begin(), m_lines.end(),
+                               [&around](const QLineF &line) { return isIn(around, line); })
+               && std::none_of(m_labels.begin(), m_labels.end(),
+                               [&](const Label &other) { return &other != &label && isBeside(ink, other); });
+    });
+}
+
+bool Drawing::isBeside(const QRectF &ink, const Label &other) const
+{
+    // Words that are closer than that read as one label.
+    const double apart = kLabelRoom * m_em, room = kLineRoom * m_em;
+    const QRectF around = ink.adjusted(-apart, -room, apart, room);
+    return std::any_of(other.ink.begin(), other.ink.end(),
+                       [&](const QRectF &rect) { return around.intersects(rect.translated(other.corner)); });
+}
+
+void Drawing::paintLabels()
+{
+    for (Label &label : m_labels) {
+        if (!isClear(label, label.corner)) {
+            const std::vector<QPointF> moves = movesOf(label.side);
+            const auto found = std::find_if(moves.begin(), moves.end(), [&](const QPointF &move) {
+                return isClear(label, label.corner + move * m_em);
+            });
+            if (found != moves.end())
+                label.corner += *found * m_em;
+        }
+        label.text.paint(m_painter, label.corner, {colorOf(label.stroke), {}}, {});
     }
-    text.paint(m_painter, corner, {colorOf(stroke), {}}, {});
 }
 
 void Drawing::measure(const QPointF &from, const QPointF &to, const QString &markup, Side side)
@@ -193,6 +287,7 @@ void Drawing::angle(const QPointF &corner, const QPointF &one, const QPointF &ot
     arc.arcTo(circle, start, sweep);
     setPen(Stroke::Quiet);
     m_painter.drawPath(arc);
+    avoid(arc.toSubpathPolygons().value(0));
     label(corner + QLineF::fromPolar(radius + 0.65, start + sweep / 2.0).p2(), markup);
 }
 

@@ -82,11 +82,13 @@ void drawHelpFigure(QPainter &painter, const QRectF &place, const QString &name,
         return;
     painter.save();
     // Where it has to be smaller than its text would have it, all of it is: lines and lettering.
-    const double scale = std::min(1.0, place.width() / helpFigureSize(name, font).width());
+    const QSizeF size = helpFigureSize(name, font);
+    const double scale = std::min(1.0, place.width() / size.width());
     painter.translate(place.topLeft());
     painter.scale(scale, scale);
-    Drawing drawing(painter, {}, letteringOf(font), colors);
+    Drawing drawing(painter, QRectF(QPointF(), size), letteringOf(font), colors);
     figure->draw(drawing);
+    drawing.paintLabels();
     painter.restore();
 }
 
