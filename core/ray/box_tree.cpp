@@ -1,11 +1,12 @@
 #include "core/ray/box_tree.h"
 
+#include "core/threads/parallel.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <exception>
 #include <mutex>
 #include <numeric>
 #include <span>
@@ -80,7 +81,7 @@ public:
         const std::size_t enough = std::max<std::size_t>(4096, m_items.size() / (8 * threads));
         grow(m_tree.m_nodes, {0, 0, m_items.size(), 0}, enough);
         m_branches.resize(m_parts.size());
-        growParts(threads);
+        growParts();
         if (m_isCancelled)
             return std::nullopt;
         graft();
@@ -205,35 +206,16 @@ private:
         return best;
     }
 
-    void growParts(std::size_t threads)
+    void growParts()
     {
-        std::atomic<std::size_t> next = 0;
-        std::exception_ptr failure;
-        const auto work = [&]() noexcept {
-            try {
-                for (std::size_t i = next++; i < m_parts.size() && !m_isCancelled; i = next++) {
-                    Part part = m_parts[i];
-                    part.node = 0;
-                    m_branches[i].resize(1);
-                    grow(m_branches[i], part, 0);
-                }
-            } catch (...) { // out of memory
-                const std::lock_guard lock(m_telling);
-                failure = std::current_exception();
-                m_isCancelled = true;
-            }
-        };
-        std::vector<std::thread> others;
-        try {
-            for (std::size_t i = 1; i < std::min(threads, m_parts.size()); ++i)
-                others.emplace_back(work);
-        } catch (const std::exception &) { // the system gives no more threads: fewer do the work as well
-        }
-        work();
-        for (std::thread &thread : others)
-            thread.join();
-        if (failure)
-            std::rethrow_exception(failure);
+        threads::inParallel(m_parts.size(), {}, [this](std::size_t i) {
+            if (m_isCancelled)
+                return;
+            Part part = m_parts[i];
+            part.node = 0;
+            m_branches[i].resize(1);
+            grow(m_branches[i], part, 0);
+        });
     }
 
     /// Puts the branches in the places that were left for them.

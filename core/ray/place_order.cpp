@@ -1,14 +1,13 @@
 #include "core/ray/place_order.h"
 
+#include "core/threads/parallel.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <limits>
-#include <mutex>
 #include <span>
-#include <thread>
 #include <utility>
 
 namespace unprojector::ray {
@@ -111,42 +110,12 @@ void gather(std::span<Placed> all, std::size_t size)
 
 } // namespace
 
-void inParts(std::size_t count, const std::function<void(std::size_t, std::size_t)> &work)
-{
-    constexpr std::size_t kWorthAThread = 1000;
-    const std::size_t threads =
-        std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 1 + count / kWorthAThread);
-    std::exception_ptr failure;
-    std::mutex failing;
-    const auto part = [&](std::size_t i) noexcept {
-        try {
-            work(count * i / threads, count * (i + 1) / threads);
-        } catch (...) {
-            const std::lock_guard lock(failing);
-            failure = std::current_exception();
-        }
-    };
-    std::vector<std::thread> others;
-    std::size_t started = 1;
-    try {
-        for (; started < threads; ++started)
-            others.emplace_back(part, started);
-    } catch (const std::exception &) { // the system gives no more threads: what is left is done here
-    }
-    part(0);
-    for (std::size_t i = started; i < threads; ++i)
-        part(i);
-    for (std::thread &thread : others)
-        thread.join();
-    if (failure)
-        std::rethrow_exception(failure);
-}
-
 std::vector<std::uint32_t> placeOrder(std::uint32_t count, std::size_t group,
                                       const std::function<glm::vec3(std::uint32_t)> &place)
 {
     std::vector<Keyed> all(count);
-    inParts(count, [&](std::size_t first, std::size_t end) {
+    constexpr std::size_t kNumbersInTask = 1 << 14;
+    threads::inParallelRanges(count, kNumbersInTask, {}, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) {
             const auto number = static_cast<std::uint32_t>(i);
             all[i] = {keyOf(place(number) * 0.5f + 0.5f), number};
@@ -161,12 +130,12 @@ std::vector<std::uint32_t> placeOrder(std::uint32_t count, std::size_t group,
     }
     std::vector<std::uint32_t> order(count);
     constexpr std::size_t kTogether = 256;
-    inParts((count + kTogether - 1) / kTogether, [&](std::size_t begin, std::size_t end) {
+    static_assert(kNumbersInTask % kTogether == 0, "the order does not depend on the tasks");
+    threads::inParallelRanges(count, kNumbersInTask, {}, [&](std::size_t begin, std::size_t end) {
         std::vector<Placed> some;
-        for (std::size_t first = begin * kTogether; first < std::min<std::size_t>(end * kTogether, count);
-             first += kTogether) {
+        for (std::size_t first = begin; first < end; first += kTogether) {
             some.clear();
-            for (std::size_t i = first; i < std::min<std::size_t>(first + kTogether, count); ++i)
+            for (std::size_t i = first; i < std::min(first + kTogether, end); ++i)
                 some.push_back({place(all[i].number), all[i].number});
             gather(some, group);
             std::transform(some.begin(), some.end(), order.begin() + static_cast<std::ptrdiff_t>(first),

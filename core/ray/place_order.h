@@ -14,7 +14,4 @@ namespace unprojector::ray {
 std::vector<std::uint32_t> placeOrder(std::uint32_t count, std::size_t group,
                                       const std::function<glm::vec3(std::uint32_t)> &place);
 
-/// Calls `work` for parts of 0 … count that together are all of it, on all cores. What it throws is thrown on.
-void inParts(std::size_t count, const std::function<void(std::size_t first, std::size_t end)> &work);
-
 } // namespace unprojector::ray

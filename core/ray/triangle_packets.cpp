@@ -1,6 +1,7 @@
 #include "core/ray/triangle_packets.h"
 
 #include "core/ray/place_order.h"
+#include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
 
@@ -67,7 +68,9 @@ TrianglePackets::TrianglePackets(const Model &model, const ElementNumbers &numbe
                 return space.at(mesh.origin, glm::max(glm::max(a, b), c) * 0.5f + glm::min(glm::min(a, b), c) * 0.5f);
             });
         m_packets.resize(start + (order.size() + kSize - 1) / kSize);
-        inParts(m_packets.size() - start, [&](std::size_t begin, std::size_t end) {
+        constexpr std::size_t kPacketsInTask = 1 << 11;
+        const std::size_t count = m_packets.size() - start;
+        threads::inParallelRanges(count, kPacketsInTask, {}, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Packet &packet = m_packets[start + i];
                 for (std::size_t k = 0; k < kSize; ++k) {

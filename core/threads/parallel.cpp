@@ -4,7 +4,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -74,8 +73,8 @@ void inParallel(std::size_t count, const std::function<void(double)> &report,
                 }
             });
         }
-    } catch (const std::system_error &) {
-        // The system gives no more threads: those that there are do the work.
+    } catch (const std::exception &) {
+        // The system has no more threads, or no memory for one: those that there are do the work.
     }
     try {
         while (queue.runNext()) {

@@ -1,12 +1,10 @@
 #pragma once
 
 #include "core/doctor/diagnosis.h"
+#include "gui/document/background.h"
 
 #include <QObject>
-#include <QThreadPool>
 
-#include <atomic>
-#include <memory>
 #include <vector>
 
 namespace unprojector::gui {
@@ -15,23 +13,22 @@ namespace unprojector::gui {
 class Diagnoser : public QObject {
     Q_OBJECT
 public:
-    explicit Diagnoser(QObject *parent = nullptr);
-    ~Diagnoser() override;
+    explicit Diagnoser(QObject *parent = nullptr) : QObject(parent) {}
 
     /// @param scene   what it has of the meshes may be asked on any thread
     /// @param points  at least one
     void ask(doctor::Case scene, std::vector<doctor::WrongPoint> points);
     /// Nothing is wanted any more.
-    void cancel();
+    void cancel() { m_background.cancel(); }
 
 signals:
     /// The answer to the last question.
     void answered(const unprojector::geometry::Result<unprojector::doctor::Diagnosis> &answer);
-    void outOfMemory();
+    /// There is no answer, and why.
+    void jobFailed(const unprojector::gui::JobFailure &failure);
 
 private:
-    QThreadPool m_pool;
-    std::shared_ptr<std::atomic<int>> m_latest; ///< the number of the last question
+    Background m_background;
 };
 
 } // namespace unprojector::gui

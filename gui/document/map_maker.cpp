@@ -1,10 +1,6 @@
 #include "gui/document/map_maker.h"
 
-#include <atomic>
-#include <new>
 #include <optional>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 namespace unprojector::gui {
@@ -17,44 +13,35 @@ struct MapMaker::Seen {
     std::optional<maps::SurfaceImage> surfaces; ///< once they are met
 };
 
-struct MapMaker::Job {
-    maps::Question question;
-    std::shared_ptr<const Seen> seen; ///< without surfaces: to be met first
-    std::atomic<bool> isEnded{false};
-    std::atomic<bool> isDone{false};
-    // Written before isDone, read after it.
-    std::shared_ptr<const MadeMap> made; ///< null: it was ended, or there is none
+struct MapMaker::Answer {
+    std::shared_ptr<const Seen> seen;    ///< with surfaces, where they could be met
+    std::shared_ptr<const MadeMap> made; ///< null: it was cancelled, or there is none
     std::optional<Error> error;
-    bool isOutOfMemory = false;
-    std::thread thread;
-
-    /// @param report  with the share done; false: stop
-    void run(const ray::Progress &report)
-    {
-        const ray::ClickRays &rays = seen->rays.rays();
-        const bool areMet = seen->surfaces.has_value();
-        if (!areMet) {
-            const Result<maps::PixelRays> pixels = maps::PixelRays::of(rays);
-            if (!pixels) {
-                error = pixels.error();
-                return;
-            }
-            std::optional<maps::SurfaceImage> surfaces =
-                maps::surfacesMet(seen->rays, *pixels, {}, [&](double share) { return report(share / 2.0); });
-            if (!surfaces)
-                return;
-            seen =
-                std::make_shared<const Seen>(Seen{seen->objects, seen->unprojector, seen->rays, std::move(surfaces)});
-        }
-        const auto map = maps::pixelMap(question, seen->unprojector, *seen->surfaces, seen->objects,
-                                        [&](double share) { return report(areMet ? share : 0.5 + share / 2.0); });
-        if (!map)
-            error = map.error();
-        else if (*map)
-            made = std::make_shared<const MadeMap>(MadeMap{**map, maps::statisticsOf(**map), question,
-                                                           seen->unprojector.picture(), seen->rays.hasPoints()});
-    }
 };
+
+/// @param seen  without surfaces: to be met first
+MapMaker::Answer MapMaker::answerOf(const maps::Question &question, std::shared_ptr<const Seen> seen, Job &job)
+{
+    const bool areMet = seen->surfaces.has_value();
+    if (!areMet) {
+        const Result<maps::PixelRays> pixels = maps::PixelRays::of(seen->rays.rays());
+        if (!pixels)
+            return {seen, nullptr, pixels.error()};
+        std::optional<maps::SurfaceImage> surfaces =
+            maps::surfacesMet(seen->rays, *pixels, {}, [&](double share) { return job.report(share / 2.0); });
+        if (!surfaces)
+            return {seen, nullptr, std::nullopt};
+        seen = std::make_shared<const Seen>(Seen{seen->objects, seen->unprojector, seen->rays, std::move(surfaces)});
+    }
+    const auto map = maps::pixelMap(question, seen->unprojector, *seen->surfaces, seen->objects,
+                                    [&](double share) { return job.report(areMet ? share : 0.5 + share / 2.0); });
+    if (!map)
+        return {seen, nullptr, map.error()};
+    if (!*map)
+        return {seen, nullptr, std::nullopt};
+    const MadeMap made{**map, maps::statisticsOf(**map), question, seen->unprojector.picture(), seen->rays.hasPoints()};
+    return {seen, std::make_shared<const MadeMap>(made), std::nullopt};
+}
 
 MapMaker::MapMaker(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
 {
@@ -66,34 +53,9 @@ MapMaker::MapMaker(const SceneDocument &document, QObject *parent) : QObject(par
     });
 }
 
-MapMaker::~MapMaker()
-{
-    cancel();
-    reap(true);
-}
-
-/// Joins the threads that have ended, or waits for all of them to.
-void MapMaker::reap(bool all)
-{
-    std::erase_if(m_jobs, [all](const std::shared_ptr<Job> &job) {
-        if (!all && !job->isDone)
-            return false;
-        job->thread.join();
-        return true;
-    });
-}
-
-void MapMaker::cancel()
-{
-    if (m_job)
-        m_job->isEnded = true;
-    m_job.reset();
-}
-
 bool MapMaker::ask(const maps::Question &question)
 {
     cancel();
-    reap(false);
     if (!m_seen) {
         const ray::SceneRays *rays = m_document.rays();
         if (rays == nullptr)
@@ -101,59 +63,20 @@ bool MapMaker::ask(const maps::Question &question)
         m_seen =
             std::make_shared<const Seen>(Seen{m_document.objects(), m_document.unprojector(), *rays, std::nullopt});
     }
-    const auto job = std::make_shared<Job>();
-    job->question = question;
-    job->seen = m_seen;
-    m_job = job;
-    auto work = [this, job] {
-        const auto report = [this, job, reported = 0.0](double share) mutable {
-            constexpr double kStep = 0.05; // each is an event for the window
-            if (share - reported >= kStep) {
-                reported = share;
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, job, share] {
-                        if (job == m_job)
-                            emit progressed(share);
-                    },
-                    Qt::QueuedConnection);
-            }
-            return !job->isEnded;
-        };
-        try {
-            job->run(report);
-        } catch (const std::bad_alloc &) {
-            job->isOutOfMemory = true;
-        } catch (const std::system_error &) {
-            job->isOutOfMemory = true;
-        }
-        QMetaObject::invokeMethod(
-            this, [this, job] { take(job); }, Qt::QueuedConnection);
-        job->isDone = true;
-    };
-    try {
-        job->thread = std::thread(std::move(work));
-        m_jobs.push_back(job);
-    } catch (const std::system_error &) {
-        job->isOutOfMemory = true;
-        QMetaObject::invokeMethod(
-            this, [this, job] { take(job); }, Qt::QueuedConnection);
-    }
+    m_background.start([question, seen = m_seen](Job &job) { return answerOf(question, seen, job); },
+                       [this](const JobResult<Answer> &answer) {
+                           if (!answer) {
+                               emit jobFailed(answer.error());
+                               return;
+                           }
+                           m_seen = answer->seen;
+                           if (answer->error)
+                               emit failed(*answer->error);
+                           else if (answer->made)
+                               emit made(answer->made);
+                       },
+                       [this](double share) { emit progressed(share); });
     return true;
-}
-
-void MapMaker::take(const std::shared_ptr<Job> &job)
-{
-    if (job != m_job)
-        return; // another one is wanted by now, or none
-    m_job.reset();
-    m_seen = job->seen;
-    if (job->isOutOfMemory)
-        emit outOfMemory();
-    else if (job->error)
-        emit failed(*job->error);
-    else if (job->made)
-        emit made(job->made);
 }
 
 } // namespace unprojector::gui

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/maps/pixel_map.h"
+#include "gui/document/background.h"
 #include "gui/document/scene_document.h"
 
 #include <QObject>
 
 #include <cstdint>
-#include <list>
 #include <memory>
 
 namespace unprojector::gui {
@@ -26,14 +26,13 @@ class MapMaker : public QObject {
     Q_OBJECT
 public:
     explicit MapMaker(const SceneDocument &document, QObject *parent = nullptr);
-    ~MapMaker() override;
 
     /// Asks for a map of the picture as it is now.
     /// @return false while the models are not prepared for rays; then nothing is under way
     bool ask(const maps::Question &question);
     /// Nothing is wanted any more.
-    void cancel();
-    bool isMaking() const { return m_job != nullptr; }
+    void cancel() { m_background.cancel(); }
+    bool isMaking() const { return m_background.isRunning(); }
 
 signals:
     void made(const std::shared_ptr<const unprojector::gui::MadeMap> &map);
@@ -41,20 +40,18 @@ signals:
     void progressed(double share);
     /// There is none of this picture, for this reason.
     void failed(const unprojector::geometry::Error &error);
-    /// There is no memory for it, or no thread.
-    void outOfMemory();
+    /// It could not be computed, and why.
+    void jobFailed(const unprojector::gui::JobFailure &failure);
 
 private:
     struct Seen;
-    struct Job;
+    struct Answer;
 
-    void take(const std::shared_ptr<Job> &job);
-    void reap(bool all);
+    static Answer answerOf(const maps::Question &question, std::shared_ptr<const Seen> seen, Job &job);
 
     const SceneDocument &m_document;
-    std::shared_ptr<const Seen> m_seen;     ///< of the last map; nothing once the scene is another one
-    std::shared_ptr<Job> m_job;             ///< the one under way
-    std::list<std::shared_ptr<Job>> m_jobs; ///< it, and those before that are ending
+    std::shared_ptr<const Seen> m_seen; ///< of the last map; nothing once the scene is another one
+    Background m_background;
 };
 
 } // namespace unprojector::gui

@@ -1,15 +1,13 @@
 #pragma once
 
 #include "core/mesh_import/mesh_import.h"
+#include "gui/document/background.h"
 
 #include <QObject>
 #include <QString>
 
-#include <atomic>
 #include <filesystem>
-#include <list>
 #include <memory>
-#include <thread>
 #include <vector>
 
 namespace unprojector::gui {
@@ -29,13 +27,12 @@ class ModelLoader : public QObject {
 public:
     /// @param store  outlives the loader; what it holds already is not read again
     explicit ModelLoader(ModelStore &store, QObject *parent = nullptr);
-    ~ModelLoader() override;
 
     /// Starts opening the files, one after the other. A loading that is under way is cancelled.
     void load(std::vector<std::filesystem::path> files);
     /// Ends the loading at once: `cancelled` comes before this returns, nothing of it comes after.
     void cancel();
-    bool isLoading() const { return m_isLoading; }
+    bool isLoading() const { return m_background.isRunning(); }
 
 signals:
     void started();
@@ -44,15 +41,13 @@ signals:
     /// Those files that could be opened, in the order asked for, and why the others could not.
     void finished(const std::vector<unprojector::gui::LoadedModel> &models,
                   const std::vector<unprojector::mesh_import::ImportError> &errors);
+    /// None of the files could be opened, and why.
+    void jobFailed(const unprojector::gui::JobFailure &failure);
     void cancelled();
 
 private:
-    struct Job;
-    void reap(bool all);
-
     ModelStore &m_store;
-    std::list<std::shared_ptr<Job>> m_jobs; ///< the running one last; before it, cancelled ones that are ending
-    bool m_isLoading = false;
+    Background m_background;
 };
 
 } // namespace unprojector::gui

@@ -3,8 +3,6 @@
 #include "core/scene/stand_in.h"
 
 #include <algorithm>
-#include <atomic>
-#include <new>
 #include <system_error>
 #include <thread>
 
@@ -21,31 +19,9 @@ std::size_t sizeOf(const Model &model)
 
 } // namespace
 
-struct ModelStore::Job {
-    std::shared_ptr<const Model> model;
-    std::atomic<bool> isEnded{false};
-    std::atomic<bool> isDone{false};
-    std::thread thread;
-};
-
-ModelStore::ModelStore(QObject *parent) : QObject(parent) {}
-
-ModelStore::~ModelStore()
+ModelStore::ModelStore(QObject *parent)
+    : QObject(parent), m_background(std::max(1u, std::thread::hardware_concurrency()))
 {
-    reap(true);
-}
-
-/// Joins the threads that have ended, or ends all of them.
-void ModelStore::reap(bool all)
-{
-    for (const std::shared_ptr<Job> &job : m_jobs)
-        job->isEnded = job->isEnded || all;
-    std::erase_if(m_jobs, [all](const std::shared_ptr<Job> &job) {
-        if (!all && !job->isDone)
-            return false;
-        job->thread.join();
-        return true;
-    });
 }
 
 std::optional<ModelStore::FileState> ModelStore::stateOf(const std::filesystem::path &file)
@@ -102,43 +78,31 @@ bool ModelStore::areLarge(const std::vector<SceneObject> &objects)
 void ModelStore::makeStandIns(const std::vector<SceneObject> &objects)
 {
     dropUnused();
-    reap(false);
     if (!areLarge(objects))
         return;
     std::size_t all = 0;
     for (const SceneObject &object : objects)
         all += sizeOf(*object.model);
     for (const SceneObject &object : objects) {
-        const bool isUnderWay = std::any_of(m_jobs.begin(), m_jobs.end(),
-                                            [&object](const auto &job) { return job->model == object.model; });
-        if (isUnderWay || standInOf(object.model))
+        if (standInOf(object.model))
             continue;
         // Each has its share by its size.
         const double share = static_cast<double>(sizeOf(*object.model)) / static_cast<double>(all);
         const auto most = static_cast<std::size_t>(share * static_cast<double>(kStandInSize));
-        const auto job = std::make_shared<Job>();
-        job->model = object.model;
-        m_jobs.push_back(job);
-        job->thread = std::thread([this, job, most] {
-            std::shared_ptr<const Model> standIn;
-            try {
-                Model made = standInFor(*job->model, most, [&job](double) { return !job->isEnded; });
-                standIn = std::make_shared<const Model>(std::move(made));
-            } catch (const std::bad_alloc &) {
-                standIn = nullptr; // without memory for it the model is drawn itself
-            }
-            QMetaObject::invokeMethod(
-                this,
-                [this, job, standIn] {
-                    if (job->isEnded || !standIn)
-                        return;
-                    m_standIns[job->model.get()] = {job->model, standIn};
-                    job->model.reset(); // the store keeps no model alive
+        m_standIns[object.model.get()] = {object.model, nullptr};
+        m_background.start(
+            [model = object.model, most](Job &job) {
+                return std::make_shared<const Model>(
+                    standInFor(*model, most, [&job](double) { return !job.isCancelled(); }));
+            },
+            [this, model = std::weak_ptr(object.model)](const JobResult<std::shared_ptr<const Model>> &standIn) {
+                if (!standIn) {
+                    emit jobFailed(standIn.error());
+                } else if (const std::shared_ptr<const Model> of = model.lock()) {
+                    m_standIns[of.get()] = {of, *standIn};
                     emit standInReady();
-                },
-                Qt::QueuedConnection);
-            job->isDone = true;
-        });
+                }
+            });
     }
 }
 
@@ -149,7 +113,7 @@ std::optional<std::vector<SceneObject>> ModelStore::standInsFor(const std::vecto
     std::vector<SceneObject> coarse = objects;
     for (SceneObject &object : coarse) {
         const StandIn *found = standInOf(object.model);
-        if (!found)
+        if (!found || !found->standIn)
             return std::nullopt;
         object.model = found->standIn;
     }

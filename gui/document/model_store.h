@@ -1,13 +1,13 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "gui/document/background.h"
 
 #include <QObject>
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,7 +34,6 @@ public:
     static std::optional<FileState> stateOf(const std::filesystem::path &file);
 
     explicit ModelStore(QObject *parent = nullptr);
-    ~ModelStore() override;
 
     /// The model that was read from a file; null where nobody has it any more, or where the file has changed since.
     std::shared_ptr<const Model> find(const std::filesystem::path &file) const;
@@ -54,25 +53,25 @@ public:
 
 signals:
     void standInReady();
+    /// A stand-in could not be made, and why; its model is drawn itself.
+    void jobFailed(const unprojector::gui::JobFailure &failure);
 
 private:
-    struct Job;
     struct Kept {
         FileState state;
         std::weak_ptr<const Model> model;
     };
     struct StandIn {
-        std::weak_ptr<const Model> model; ///< an address alone may be another's by now
-        std::shared_ptr<const Model> standIn;
+        std::weak_ptr<const Model> model;     ///< an address alone may be another's by now
+        std::shared_ptr<const Model> standIn; ///< null while it is being made, and where it could not be made
     };
 
     const StandIn *standInOf(const std::shared_ptr<const Model> &model) const;
     void dropUnused();
-    void reap(bool all);
 
     std::map<std::filesystem::path, Kept> m_files;
     std::map<const Model *, StandIn> m_standIns;
-    std::list<std::shared_ptr<Job>> m_jobs;
+    Background m_background;
 };
 
 } // namespace unprojector::gui

@@ -4,6 +4,7 @@
 #include "core/ray/scene_rays.h"
 #include "core/unproject/other_programs.h"
 #include "core/unproject/pick.h"
+#include "gui/document/background.h"
 
 #include <cstddef>
 #include <memory>
@@ -26,10 +27,11 @@ struct MetPlace {
 struct PickedRay {
     enum class State {
         Preparing,  ///< a model is not prepared for rays yet; the answer comes by itself
-        Impossible, ///< there is no memory to prepare it, or no ray
+        Impossible, ///< a model could not be prepared, see `failure`, or there is no ray
         Answered
     };
     State state = State::Preparing;
+    std::optional<JobFailure> failure;
     std::optional<MetPlace> met;   ///< by the ray itself; nothing: nothing is met
     ray::RayComparison comparison; ///< of what is met, beside the frame
     ray::Snap snap = ray::Snap::Surface;

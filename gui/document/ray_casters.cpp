@@ -3,11 +3,7 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <new>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 namespace unprojector::gui {
@@ -28,48 +24,18 @@ RayCasters::Caster build(const Model &model, const ray::Progress &progress)
     return ray::RayCaster::build(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), progress);
 }
 
-/// null where there is no memory
-RayCasters::Caster builtAtOnce(const Model &model)
+JobResult<RayCasters::Caster> builtAtOnce(const Model &model)
 {
     try {
         return build(model, {});
-    } catch (const std::bad_alloc &) {
-        return nullptr;
+    } catch (...) {
+        return failureOf(std::current_exception());
     }
 }
 
 } // namespace
 
-struct RayCasters::Job {
-    std::weak_ptr<const Model> model;
-    double size = 0.0;
-    std::atomic<bool> isEnded{false};
-    std::atomic<bool> isDone{false};
-    // Written before isDone, read after it.
-    Caster caster;
-    bool isOutOfMemory = false;
-    std::thread thread;
-};
-
 RayCasters::RayCasters(QObject *parent) : QObject(parent) {}
-
-RayCasters::~RayCasters()
-{
-    for (const std::shared_ptr<Job> &job : m_jobs)
-        job->isEnded = true;
-    reap(true);
-}
-
-/// Joins the threads that have ended, or waits for all of them to.
-void RayCasters::reap(bool all)
-{
-    std::erase_if(m_jobs, [all](const std::shared_ptr<Job> &job) {
-        if (!all && !job->isDone)
-            return false;
-        job->thread.join();
-        return true;
-    });
-}
 
 const RayCasters::Kept *RayCasters::keptOf(const std::shared_ptr<const Model> &model) const
 {
@@ -77,17 +43,22 @@ const RayCasters::Kept *RayCasters::keptOf(const std::shared_ptr<const Model> &m
     return found != m_kept.end() && found->second.model.lock() == model ? &found->second : nullptr;
 }
 
-void RayCasters::keep(const std::shared_ptr<const Model> &model, const Caster &caster)
+void RayCasters::keep(const std::shared_ptr<const Model> &model, Built caster)
 {
-    m_kept[model.get()] = {model, caster};
+    m_kept.insert_or_assign(model.get(), Kept{model, std::move(caster)});
     emit built();
 }
 
 std::vector<std::shared_ptr<const Model>> RayCasters::missing(const std::vector<SceneObject> &objects) const
 {
     std::vector<std::shared_ptr<const Model>> models;
+    // Another thread may have ended by now.
+    const auto isKept = [this](const std::shared_ptr<const Model> &model) {
+        const Kept *kept = keptOf(model);
+        return kept && (kept->caster || kept->caster.error().kind != JobFailure::Kind::NoThread);
+    };
     for (const SceneObject &object : objects) {
-        if (!object.isHidden && !keptOf(object.model)
+        if (!object.isHidden && !isKept(object.model)
             && std::find(models.begin(), models.end(), object.model) == models.end())
             models.push_back(object.model);
     }
@@ -103,13 +74,13 @@ void RayCasters::prepare(const std::vector<SceneObject> &objects)
 void RayCasters::require(const std::vector<SceneObject> &objects)
 {
     dropUnused();
-    reap(false);
     if (!m_kept.empty())
         QTimer::singleShot(kUntilViewsLetGo, this, &RayCasters::dropUnused);
     std::size_t atOnce = 0;
     std::vector<std::shared_ptr<const Model>> later;
     for (const std::shared_ptr<const Model> &model : missing(objects)) {
         if (atOnce + sizeOf(*model) > kMostAtOnce) {
+            m_kept.erase(model.get()); // a failure is past
             later.push_back(model);
             continue;
         }
@@ -117,10 +88,9 @@ void RayCasters::require(const std::vector<SceneObject> &objects)
         keep(model, builtAtOnce(*model));
     }
     const bool wasPreparing = isPreparing();
-    const std::shared_ptr<const Model> underWay = m_job ? m_job->model.lock() : nullptr;
-    const bool goesOn = std::find(later.begin(), later.end(), underWay) != later.end();
-    if (m_job && !goesOn)
-        giveUp();
+    const std::shared_ptr<const Model> underWay = wasPreparing ? m_underWay.lock() : nullptr;
+    if (std::find(later.begin(), later.end(), underWay) == later.end())
+        m_background.cancel();
     m_waiting.clear();
     m_all = m_done = 0.0;
     for (const std::shared_ptr<const Model> &model : later) {
@@ -128,16 +98,10 @@ void RayCasters::require(const std::vector<SceneObject> &objects)
         if (model != underWay)
             m_waiting.push_back(model);
     }
-    if (!m_job)
+    if (!isPreparing())
         begin();
     if (wasPreparing && !isPreparing())
         emit finished();
-}
-
-void RayCasters::giveUp()
-{
-    m_job->isEnded = true;
-    m_job.reset();
 }
 
 void RayCasters::begin()
@@ -149,76 +113,37 @@ void RayCasters::begin()
     }
     if (!model)
         return;
-    const auto job = std::make_shared<Job>();
-    job->model = model;
-    job->size = static_cast<double>(sizeOf(*model));
-    m_job = job;
-    auto work = [this, job, model = std::move(model)]() mutable {
-        double reported = 0.0;
-        const auto report = [&](double share) {
-            // A hundred reports are enough; each is an event for the window.
-            if (share - reported >= 0.01) {
-                reported = share;
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, job, share] {
-                        if (job == m_job && m_all > 0.0)
-                            emit progressed(std::min(1.0, (m_done + share * job->size) / m_all));
-                    },
-                    Qt::QueuedConnection);
-            }
-            return !job->isEnded && model.use_count() > 1; // else nobody else has it any more
-        };
-        try {
-            job->caster = build(*model, report);
-        } catch (const std::bad_alloc &) {
-            job->isOutOfMemory = true;
-        }
-        model.reset();
-        QMetaObject::invokeMethod(
-            this, [this, job] { take(job); }, Qt::QueuedConnection);
-        job->isDone = true;
-    };
-    try {
-        job->thread = std::thread(std::move(work));
-        m_jobs.push_back(job);
-    } catch (const std::system_error &) {
-        // The system gives no thread, which takes memory too.
-        job->isOutOfMemory = true;
-        QMetaObject::invokeMethod(
-            this, [this, job] { take(job); }, Qt::QueuedConnection);
-    }
+    m_underWay = model;
+    const auto size = static_cast<double>(sizeOf(*model));
+    m_background.start(
+        [model = std::move(model)](Job &job) {
+            return build(*model, [&](double share) {
+                return job.report(share) && model.use_count() > 1; // else nobody else has it any more
+            });
+        },
+        [this, size](const Built &caster) { take(size, caster); },
+        [this, size](double share) { emit progressed(std::min(1.0, (m_done + share * size) / m_all)); });
 }
 
-void RayCasters::take(const std::shared_ptr<Job> &job)
+void RayCasters::take(double size, const Built &caster)
 {
-    if (job != m_job)
-        return; // given up, or taken already
-    m_job.reset();
-    m_done += job->size;
-    if (const std::shared_ptr<const Model> model = job->model.lock()) {
-        if (job->caster || job->isOutOfMemory)
-            keep(model, job->caster);
+    m_done += size;
+    if (const std::shared_ptr<const Model> model = m_underWay.lock()) {
+        if (!caster || *caster)
+            keep(model, caster);
         else
             m_waiting.push_back(model); // stopped when nobody had it, and found again since
     }
-    job->caster.reset();
-    if (!m_job)
+    if (!isPreparing())
         begin();
-    if (!m_job)
+    if (!isPreparing())
         emit finished();
 }
 
 void RayCasters::complete(const std::vector<SceneObject> &objects)
 {
     require(objects);
-    while (m_job) {
-        const std::shared_ptr<Job> job = m_job;
-        if (job->thread.joinable()) // else it could not be started
-            job->thread.join();
-        m_jobs.remove(job);
-        take(job);
-    }
+    m_background.finish();
 }
 
 std::optional<std::vector<RayCasters::Caster>> RayCasters::of(const std::vector<SceneObject> &objects) const
@@ -237,18 +162,20 @@ std::optional<std::vector<RayCasters::Caster>> RayCasters::of(const std::vector<
         const Kept *kept = keptOf(object.model);
         if (!kept || !kept->caster)
             return std::nullopt;
-        const auto held = std::make_shared<const Held>(Held{object.model, kept->caster});
+        const auto held = std::make_shared<const Held>(Held{object.model, *kept->caster});
         casters.emplace_back(held, held->caster.get());
     }
     return casters;
 }
 
-bool RayCasters::isHopeless(const std::vector<SceneObject> &objects) const
+std::optional<JobFailure> RayCasters::failureOf(const std::vector<SceneObject> &objects) const
 {
-    return std::any_of(objects.begin(), objects.end(), [this](const SceneObject &object) {
+    for (const SceneObject &object : objects) {
         const Kept *kept = object.isHidden ? nullptr : keptOf(object.model);
-        return kept && !kept->caster;
-    });
+        if (kept && !kept->caster)
+            return kept->caster.error();
+    }
+    return std::nullopt;
 }
 
 void RayCasters::dropUnused()

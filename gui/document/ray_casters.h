@@ -2,6 +2,7 @@
 
 #include "core/ray/ray_caster.h"
 #include "core/scene/scene.h"
+#include "gui/document/background.h"
 
 #include <QObject>
 
@@ -26,7 +27,6 @@ public:
     static constexpr std::size_t kMostAtOnce = 20'000;
 
     explicit RayCasters(QObject *parent = nullptr);
-    ~RayCasters() override;
 
     /// Builds the casters of these objects' models, as far as they are not hidden and not built yet; `built` tells of each that
     /// comes later. What was begun for other objects is given up.
@@ -35,13 +35,13 @@ public:
     void complete(const std::vector<SceneObject> &objects);
     /// From now on only `complete` builds anything: for a program that may never ask for a ray.
     void waitUntilAsked() { m_isAhead = false; }
-    bool isPreparing() const { return m_job != nullptr; }
+    bool isPreparing() const { return m_background.isRunning(); }
 
     /// The casters of these objects, one an object; null for a hidden one. Whoever has one has its model too.
     /// @return nothing while one is missing
     std::optional<std::vector<Caster>> of(const std::vector<SceneObject> &objects) const;
-    /// Whether one of these objects will never have its caster, since there is no memory for it.
-    bool isHopeless(const std::vector<SceneObject> &objects) const;
+    /// Why one of these objects has no caster and none is being built; nothing where all have theirs or wait for them.
+    std::optional<JobFailure> failureOf(const std::vector<SceneObject> &objects) const;
 
 signals:
     /// Another model has its caster, or will have none.
@@ -52,31 +52,30 @@ signals:
     void finished();
 
 private:
-    struct Job;
+    /// A caster, which does not hold its model; null: it was stopped.
+    using Built = JobResult<Caster>;
     struct Kept {
         std::weak_ptr<const Model> model; ///< an address alone may be another's by now
-        Caster caster;                    ///< does not hold its model; null: there was no memory for it
+        Built caster;
     };
 
     const Kept *keptOf(const std::shared_ptr<const Model> &model) const;
     /// Those that are missing, each once.
     std::vector<std::shared_ptr<const Model>> missing(const std::vector<SceneObject> &objects) const;
-    void keep(const std::shared_ptr<const Model> &model, const Caster &caster);
+    void keep(const std::shared_ptr<const Model> &model, Built caster);
     void require(const std::vector<SceneObject> &objects);
     void begin();
-    /// Takes what a job has built.
-    void take(const std::shared_ptr<Job> &job);
-    void giveUp();
-    void reap(bool all);
+    /// Takes what was built of the model that was under way.
+    void take(double size, const Built &caster);
     void dropUnused();
 
     std::map<const Model *, Kept> m_kept;
     std::list<std::weak_ptr<const Model>> m_waiting;
-    std::shared_ptr<Job> m_job;             ///< the one under way
-    std::list<std::shared_ptr<Job>> m_jobs; ///< it, and those before that are ending
-    double m_all = 0.0;                     ///< triangles and points of what is being prepared
-    double m_done = 0.0;                    ///< of them
+    std::weak_ptr<const Model> m_underWay;
+    double m_all = 0.0;  ///< triangles and points of what is being prepared
+    double m_done = 0.0; ///< of them
     bool m_isAhead = true;
+    Background m_background;
 };
 
 } // namespace unprojector::gui

@@ -9,9 +9,6 @@
 #include <atomic>
 #include <map>
 #include <mutex>
-#include <new>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 namespace unprojector::gui {
@@ -127,20 +124,18 @@ SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curve
             line.isComputing = true;
         else
             line.reason = faultOf(through.error(), request.points);
-    } catch (const std::bad_alloc &) {
-        line.reason = Texts::tr("there is not enough memory");
+    } catch (...) { // the other lines may be there
+        line.reason = failureText(failureOf(std::current_exception()));
     }
     return line;
 }
 
 } // namespace
 
-struct SceneCurves::Job {
+struct SceneCurves::Task {
     std::vector<Request> requests;
-    std::atomic<bool> isEnded{false};
+    std::atomic<bool> isEnded{false}; ///< what is done is taken
     std::atomic<std::size_t> done{0};
-    std::vector<Line> lines; ///< written by the thread, read once it is joined
-    std::thread thread;
 };
 
 SceneCurves::SceneCurves(SceneDocument &document) : m_document(document), m_surfaces(std::make_shared<Surfaces>())
@@ -154,11 +149,8 @@ SceneCurves::SceneCurves(SceneDocument &document) : m_document(document), m_surf
 SceneCurves::~SceneCurves()
 {
     m_surfaces->isEnded = true;
-    if (!m_job)
-        return;
-    m_job->isEnded = true;
-    if (m_job->thread.joinable())
-        m_job->thread.join();
+    if (m_task)
+        m_task->isEnded = true;
 }
 
 const std::vector<Curve> &SceneCurves::all() const
@@ -294,54 +286,50 @@ void SceneCurves::refresh()
         const auto asks = [&](const Known &each) { return each.line.isComputing && each.request == request; };
         return std::any_of(m_known.begin(), m_known.end(), asks) || (m_selected && asks(*m_selected));
     };
-    if (!m_job)
+    if (!m_task)
         begin();
-    else if (!std::all_of(m_job->requests.begin(), m_job->requests.end(), isWanted))
-        m_job->isEnded = true; // what it has done is taken; the rest is asked again
+    else if (!std::all_of(m_task->requests.begin(), m_task->requests.end(), isWanted))
+        m_task->isEnded = true; // what it has done is taken; the rest is asked again
 }
 
 void SceneCurves::begin()
 {
-    const auto job = std::make_shared<Job>();
+    const auto task = std::make_shared<Task>();
     const auto ask = [&](const Known &known) {
         if (known.line.isComputing)
-            job->requests.push_back(known.request);
+            task->requests.push_back(known.request);
     };
     std::for_each(m_known.begin(), m_known.end(), ask);
     if (m_selected)
         ask(*m_selected);
-    if (job->requests.empty())
+    if (task->requests.empty())
         return;
-    job->lines.resize(job->requests.size());
-    for (Line &line : job->lines)
-        line.isComputing = true;
-    m_job = job;
-    const auto work = [this, job, surfaces = m_surfaces] {
-        for (std::size_t i = 0; i < job->requests.size() && !job->isEnded; ++i) {
-            job->lines[i] = worked(job->requests[i], *surfaces, [&job] { return !job->isEnded; });
-            ++job->done;
-        }
-        QMetaObject::invokeMethod(
-            this, [this, job] { take(job); }, Qt::QueuedConnection);
-    };
-    try {
-        job->thread = std::thread(work);
-    } catch (const std::system_error &) { // the system gives no thread
-        work();
-    }
+    m_task = task;
+    m_background.start(
+        [task, surfaces = m_surfaces](Job &) {
+            std::vector<Line> lines;
+            for (const Request &request : task->requests) {
+                if (task->isEnded)
+                    break;
+                lines.push_back(worked(request, *surfaces, [&task] { return !task->isEnded; }));
+                ++task->done;
+            }
+            return lines;
+        },
+        [this](const JobResult<std::vector<Line>> &lines) { take(lines); });
 }
 
-void SceneCurves::take(const std::shared_ptr<Job> &job)
+void SceneCurves::take(const JobResult<std::vector<Line>> &lines)
 {
-    if (job != m_job)
-        return;
-    if (job->thread.joinable())
-        job->thread.join();
-    m_job.reset();
+    const std::shared_ptr<const Task> task = std::exchange(m_task, nullptr);
+    const std::size_t count = lines ? lines->size() : task->requests.size();
+    const auto lineOf = [&](std::size_t i) {
+        return lines ? (*lines)[i] : Line{false, {}, failureText(lines.error())};
+    };
     const auto put = [&](Known &known) {
-        for (std::size_t i = 0; i < job->requests.size() && known.line.isComputing; ++i) {
-            if (!job->lines[i].isComputing && job->requests[i] == known.request)
-                known.line = job->lines[i];
+        for (std::size_t i = 0; i < count && known.line.isComputing; ++i) {
+            if (Line line = lineOf(i); !line.isComputing && task->requests[i] == known.request)
+                known.line = std::move(line);
         }
     };
     std::for_each(m_known.begin(), m_known.end(), put);
@@ -353,20 +341,16 @@ void SceneCurves::take(const std::shared_ptr<Job> &job)
 
 SceneCurves::Progress SceneCurves::progress() const
 {
-    return m_job ? Progress{m_job->done, m_job->requests.size()} : Progress{};
+    return m_task ? Progress{m_task->done, m_task->requests.size()} : Progress{};
 }
 
 bool SceneCurves::complete()
 {
-    if (m_job && m_waiting && !m_isWaiting) { // who asks while somebody waits gets what there is to be had at once
+    if (m_task && m_waiting && !m_isWaiting) { // who asks while somebody waits gets what there is to be had at once
         const QScopedValueRollback<bool> waiting(m_isWaiting, true);
         return m_waiting();
     }
-    while (const std::shared_ptr<Job> job = m_job) {
-        if (job->thread.joinable())
-            job->thread.join();
-        take(job);
-    }
+    m_background.finish();
     return true;
 }
 

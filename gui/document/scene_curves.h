@@ -3,6 +3,7 @@
 #include "core/curves/curve_line.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
+#include "gui/document/background.h"
 
 #include <QObject>
 #include <QString>
@@ -57,7 +58,7 @@ public:
     const Line &line(std::size_t curve) const;
     /// The geodesic through the points that are selected, in their order in the list; null where fewer than two are.
     const Line *throughSelected() const;
-    bool isComputing() const { return m_job != nullptr; }
+    bool isComputing() const { return m_background.isRunning(); }
     /// How many curves are being worked out, and how many of them are done.
     struct Progress {
         std::size_t done = 0, count = 0;
@@ -96,7 +97,7 @@ public:
 private:
     struct Request;
     struct Known;
-    struct Job;
+    struct Task;
     class Surfaces;
 
     /// Of so many triangles a line is worked out at once: in less time than a picture takes.
@@ -109,17 +110,18 @@ private:
     void locate(Request &request) const;
     Request requestOf(const landmarks::Curve &curve) const;
     void begin();
-    void take(const std::shared_ptr<Job> &job);
+    void take(const JobResult<std::vector<Line>> &lines);
     void edit(std::vector<landmarks::Curve> curves, const QString &text, const QString &mergeKey = {});
 
     SceneDocument &m_document;
     std::shared_ptr<Surfaces> m_surfaces;
     std::vector<Known> m_known;        ///< one a curve
     std::unique_ptr<Known> m_selected; ///< of what is selected
-    std::shared_ptr<Job> m_job;
+    std::shared_ptr<Task> m_task;      ///< the one under way
     std::optional<ShownMeasure> m_shownMeasure;
     std::function<bool()> m_waiting;
     bool m_isWaiting = false;
+    Background m_background;
 };
 
 } // namespace unprojector::gui

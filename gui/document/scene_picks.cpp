@@ -231,10 +231,11 @@ bool SceneDocument::answerRay()
     PickedRay &ray = m_picked.ray;
     const auto casters = m_casters.of(objects);
     if (!casters) {
-        const bool isHopeless = m_casters.isHopeless(objects);
-        return std::exchange(ray.state, isHopeless ? PickedRay::State::Impossible : PickedRay::State::Preparing)
+        ray.failure = m_casters.failureOf(objects);
+        return std::exchange(ray.state, ray.failure ? PickedRay::State::Impossible : PickedRay::State::Preparing)
                != ray.state;
     }
+    ray.failure.reset();
     ray.state = PickedRay::State::Impossible;
     if (const Result<Unprojector> unprojector = Unprojector::of(m_picked.pick->geometry)) {
         const ray::SceneRays rays(*unprojector, objects, *casters, m_picked.rayScene->clipPlanes);

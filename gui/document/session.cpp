@@ -28,9 +28,14 @@ Session::Session(SceneDocument &document, SessionQuestions &questions, const Opt
     connect(&m_loader, &ModelLoader::started, this, &Session::loadingStarted);
     connect(&m_loader, &ModelLoader::progressed, this, &Session::loadingProgressed);
     connect(&m_loader, &ModelLoader::finished, this, &Session::takeLoaded);
-    connect(&m_loader, &ModelLoader::cancelled, this, [this] {
-        m_pending.reset();
-        emit loadingEnded();
+    connect(&m_loader, &ModelLoader::cancelled, this, &Session::giveUpPending);
+    connect(&m_loader, &ModelLoader::jobFailed, this, [this](const JobFailure &failure) {
+        emit failed(
+            tr("The files cannot be opened: %1. Close other programs, then try again.").arg(failureText(failure)));
+        giveUpPending();
+    });
+    connect(&m_models, &ModelStore::jobFailed, this, [this](const JobFailure &failure) {
+        emit noticed(tr("Large models are not simplified while the view moves: %1.").arg(failureText(failure)));
     });
     createAutosave();
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
@@ -40,6 +45,12 @@ Session::Session(SceneDocument &document, SessionQuestions &questions, const Opt
 }
 
 Session::~Session() = default;
+
+void Session::giveUpPending()
+{
+    m_pending.reset();
+    emit loadingEnded();
+}
 
 QString Session::name() const
 {

@@ -199,6 +199,7 @@ private:
     static QString nameText(const Name &name);
     void load(Pending pending);
     void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
+    void giveUpPending();
     void takeModels(const std::vector<LoadedModel> &models, Pending::For use);
     /// @return what of it is not as in its file
     QString takeScene(Pending pending, const std::vector<LoadedModel> &models);

@@ -261,7 +261,9 @@ void ComparisonPanel::showRay()
         return;
     switch (ray->state) {
     case PickedRay::State::Preparing: m_ray->setText(rayPreparingText()); return;
-    case PickedRay::State::Impossible: m_ray->setText(rayImpossibleText()); return;
+    case PickedRay::State::Impossible:
+        m_ray->setText(rayImpossibleText(ray->failure ? failureText(*ray->failure) : QString()));
+        return;
     case PickedRay::State::Answered: break;
     }
     const auto hitOf = [](const std::optional<MetPlace> &place) {

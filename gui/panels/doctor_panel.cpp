@@ -131,8 +131,10 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
         else
             showNothing(errorText(answer.error()));
     });
-    connect(m_diagnoser, &Diagnoser::outOfMemory, this,
-            [this] { showNothing(tr("There is not enough memory to try all mistakes.")); });
+    connect(m_diagnoser, &Diagnoser::jobFailed, this, [this](const JobFailure &failure) {
+        showNothing(
+            tr("The mistakes could not be tried: %1. Close other programs, then ask again.").arg(failureText(failure)));
+    });
     connect(&document, &SceneDocument::opened, this, [this] {
         m_picture.reset();
         m_taken.reset();

@@ -122,15 +122,16 @@ QString rayPreparingText()
     return RayTexts::tr("The ray on the mesh comes as soon as the model is prepared for it.");
 }
 
-QString rayImpossibleText()
+QString rayImpossibleText(const QString &reason)
 {
-    return RayTexts::tr("There is too little memory to prepare the model for the ray on the mesh.");
+    return reason.isEmpty() ? RayTexts::tr("This picture has no ray.")
+                            : RayTexts::tr("There is no ray on the mesh: %1.").arg(reason);
 }
 
 QStringList longestRayTexts()
 {
     const QString name(kMostOfName, u'M');
-    QStringList texts{rayPreparingText(), rayImpossibleText()};
+    QStringList texts{rayPreparingText()};
     for (const Kind kind : {Kind::SameSurface, Kind::OtherPart, Kind::OtherObject, Kind::SameDepth, Kind::OnlyFrame,
                             Kind::OnlyRay, Kind::CloudPoint}) {
         for (const double steps : {-8.8e-88, 8.8e88})

@@ -16,7 +16,8 @@ using namespace ray;
 /// @param met    of what the ray meets
 QString rayComparisonText(const RayComparison &comparison, const QString &shown, const QString &met);
 QString rayPreparingText();
-QString rayImpossibleText();
+/// @param reason  a clause; empty: the picture has no rays
+QString rayImpossibleText(const QString &reason);
 /// The longest that any of these can be.
 QStringList longestRayTexts();
 

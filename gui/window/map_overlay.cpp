@@ -47,8 +47,10 @@ MapOverlay::MapOverlay(SceneDocument &document, SceneView &view)
     connect(&m_maker, &MapMaker::failed, this, [this](const Error &error) {
         m_panel->setNote(tr("There is no such map of this picture: %1").arg(errorText(error)));
     });
-    connect(&m_maker, &MapMaker::outOfMemory, this,
-            [this] { m_panel->setNote(tr("There is no memory for a map. Make the window smaller.")); });
+    connect(&m_maker, &MapMaker::jobFailed, this, [this](const JobFailure &failure) {
+        m_panel->setNote(
+            tr("There is no map: %1. Make the window smaller, or close other programs.").arg(failureText(failure)));
+    });
     connect(m_panel, &MapPanel::questionChanged, this, [this] {
         drop();
         ask();
@@ -91,8 +93,9 @@ void MapOverlay::ask()
         question.cornerShiftPixels = m_view.cornerShiftPixels();
     if (m_maker.ask(question))
         m_panel->setNote(tr("Computing the map…"));
-    else if (m_document.rayCasters().isHopeless(m_document.objects()))
-        m_panel->setNote(tr("There is no memory to prepare the model for rays, and so no map."));
+    else if (const auto failure = m_document.rayCasters().failureOf(m_document.objects()))
+        m_panel->setNote(
+            tr("There is no map, since the model is not prepared for rays: %1.").arg(failureText(*failure)));
     else
         m_panel->setNote(tr("The map comes when the model is prepared for rays."));
 }

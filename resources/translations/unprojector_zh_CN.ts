@@ -665,8 +665,12 @@
         <translation>模型准备好后，即给出射线与网格的交点。</translation>
     </message>
     <message>
-        <source>There is too little memory to prepare the model for the ray on the mesh.</source>
-        <translation>内存不足，无法为射线与网格求交准备模型。</translation>
+        <source>This picture has no ray.</source>
+        <translation>此画面没有射线。</translation>
+    </message>
+    <message>
+        <source>There is no ray on the mesh: %1.</source>
+        <translation>无法给出射线与网格的交点：%1。</translation>
     </message>
     <message>
         <source>Point %1 of the cloud.</source>
@@ -1797,8 +1801,8 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>把这些像素当作现在的视图的像素</translation>
     </message>
     <message>
-        <source>There is not enough memory to try all mistakes.</source>
-        <translation>内存不足，无法试遍所有错误。</translation>
+        <source>The mistakes could not be tried: %1. Close other programs, then ask again.</source>
+        <translation>无法试遍所有错误：%1。请关闭其他程序，然后重试。</translation>
     </message>
     <message>
         <source>More about your program</source>
@@ -2416,6 +2420,21 @@ Both are as large as fits.</source>
     <message>
         <source>Its formulas in Help</source>
         <translation>帮助中的相应公式</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::JobFailure</name>
+    <message>
+        <source>the system cannot start another thread</source>
+        <translation>系统无法再启动线程</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>an unexpected error occurred (%1)</source>
+        <translation>发生意外错误（%1）</translation>
     </message>
 </context>
 <context>
@@ -3685,16 +3704,16 @@ Both are as large as fits.</source>
         <translation>此画面没有这种映射图：%1</translation>
     </message>
     <message>
-        <source>There is no memory for a map. Make the window smaller.</source>
-        <translation>内存不足以计算映射图。请缩小窗口。</translation>
+        <source>There is no map: %1. Make the window smaller, or close other programs.</source>
+        <translation>没有映射图：%1。请缩小窗口，或关闭其他程序。</translation>
     </message>
     <message>
         <source>Computing the map…</source>
         <translation>正在计算映射图…</translation>
     </message>
     <message>
-        <source>There is no memory to prepare the model for rays, and so no map.</source>
-        <translation>内存不足，无法为射线准备模型，因此没有映射图。</translation>
+        <source>There is no map, since the model is not prepared for rays: %1.</source>
+        <translation>未能为射线准备模型，因此没有映射图：%1。</translation>
     </message>
     <message>
         <source>The map comes when the model is prepared for rays.</source>
@@ -6653,10 +6672,6 @@ of a point that needs no division</source>
         <translation>没有沿曲面法线的平面从“%1”通到“%2”；请改用测地线，或在两者之间再放一个点</translation>
     </message>
     <message>
-        <source>there is not enough memory</source>
-        <translation>内存不足</translation>
-    </message>
-    <message>
         <source>curve %1</source>
         <translation>曲线 %1</translation>
     </message>
@@ -7096,6 +7111,14 @@ of a point that needs no division</source>
 </context>
 <context>
     <name>unprojector::gui::Session</name>
+    <message>
+        <source>The files cannot be opened: %1. Close other programs, then try again.</source>
+        <translation>无法打开文件：%1。请关闭其他程序，然后重试。</translation>
+    </message>
+    <message>
+        <source>Large models are not simplified while the view moves: %1.</source>
+        <translation>视图移动时大型模型未被简化：%1。</translation>
+    </message>
     <message>
         <source>the scene</source>
         <translation>场景</translation>

@@ -1,5 +1,6 @@
 // The work place Doctor as a hand has it: a click, what another program got for it, and the answer.
 
+#include "job_faults.h"
 #include "window_user.h"
 
 #include "core/doctor/diagnosis.h"
@@ -148,6 +149,7 @@ private slots:
     void aDragIsNoClick();
     void aDragOnTheBackgroundTakesNothingBack();
     void aWindowOfOnesOwnHasTheRatioOfTheScreen();
+    void withoutAnAnswerTheLastOneGoes_data() { jobfaults::addRows(); }
     void withoutAnAnswerTheLastOneGoes();
     void theVerdictIsLargeInEveryFont();
     void theClickThatTellsIsPicked();
@@ -395,15 +397,25 @@ void TestDoctorPlace::aWindowOfOnesOwnHasTheRatioOfTheScreen()
 
 void TestDoctorPlace::withoutAnAnswerTheLastOneGoes()
 {
+    QFETCH(JobFailure::Kind, kind);
+    QFETCH(QString, reason);
     const auto window = doctorWindow();
-    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    const glm::dvec3 wrong = clickedAndWrong(*window);
+    type(gotOf(*window), pointText(wrong));
     QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
-    emit panelOf(*window).findChild<Diagnoser *>()->outOfMemory();
-    QVERIFY2(verdictOf(*window).startsWith(QStringLiteral("There is not enough memory")),
-             qPrintable(verdictOf(*window)));
-    QVERIFY(!panelOf(*window).code().isVisible());
-    QVERIFY(!panelOf(*window).findChild<CandidatesTable *>()->isVisible());
-    QVERIFY(window->document().wrongPoints().empty());
+    {
+        const jobfaults::Fault fault(kind);
+        type(gotOf(*window), pointText(wrong + 1.0));
+        QTRY_COMPARE_WITH_TIMEOUT(
+            verdictOf(*window),
+            QStringLiteral("The mistakes could not be tried: %1. Close other programs, then ask again.").arg(reason),
+            kPatienceMilliseconds);
+        QVERIFY(!panelOf(*window).code().isVisible());
+        QVERIFY(!panelOf(*window).findChild<CandidatesTable *>()->isVisible());
+        QVERIFY(window->document().wrongPoints().empty());
+    }
+    type(gotOf(*window), pointText(wrong));
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::theVerdictIsLargeInEveryFont()

@@ -6,6 +6,7 @@
 #include "gui/view/point_loupe.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/map_overlay.h"
+#include "tests/gui/job_faults.h"
 #include "tests/gui/window_user.h"
 #include "tests/support/patience.h"
 
@@ -14,6 +15,7 @@
 #include <QLabel>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace unprojector;
@@ -63,6 +65,8 @@ private slots:
     void pointsAreOverTheMap();
     void uncertaintyIsThatOfAClick();
     void noEffectIsNoDifference();
+    void withoutAMapItSaysWhy_data() { jobfaults::addRows(); }
+    void withoutAMapItSaysWhy();
 };
 
 void TestMapOverlay::colorsGoFromDarkToLight()
@@ -285,6 +289,27 @@ void TestMapOverlay::noEffectIsNoDifference()
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel *label) {
         return label->text().endsWith(QStringLiteral("no difference beyond rounding."));
     }));
+}
+
+void TestMapOverlay::withoutAMapItSaysWhy()
+{
+    QFETCH(JobFailure::Kind, kind);
+    QFETCH(QString, reason);
+    const auto window = windowOfSize({900, 600});
+    const auto says = [&](const QString &text) {
+        const QList<QLabel *> labels = window->map().panel().findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel *label) { return label->text() == text; });
+    };
+    {
+        const jobfaults::Fault fault(kind);
+        window->map().setShown(true);
+        QTRY_VERIFY(
+            says(QStringLiteral("There is no map: %1. Make the window smaller, or close other programs.").arg(reason)));
+        QVERIFY(window->map().map() == nullptr);
+    }
+    window->map().setShown(false);
+    window->map().setShown(true);
+    QTRY_VERIFY(window->map().map() != nullptr);
 }
 
 QTEST_MAIN(TestMapOverlay)

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "core/geometry/result.h"
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+
+namespace unprojector::gui {
+
+/// Why a job has no result.
+struct JobFailure {
+    enum class Kind { NoThread, OutOfMemory, Exception };
+    Kind kind = Kind::OutOfMemory;
+    std::string detail = {}; ///< of an exception: what it says of itself
+};
+
+template <class T>
+using JobResult = geometry::Result<T, JobFailure>;
+
+/// @pre exception is not null
+JobFailure failureOf(const std::exception_ptr &exception);
+/// The reason in the user's language: a clause, in lower case and without a full stop.
+QString failureText(const JobFailure &failure);
+
+class Background;
+
+/// A job as its work sees it.
+class Job : public std::enable_shared_from_this<Job> {
+public:
+    explicit Job(Background &background) : m_background(background) {}
+
+    bool isCancelled() const { return m_isCancelled; }
+    /// Reports progress to the owner, in at most a hundred steps: each is an event for the window. From one thread at a time.
+    /// @param share  done, in [0, 1]
+    /// @return false once the job is cancelled: the work shall return soon, whatever its result
+    bool report(double share);
+
+private:
+    friend class Background;
+
+    Background &m_background;
+    std::function<void(Job &)> m_work; ///< destroyed by the worker: what it holds is not held any longer
+    std::function<void(const std::exception_ptr &)> m_done;
+    std::function<void(double)> m_progressed;
+    std::atomic<bool> m_isCancelled{false};
+    bool m_isStarted = false;
+    double m_reported = 0.0;
+    std::exception_ptr m_exception; ///< written by the worker, read once that is joined
+    std::thread m_thread;
+};
+
+/// The jobs of an owner, each on a thread of its own. They report to the thread that this object lives in, through its
+/// event loop. Nothing that goes wrong on a worker leaves it: all becomes a JobFailure.
+///
+/// Make it the owner's last member: its destructor cancels all jobs and waits for their threads, which may use the others.
+/// All its functions are for the thread that it lives in.
+class Background : public QObject {
+public:
+    /// @param most  so many threads at once; further jobs wait for their turn, also behind cancelled ones that are ending
+    explicit Background(std::size_t most = 1) : m_most(most) {}
+    ~Background() override;
+
+    /// Starts a job. Returns at once, also where it cannot start.
+    /// @param work        Value work(Job &), on the worker
+    /// @param done        done(JobResult<Value>), later, unless the job is cancelled. The job is not running any more then.
+    /// @param progressed  called before `done`, with shares that rise
+    template <class Work, class Done>
+    void start(Work work, Done done, std::function<void(double)> progressed = {})
+    {
+        using Value = std::invoke_result_t<Work &, Job &>;
+        const auto job = std::make_shared<Job>(*this);
+        const auto value = std::make_shared<std::optional<Value>>();
+        job->m_work = [work = std::move(work), value](Job &self) mutable { value->emplace(work(self)); };
+        job->m_done = [done = std::move(done), value](const std::exception_ptr &exception) mutable {
+            done(exception ? JobResult<Value>(failureOf(exception)) : JobResult<Value>(std::move(**value)));
+        };
+        job->m_progressed = std::move(progressed);
+        m_jobs.push_back(job);
+        startWaiting();
+    }
+    /// Cancels all jobs: nothing of them arrives any more.
+    void cancel();
+    /// Blocks until all jobs have ended, those too that they start when they are done. Each `done` is called before this returns.
+    void finish();
+    /// Whether a `done` is still to come.
+    bool isRunning() const;
+
+    enum class Step { Start, Work };
+    /// For tests: called before a thread is started, and by the worker before the work. What it throws counts as thrown by
+    /// that step. To be changed while no job runs.
+    static inline std::function<void(Step)> fault;
+
+private:
+    friend class Job;
+
+    void startWaiting();
+    void run(Job &job) noexcept;
+    void end(const std::shared_ptr<Job> &job);
+    template <class Action>
+    bool post(Action action) noexcept;
+    void postEnd(const std::shared_ptr<Job> &job) noexcept;
+
+    const std::size_t m_most;
+    std::deque<std::shared_ptr<Job>> m_jobs; ///< in their order; the cancelled ones among them are ending
+    std::atomic<bool> m_isClosing{false};
+};
+
+} // namespace unprojector::gui

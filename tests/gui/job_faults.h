@@ -1,0 +1,44 @@
+#pragma once
+
+#include "gui/document/background.h"
+
+#include <QTest>
+
+#include <new>
+#include <system_error>
+
+/// Jobs that fail as on a machine without threads or memory to spare.
+namespace jobfaults {
+
+using namespace unprojector::gui;
+
+/// While this lives, each job fails in this way.
+/// @pre no job runs when it comes and when it goes
+class Fault {
+public:
+    explicit Fault(JobFailure::Kind kind)
+    {
+        Background::fault = [kind](Background::Step step) {
+            if (kind == JobFailure::Kind::NoThread && step == Background::Step::Start)
+                throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+            if (kind == JobFailure::Kind::OutOfMemory && step == Background::Step::Work)
+                throw std::bad_alloc();
+        };
+    }
+    ~Fault() { Background::fault = nullptr; }
+    Fault(const Fault &) = delete;
+    Fault &operator=(const Fault &) = delete;
+};
+
+inline void addRows()
+{
+    QTest::addColumn<JobFailure::Kind>("kind");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("no thread") << JobFailure::Kind::NoThread
+                               << QStringLiteral("the system cannot start another thread");
+    QTest::newRow("no memory") << JobFailure::Kind::OutOfMemory << QStringLiteral("there is not enough memory");
+}
+
+} // namespace jobfaults
+
+Q_DECLARE_METATYPE(unprojector::gui::JobFailure::Kind)

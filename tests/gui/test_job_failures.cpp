@@ -1,0 +1,207 @@
+// What the user reads where a thread cannot start or memory runs out, and that the document goes on: for each of those that have
+// background jobs. The map's and the doctor's sentences are in test_map_overlay and test_doctor_place.
+
+#include "job_faults.h"
+#include "session_desk.h"
+
+#include "core/ray/closest_place.h"
+#include "core/scene/solids.h"
+#include "gui/document/diagnoser.h"
+#include "gui/document/map_maker.h"
+#include "gui/document/scene_curves.h"
+#include "tests/support/mesh_model.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <memory>
+#include <vector>
+
+using namespace jobfaults;
+using namespace sessions;
+
+namespace {
+
+/// 20 * 4^subdivisions triangles: too many to prepare rays or curves at once, and too many to be drawn in motion.
+constexpr int kMany = 5, kVeryMany = 7;
+
+std::vector<SceneObject> ball(int subdivisions)
+{
+    return {{"ball", {}, modelOf(sphereMesh(1.0, subdivisions)), {}}};
+}
+
+landmarks::Landmark pointOn(const SceneObject &object, const glm::dvec3 &place, const char *name)
+{
+    const auto closest = ray::ClosestPlaces::build(object.model, {})->to(ObjectPoint(place));
+    landmarks::Landmark point;
+    point.name = name;
+    point.object = object.name;
+    point.world = WorldPoint(place);
+    point.hold = closest->hold;
+    point.uncertainty = WorldVector(0.01, 0.01, 0.01);
+    return point;
+}
+
+} // namespace
+
+class TestJobFailures : public QObject, FolderUser {
+    Q_OBJECT
+
+private slots:
+    void init() { changeFolder(); }
+    void filesAreNotOpened_data() { addRows(); }
+    void filesAreNotOpened();
+    void standInsAreNotMade_data() { addRows(); }
+    void standInsAreNotMade();
+    void theRayIsImpossible_data() { addRows(); }
+    void theRayIsImpossible();
+    void aMapIsNotMade_data() { addRows(); }
+    void aMapIsNotMade();
+    void curvesSayWhy_data() { addRows(); }
+    void curvesSayWhy();
+    void theDoctorHasNoAnswer_data() { addRows(); }
+    void theDoctorHasNoAnswer();
+};
+
+void TestJobFailures::filesAreNotOpened()
+{
+    QFETCH(JobFailure::Kind, kind);
+    QFETCH(QString, reason);
+    const auto desk = this->desk();
+    const QStringList files{file(QStringLiteral("triangle.obj"))};
+    QSignalSpy ended(&desk->session, &Session::loadingEnded);
+    {
+        const Fault fault(kind);
+        QVERIFY(desk->openAndWait(files));
+    }
+    QCOMPARE(desk->failures,
+             QStringList(QStringLiteral("The files cannot be opened: %1. Close other programs, then try "
+                                        "again.")
+                             .arg(reason)));
+    QCOMPARE(ended.size(), 1);
+    QVERIFY(desk->openAndWait(files));
+    QCOMPARE(desk->names(), QStringList(QStringLiteral("triangle.obj")));
+    QCOMPARE(desk->failures.size(), 1);
+}
+
+void TestJobFailures::standInsAreNotMade()
+{
+    QFETCH(JobFailure::Kind, kind);
+    QFETCH(QString, reason);
+    const auto desk = this->desk();
+    ModelStore &models = desk->session.models();
+    QSignalSpy failed(&models, &ModelStore::jobFailed);
+    const std::vector<SceneObject> objects = ball(kVeryMany);
+    {
+        const Fault fault(kind);
+        models.makeStandIns(objects);
+        QVERIFY(failed.wait(kMostMilliseconds));
+    }
+    QCOMPARE(desk->notices,
+             QStringList(QStringLiteral("Large models are not simplified while the view moves: %1.").arg(reason)));
+    QVERIFY2(!models.standInsFor(objects), "the model itself is drawn");
+    QSignalSpy made(&models, &ModelStore::standInReady);
+    const std::vector<SceneObject> others = ball(kVeryMany);
+    models.makeStandIns(others);
+    QVERIFY(made.wait(kMostMilliseconds));
+    QVERIFY(models.standInsFor(others));
+}
+
+void TestJobFailures::theRayIsImpossible()
+{
+    QFETCH(JobFailure::Kind, kind);
+    QFETCH(QString, reason);
+    SceneDocument document;
+    document.setSurface({400, 300, 1.0});
+    {
+        const Fault fault(kind);
+        document.setObjects(ball(kMany));
+        document.pickAt(WidgetPoint(200.0, 150.0), {0.3, 0, 24});
+        QVERIFY(document.pickedRay());
+        QTRY_VERIFY(document.pickedRay()->state == PickedRay::State::Impossible);
+        QVERIFY(document.pickedRay()->failure);
+        QCOMPARE(failureText(*document.pickedRay()->failure), reason);
+        QVERIFY(!document.rays());
+        document.rayCasters().complete(document.objects());
+        QVERIFY(document.rayCasters().failureOf(document.objects()));
+    }
+    // No thread is a matter of the moment; for more memory the model is opened again.
+    if (kind == JobFailure::Kind::OutOfMemory)
+        document.setObjects(ball(kMany));
+    document.rayCasters().complete(document.objects());
+    QVERIFY(document.rays());
+    QVERIFY(!document.rayCasters().failureOf(document.objects()));
+}
+
+void TestJobFailures::aMapIsNotMade()
+{
+    QFETCH(JobFailure::Kind, kind);
+    QFETCH(QString, reason);
+    SceneDocument document;
+    document.setSurface({40, 30, 1.0});
+    document.setObjects({{"cube", {}, modelOf(cubeMesh(2.0)), {}}});
+    QVERIFY(document.rays());
+    MapMaker maker(document);
+    QSignalSpy failed(&maker, &MapMaker::jobFailed), made(&maker, &MapMaker::made);
+    {
+        const Fault fault(kind);
+        QVERIFY(maker.ask({}));
+        QVERIFY(failed.wait(kMostMilliseconds));
+    }
+    QCOMPARE(failureText(failed[0][0].value<JobFailure>()), reason);
+    QVERIFY(!maker.isMaking() && made.isEmpty());
+    QVERIFY(maker.ask({}));
+    QVERIFY(made.wait(kMostMilliseconds));
+}
+
+void TestJobFailures::curvesSayWhy()
+{
+    QFETCH(JobFailure::Kind, kind);
+    QFETCH(QString, reason);
+    SceneDocument document;
+    document.setObjects(ball(kMany));
+    document.rayCasters().complete(document.objects());
+    const SceneObject &ball = document.objects()[0];
+    const std::vector<landmarks::Landmark> points{
+        pointOn(ball, {0.0, 0.0, 1.0}, "a"), pointOn(ball, {0.0, 0.6, 0.8}, "b"), pointOn(ball, {0.6, 0.0, 0.8}, "c")};
+    QVERIFY(document.editLandmarks(points, {"put"}));
+    SceneCurves &curves = document.curves();
+    {
+        const Fault fault(kind);
+        QCOMPARE(curves.join({0, 1}, landmarks::CurveKind::Geodesic), QString());
+        QTRY_VERIFY(!curves.isComputing());
+        QCOMPARE(curves.line(0).reason, reason);
+        QVERIFY(!curves.line(0).line && !curves.line(0).isComputing);
+    }
+    QCOMPARE(curves.join({0, 2}, landmarks::CurveKind::Geodesic), QString());
+    QVERIFY(curves.complete());
+    QVERIFY(curves.line(1).line && curves.line(1).line->length.value > 0.6);
+}
+
+void TestJobFailures::theDoctorHasNoAnswer()
+{
+    QFETCH(JobFailure::Kind, kind);
+    QFETCH(QString, reason);
+    SceneDocument document;
+    document.setSurface({400, 300, 1.0});
+    Diagnoser diagnoser;
+    QSignalSpy failed(&diagnoser, &Diagnoser::jobFailed), answered(&diagnoser, &Diagnoser::answered);
+    const auto ask = [&] {
+        doctor::WrongPoint point;
+        point.pixel = DevicePoint(200.0, 150.0);
+        point.got = {1.0, 2.0, 3.0};
+        diagnoser.ask({document.unprojector().picture(), {}, {}, {}}, {point});
+    };
+    {
+        const Fault fault(kind);
+        ask();
+        QVERIFY(failed.wait(kMostMilliseconds));
+    }
+    QCOMPARE(failureText(failed[0][0].value<JobFailure>()), reason);
+    QVERIFY(answered.isEmpty());
+    ask();
+    QVERIFY(answered.wait(kMostMilliseconds));
+}
+
+QTEST_GUILESS_MAIN(TestJobFailures)
+#include "test_job_failures.moc"
