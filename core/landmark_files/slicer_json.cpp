@@ -187,7 +187,7 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
                .unit = true});
     Document document;
     for (const LandmarkSet &set : sets) {
-        Markup markup{set.name, set.axes, {}, Json::object()};
+        Markup markup{set.name, set.axes, {}, text::JsonValue(Json::object())};
         const Json &kept = set.extra.json();
         Json &extra = markup.extra.edit();
         if (!kept.is_object() || !kept.contains("type"))
@@ -204,7 +204,7 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
                         glm::dvec3(0.0),
                         !landmark.isHidden,
                         landmark.world ? Point::Status::Defined : Point::Status::Undefined,
-                        Json::object()};
+                        text::JsonValue(Json::object())};
             if (landmark.world)
                 point.position = turned(*landmark.world, set.axes).coordinates();
             Json &pointExtra = point.extra.edit();

@@ -151,7 +151,7 @@ public:
         extra.clear();
         const std::size_t count = member.size();
         for (std::size_t i = 0; i < count && !failed(); ++i)
-            extra.push_back(read(member.element(i), values.emplace_back(), Plain{}));
+            extra.emplace_back(read(member.element(i), values.emplace_back(), Plain{}));
     }
 
     /// An angle, in degrees in JSON. Where no number of degrees gives the same radians again, those stand under a key of
@@ -207,7 +207,7 @@ public:
         else
             how.read(node, value);
         if constexpr (KeepsUnknownKeys<T>)
-            value.extra = std::exchange(unknown, nullptr);
+            value.extra = text::JsonValue(std::exchange(unknown, nullptr));
         return unknown;
     }
 

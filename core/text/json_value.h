@@ -13,8 +13,8 @@ namespace unprojector::text {
 class JsonValue {
 public:
     JsonValue() = default; ///< null
-    /// Implicit: a JSON value is kept by assigning it.
-    JsonValue(nlohmann::ordered_json json);
+    /// Explicit: braces assigned to a value would be a list here that are an object in JSON. For those, see edit().
+    explicit JsonValue(nlohmann::ordered_json json);
 
     const nlohmann::ordered_json &json() const;
     /// The value to change. The reference is valid until this object is copied, assigned or destroyed.

@@ -259,7 +259,7 @@ void PointsPanel::saveTemplate()
         if (const std::filesystem::path picture = m_templates.pictureFor(called); !picture.empty()) {
             std::error_code error; // an absolute path does as well
             const std::filesystem::path relative = std::filesystem::proximate(picture, file.parent_path(), error);
-            named.extra = {{landmarks::kPictureColumn, files::utf8FromPath(error ? picture : relative)}};
+            named.extra.edit() = {{landmarks::kPictureColumn, files::utf8FromPath(error ? picture : relative)}};
         }
         set.landmarks.push_back(std::move(named));
     }

@@ -3,6 +3,8 @@
 #include "gui/painters/scene_lines.h"
 #include "gui/view/letter_places.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <QPainter>
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 
 #include "core/geometry/finite.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QByteArray>
 
 /// Scene files there and back, for tests.

@@ -6,6 +6,8 @@
 #include "tests/support/core_scene.h"
 #include "tests/support/unprojecting.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QTest>
 
 #include <bit>

@@ -4,6 +4,8 @@
 #include "core/landmark_files/landmark_file.h"
 #include "tests/core/strict_landmarks.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
@@ -59,12 +61,12 @@ LandmarkSet setFor(Format format)
     if (isJson || isFcsv)
         set.axes = Axes::Ras;
     if (isTps)
-        set.extra["COMMENT"] = "left side broken";
+        set.extra.edit()["COMMENT"] = "left side broken";
     if (isMeshLab)
-        set.extra["DocumentData"] = {{"DateTime", {{"date", "2026-10-01"}, {"time", "12:00:00"}}},
-                                     {"User", {{"name", "A & B"}}}};
+        set.extra.edit()["DocumentData"] = {{"DateTime", {{"date", "2026-10-01"}, {"time", "12:00:00"}}},
+                                            {"User", {{"name", "A & B"}}}};
     if (isJson)
-        set.extra = {{"type", "Curve"}, {"display", {{"color", {0.5, 0.25, 1.0}}}}};
+        set.extra.edit() = {{"type", "Curve"}, {"display", {{"color", {0.5, 0.25, 1.0}}}}};
     for (int i = 0; i < kPoints; ++i) {
         Landmark landmark;
         if (format != Format::Tps)
@@ -92,13 +94,13 @@ LandmarkSet setFor(Format format)
             if (i % 3 == 1)
                 landmark.color = glm::u8vec3(255, i % 256, 8);
             if (i % 6 == 0)
-                landmark.extra = {{"sex, age", "f, \"3\""}, {"count", 5}, {"done", true}, {"code", "007"}};
+                landmark.extra.edit() = {{"sex, age", "f, \"3\""}, {"count", 5}, {"done", true}, {"code", "007"}};
         }
         if (isJson && i % 6 == 0)
-            landmark.extra = {
+            landmark.extra.edit() = {
                 {"id", "p" + std::to_string(i)}, {"orientation", {0, 1, 0, 1, 0, 0, 0, 0, -1}}, {"locked", true}};
         if (isFcsv && i % 6 == 0)
-            landmark.extra = {
+            landmark.extra.edit() = {
                 {"id", "vtkMRMLMarkups_" + std::to_string(i)}, {"selected", false}, {"associatedNodeID", "a,b"}};
         set.landmarks.push_back(landmark);
     }
@@ -169,10 +171,12 @@ void TestLandmarkFiles::whatIsWrittenReadsBackTheSame()
         for (int axis = 0; axis < 3 && landmark.world; ++axis)
             QVERIFY(isSameDouble((*landmark.world)[axis], (*expected.world)[axis]));
         QCOMPARE(landmark.note, expected.note);
-        QCOMPARE(QString::fromStdString(landmark.extra.dump()), QString::fromStdString(expected.extra.dump()));
+        QCOMPARE(QString::fromStdString(landmark.extra.json().dump()),
+                 QString::fromStdString(expected.extra.json().dump()));
         QVERIFY(landmark == expected);
     }
-    QCOMPARE(QString::fromStdString(read->sets[0].extra.dump()), QString::fromStdString(set.extra.dump()));
+    QCOMPARE(QString::fromStdString(read->sets[0].extra.json().dump()),
+             QString::fromStdString(set.extra.json().dump()));
     QVERIFY(read->sets[0] == set);
 
     const QList<StrictPoint> points = strictPoints(QByteArray::fromStdString(text->text), format);
@@ -328,10 +332,10 @@ void TestLandmarkFiles::namesThatReadersStumbleOver()
 void TestLandmarkFiles::otherKeysAreNotTakenForOurs()
 {
     LandmarkSet set;
-    set.extra = {{"SCALE", "2"}, {"LM3", "5"}, {"COMMENT", "c"}};
+    set.extra.edit() = {{"SCALE", "2"}, {"LM3", "5"}, {"COMMENT", "c"}};
     set.landmarks.resize(1);
     set.landmarks[0].world = WorldPoint(1, 2, 3);
-    set.landmarks[0].extra = {{"X", 5}, {"deep", Json::parse("[[1, {\"a\": 2}]]")}};
+    set.landmarks[0].extra.edit() = {{"X", 5}, {"deep", Json::parse("[[1, {\"a\": 2}]]")}};
     const auto tps = landmarksText({&set, 1}, Format::Tps);
     QVERIFY(tps);
     QCOMPARE(tps->text, std::string("LM3=1\n1 2 3\nCOMMENT=c\n\n"));
@@ -342,11 +346,11 @@ void TestLandmarkFiles::otherKeysAreNotTakenForOurs()
     QVERIFY(csv);
     QCOMPARE(csv->text, std::string("name,x,y,z,object,face,u,v,w,note,deep\n,1,2,3,,,,,,,\"[[1,{\"\"a\"\":2}]]\"\n"));
     QVERIFY(noteTexts(csv->notes).contains("the other values of 1 point are left out: X"));
-    QVERIFY(parseLandmarks(csv->text, Format::Csv, "f").value().sets[0].landmarks[0].extra["deep"]
-            == set.landmarks[0].extra["deep"]);
+    QVERIFY(parseLandmarks(csv->text, Format::Csv, "f").value().sets[0].landmarks[0].extra.json()["deep"]
+            == set.landmarks[0].extra.json()["deep"]);
     const std::string deep = "x,y,z,deep\n1,2,3," + std::string(200000, '[') + std::string(200000, ']') + '\n';
     const auto read = parseLandmarks(deep, Format::Csv, "f");
-    QVERIFY(read && read->sets[0].landmarks[0].extra["deep"].is_string());
+    QVERIFY(read && read->sets[0].landmarks[0].extra.json()["deep"].is_string());
 }
 
 void TestLandmarkFiles::whatAFormatCannotHoldIsRefused()

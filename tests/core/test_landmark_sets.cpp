@@ -5,6 +5,8 @@
 #include "core/landmarks/repeats.h"
 #include "core/ray/tie_landmark.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QTest>
 
 #include <cmath>
@@ -157,8 +159,8 @@ void TestLandmarkSets::hintsGoByName()
 void TestLandmarkSets::picturesGoByName()
 {
     std::vector<Landmark> names{named("nasion"), named("tip"), named("chin")};
-    names[0].extra = {{"picture", "pictures/nasion.png"}};
-    names[1].extra = {{"picture", 7}, {"sex", "f"}};
+    names[0].extra.edit() = {{"picture", "pictures/nasion.png"}};
+    names[1].extra.edit() = {{"picture", 7}, {"sex", "f"}};
     QCOMPARE(pictureFor("NASION", names), std::string_view("pictures/nasion.png"));
     for (const char *none : {"tip", "chin", "ear"})
         QCOMPARE(pictureFor(none, names), std::string_view());

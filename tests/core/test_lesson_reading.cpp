@@ -8,6 +8,8 @@
 #include "core/scene/bundled_models.h"
 #include "lesson_texts.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QTest>
 
 #include <cmath>
@@ -209,8 +211,8 @@ void TestLessonReading::aStepGoesOnFromTheOneBefore()
         {"id": "b", "title": "B", "text": ["x"], "change": {"projection": {"near": 2}}, "highlights": ["cube", "axes"]},
         {"id": "c", "title": "C", "text": ["x"], "scene": "zhangci-2d"}]})");
     QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
-    QCOMPARE(lesson->steps[1].scene["projection"]["near"].get<double>(), 2.0);
-    QCOMPARE(lesson->steps[1].scene["projection"]["far"].get<double>(), 100.0);
+    QCOMPARE(lesson->steps[1].scene.json()["projection"]["near"].get<double>(), 2.0);
+    QCOMPARE(lesson->steps[1].scene.json()["projection"]["far"].get<double>(), 100.0);
     QVERIFY(lesson->steps[1].view == glm::ivec2(30, 20));
     QCOMPARE(lesson->steps[1].points.size(), std::size_t(1));
     QVERIFY(!lesson->steps[2].view && lesson->steps[2].points.empty());
@@ -314,7 +316,8 @@ void TestLessonReading::aChangeLeavesTheRest()
     const QByteArray why = QByteArray::fromStdString(wrong.error().text);
     QVERIFY2(why.contains("projection.near"), why.constData());
     // What is not there cannot be set: that nothing happens is not to be taken for the answer.
-    const auto unknown = settingsWith(scene, picture, nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})"));
+    const auto unknown =
+        settingsWith(scene, picture, text::JsonValue(nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})")));
     QVERIFY(!unknown);
     QCOMPARE(QByteArray::fromStdString(unknown.error().text), QByteArray("set: there is no projection.left"));
 }

@@ -9,6 +9,8 @@
 #include "lesson_texts.h"
 #include "tests/support/errata.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
@@ -191,12 +193,12 @@ void TestLessons::everyLinkLeadsSomewhere()
                     Scene scene = opened;
                     scene.givenPoint = before;
                     const Surface surface{800, 600, 1.0};
-                    const nlohmann::ordered_json &change = step.changes.at(to);
+                    const text::JsonValue &change = step.changes.at(to);
                     const auto changed = settingsWith(scene, *pictureOf(scene, surface, {}), change);
                     QVERIFY2(changed, changed ? "" : changed.error().text.c_str());
                     static_cast<SceneSettings &>(scene) = *changed;
                     QVERIFY2(pictureOf(scene, surface, {}), where.c_str());
-                    if (!change.contains("point"))
+                    if (!change.json().contains("point"))
                         made = before;
                     else if (!made)
                         made = scene.givenPoint;

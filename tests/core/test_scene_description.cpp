@@ -7,6 +7,8 @@
 #include "parsed_scenes.h"
 #include "scene_texts.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
@@ -51,7 +53,7 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
     scene.landmarks.unit = "mm";
     scene.landmarks.landmarks.resize(2);
     scene.landmarks.landmarks[0].world = WorldPoint(0.1, 0.2, 0.3);
-    scene.landmarks.landmarks[0].extra = {{"sex", "f"}};
+    scene.landmarks.landmarks[0].extra.edit() = {{"sex", "f"}};
     scene.clipDistancesFitObjects = false;
     for (const bool follows : {true, false}) {
         scene.projectionFollowsViewport = follows;
@@ -88,12 +90,12 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
     QVERIFY(unnamed.objects[1].file.empty() && unnamed.objects[1].bundled == "Teapot");
 
     SceneFile before = parsed(kLeastScene);
-    before.extra = {{"author", "A"}};
+    before.extra.edit() = {{"author", "A"}};
     before.objects = {{"a", std::filesystem::path("models") / "a.obj", "", {}, {{"colour", "red"}}, {}}};
     const SceneFile kept =
         sceneFileFrom(scene, pictureOf(scene, {100, 75, 1}, {}).value(), "/there/scene.json", before);
-    QVERIFY(kept.extra["author"] == "A");
-    QVERIFY(kept.objects[0].extra["colour"] == "red" && kept.objects[1].extra.is_null());
+    QVERIFY(kept.extra.json()["author"] == "A");
+    QVERIFY(kept.objects[0].extra.json()["colour"] == "red" && kept.objects[1].extra.json().is_null());
 }
 
 void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys_data()
@@ -147,7 +149,7 @@ void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys()
     // And from there to where it was.
     const SceneFile back = sceneFileFrom(sceneFromFile(again, written, {model, model}).value(),
                                          pictureOf(scene, {801, 599, 1.25}, {}).value(), source, after);
-    QVERIFY(back.objects[0].extra["mark"] == "of the first object");
+    QVERIFY(back.objects[0].extra.json()["mark"] == "of the first object");
 }
 
 void TestSceneDescription::unknownKeysOfStepsGoWithThem()
@@ -283,7 +285,7 @@ void TestSceneDescription::aModelBehindALinkStaysTheSame()
 
     // Keys that are not ours stay with their object, and only with it: where it is saved again, and where it was read.
     SceneFile before = written;
-    before.objects[0].extra = {{"colour", "red"}};
+    before.objects[0].extra.edit() = {{"colour", "red"}};
     const auto isKept = [&](const Scene &saved) {
         return sceneFileFrom(saved, picture, root / "other.json", before).objects[0].extra == before.objects[0].extra;
     };

@@ -118,7 +118,7 @@ void TestJobFailures::theRayIsImpossible()
         document.setObjects(ball(kMany));
         document.pickAt(WidgetPoint(200.0, 150.0), {0.3, 0, 24});
         QVERIFY(document.pickedRay());
-        QTRY_VERIFY(document.pickedRay()->state == PickedRay::State::Impossible);
+        QTRY_VERIFY_WITH_TIMEOUT(document.pickedRay()->state == PickedRay::State::Impossible, kPatienceMilliseconds);
         QVERIFY(document.pickedRay()->failure);
         QCOMPARE(failureText(*document.pickedRay()->failure), reason);
         QVERIFY(!document.rays());
@@ -169,7 +169,7 @@ void TestJobFailures::curvesSayWhy()
     {
         const Fault fault(kind);
         QCOMPARE(curves.join({0, 1}, landmarks::CurveKind::Geodesic), QString());
-        QTRY_VERIFY(!curves.isComputing());
+        QTRY_VERIFY_WITH_TIMEOUT(!curves.isComputing(), kPatienceMilliseconds);
         QCOMPARE(curves.line(0).reason, reason);
         QVERIFY(!curves.line(0).line && !curves.line(0).isComputing);
     }

@@ -3,6 +3,8 @@
 #include "gui/document/point_templates.h"
 #include "point_desk.h"
 
+#include <nlohmann/json.hpp>
+
 using namespace pointfiles;
 
 class TestPointJoining : public PointsTest {
@@ -248,7 +250,7 @@ void TestPointJoining::unitsAndKeysAreNotLost()
     landmarks::LandmarkSet set;
     set.unit = "mm";
     set.mesh = "skull.ply";
-    set.extra["scanner"] = "old";
+    set.extra.edit()["scanner"] = "old";
     set.landmarks.resize(1);
     set.landmarks[0].world = WorldPoint(4.0, 4.0, 0.0);
     QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));

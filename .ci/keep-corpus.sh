@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# bash .ci/keep-corpus.sh [NAME …]: makes tests/fuzz/corpus anew from itself and from what the fuzzers of build/asan found since
+# (.ci/fuzz.sh): the smallest set of small inputs that reaches the same code. Files with names are kept as they are.
+# shellcheck source=.ci/common.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+build=$root/build/asan
+names=("$@")
+[ ${#names[@]} -gt 0 ] || mapfile -t names < <(ls "$build/corpus")
+for name in "${names[@]}"; do
+    kept=$root/tests/fuzz/corpus/$name merged=$(mktemp -d)
+    # A merge takes inputs of its first folder as they are, and adds of the others what reaches new code, the smallest first.
+    find "$kept" -type f -name '*.*' -exec cp -t "$merged" {} +
+    "$build/tests/fuzz/fuzz_$name" -merge=1 -max_len=1024 -timeout=20 -rss_limit_mb=3000 -close_fd_mask=1 \
+        "$merged" "$build/corpus/$name" "$kept" >"$build/merge.log" 2>&1 || { tail -n 20 "$build/merge.log"; exit 1; }
+    find "$kept" -type f ! -name '*.*' -delete
+    find "$merged" -type f ! -name '*.*' -exec cp -t "$kept" {} +
+    rm -r "$merged"
+    printf 'fuzz_%s: %s inputs, %s\n' "$name" "$(find "$kept" -type f | wc -l)" "$(du -sh --apparent-size "$kept" | cut -f 1)"
+done
