@@ -9,6 +9,8 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=true
 # Precompiled headers count by their content.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
+# A source that is not in the cache is not preprocessed first.
+export CCACHE_DEPEND=true
 
 # The compiler cache, where it is installed.
 useCcache() {

@@ -5,7 +5,8 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 bash "$root/.ci/setup.sh"
-(cd -- "$root" && cmake --workflow --preset release) # Presets are looked for in the current folder.
+# Presets are looked for in the current folder. The command, unproject, is left to those who build it all.
+(cd -- "$root" && cmake --preset release && cmake --build --preset release --target unprojector)
 program=$root/build/release/gui/unprojector
 
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then

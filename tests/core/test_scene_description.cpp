@@ -91,7 +91,8 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
 
     SceneFile before = parsed(kLeastScene);
     before.extra.edit() = {{"author", "A"}};
-    before.objects = {{"a", std::filesystem::path("models") / "a.obj", "", {}, {{"colour", "red"}}, {}}};
+    before.objects = {
+        {"a", std::filesystem::path("models") / "a.obj", "", {}, text::JsonValue(Json{{"colour", "red"}}), {}}};
     const SceneFile kept =
         sceneFileFrom(scene, pictureOf(scene, {100, 75, 1}, {}).value(), "/there/scene.json", before);
     QVERIFY(kept.extra.json()["author"] == "A");
@@ -165,14 +166,14 @@ void TestSceneDescription::unknownKeysOfStepsGoWithThem()
             .objects[0]
             .transformExtra;
     };
-    const Json hand = {{"by", "hand"}}, unit = {{"unit", "cm"}};
+    const text::JsonValue hand(Json{{"by", "hand"}}), unit(Json{{"unit", "cm"}}), none;
     const TransformStep moved = Translate{{0, 0, -3}}, scaled = Scale{glm::dvec3(2.0)};
-    using All = std::vector<Json>;
+    using All = std::vector<text::JsonValue>;
     QVERIFY(extraAfter({moved, scaled}) == (All{hand, unit}));
     QVERIFY(extraAfter({scaled, moved}) == (All{unit, hand}));                // dragged into another order
     QVERIFY(extraAfter({Translate{{1, 2, 3}}, scaled}) == (All{hand, unit})); // typed anew
     QVERIFY(extraAfter({scaled}) == (All{unit}));
-    QVERIFY(extraAfter({Rotate{30, {0, 1, 0}}, moved, scaled, moved}) == (All{nullptr, hand, unit, nullptr}));
+    QVERIFY(extraAfter({Rotate{30, {0, 1, 0}}, moved, scaled, moved}) == (All{none, hand, unit, none}));
 }
 
 void TestSceneDescription::whatNoWindowDrawsIsRefusedWithItsKey_data()
