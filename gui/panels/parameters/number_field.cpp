@@ -350,22 +350,23 @@ void NumberField::resizeEvent(QResizeEvent *event)
         showText(shownText());
 }
 
-int NumberField::widthFor(int characters) const
+int NumberField::widthFor(const QString &number) const
 {
     QStyleOptionFrame option;
     initStyleOption(&option);
-    const QSize content(characters * fontMetrics().horizontalAdvance(u'0') + kMarginOfText, fontMetrics().height());
+    const int width = static_cast<int>(std::ceil(QFontMetricsF(font()).horizontalAdvance(number)));
+    const QSize content(width + kMarginOfText, fontMetrics().height());
     return style()->sizeFromContents(QStyle::CT_LineEdit, &option, content, this).width();
 }
 
 QSize NumberField::sizeHint() const
 {
-    return {widthFor(12), QLineEdit::sizeHint().height()};
+    return {widthFor(QStringLiteral("888888888888")), QLineEdit::sizeHint().height()};
 }
 
 QSize NumberField::minimumSizeHint() const
 {
-    return {widthFor(9), QLineEdit::minimumSizeHint().height()}; // "-1.23e-05"
+    return {widthFor(QStringLiteral("-888888888")), QLineEdit::minimumSizeHint().height()};
 }
 
 } // namespace unprojector::gui
