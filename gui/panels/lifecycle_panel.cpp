@@ -92,32 +92,54 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
 
 void LifecyclePanel::useFont()
 {
-    const QFont digits = digitsFont(font());
+    m_table->horizontalHeader()->setFont(headsFont(font()));
+    fitColumns();
+    placeButtons();
+}
+
+/// The type gets smaller where that shows all columns side by side: in some fonts, letters are wide beside the digits that the
+/// panel's width is counted in.
+void LifecyclePanel::fitColumns()
+{
+    constexpr double kLeastScale = 0.8, kStep = 0.05;
+    // With the scroll bar, there or not: whether it is depends on the type.
+    const int room = m_table->width() - 2 * m_table->frameWidth() - m_table->verticalScrollBar()->sizeHint().width();
+    m_wholeWidth = reserveColumns(1.0);
+    int needed = m_wholeWidth;
+    for (double scale = 1.0 - kStep; needed > room && scale >= kLeastScale; scale -= kStep)
+        needed = reserveColumns(scale);
+    fitCalls();
+}
+
+/// @return what all columns need, the calls as little as can be read
+int LifecyclePanel::reserveColumns(double scale)
+{
+    QFont digits = digitsFont(font());
+    digits.setPointSizeF(scale * digits.pointSizeF());
+    if (m_table->font() != digits)
+        m_table->setFont(digits);
     const QFontMetrics metrics(digits);
-    m_table->setFont(digits);
     m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + kRowMargin);
-    QHeaderView *header = m_table->horizontalHeader();
-    header->setFont(headsFont(font()));
     // The widths are those of the longest texts to expect, so that the columns stand still; the calls have the rest.
     const auto reserve = [&](int column, const QString &widest) {
-        const int head = header->fontMetrics().horizontalAdvance(m_log.headerData(column, Qt::Horizontal).toString());
+        const int head = m_table->horizontalHeader()->fontMetrics().horizontalAdvance(
+            m_log.headerData(column, Qt::Horizontal).toString());
         m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(widest), head) + kPadding);
+        return m_table->columnWidth(column);
     };
-    reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"));
-    reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8,"));
-    reserve(LifecycleLog::Took, QStringLiteral("888.88 ms,")); // and the mean in a second line
     m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,")) + kPadding;
-    placeButtons();
-    fitCalls();
+    return reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"))
+           + reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8,"))
+           + reserve(LifecycleLog::Took, QStringLiteral("888.88 ms,")) // and the mean in a second line
+           + m_leastCallsWidth;
 }
 
 /// Beside the steps; below them, which then have the whole width, where that would leave too little room for the calls.
 void LifecyclePanel::placeButtons()
 {
-    int least = 2 * kMargin + m_layout->spacing() + std::max(m_copy->sizeHint().width(), m_clear->sizeHint().width())
-                + 2 * m_table->frameWidth() + m_table->verticalScrollBar()->sizeHint().width() + m_leastCallsWidth;
-    for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
-        least += m_table->columnWidth(column);
+    const int least = 2 * kMargin + m_layout->spacing()
+                      + std::max(m_copy->sizeHint().width(), m_clear->sizeHint().width()) + 2 * m_table->frameWidth()
+                      + m_table->verticalScrollBar()->sizeHint().width() + m_wholeWidth;
     const bool isBeside = width() >= least;
     const int tableMargin = isBeside ? kMargin : 0, buttonMargin = isBeside ? 0 : kMargin;
     m_layout->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
@@ -142,7 +164,7 @@ void LifecyclePanel::changeEvent(QEvent *event)
 bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Resize)
-        fitCalls();
+        fitColumns();
     return QWidget::eventFilter(watched, event);
 }
 

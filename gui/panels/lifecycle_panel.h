@@ -27,6 +27,8 @@ protected:
 
 private:
     void useFont();
+    void fitColumns();
+    int reserveColumns(double scale);
     void placeButtons();
     void fitCalls();
     void fitRow(int row);
@@ -40,6 +42,7 @@ private:
     QToolButton *m_clear;
     QBoxLayout *m_layout, *m_buttons;
     int m_leastCallsWidth = 0;
+    int m_wholeWidth = 0; ///< of all columns in type of the window's size
     bool m_follows = true;
     bool m_willFollow = false; ///< the scroll to the end is under way
 };

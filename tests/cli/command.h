@@ -44,7 +44,7 @@ inline Run runCommand(const QStringList &arguments, const QByteArray &input = {}
         qFatal("the command does not start: %s", qPrintable(process.errorString()));
     process.write(input);
     process.closeWriteChannel();
-    if (!process.waitForFinished(kPatienceMilliseconds))
+    if (!process.waitForFinished(2 * kPatienceMilliseconds)) // it may have sanitizers
         qFatal("the command does not end");
     QByteArray errors = process.readAllStandardError();
     errors.replace("\r\n", "\n"); // stderr is a text on Windows

@@ -150,15 +150,16 @@ QString NumberField::shownText() const
     if (hasFocus())
         return shown;
     const int room = roomForText();
-    const QFontMetrics metrics = fontMetrics();
+    // In fractions: over a dozen digits, rounded widths are off by more than a pixel.
+    const QFontMetricsF metrics(font());
     // Character by character: a number has no ligatures, and this is done while the camera moves.
     const auto fits = [&] {
-        int width = 0;
+        double width = 0.0;
         for (const QChar character : shown)
             width += metrics.horizontalAdvance(character);
         return width <= room;
     };
-    const int mostThatFit = room / std::max(1, metrics.horizontalAdvance(u'0')) + 1;
+    const int mostThatFit = static_cast<int>(room / std::max(1.0, metrics.horizontalAdvance(u'0'))) + 1;
     for (int digits = std::clamp(mostThatFit, kFewestDigits, kMostDigits); !fits() && digits >= kFewestDigits; --digits)
         shown = writtenText(m_value, digits);
     return shown;
@@ -349,22 +350,23 @@ void NumberField::resizeEvent(QResizeEvent *event)
         showText(shownText());
 }
 
-int NumberField::widthFor(int characters) const
+int NumberField::widthFor(const QString &number) const
 {
     QStyleOptionFrame option;
     initStyleOption(&option);
-    const QSize content(characters * fontMetrics().horizontalAdvance(u'0') + kMarginOfText, fontMetrics().height());
+    const int width = static_cast<int>(std::ceil(QFontMetricsF(font()).horizontalAdvance(number)));
+    const QSize content(width + kMarginOfText, fontMetrics().height());
     return style()->sizeFromContents(QStyle::CT_LineEdit, &option, content, this).width();
 }
 
 QSize NumberField::sizeHint() const
 {
-    return {widthFor(12), QLineEdit::sizeHint().height()};
+    return {widthFor(QStringLiteral("888888888888")), QLineEdit::sizeHint().height()};
 }
 
 QSize NumberField::minimumSizeHint() const
 {
-    return {widthFor(9), QLineEdit::minimumSizeHint().height()}; // "-1.23e-05"
+    return {widthFor(QStringLiteral("-888888888")), QLineEdit::minimumSizeHint().height()};
 }
 
 } // namespace unprojector::gui

@@ -93,7 +93,7 @@ private:
     void showText(const QString &text);
     /// The value with as many digits as are wanted now.
     QString shownText() const;
-    int widthFor(int characters) const;
+    int widthFor(const QString &number) const;
     int roomForText() const;
 
     QString m_help;
