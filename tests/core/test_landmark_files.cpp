@@ -264,10 +264,16 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
 void TestLandmarkFiles::whatHasNoPlaceIsSaid()
 {
     QFETCH(Format, format);
-    LandmarkSet set{"skull 7", "skull.ply", "mm", Axes::Lps, {}, {}, {{"more", {1, 2}}}};
-    Landmark full{
-        "N",  WorldPoint(1, 9999, 3),         "skull", AtVertex{4}, WorldVector(1, 1, 1), "worn", glm::u8vec3(1, 2, 3),
-        true, {{"sex", "f"}, {"code", "007"}}};
+    LandmarkSet set{"skull 7", "skull.ply", "mm", Axes::Lps, {}, {}, text::JsonValue(Json{{"more", {1, 2}}})};
+    Landmark full{"N",
+                  WorldPoint(1, 9999, 3),
+                  "skull",
+                  AtVertex{4},
+                  WorldVector(1, 1, 1),
+                  "worn",
+                  glm::u8vec3(1, 2, 3),
+                  true,
+                  text::JsonValue(Json{{"sex", "f"}, {"code", "007"}})};
     Landmark missing;
     missing.name = "gone";
     set.landmarks = {full, missing};
