@@ -10,6 +10,7 @@
 #include "gui/document/map_maker.h"
 #include "gui/document/scene_curves.h"
 #include "tests/support/mesh_model.h"
+#include "tests/support/patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
