@@ -96,7 +96,7 @@ void TestJobFailures::standInsAreNotMade()
     {
         const Fault fault(kind);
         models.makeStandIns(objects);
-        QVERIFY(failed.wait(kMostMilliseconds));
+        QVERIFY(failed.wait(kPatienceMilliseconds));
     }
     QCOMPARE(desk->notices,
              QStringList(QStringLiteral("Large models are not simplified while the view moves: %1.").arg(reason)));
@@ -104,7 +104,7 @@ void TestJobFailures::standInsAreNotMade()
     QSignalSpy made(&models, &ModelStore::standInReady);
     const std::vector<SceneObject> others = ball(kVeryMany);
     models.makeStandIns(others);
-    QVERIFY(made.wait(kMostMilliseconds));
+    QVERIFY(made.wait(kPatienceMilliseconds));
     QVERIFY(models.standInsFor(others));
 }
 
@@ -147,12 +147,12 @@ void TestJobFailures::aMapIsNotMade()
     {
         const Fault fault(kind);
         QVERIFY(maker.ask({}));
-        QVERIFY(failed.wait(kMostMilliseconds));
+        QVERIFY(failed.wait(kPatienceMilliseconds));
     }
     QCOMPARE(failureText(failed[0][0].value<JobFailure>()), reason);
     QVERIFY(!maker.isMaking() && made.isEmpty());
     QVERIFY(maker.ask({}));
-    QVERIFY(made.wait(kMostMilliseconds));
+    QVERIFY(made.wait(kPatienceMilliseconds));
 }
 
 void TestJobFailures::curvesSayWhy()
@@ -196,12 +196,12 @@ void TestJobFailures::theDoctorHasNoAnswer()
     {
         const Fault fault(kind);
         ask();
-        QVERIFY(failed.wait(kMostMilliseconds));
+        QVERIFY(failed.wait(kPatienceMilliseconds));
     }
     QCOMPARE(failureText(failed[0][0].value<JobFailure>()), reason);
     QVERIFY(answered.isEmpty());
     ask();
-    QVERIFY(answered.wait(kMostMilliseconds));
+    QVERIFY(answered.wait(kPatienceMilliseconds));
 }
 
 QTEST_GUILESS_MAIN(TestJobFailures)

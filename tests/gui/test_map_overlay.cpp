@@ -303,13 +303,14 @@ void TestMapOverlay::withoutAMapItSaysWhy()
     {
         const jobfaults::Fault fault(kind);
         window->map().setShown(true);
-        QTRY_VERIFY(
-            says(QStringLiteral("There is no map: %1. Make the window smaller, or close other programs.").arg(reason)));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            says(QStringLiteral("There is no map: %1. Make the window smaller, or close other programs.").arg(reason)),
+            kPatienceMilliseconds);
         QVERIFY(window->map().map() == nullptr);
     }
     window->map().setShown(false);
     window->map().setShown(true);
-    QTRY_VERIFY(window->map().map() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
 }
 
 QTEST_MAIN(TestMapOverlay)
