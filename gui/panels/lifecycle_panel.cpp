@@ -101,7 +101,7 @@ void LifecyclePanel::useFont()
 /// panel's width is counted in.
 void LifecyclePanel::fitColumns()
 {
-    constexpr double kLeastScale = 0.8, kStep = 0.05;
+    constexpr double kLeastScale = 0.7, kStep = 0.05;
     // With the scroll bar, there or not: whether it is depends on the type.
     const int room = m_table->width() - 2 * m_table->frameWidth() - m_table->verticalScrollBar()->sizeHint().width();
     m_wholeWidth = reserveColumns(1.0);
