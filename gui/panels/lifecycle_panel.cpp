@@ -101,13 +101,13 @@ void LifecyclePanel::useFont()
 /// panel's width is counted in.
 void LifecyclePanel::fitColumns()
 {
-    constexpr double kLeastScale = 0.7, kStep = 0.05;
+    constexpr int kLeastPercent = 70, kStep = 5;
     // With the scroll bar, there or not: whether it is depends on the type.
     const int room = m_table->width() - 2 * m_table->frameWidth() - m_table->verticalScrollBar()->sizeHint().width();
     m_wholeWidth = reserveColumns(1.0);
     int needed = m_wholeWidth;
-    for (double scale = 1.0 - kStep; needed > room && scale >= kLeastScale; scale -= kStep)
-        needed = reserveColumns(scale);
+    for (int percent = 100 - kStep; needed > room && percent >= kLeastPercent; percent -= kStep)
+        needed = reserveColumns(percent / 100.0);
     fitCalls();
 }
 

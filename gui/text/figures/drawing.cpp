@@ -52,16 +52,16 @@ QPointF wayOf(Drawing::Side side)
 /// Moves to try in turn, the least disturbing first: short ones, and those that keep a label on its side of the anchor.
 std::vector<QPointF> movesOf(Drawing::Side side)
 {
-    constexpr double kStep = 0.05, kFarthest = 1.6, kTurn = 360.0;
-    constexpr int kWays = 24;
+    constexpr double kStep = 0.05, kTurn = 360.0;
+    constexpr int kSteps = 31, kWays = 24;
     const QPointF away = wayOf(side);
     const auto costOf = [&away](const QPointF &move) {
         return std::hypot(move.x(), move.y()) - 0.5 * QPointF::dotProduct(away, move);
     };
     std::vector<QPointF> moves;
-    for (double length = kStep; length < kFarthest; length += kStep) {
+    for (int step = 1; step <= kSteps; ++step) {
         for (int way = 0; way < kWays; ++way)
-            moves.push_back(QLineF::fromPolar(length, way * kTurn / kWays).p2());
+            moves.push_back(QLineF::fromPolar(step * kStep, way * kTurn / kWays).p2());
     }
     std::stable_sort(moves.begin(), moves.end(),
                      [&](const QPointF &one, const QPointF &other) { return costOf(one) < costOf(other); });
