@@ -548,8 +548,8 @@ void TestDocumentLandmarks::pointsAreInTheSceneFile()
     openScene(document);
     document.rayCasters().complete(document.objects());
     std::optional<Landmark> held;
-    for (double x = 5.5; x < 800.0 && !held; x += 5.0)
-        held = document.points().onMeshAt({x, 300.5});
+    for (int x = 5; x < 800 && !held; x += 5)
+        held = document.points().onMeshAt({x + 0.5, 300.5});
     QVERIFY(held);
     QVERIFY(document.points().place(*held));
     QVERIFY(document.points().place(pointAt(0.1, "b")));
