@@ -27,4 +27,4 @@ onVirtualDisplay() {
 # What the tests need beside the program: the fonts that tests/fonts names, and a linker that is done with 200 tests in
 # seconds.
 # shellcheck disable=SC2034 # for the scripts that source this
-testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation mold)
+testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld)

@@ -17,7 +17,9 @@ cleanUp() {
 }
 trap cleanUp EXIT
 trap 'exit 143' HUP INT TERM
-mkdir -m 700 "$home/run" "$home/tmp"
+mkdir -m 700 "$home/run"
+mkdir -m 1777 "$home/tmp"
+chmod 711 "$home" # a test of permissions reads its files as another user
 
 # The test's own variables stand last and win.
 set -- QT_QPA_PLATFORM=$platform "$@"
