@@ -6,11 +6,12 @@
 #   package  the Debian package of the release build: lintian finds nothing, both programs work from where the package puts
 #            them, nothing is left when it is removed. In a root folder of its own: nothing is installed here
 #   asan     everything compiles with Clang without a warning; all tests pass under the address and undefined behaviour
-#            sanitizers, with all assertions
+#            sanitizers, with all assertions. Runs with the label "variant" are left to the night
 #   tidy     clang-tidy finds nothing in the sources that changed last, in 90 seconds
 #   fuzz     no reader fails on its corpus or on what its fuzzer makes of it in 10 seconds
 #
 #   all      the release build without precompiled headers, so that a missing #include is an error; all tests
+#   variants the runs with the label "variant" under the address sanitizer
 #   tsan     the tests with the label "threads" under the thread sanitizer
 #   windows  the build for Windows by MinGW, and its tests under Wine. Needs MINGW_SYSROOT, a folder with Qt and the other
 #            libraries, mingw-toolchain.cmake and run-wine.sh
@@ -30,7 +31,7 @@ guards=("$@")
 [ ${#guards[@]} -gt 0 ] || guards=("${push[@]}")
 for guard in "${guards[@]}"; do
     case $guard in
-    format | release | package | asan | tidy | fuzz | all | tsan | windows | tidyall | fuzzlong) ;;
+    format | release | package | asan | tidy | fuzz | all | variants | tsan | windows | tidyall | fuzzlong) ;;
     *) echo "There is no check $guard" >&2; exit 2 ;;
     esac
 done
@@ -84,7 +85,12 @@ release() { bash .ci/test.sh optimised; }
 
 asan() {
     isThere clang++ || return 0
-    buildWithClang && ctest --preset asan
+    buildWithClang && ctest --preset asan -LE '^variant$'
+}
+
+variants() {
+    isThere clang++ || return 0
+    buildWithClang && ctest --preset asan -L '^variant$'
 }
 
 # Sources that changed against main or, on main itself, in its last commits, and those whose header did: the latest
