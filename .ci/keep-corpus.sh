@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # bash .ci/keep-corpus.sh [NAME …]: makes tests/fuzz/corpus anew from itself and from what the fuzzers of build/asan found since
-# (.ci/fuzz.sh): the smallest set of small inputs that reaches the same code. Files with names are kept as they are.
+# (.ci/fuzz.sh): the smallest set of small inputs that reaches the same code, however often. Files with names are kept as they are.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
@@ -11,7 +11,7 @@ for name in "${names[@]}"; do
     kept=$root/tests/fuzz/corpus/$name merged=$(mktemp -d)
     # A merge takes inputs of its first folder as they are, and adds of the others what reaches new code, the smallest first.
     find "$kept" -type f -name '*.*' -exec cp -t "$merged" {} +
-    "$build/tests/fuzz/fuzz_$name" -merge=1 -max_len=1024 -timeout=20 -rss_limit_mb=3000 -close_fd_mask=1 \
+    "$build/tests/fuzz/fuzz_$name" -merge=1 -use_counters=0 -max_len=1024 -timeout=20 -rss_limit_mb=3000 -close_fd_mask=1 \
         "$merged" "$build/corpus/$name" "$kept" >"$build/merge.log" 2>&1 || { tail -n 20 "$build/merge.log"; exit 1; }
     find "$kept" -type f ! -name '*.*' -delete
     find "$merged" -type f ! -name '*.*' -exec cp -t "$kept" {} +
