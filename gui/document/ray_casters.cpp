@@ -118,7 +118,7 @@ void RayCasters::begin()
     m_background.start(
         [model = std::move(model)](Job &job) {
             return build(*model, [&](double share) {
-                return job.report(share) && model.use_count() > 1; // else nobody else has it any more
+                return job.report(share) && model.use_count() > 1; // else no object has it any more
             });
         },
         [this, size](const Built &caster) { take(size, caster); },
