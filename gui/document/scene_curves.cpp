@@ -346,7 +346,7 @@ SceneCurves::Progress SceneCurves::progress() const
 
 bool SceneCurves::complete()
 {
-    if (m_task && m_waiting && !m_isWaiting) { // who asks while somebody waits gets what there is to be had at once
+    if (m_task && m_waiting && !m_isWaiting) { // a nested call does not wait: it takes what is done
         const QScopedValueRollback<bool> waiting(m_isWaiting, true);
         return m_waiting();
     }

@@ -151,12 +151,6 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     m_formula->setAccessibleName(tr("Formula with its numbers"));
     m_formula->setPlaceholderText(tr("The formulas appear here with the numbers of the click."));
 
-    // As the chain of a click needs, in two lines at the most; labels that set it by themselves would move it from click to
-    // click.
-    // Counted in digits: the average character of a font for Chinese is as wide as an ideograph.
-    constexpr int kLeastDigits = 48;
-    setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
-
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addLayout(headingLine);
@@ -195,6 +189,11 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     addMethod(tr("Matrix"), QStringLiteral("matrix"));
     layout->addLayout(formulaLine);
     layout->addWidget(m_formula, 1);
+
+    // The chain of a click needs this width to stay within two lines. It is fixed here, so that it does not change from click to
+    // click. It is counted in digits, because the average character of a font for Chinese is as wide as an ideograph.
+    constexpr int kLeastDigits = 48;
+    setMinimumWidth(std::max(kLeastDigits * fontMetrics().horizontalAdvance(u'0'), layout->minimumSize().width()));
 
     connect(m_showsFloat, &QCheckBox::toggled, this, [this](bool shows) {
         m_table->setShowsFloat(shows);

@@ -7,6 +7,7 @@
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/panels/comparison_panel.h"
+#include "gui/panels/digits_font.h"
 #include "gui/panels/doctor_panel.h"
 #include "gui/panels/icons.h"
 #include "gui/panels/map_panel.h"
@@ -272,6 +273,9 @@ void MainWindow::createStatusBar()
     m_hover = new QLabel;
     m_hover->setAccessibleName(tr("World coordinate under the pointer"));
     m_hover->setToolTip(tr("World coordinate under the pointer, with the digits that its pixel leaves certain"));
+    // An empty label asks for another height than one with text, and the view would change its size with it.
+    m_hover->setMinimumHeight(
+        std::max(m_hover->sizeHint().height(), lineHeight(m_hover->font(), tr("background, %1"))));
     m_camera = new QLabel;
     m_camera->setAccessibleName(tr("Projection"));
     m_camera->setToolTip(tr("Projection and distances of the near and far planes, world units"));
