@@ -96,16 +96,16 @@ void TestInfoCommand::aSceneInTheWorld()
 
 void TestInfoCommand::aFarModelKeepsItsVolume()
 {
-    QByteArray far;
+    QByteArray distant;
     for (const QByteArray &line : kBox.split('\n')) {
         const QList<QByteArray> words = line.split(' ');
         if (words[0] == "v")
-            far += "v " + QByteArray::number(4e6 + words[1].toDouble(), 'f', 1) + ' '
-                   + QByteArray::number(5e5 + words[2].toDouble(), 'f', 1) + ' ' + words[3] + '\n';
+            distant += "v " + QByteArray::number(4e6 + words[1].toDouble(), 'f', 1) + ' '
+                       + QByteArray::number(5e5 + words[2].toDouble(), 'f', 1) + ' ' + words[3] + '\n';
         else
-            far += line + '\n';
+            distant += line + '\n';
     }
-    const QJsonValue all = jsonOf(runCommand({"info", "--json", m_folder.write("far.obj", far)}));
+    const QJsonValue all = jsonOf(runCommand({"info", "--json", m_folder.write("far.obj", distant)}));
     QCOMPARE(all["volume"].toDouble(), 6.0);
     QCOMPARE(all["area"].toDouble(), 22.0);
     QCOMPARE(numbers(all["box"]["max"]), QList<double>({4000002, 500002, 3}));

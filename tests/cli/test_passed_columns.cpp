@@ -103,9 +103,9 @@ void TestPassedColumns::badRowsKeepTheirColumns()
     const Run run = points("id,px,py,depth,name\n7,400,300,2,\"a, b\"\n8,x,300,0,c\n9,400\n");
     QCOMPARE(run.exitCode, 1);
     QCOMPARE(run.lines().mid(1), (QList<QByteArray>{"7,400,300,2,\"a, b\",,,", "8,x,300,0,c,,,", "9,400,,,,,,"}));
-    const Run far = project("x,y,z,name\n1,2,5,\"in the plane, of the eye\"\n");
-    QCOMPARE(far.exitCode, 1);
-    QVERIFY(far.lines().at(1).startsWith("1,2,5,\"in the plane, of the eye\",1,2,0,"));
+    const Run inPlane = project("x,y,z,name\n1,2,5,\"in the plane, of the eye\"\n");
+    QCOMPARE(inPlane.exitCode, 1);
+    QVERIFY(inPlane.lines().at(1).startsWith("1,2,5,\"in the plane, of the eye\",1,2,0,"));
     // Of a line that is too long nothing is kept.
     const Run overlong = points("name,px,py,depth\n" + QByteArray(200000, 'a') + ",400,300,0\nb,400,300,0\n");
     QCOMPARE(overlong.lines().mid(1), (QList<QByteArray>{",,,,,,", "b,400,300,0,0,0,4"}));

@@ -356,8 +356,8 @@ void TestMatrixProjection::theMatrixPathHonoursTheDepths()
     // Far away a reversed depth keeps its digits; OpenGL's has none left.
     const WorldPoint distant(-2e7, -4e7, -1e8);
     if (s == Style::InfiniteReversed) {
-        const Unprojected far = unprojectedAt(g, windowFromWorld(g, distant).value());
-        for (const auto &world : {far.world[Method::Formula], far.world[Method::Matrix]})
+        const Unprojected ofDistant = unprojectedAt(g, windowFromWorld(g, distant).value());
+        for (const auto &world : {ofDistant.world[Method::Formula], ofDistant.world[Method::Matrix]})
             QVERIFY(glm::all(glm::lessThan(glm::abs(world->coordinates() - distant.coordinates()), glm::dvec3(1e-6))));
     }
 }

@@ -132,13 +132,13 @@ void TestRayCaster::nothingSlipsThroughAClosedSurface_data()
     QTest::addColumn<std::shared_ptr<Model>>("model");
     QTest::addColumn<Tree>("tree");
     const auto sphere = cubeSphere(60);
-    const auto far = std::make_shared<Model>(*cubeSphere(60));
-    far->meshes[0].origin = {4e6, 5e5, 300.0};
-    far->bounds = boundsOf(far->meshes);
+    const auto distant = std::make_shared<Model>(*cubeSphere(60));
+    distant->meshes[0].origin = {4e6, 5e5, 300.0};
+    distant->bounds = boundsOf(distant->meshes);
     QTest::newRow("hilly sphere, fastest") << sphere << Tree::Fastest;
     QTest::newRow("hilly sphere, plain") << sphere << Tree::Plain;
-    QTest::newRow("far from its origin, fastest") << far << Tree::Fastest;
-    QTest::newRow("far from its origin, plain") << far << Tree::Plain;
+    QTest::newRow("far from its origin, fastest") << distant << Tree::Fastest;
+    QTest::newRow("far from its origin, plain") << distant << Tree::Plain;
 }
 
 /// Through points of edges and through vertices, where two and six triangles meet: from outside, a ray to the middle goes in.

@@ -111,6 +111,23 @@ QString cycleIn(const Graph &graph)
     return {};
 }
 
+/// The first name in a source that the headers of Windows define as a macro, with its line; comments and texts are left out.
+QString macroOfWindowsIn(const QString &source)
+{
+    // Raw texts, comments, texts, letters; and the names.
+    static const QRegularExpression words(
+        QStringLiteral("R\"(\\w*)\\([\\s\\S]*?\\)\\1\"|//[^\\n]*|/\\*[\\s\\S]*?\\*/|\"(?:\\\\.|[^\"\\\\\\n])*\""
+                       "|'(?:\\\\.|[^'\\\\\\n])'|\\b(near|far)\\b"));
+    for (auto matches = words.globalMatch(source); matches.hasNext();) {
+        const QRegularExpressionMatch match = matches.next();
+        if (match.hasCaptured(2))
+            return QStringLiteral("line %1: %2")
+                .arg(QStringView(source).left(match.capturedStart()).count(QLatin1Char('\n')) + 1)
+                .arg(match.captured(2));
+    }
+    return {};
+}
+
 } // namespace
 
 class TestRooms : public QObject {
@@ -125,6 +142,8 @@ private slots:
     void waysToHeavyHeadersAreFound();
     void heavyHeadersStayInTheirRooms_data();
     void heavyHeadersStayInTheirRooms();
+    void namesThatWindowsTakesAreFound();
+    void noNameIsAMacroOfWindows();
 };
 
 /// A check that could find nothing would prove nothing.
@@ -224,6 +243,22 @@ void TestRooms::heavyHeadersStayInTheirRooms()
         QVERIFY2(way.isEmpty(), qPrintable(way));
     }
     QVERIFY(count > 200);
+}
+
+void TestRooms::namesThatWindowsTakesAreFound()
+{
+    QCOMPARE(macroOfWindowsIn(QStringLiteral("int a;\nfloat far = 1;\n")), QStringLiteral("line 2: far"));
+    QCOMPARE(macroOfWindowsIn(QStringLiteral("f(R\"(near)\", 'x', near);")), QStringLiteral("line 1: near"));
+    QCOMPARE(macroOfWindowsIn(QStringLiteral("// far\n/* near\n */ f(\"near \\\" far\", nearPlane, R\"a(far)a\");")),
+             QString());
+}
+
+void TestRooms::noNameIsAMacroOfWindows()
+{
+    for (const QString &file : sourcesUnder({"core", "gui", "tests"})) {
+        const QString found = macroOfWindowsIn(textOf(file));
+        QVERIFY2(found.isEmpty(), qPrintable(file + QStringLiteral(", ") + found));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestRooms)

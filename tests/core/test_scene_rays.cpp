@@ -67,13 +67,13 @@ Picture straightPicture()
                        LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
 }
 
-glm::dmat4 reversedInfinite(double near)
+glm::dmat4 reversedInfinite(double nearPlane)
 {
     glm::dmat4 m(0.0);
     m[0][0] = 1.8;
     m[1][1] = 2.4;
     m[2][3] = -1.0;
-    m[3][2] = near;
+    m[3][2] = nearPlane;
     return m;
 }
 
@@ -337,10 +337,10 @@ void TestSceneRays::farWorldsKeepTheirMillimetres()
     const glm::dvec3 place(4e6, 5e5, 300.0);
     model->meshes[0].origin = place;
     model->bounds = boundsOf(model->meshes);
-    Picture far = usualPicture();
-    far.camera() = {WorldPoint(place + glm::dvec3(1, 2, 6)), WorldPoint(place + glm::dvec3(0.1, -0.2, 0.3)),
-                    kCamera.up};
-    const SceneRays farRays = Clicked{{objectOf(model)}}.rays(far);
+    Picture distant = usualPicture();
+    distant.camera() = {WorldPoint(place + glm::dvec3(1, 2, 6)), WorldPoint(place + glm::dvec3(0.1, -0.2, 0.3)),
+                        kCamera.up};
+    const SceneRays farRays = Clicked{{objectOf(model)}}.rays(distant);
     // Moved back by its transform it is where it would be without an origin.
     const SceneRays backRays = Clicked{{objectOf(model, {Translate{-place}})}}.rays(usualPicture());
     const SceneRays nearRays = Clicked{{objectOf(cubeSphere(40))}}.rays(usualPicture());

@@ -199,14 +199,16 @@ void TestComparisonDigits::coordinatesOfASurveyCanBeReadAtAnyWidth()
             };
             for (const int column : {ComparisonModel::Formula, ComparisonModel::Matrix}) {
                 // Down to the thousandths; what there is no room for is left out in front of them.
-                const QString far = text(0, column), less = text(1, column);
-                QVERIFY2(far.startsWith(QStringLiteral("4000000.123"))
-                             || far == QStringLiteral("…%1").arg(QStringLiteral("4000000.123").right(far.size() - 1)),
-                         qPrintable(far));
-                QVERIFY2(less.startsWith(QStringLiteral("500000.45"))
-                             || less == QStringLiteral("…%1").arg(QStringLiteral("500000.457").right(less.size() - 1)),
-                         qPrintable(less));
-                QVERIFY2(far.endsWith(QStringLiteral(".123")) || far.size() > 11, qPrintable(far));
+                const QString first = text(0, column), second = text(1, column);
+                QVERIFY2(first.startsWith(QStringLiteral("4000000.123"))
+                             || first
+                                    == QStringLiteral("…%1").arg(QStringLiteral("4000000.123").right(first.size() - 1)),
+                         qPrintable(first));
+                QVERIFY2(second.startsWith(QStringLiteral("500000.45"))
+                             || second
+                                    == QStringLiteral("…%1").arg(QStringLiteral("500000.457").right(second.size() - 1)),
+                         qPrintable(second));
+                QVERIFY2(first.endsWith(QStringLiteral(".123")) || first.size() > 11, qPrintable(first));
                 QVERIFY2(text(2, column).startsWith(QStringLiteral("300.789")), qPrintable(text(2, column)));
                 for (int row = 0; row < 3; ++row)
                     QVERIFY(table->fontMetrics().horizontalAdvance(text(row, column)) <= table->columnWidth(column));
