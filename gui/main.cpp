@@ -1,4 +1,5 @@
 #include "core/files/standard_streams.h"
+#include "core/threads/parallel.h"
 #include "gui/document/portable.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
@@ -228,6 +229,12 @@ int main(int argc, char **argv)
         files.emplace_back(file.toStdU16String());
     if (!hasDisplay())
         return usageError(CommandLine::tr("There is no display. Set DISPLAY, or run under xvfb-run."));
+    // Qt and the drivers of OpenGL wait for ever for threads that do not start.
+    constexpr std::size_t kThreadsOfAWindow = 16;
+    if (!threads::canStartThreads(kThreadsOfAWindow))
+        return usageError(
+            CommandLine::tr("The system cannot start %1 more threads. Close other programs, then try again.")
+                .arg(kThreadsOfAWindow));
 
     // What a script gets does not depend on what somebody has chosen in a menu.
     const auto speak = [&] {

@@ -104,7 +104,11 @@ public:
         switch (rtcGetDeviceError(m_device)) {
         case RTC_ERROR_NONE: return true;
         case RTC_ERROR_OUT_OF_MEMORY: throw std::bad_alloc();
-        default: return false;
+        default:
+            // The system has no thread for it. To release now what its scheduler still holds would end the program.
+            m_scene = nullptr;
+            m_device = nullptr;
+            return false;
         }
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -18,8 +19,10 @@ public:
     /// Runs the next task; false when there is none left.
     bool runNext()
     {
+        if (m_isStopped)
+            return false;
         const std::size_t number = m_next.fetch_add(1);
-        if (number >= m_count || m_isStopped)
+        if (number >= m_count)
             return false;
         try {
             m_task(number);
@@ -34,7 +37,7 @@ public:
     {
         m_isStopped = true;
         const std::lock_guard lock(m_mutex);
-        // All tasks before this one have begun and end: the first of them that fails is known in the end.
+        // All tasks before this one were handed out and will end: so the first that fails is known in the end.
         if (!m_exception || number < m_failed) {
             m_failed = number;
             m_exception = std::move(exception);
@@ -88,6 +91,25 @@ void inParallel(std::size_t count, const std::function<void(double)> &report,
         helper.join();
     if (queue.exception())
         std::rethrow_exception(queue.exception());
+}
+
+bool canStartThreads(std::size_t count) noexcept
+{
+    std::vector<std::thread> threads;
+    std::promise<void> end;
+    bool areStarted = true;
+    try {
+        const std::shared_future<void> ended = end.get_future().share();
+        threads.reserve(count);
+        while (threads.size() < count)
+            threads.emplace_back([ended] { ended.wait(); });
+    } catch (const std::exception &) {
+        areStarted = false;
+    }
+    end.set_value();
+    for (std::thread &thread : threads)
+        thread.join();
+    return areStarted;
 }
 
 void inParallelRanges(std::size_t count, std::size_t size, const std::function<void(double)> &report,

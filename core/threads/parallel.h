@@ -16,6 +16,9 @@ namespace unprojector::threads {
 void inParallel(std::size_t count, const std::function<void(double)> &report,
                 const std::function<void(std::size_t)> &task);
 
+/// Whether the system lets so many more threads run at once now.
+bool canStartThreads(std::size_t count) noexcept;
+
 /// The same over ranges of at most `size` of `count` elements: range(begin, end).
 void inParallelRanges(std::size_t count, std::size_t size, const std::function<void(double)> &report,
                       const std::function<void(std::size_t, std::size_t)> &range);

@@ -68,11 +68,11 @@ private:
 /// All its functions are for the thread that it lives in.
 class Background : public QObject {
 public:
-    /// @param most  so many threads at once; further jobs wait for their turn, also behind cancelled ones that are ending
+    /// @param most  so many threads run at once; further jobs wait. A cancelled job keeps its thread until it ends
     explicit Background(std::size_t most = 1) : m_most(most) {}
     ~Background() override;
 
-    /// Starts a job. Returns at once, also where it cannot start.
+    /// Starts a job. Returns at once: where the job cannot start, `done` says so later.
     /// @param work        Value work(Job &), on the worker
     /// @param done        done(JobResult<Value>), later, unless the job is cancelled. The job is not running any more then.
     /// @param progressed  called before `done`, with shares that rise
@@ -92,7 +92,7 @@ public:
     }
     /// Cancels all jobs: nothing of them arrives any more.
     void cancel();
-    /// Blocks until all jobs have ended, those too that they start when they are done. Each `done` is called before this returns.
+    /// Waits until all jobs have ended, also those that a `done` starts. Calls each `done` before it returns.
     void finish();
     /// Whether a `done` is still to come.
     bool isRunning() const;

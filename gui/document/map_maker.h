@@ -51,7 +51,7 @@ private:
 
     const SceneDocument &m_document;
     std::shared_ptr<const Seen> m_seen; ///< of the last map; nothing once the scene is another one
-    Background m_background;
+    Background m_background{2};         ///< the next need not wait for the cancelled one
 };
 
 } // namespace unprojector::gui

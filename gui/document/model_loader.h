@@ -47,7 +47,7 @@ signals:
 
 private:
     ModelStore &m_store;
-    Background m_background;
+    Background m_background{2}; ///< the next need not wait for the cancelled one
 };
 
 } // namespace unprojector::gui

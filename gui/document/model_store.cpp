@@ -97,6 +97,11 @@ void ModelStore::makeStandIns(const std::vector<SceneObject> &objects)
             },
             [this, model = std::weak_ptr(object.model)](const JobResult<std::shared_ptr<const Model>> &standIn) {
                 if (!standIn) {
+                    // Another thread may have ended by the next time.
+                    if (standIn.error().kind == JobFailure::Kind::NoThread)
+                        std::erase_if(m_standIns, [&model](const auto &entry) {
+                            return entry.second.model.lock() == model.lock();
+                        });
                     emit jobFailed(standIn.error());
                 } else if (const std::shared_ptr<const Model> of = model.lock()) {
                     m_standIns[of.get()] = {of, *standIn};

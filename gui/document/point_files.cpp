@@ -330,12 +330,12 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
 
 bool PointFiles::exportTo(const std::filesystem::path &file)
 {
-    std::optional<landmarks::LandmarkSet> known = m_document.curves().withSemilandmarks();
+    geometry::Result<landmarks::LandmarkSet, QString> known = m_document.curves().withSemilandmarks();
     if (!known) {
-        emit noticed(tr("%1 was not written.").arg(pathText(file.filename())));
+        emit noticed(tr("%1 was not written: %2.").arg(pathText(file.filename()), known.error()));
         return false;
     }
-    landmarks::LandmarkSet set = *std::move(known);
+    landmarks::LandmarkSet set = std::move(known).value();
     const std::optional<Format> format = formatOf(file);
     const auto model = std::find_if(m_document.objects().begin(), m_document.objects().end(),
                                     [](const SceneObject &object) { return !object.file.empty(); });

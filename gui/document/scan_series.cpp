@@ -389,16 +389,16 @@ bool ScanSeries::keep()
         return true;
     }
     const std::optional<std::size_t> shown = m_shown;
-    std::optional<landmarks::LandmarkSet> known = m_document.curves().withSemilandmarks();
+    geometry::Result<landmarks::LandmarkSet, QString> known = m_document.curves().withSemilandmarks();
     if (m_shown != shown) // another scan came while they were waited for, and before it these were kept
         return true;
     if (!known) {
-        emit failed(tr("The points of %1 are not kept yet: somebody gave up waiting for its curves.")
-                        .arg(pathText(m_scans[*m_shown].file.filename())));
+        emit failed(tr("The points of %1 are not kept yet: %2.")
+                        .arg(pathText(m_scans[*m_shown].file.filename()), known.error()));
         return false;
     }
     Scan &scan = m_scans[*m_shown];
-    if (!takePoints(*std::move(known))) {
+    if (!takePoints(std::move(known).value())) {
         emit failed(
             tr("The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. "
                "Set its glScale back.")

@@ -125,7 +125,8 @@ SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curve
         else
             line.reason = faultOf(through.error(), request.points);
     } catch (...) { // the other lines may be there
-        line.reason = failureText(failureOf(std::current_exception()));
+        line.failure = failureOf(std::current_exception());
+        line.reason = failureText(*line.failure);
     }
     return line;
 }
@@ -324,7 +325,7 @@ void SceneCurves::take(const JobResult<std::vector<Line>> &lines)
     const std::shared_ptr<const Task> task = std::exchange(m_task, nullptr);
     const std::size_t count = lines ? lines->size() : task->requests.size();
     const auto lineOf = [&](std::size_t i) {
-        return lines ? (*lines)[i] : Line{false, {}, failureText(lines.error())};
+        return lines ? (*lines)[i] : Line{false, {}, failureText(lines.error()), lines.error()};
     };
     const auto put = [&](Known &known) {
         for (std::size_t i = 0; i < count && known.line.isComputing; ++i) {
@@ -346,7 +347,13 @@ SceneCurves::Progress SceneCurves::progress() const
 
 bool SceneCurves::complete()
 {
-    if (m_task && m_waiting && !m_isWaiting) { // a nested call does not wait: it takes what is done
+    for (Known &known : m_known) {
+        if (known.line.failure)
+            known.line = {true, {}, {}, {}};
+    }
+    if (!m_task)
+        begin();
+    if (m_task && m_waiting && !m_isWaiting) { // a nested call shows nothing: it blocks until all is done
         const QScopedValueRollback<bool> waiting(m_isWaiting, true);
         return m_waiting();
     }
@@ -354,10 +361,14 @@ bool SceneCurves::complete()
     return true;
 }
 
-std::optional<landmarks::LandmarkSet> SceneCurves::withSemilandmarks()
+geometry::Result<landmarks::LandmarkSet, QString> SceneCurves::withSemilandmarks()
 {
     if (!complete())
-        return std::nullopt;
+        return tr("somebody gave up waiting for its curves");
+    for (const Known &known : m_known) {
+        if (known.line.failure)
+            return failureText(*known.line.failure);
+    }
     landmarks::LandmarkSet set = m_document.landmarkSet();
     for (std::size_t i = 0; i < set.curves.size(); ++i) {
         Curve &curve = set.curves[i];

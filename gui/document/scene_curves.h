@@ -48,6 +48,7 @@ public:
         bool isComputing = false;              ///< `line` is of where the points were before
         std::optional<curves::CurveLine> line; ///< none: `reason` says why, or it is not known yet
         QString reason;                        ///< a sentence without a full stop
+        std::optional<JobFailure> failure;     ///< the reason is no fault of the curve: complete() tries again
     };
 
     explicit SceneCurves(SceneDocument &document);
@@ -64,15 +65,15 @@ public:
         std::size_t done = 0, count = 0;
     };
     Progress progress() const;
-    /// Works all of them out before it returns.
+    /// Works all of them out before it returns, also those for which there was no thread or no memory before.
     /// @return false where the waiting, see setWaiting, was given up; what is under way goes on
     bool complete();
     /// Who shows that curves are waited for, and waits until none is computing, with the events of the program going on.
     /// @param waiting  returns false where somebody gives up. Empty: the thread that asks is blocked until all are there
     void setWaiting(std::function<bool()> waiting) { m_waiting = std::move(waiting); }
     /// The points and the curves with their semilandmarks, for a file. Waits for what is not known yet.
-    /// @return nothing where the waiting was given up
-    std::optional<landmarks::LandmarkSet> withSemilandmarks();
+    /// @return or why a curve is not known, a clause: the waiting was given up, or there was no thread or no memory
+    geometry::Result<landmarks::LandmarkSet, QString> withSemilandmarks();
 
     /// What is shown in the view of what is measured at the selected points. Not undoable.
     const std::optional<ShownMeasure> &shownMeasure() const { return m_shownMeasure; }

@@ -95,6 +95,10 @@
 <context>
     <name>CommandLine</name>
     <message>
+        <source>The system cannot start %1 more threads. Close other programs, then try again.</source>
+        <translation>系统无法再启动 %1 个线程。请关闭其他程序后重试。</translation>
+    </message>
+    <message>
         <source>Click a pixel of a 3-D view and get its world coordinate, computed twice.</source>
         <translation>点击三维视图中的一个像素，用两种方法求出它的世界坐标。</translation>
     </message>
@@ -5737,8 +5741,8 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>没有位置：%1 个。</translation>
     </message>
     <message>
-        <source>%1 was not written.</source>
-        <translation>%1 未写入。</translation>
+        <source>%1 was not written: %2.</source>
+        <translation>%1 未写入：%2。</translation>
     </message>
     <message>
         <source>“%1”</source>
@@ -6566,8 +6570,8 @@ of a point that needs no division</source>
         <translation>已写入 %1 的扫描：%2。没有点而未写入的：%3。</translation>
     </message>
     <message>
-        <source>The points of %1 are not kept yet: somebody gave up waiting for its curves.</source>
-        <translation>%1 的点尚未保存：等待其曲线时被取消。</translation>
+        <source>The points of %1 are not kept yet: %2.</source>
+        <translation>%1 的点尚未保存：%2。</translation>
     </message>
     <message>
         <source>Scans that were placed more than once: %1; placings up to number %2.</source>
@@ -6651,6 +6655,10 @@ of a point that needs no division</source>
 </context>
 <context>
     <name>unprojector::gui::SceneCurves</name>
+    <message>
+        <source>somebody gave up waiting for its curves</source>
+        <translation>等待其曲线时被取消</translation>
+    </message>
     <message>
         <source>a curve has two points at least</source>
         <translation>曲线至少要有两个点</translation>

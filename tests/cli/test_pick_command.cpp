@@ -55,6 +55,7 @@ private slots:
     void words();
     void wordsHaveNoNoise();
     void bundledModels();
+    void answersWithoutThreads();
     void unusable_data();
     void unusable();
 
@@ -271,6 +272,38 @@ void TestPickCommand::bundledModels()
     const QString scene = m_folder.write(
         "bundled.json", QByteArray(kFrustumScene).replace("\"file\": \"face.obj\"", "\"bundled\": \"Cube\""));
     QVERIFY(pick({scene, "--at", "400,300"})["hit"].toBool());
+}
+
+/// As a user who may start no more threads; the administrator has no such limit.
+void TestPickCommand::answersWithoutThreads()
+{
+#ifndef Q_OS_LINUX
+    QSKIP("no limit to threads here");
+#else
+    QByteArray model; // so large that the tree over it is built by all cores
+    constexpr int kSide = 300;
+    for (int i = 0; i < kSide * kSide; ++i)
+        model += "v " + QByteArray::number(i / kSide) + ' ' + QByteArray::number(i % kSide) + " 0\n";
+    for (int i = 1; i < kSide * (kSide - 1); ++i) {
+        if (i % kSide != 0)
+            model += "f " + QByteArray::number(i) + ' ' + QByteArray::number(i + 1) + ' '
+                     + QByteArray::number(i + kSide) + '\n';
+    }
+    const QString file = m_folder.write("grid.obj", model);
+    QVERIFY(QFile::setPermissions(QFileInfo(file).path(), QFile::Permissions(0x7755)));
+    QProcess shell;
+    shell.start("sh", {"-c", "[ $(id -u) -ne 0 ] || other='setpriv --reuid=65534 --regid=65534 --clear-groups'; "
+                             "exec prlimit --nproc=1 --core=0 $other '" UNPROJECT_COMMAND "' pick '"
+                                 + file + "' --at 380.3,280.2"});
+    QVERIFY(shell.waitForFinished(kPatienceMilliseconds));
+    const QByteArray errors = shell.readAllStandardError();
+    if (shell.exitStatus() == QProcess::NormalExit && (shell.exitCode() == 126 || shell.exitCode() == 127))
+        QSKIP("another user cannot run the command here");
+    QVERIFY2(shell.exitStatus() == QProcess::NormalExit && shell.exitCode() == 0, errors.constData());
+    const QByteArray answer = shell.readAllStandardOutput();
+    QVERIFY2(answer.contains("triangle "), answer.constData());
+    QCOMPARE(answer, runCommand({"pick", file, "--at", "380.3,280.2"}).output);
+#endif
 }
 
 void TestPickCommand::unusable_data()

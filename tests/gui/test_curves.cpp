@@ -112,7 +112,8 @@ void TestCurves::pointsAreJoinedAsOneStep()
     document->curves().setCount(0, 5);
     document->curves().setCount(0, 7); // one after the other is one step
     QCOMPARE(document->undoStack().undoText(), "Semilandmarks of Curve 1");
-    const std::vector<WorldPoint> seven = document->curves().withSemilandmarks()->curves[0].semilandmarks;
+    const auto set = document->curves().withSemilandmarks();
+    const std::vector<WorldPoint> &seven = set->curves[0].semilandmarks;
     QCOMPARE(seven.size(), std::size_t(7));
     QVERIFY(distance(seven[0], WorldPoint(kTop)) < 1e-6 && distance(seven[6], WorldPoint(kFront)) < 1e-6);
     document->undoStack().undo();
@@ -276,7 +277,8 @@ void TestCurves::filesHaveTheSemilandmarks()
     QVERIFY(files.importFrom(fileOf("p.tps")));
     QCOMPARE(document->curves().all().size(), std::size_t(1));
     QCOMPARE(document->curves().line(0).line->path.size(), std::size_t(6));
-    QCOMPARE(document->curves().withSemilandmarks()->curves[0].semilandmarks.size(), std::size_t(6));
+    const auto set = document->curves().withSemilandmarks();
+    QCOMPARE(set->curves[0].semilandmarks.size(), std::size_t(6));
 }
 
 void TestCurves::theListEditsCurves()
