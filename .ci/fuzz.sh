@@ -2,7 +2,7 @@
 # bash .ci/fuzz.sh [SECONDS [NAME …]]: runs the fuzzers of build/asan, two at a time, each for so many seconds (60). An input
 # that breaks something is left in build/asan/findings, and its fuzzer's last words are shown.
 # shellcheck source=.ci/common.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 
 export seconds=${1:-60}
 shift $(($# > 0 ? 1 : 0))

@@ -2,7 +2,7 @@
 # bash .ci/keep-corpus.sh [NAME …]: makes tests/fuzz/corpus anew from itself and from what the fuzzers of build/asan found since
 # (.ci/fuzz.sh): the smallest set of small inputs that reaches the same code, however often. Files with names are kept as they are.
 # shellcheck source=.ci/common.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 
 build=$root/build/asan
 names=("$@")

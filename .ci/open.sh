@@ -2,7 +2,7 @@
 # Installs what is missing, builds the program and opens it; arguments are the program's own. Without a display it
 # leaves a picture of the window, unprojector.png, in the current folder.
 # shellcheck source=.ci/common.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 
 bash "$root/.ci/setup.sh"
 # Presets are looked for in the current folder. The command, unproject, is left to those who build it all.

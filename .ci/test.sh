@@ -2,7 +2,7 @@
 # bash .ci/test.sh [LABEL]: installs what is missing, builds the release with warnings as errors and runs every test. With a
 # LABEL, "optimised", builds the programs and the tests with that label, and runs those.
 # shellcheck source=.ci/common.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 
 bash "$root/.ci/setup.sh" "${testPackages[@]}"
 cd -- "$root" # Presets are looked for in the current folder.

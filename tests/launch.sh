@@ -7,11 +7,14 @@
 set -u
 folder=$(cd -- "$(dirname -- "$0")" && pwd)
 platform=offscreen
-[ "$1" != --display ] || { platform=xcb; shift; }
+[ "${1:-}" != --display ] || { platform=xcb; shift; }
 
 home=$(mktemp -d "${TMPDIR:-/tmp}/unprojector-test.XXXXXX") || exit 1
-server=
+home=$(cd -- "$home" && pwd)
+server= program=
 cleanUp() {
+    trap '' HUP INT TERM
+    [ -z "$program" ] || kill "$program" 2>/dev/null
     [ -z "$server" ] || { kill "$server" 2>/dev/null; wait "$server" 2>/dev/null; }
     rm -rf "$home"
 }
@@ -46,5 +49,14 @@ set -- PATH="$PATH" HOME="$home" TMPDIR="$home/tmp" XDG_RUNTIME_DIR="$home/run" 
 for argument; do
     shift
     if [ -z "${ended:-}" ] && [ "$argument" = -- ]; then ended=1; else set -- "$@" "$argument"; fi
+    last=$argument
 done
-env -i "$@" </dev/null
+[ -n "${ended:-}" ] && [ "$last" != -- ] || { echo "launch.sh [--display] [VARIABLE=value …] -- PROGRAM [ARGUMENT …]" >&2; exit 2; }
+# Beside the shell, which otherwise acts on a signal only after the program's end. A shell starts such a program with INT and
+# QUIT ignored.
+env --default-signal=INT,QUIT -i "$@" </dev/null &
+program=$!
+wait "$program"
+status=$?
+program=
+exit "$status"

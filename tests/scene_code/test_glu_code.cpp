@@ -100,9 +100,7 @@ private slots:
     void aHundredPointsAreCores();
     void theDepthOfThePixelsOwnRowIsRead_data() { compiledRows(); }
     void theDepthOfThePixelsOwnRowIsRead();
-#ifndef _WIN32
-    void thePapersHandlersAnswerAClick();
-#endif
+    void thePapersHandlersAnswerAClick(); // declared on each system: moc does not know _WIN32
 
 private:
     static void compiledRows();
@@ -226,8 +224,13 @@ public:
 
 } // namespace
 
+#endif
+
 void TestGluCode::thePapersHandlersAnswerAClick()
 {
+#ifdef _WIN32
+    QSKIP("the stand-ins for MFC would meet the real names of windows.h");
+#else
     QOpenGLFramebufferObject frame(800, 600, QOpenGLFramebufferObject::Depth);
     QVERIFY(frame.bind());
     View view;
@@ -254,8 +257,8 @@ void TestGluCode::thePapersHandlersAnswerAClick()
     view.OnDestroy();
     QVERIFY(frame.release());
     QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
-}
 #endif
+}
 
 QTEST_MAIN(TestGluCode)
 #include "test_glu_code.moc"
