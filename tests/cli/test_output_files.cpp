@@ -91,7 +91,7 @@ void TestOutputFiles::namesAreTaken()
     const QString output = path(name);
     for (int i = 0; i < 2; ++i) { // new, and over the one before
         const Run cloud = runCommand(cloudTo(output));
-        QVERIFY(hasWritten(cloud, output));
+        QVERIFY2(hasWritten(cloud, output), cloud.errors.constData());
         QVERIFY(read(name).startsWith("ply\n") && read(name).size() > kCloudBytes);
         const Run scene = runCommand({"scene", "--from-matrices", kNumbers, "-o", output});
         QCOMPARE(scene.errors, QByteArray());
