@@ -7,6 +7,7 @@
 #include "core/mesh_import/mesh_reader.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
+#include "core/text/utf8.h"
 #include "core/threads/parallel.h"
 
 #include <glm/common.hpp>
@@ -14,8 +15,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <fstream>
+#include <initializer_list>
 #include <limits>
 #include <mutex>
 #include <new>
@@ -221,6 +224,22 @@ std::string startOf(const std::filesystem::path &file)
     return start;
 }
 
+/// The file as UTF-8, where a mark at its beginning says which UTF it is in; else as it is.
+/// @param converted  holds the text of a file in UTF-16
+std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t> bytes, std::string &converted)
+{
+    const auto begins = [&bytes](std::initializer_list<std::uint8_t> mark) {
+        return bytes.size() >= mark.size() && std::equal(mark.begin(), mark.end(), bytes.begin());
+    };
+    if (begins({0xef, 0xbb, 0xbf}))
+        return bytes.subspan(3);
+    const bool isLittle = begins({0xff, 0xfe});
+    if (!isLittle && !begins({0xfe, 0xff}))
+        return bytes;
+    converted = text::utf8FromUtf16(bytes.subspan(2), isLittle ? std::endian::little : std::endian::big);
+    return {reinterpret_cast<const std::uint8_t *>(converted.data()), converted.size()};
+}
+
 /// Throws also where the contents are of another kind than the name says; then it says so.
 Model readAs(Reader reader, const Source &source)
 {
@@ -252,7 +271,10 @@ Model import(const std::filesystem::path &file, ProgressReporter &progress)
     if (contents.bytes().empty())
         throw Failure(ImportErrorCode::EmptyFile);
     progress.beginStage(0.1, 0.7);
-    Model model = readAs(reader, Source{file, suffix, contents.bytes(), progress});
+    std::string converted;
+    const std::span<const std::uint8_t> bytes =
+        reader == readGltf ? contents.bytes() : withoutByteOrderMark(contents.bytes(), converted);
+    Model model = readAs(reader, Source{file, suffix, bytes, progress});
     progress.beginStage(0.7, 1.0);
     finishModel(model, progress);
     model.name = utf8FromPath(file.stem());

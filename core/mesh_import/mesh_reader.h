@@ -64,6 +64,12 @@ struct Source {
     ProgressReporter &progress;
 
     std::string_view text() const { return {reinterpret_cast<const char *>(bytes.data()), bytes.size()}; }
+    /// Without the zeros behind it that some programs fill files up with.
+    std::string_view unpaddedText() const
+    {
+        const std::string_view all = text();
+        return all.substr(0, all.find_last_not_of('\0') + 1);
+    }
 };
 
 /// The readers. Meshes may lack normals; their indices and values are checked by finishModel.

@@ -67,6 +67,16 @@ std::string noteText(const ModelNote &note)
         return tr(note.count == 1 ? "%1 vertex has words behind the coordinates that are not used"
                                   : "%1 vertices have words behind the coordinates that are not used",
                   note.count);
+    case ModelNote::Kind::ColorsUndeclared:
+        return tr("the numbers behind the coordinates are used as colours, though the header does not declare any");
+    case ModelNote::Kind::WeightsLeftOut:
+        return tr(note.count == 1 ? "%1 vertex has a fourth number, the weight of rational curves: it is not used"
+                                  : "%1 vertices have a fourth number, the weight of rational curves: it is not used",
+                  note.count);
+    case ModelNote::Kind::LinesUnknown:
+        return tr(note.count == 1 ? "not used: %1 line that begins with a word unknown to the format, %2"
+                                  : "not used: %1 lines that begin with words unknown to the format, the first is %2",
+                  note.count, printable(note.detail));
     case ModelNote::Kind::BytesLeftOut:
         return tr(note.count == 1 ? "%1 byte behind all that the file declares is not used"
                                   : "%1 bytes behind all that the file declares are not used",

@@ -1,12 +1,14 @@
 #include "core/mesh_import/obj_chunk.h"
 
 #include "core/geometry/finite.h"
+#include "core/mesh_import/line_ranges.h"
 #include "core/mesh_import/obj_cursor.h"
 #include "core/mesh_import/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -17,6 +19,13 @@ namespace {
 
 /// More words than any vertex has that means something.
 constexpr int kMostVertexWords = 9;
+
+/// Statements that say nothing about what is shown: groups, parts of curves, looks, commands. Some programs add their own.
+constexpr std::string_view kWithoutGeometry[] = {
+    "vp",       "cstype", "deg",    "bmat",   "step",       "parm",      "trim",       "hole",  "scrv",
+    "sp",       "end",    "con",    "g",      "s",          "mg",        "o",          "bevel", "c_interp",
+    "d_interp", "lod",    "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",      "stech", "call",
+    "csh",      "res",    "bsp",    "bzp",    "cdc",        "cdp",       "vertexcolor"};
 
 std::uint8_t byteFromShare(double share)
 {
@@ -41,6 +50,14 @@ void ObjChunk::fail(ObjCursor &cursor, std::string message, ImportErrorCode code
 void ObjChunk::parse(std::string_view text)
 {
     m_text = text;
+    if (const std::size_t zero = text.find('\0'); zero != text.npos) {
+        LineRange before;
+        before.end = zero;
+        countLines(text, before);
+        m_failure = {before.lines, ImportErrorCode::Malformed,
+                     tr("a byte 0 stands in the text; save the file as UTF-8 or ASCII text")};
+        return;
+    }
     ObjCursor cursor(text);
     while (!cursor.isAtEnd() && !m_failure) {
         readStatement(cursor);
@@ -84,9 +101,9 @@ void ObjChunk::readVertex(ObjCursor &cursor)
     // x y z, x y z w, x y z r g b, x y z r g b a, x y z w r g b a.
     const bool isKnown = (count <= 8 && count != 5) && cursor.isAtStatementEnd();
     verticesWithMore += isKnown ? 0 : 1;
-    glm::dvec3 position(values[0], values[1], values[2]);
-    if (isKnown && (count == 4 || count == 8) && values[3] != 1.0)
-        position /= values[3];
+    // By the format, w weighs the vertex in rational curves and surfaces. It says nothing about polygons.
+    verticesWithWeight += isKnown && (count == 4 || count == 8) && values[3] != 1.0 ? 1 : 0;
+    const glm::dvec3 position(values[0], values[1], values[2]);
     if (!isFinite(position)) {
         fail(cursor, std::to_string(positions.size()), ImportErrorCode::NotFinite);
         return;
@@ -214,6 +231,12 @@ void ObjChunk::readOther(ObjCursor &cursor, std::string_view keyword)
             ++points;
     } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
         ++curves[std::string(keyword)];
+    } else if (std::find(std::begin(kWithoutGeometry), std::end(kWithoutGeometry), keyword)
+               == std::end(kWithoutGeometry)) {
+        if (unknownLines++ == 0) {
+            firstUnknownLine = cursor.linesBefore();
+            firstUnknown = quoted(keyword);
+        }
     }
 }
 

@@ -20,7 +20,7 @@ bool isLineEnd(char c)
 
 bool isBlank(char c)
 {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0';
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
 } // namespace

@@ -44,7 +44,7 @@ double plyValue(const std::uint8_t *bytes, PlyType type, PlyFormat format)
 
 PlyBody::PlyBody(const Source &source, const PlyHeader &header)
     : m_source(source), m_format(header.format), m_bytes(source.bytes), m_at(header.bodyOffset),
-      m_scanner(source.text(), header.bodyOffset, header.bodyLine)
+      m_scanner(source.unpaddedText(), header.bodyOffset, header.bodyLine)
 {
 }
 
@@ -65,7 +65,20 @@ void PlyBody::beginElement(const PlyElement &element, std::size_t number)
     if (!m_isPart && number % kElementsBetweenReports == 0)
         m_source.progress.report(static_cast<double>(offset()) / static_cast<double>(m_bytes.size()));
     if (m_format == PlyFormat::Ascii)
+        skipComments();
+}
+
+/// Some programs write comments among the data, as they do in the header.
+void PlyBody::skipComments()
+{
+    m_scanner.skipBlankLines();
+    for (TextScanner ahead = m_scanner;; ahead = m_scanner) {
+        const std::string_view word = ahead.nextWordInLine();
+        if (word != "comment" && word != "obj_info" && !word.starts_with('#'))
+            return;
+        m_scanner.skipLine();
         m_scanner.skipBlankLines();
+    }
 }
 
 void PlyBody::endElement()
@@ -145,7 +158,7 @@ bool PlyBody::readLines(const PlyElement &element,
     if (m_format != PlyFormat::Ascii || element.properties.empty() || element.count == 0
         || bytesLeft() < 2 * kBytesInTask)
         return false;
-    const std::string_view text = m_source.text();
+    const std::string_view text = m_source.unpaddedText();
     const std::size_t begin = offset();
     const auto share = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(text.size()); };
     const auto reporting = [&](double from, double to) {
@@ -186,7 +199,7 @@ bool PlyBody::readLines(const PlyElement &element,
 std::size_t PlyBody::end()
 {
     if (m_format == PlyFormat::Ascii) {
-        m_scanner.skipBlankLines();
+        skipComments();
         if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
             failAtLine(tr("%1 follows all elements that the header declares; correct their numbers in the header",
                           quoted(word)));

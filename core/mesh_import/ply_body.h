@@ -49,6 +49,7 @@ public:
     std::size_t bytesLeft() const { return m_bytes.size() - offset(); }
 
 private:
+    void skipComments();
     std::size_t offset() const { return m_format == PlyFormat::Ascii ? m_scanner.offset() : m_at; }
     std::string where() const { return m_element->name + ' ' + std::to_string(m_number); }
     [[noreturn]] void failTruncated() const;

@@ -154,7 +154,11 @@ PlyHeader readPlyHeader(std::string_view file)
         } else if (word == "property") {
             if (header.elements.empty())
                 failAtLine(scanner.line(), tr("a property before the first element"));
-            header.elements.back().properties.push_back(readProperty(scanner));
+            PlyProperty property = readProperty(scanner);
+            if (header.elements.back().find(property.name) >= 0)
+                failAtLine(scanner.line(),
+                           tr("the property %1 stands twice in its element", quoted(std::string_view(property.name))));
+            header.elements.back().properties.push_back(std::move(property));
         } else if (word == "comment") {
             if (scanner.nextWordInLine() == "TextureFile" && header.textureFile.empty()) {
                 header.textureFile = scanner.restOfLine();

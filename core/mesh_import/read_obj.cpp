@@ -115,9 +115,7 @@ private:
 
 void ObjReader::parse()
 {
-    std::string_view text = m_source.text();
-    if (text.starts_with("\xef\xbb\xbf"))
-        text.remove_prefix(3);
+    std::string_view text = m_source.unpaddedText();
     std::vector<std::string_view> pieces;
     while (!text.empty()) {
         const std::size_t size = text.size() <= kChunkBytes ? text.size() : statementEnd(text, kChunkBytes);
@@ -230,12 +228,19 @@ void ObjReader::triangulate(ObjChunk &chunk) const
 
 void ObjReader::addNotes()
 {
-    std::size_t lines = 0, points = 0, more = 0, texcoords = 0, normals = 0;
+    std::size_t lines = 0, points = 0, more = 0, weights = 0, texcoords = 0, normals = 0;
+    ModelNote unknown{ModelNote::Kind::LinesUnknown, 0, {}};
+    std::size_t linesBefore = 0;
     std::map<std::string, std::size_t> curves;
     for (const ObjChunk &chunk : m_chunks) {
         lines += chunk.lines;
         points += chunk.points;
         more += chunk.verticesWithMore;
+        weights += chunk.verticesWithWeight;
+        if (unknown.count == 0 && chunk.unknownLines > 0)
+            unknown.detail = tr("%1 in line %2", chunk.firstUnknown, linesBefore + chunk.firstUnknownLine + 1);
+        unknown.count += chunk.unknownLines;
+        linesBefore += chunk.lineCount();
         texcoords += chunk.facesWithoutTexcoords;
         normals += chunk.facesWithoutNormals;
         for (const auto &[keyword, count] : chunk.curves)
@@ -247,6 +252,9 @@ void ObjReader::addNotes()
     };
     note(ModelNote::Kind::LinesLeftOut, m_hasFaces ? lines + points : lines);
     note(ModelNote::Kind::NumbersLeftOut, more);
+    note(ModelNote::Kind::WeightsLeftOut, weights);
+    if (unknown.count > 0)
+        m_model.notes.push_back(unknown);
     note(ModelNote::Kind::TexcoordsLeftOut, texcoords);
     note(ModelNote::Kind::NormalsLeftOut, normals);
     for (const auto &[keyword, count] : curves)

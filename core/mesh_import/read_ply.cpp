@@ -223,6 +223,7 @@ Model readPly(const Source &source)
     if (const std::size_t lines = polygons.lineCount(); lines > 0)
         model.notes.push_back({ModelNote::Kind::LinesLeftOut, lines, {}});
 
+    model.fileVertices = polygons.vertexCount();
     Mesh mesh = polygons.take();
     if (!mesh.colors.empty())
         mesh.baseColor = glm::vec4(1.0f);

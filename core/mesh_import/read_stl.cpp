@@ -247,6 +247,8 @@ AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<
             // The numbers are not needed, and some programs write "nan" for a thin triangle.
             for (int axis = 0; axis < 3; ++axis)
                 scanner.nextWordInLine();
+        } else if (word.starts_with('#')) {
+            scanner.skipLine();
         } else if (!equalsIgnoringCase(word, "facet") && !equalsIgnoringCase(word, "outer")
                    && !equalsIgnoringCase(word, "loop") && !equalsIgnoringCase(word, "endloop")) {
             failAtLine(scanner.line(), tr("%1 does not belong in an STL file", quoted(word)));
@@ -273,7 +275,7 @@ std::size_t nextFacet(std::string_view text, std::size_t from)
 /// By all cores. Nothing where the text is short, or something is not as it should be: read as a whole it will say what.
 std::optional<AsciiPart> readAsciiParts(const Source &source)
 {
-    const std::string_view text = source.text();
+    const std::string_view text = source.unpaddedText();
     std::vector<std::size_t> starts{0};
     while (starts.back() < text.size())
         starts.push_back(nextFacet(text, std::min(text.size(), starts.back() + kAsciiBytesInTask)));
@@ -313,7 +315,7 @@ Mesh readAscii(const Source &source)
         const auto report = [&source](std::size_t offset) {
             source.progress.report(static_cast<double>(offset) / static_cast<double>(source.bytes.size()));
         };
-        whole = readAscii(TextScanner(source.text()), source.bytes.size(), report);
+        whole = readAscii(TextScanner(source.unpaddedText()), source.bytes.size(), report);
     }
     if (whole->isInSolid.value_or(false)) {
         const std::string_view text = source.text();
@@ -327,21 +329,33 @@ Mesh readAscii(const Source &source)
     return mesh;
 }
 
+/// By the size, which a binary file's count gives, or else by the contents: a binary header may begin with "solid", and a
+/// text with a comment.
 bool isAscii(const Source &source)
 {
-    TextScanner scanner(source.text().substr(0, std::min<std::size_t>(source.bytes.size(), 4096)));
-    if (!equalsIgnoringCase(scanner.nextWord(), "solid"))
-        return false;
-    // Binary files may begin with "solid" too; then their size fits the count.
     if (source.bytes.size() >= kBytesBeforeTriangles) {
         const std::size_t declared = littleEndian32(source.bytes.data() + kHeaderBytes);
         if (source.bytes.size() == kBytesBeforeTriangles + declared * kTriangleBytes)
             return false;
     }
-    scanner.skipLine();
-    const std::string_view word = scanner.nextWord();
-    return word.empty() || equalsIgnoringCase(word, "facet") || equalsIgnoringCase(word, "endsolid")
-           || source.text().substr(0, 4096).find('\0') == std::string_view::npos;
+    constexpr std::size_t kLookedAt = 1 << 16;
+    const std::string_view start = source.unpaddedText().substr(0, kLookedAt);
+    const bool hasControls = std::any_of(start.begin(), start.end(), [](char c) {
+        return (c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\v' && c != '\f' && c != '\r');
+    });
+    TextScanner scanner(start);
+    const std::string_view first = scanner.nextWord();
+    if (hasControls) {
+        // A text all the same where its words say so: the message then names the line.
+        scanner.skipLine();
+        return equalsIgnoringCase(first, "solid") && equalsIgnoringCase(scanner.nextWord(), "facet");
+    }
+    for (TextScanner words(start); !words.isAtEnd();) {
+        const std::string_view word = words.nextWord();
+        if (equalsIgnoringCase(word, "facet") || equalsIgnoringCase(word, "endsolid"))
+            return true;
+    }
+    return equalsIgnoringCase(first, "solid");
 }
 
 } // namespace

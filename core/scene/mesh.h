@@ -72,6 +72,9 @@ struct ModelNote {
         TexcoordsLeftOut,  ///< count: faces that refer to texture coordinates which the file does not have
         NormalsLeftOut,    ///< count: faces that refer to normals which the file does not have: they are made instead
         NumbersLeftOut,    ///< count: vertices with words behind their coordinates that mean nothing there
+        ColorsUndeclared,  ///< numbers behind the coordinates are used as colours, which the header does not declare
+        WeightsLeftOut,    ///< count: vertices with a weight of rational curves, which is not used
+        LinesUnknown,      ///< count: lines that begin with a word which the format does not have; detail: the first
         BytesLeftOut,      ///< count: bytes behind all that the file declares
         PartLeftOut,       ///< detail: what the format calls it, such as an extension; count: how many, or 0
         FlatTriangles,     ///< count: triangles that have no area in single precision

@@ -36,4 +36,40 @@ std::size_t firstNotUtf8(std::string_view text)
     return text.npos;
 }
 
+std::string utf8FromUtf16(std::span<const std::uint8_t> bytes, std::endian order)
+{
+    const std::size_t high = order == std::endian::big ? 0 : 1;
+    const auto unit = [&](std::size_t i) {
+        return static_cast<std::uint32_t>(bytes[2 * i + high] << 8 | bytes[2 * i + 1 - high]);
+    };
+    const auto isHighSurrogate = [](std::uint32_t value) { return value >= 0xd800 && value < 0xdc00; };
+    const auto isLowSurrogate = [](std::uint32_t value) { return value >= 0xdc00 && value < 0xe000; };
+    constexpr std::uint32_t kReplacement = 0xfffd;
+    std::string text;
+    text.reserve(bytes.size() / 2);
+    const auto append = [&text](std::uint32_t code) {
+        const auto last = [code](int shift) { return static_cast<char>(0x80 | (code >> shift & 0x3f)); };
+        if (code < 0x80) {
+            text += static_cast<char>(code);
+        } else if (code < 0x800) {
+            text += {static_cast<char>(0xc0 | code >> 6), last(0)};
+        } else if (code < 0x10000) {
+            text += {static_cast<char>(0xe0 | code >> 12), last(6), last(0)};
+        } else {
+            text += {static_cast<char>(0xf0 | code >> 18), last(12), last(6), last(0)};
+        }
+    };
+    const std::size_t count = bytes.size() / 2;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t first = unit(i);
+        if (isHighSurrogate(first) && i + 1 < count && isLowSurrogate(unit(i + 1)))
+            append(0x10000 + ((first - 0xd800) << 10) + (unit(++i) - 0xdc00));
+        else
+            append(isHighSurrogate(first) || isLowSurrogate(first) ? kReplacement : first);
+    }
+    if (bytes.size() % 2 != 0)
+        append(kReplacement);
+    return text;
+}
+
 } // namespace unprojector::text

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace unprojector::text {
@@ -9,5 +13,9 @@ namespace unprojector::text {
 /// lies beyond U+10FFFF are none.
 /// Source: The Unicode Standard, table 3-7.
 std::size_t firstNotUtf8(std::string_view text);
+
+/// A text in UTF-16 as UTF-8. What is no UTF-16, as half a pair of surrogates or a single last byte, becomes U+FFFD.
+/// @param bytes  without a byte order mark
+std::string utf8FromUtf16(std::span<const std::uint8_t> bytes, std::endian order);
 
 } // namespace unprojector::text

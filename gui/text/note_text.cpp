@@ -58,6 +58,16 @@ QString noteText(const ModelNote &note)
             .arg(count);
     case ModelNote::Kind::NumbersLeftOut:
         return NoteTexts::tr("Vertices with words behind their coordinates that are not used: %1.").arg(count);
+    case ModelNote::Kind::ColorsUndeclared:
+        return NoteTexts::tr(
+            "The numbers behind the coordinates are used as colours, though the header does not declare any.");
+    case ModelNote::Kind::WeightsLeftOut:
+        return NoteTexts::tr("Vertices with a fourth number, the weight of rational curves, which is not used: %1.")
+            .arg(count);
+    case ModelNote::Kind::LinesUnknown:
+        return NoteTexts::tr(
+                   "Lines that begin with a word unknown to the format, and are not used: %1, the first is %2.")
+            .arg(count, detail);
     case ModelNote::Kind::BytesLeftOut:
         return NoteTexts::tr("Bytes behind all that the file declares, which are not used: %1.").arg(count);
     case ModelNote::Kind::PartLeftOut:

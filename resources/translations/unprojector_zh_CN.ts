@@ -4793,6 +4793,18 @@ Both are as large as fits.</source>
         <translation>引用了文件中不存在的法线而改用计算所得法线的面：%1。</translation>
     </message>
     <message>
+        <source>The numbers behind the coordinates are used as colours, though the header does not declare any.</source>
+        <translation>坐标之后的数用作颜色，但文件头未声明颜色。</translation>
+    </message>
+    <message>
+        <source>Vertices with a fourth number, the weight of rational curves, which is not used: %1.</source>
+        <translation>带有第四个数（有理曲线的权，未使用）的顶点：%1。</translation>
+    </message>
+    <message>
+        <source>Lines that begin with a word unknown to the format, and are not used: %1, the first is %2.</source>
+        <translation>以该格式中没有的词开头而未使用的行：%1，其中第一行为 %2。</translation>
+    </message>
+    <message>
         <source>Vertices with words behind their coordinates that are not used: %1.</source>
         <translation>坐标之后带有未使用内容的顶点：%1。</translation>
     </message>

@@ -114,6 +114,8 @@ Q_DECLARE_METATYPE(unprojector::mesh_import::ImportErrorCode)
     do {                                                                                                               \
         REQUIRE_MODEL(result);                                                                                         \
         QCOMPARE((result).value()->triangleCount(), std::size_t{12});                                                  \
+        QVERIFY((result).value()->bounds.lowest == glm::dvec3(-1, 0, 0));                                              \
+        QVERIFY((result).value()->bounds.highest == glm::dvec3(2, 1, 2));                                              \
         QCOMPARE(notesOf(**(result)), notes);                                                                          \
     } while (false)
 

@@ -66,7 +66,8 @@ void TestImportObj::readsATriangleHoweverItIsWritten_data()
     row("lines joined by a backslash", "v 0 \\\n0 0\nv 1 0 0\nv 0 1 \\ \n 0\nf 1 \\\r\n2 \\\n3\n");
     row("a backslash at a number", "v 0 0 0\nv 1 0\\\n0\nv 0 1 0\nf 1 2\\\n3\n");
     row("w of 1", "v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0 1\nf 1 2 3\n");
-    row("w of 2", "v 0 0 0 2\nv 2 0 0 2\nv 0 2 0 2\nf 1 2 3\n");
+    row("w of 1", "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n");
+    row("UTF-8 with its mark", "\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     row("counted back", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n");
     row("faces first", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
     row("all kinds of corners", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5\nvt .5 .5\nvt 0 0 0\nvn 0 0 1\nf 1/1 2//1 3/3/1\n");
@@ -125,7 +126,7 @@ void TestImportObj::readsVertexColors_data()
                          << QVector<int>{0, 128, 255, 255};
     QTest::newRow("rgba") << QByteArray("v 0 0 0 1 0 0 1\nv 1 0 0 0 0.5 1 0.25\nv 0 1 0 0 0 1 1\n")
                           << QVector<int>{0, 128, 255, 64};
-    QTest::newRow("w and rgba") << QByteArray("v 0 0 0 1 1 0 0 1\nv 2 0 0 2 0 0.5 1 0.25\nv 0 1 0 1 0 0 1 1\n")
+    QTest::newRow("w and rgba") << QByteArray("v 0 0 0 1 1 0 0 1\nv 1 0 0 1 0 0.5 1 0.25\nv 0 1 0 1 0 0 1 1\n")
                                 << QVector<int>{0, 128, 255, 64};
     QTest::newRow("of some vertices") << QByteArray("v 0 0 0\nv 1 0 0 0 0.5 1\nv 0 1 0\n")
                                       << QVector<int>{0, 128, 255, 255};
@@ -168,6 +169,12 @@ void TestImportObj::saysWhatIsLeftOut_data()
     row("a vertex of five numbers", "v 1 2 3 4 5\n", "1 vertex has words behind the coordinates that are not used");
     row("a vertex of nine numbers", "v 1 2 3 4 5 6 7 8 9\n",
         "1 vertex has words behind the coordinates that are not used");
+    row("weights", "v 1 2 3 1\nv 1 2 3 2\nv 1 2 3 0\n",
+        "2 vertices have a fourth number, the weight of rational curves: it is not used");
+    row("an unknown word", "V 9 9 9\n",
+        "not used: 1 line that begins with a word unknown to the format, \"V\" in line 7");
+    row("unknown words", "\xc2\xa0v 9 9 9\nvt 1 1\nvv 1\ng a\no b\ns off\nvp 1\n",
+        "not used: 2 lines that begin with words unknown to the format, the first is \"??v\" in line 7");
     row("words behind a vertex", "v 1 2 3 red\nv 1 2 3 # red\n",
         "1 vertex has words behind the coordinates that are not used");
     row("curves and surfaces", "curv 0 1 1 2\nsurf 0 1 0 1 1 2\nsurf 0 1 0 1 1 2\n",
@@ -466,7 +473,6 @@ void TestImportObj::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("a short normal") << objBox("vn 1 2\n") << Malformed << "line 10: a normal needs three numbers";
     QTest::newRow("an empty texture coordinate")
         << objBox("vt\n") << Malformed << "line 10: a texture coordinate needs a number";
-    QTest::newRow("w of 0") << objBox("v 1 1 1 0\n") << NotFinite << "8";
     QTest::newRow("NaN") << objBox("v 1 nan 2\n") << NotFinite << "8";
     QTest::newRow("NaN of Microsoft's") << objBox("v 1 1.#IND 2\n") << NotFinite << "8";
     QTest::newRow("too large for a float") << objBox("v 1 1e99 2\n") << NotFinite << "8";

@@ -241,6 +241,10 @@ void TestImportPly::saysWhatIsLeftOut_data()
         + "0 1\n2 3\n";
     QTest::newRow("nothing") << plyText() << QByteArray();
     QTest::newRow("blank lines") << plyText().replace("\n4 0 3", "\n\n4 0 3") + "\n \n" << QByteArray();
+    QTest::newRow("comments among the data")
+        << plyText().replace("\n4 0 3", "\ncomment the faces\n# more\n4 0 3").replace("\n2 1 2\n", "\ncomment\n2 1 2\n")
+        << QByteArray();
+    QTest::newRow("zeros behind") << plyText() + QByteArray(5, '\0') << QByteArray();
     QTest::newRow("edges") << edges << QByteArray("2 lines and points are not shown");
     QTest::newRow("binary, zeros behind") << plyLittle() + QByteArray(5, '\0') << QByteArray();
     QTest::newRow("binary, more behind") << plyLittle() + "more"
@@ -278,6 +282,8 @@ void TestImportPly::saysWhyAFileCannotBeOpened_data()
                                      << "face 5 refers to vertex 8";
     QTest::newRow("NaN") << plyText().replace("\n2 1 2\n", "\n2 nan 2\n") << NotFinite << "6";
     QTest::newRow("too large for a float") << plyText().replace("\n2 1 2\n", "\n2 1e200 2\n") << NotFinite << "6";
+    QTest::newRow("a property twice") << plyText().replace("property float y", "property float x") << Malformed
+                                      << "the property \"x\" stands twice in its element";
     QTest::newRow("a word") << plyText().replace("\n2 1 2\n", "\n2 oops 2\n") << Malformed << "line 16: \"oops\"";
     QTest::newRow("a number too many") << plyText().replace("\n2 1 2\n", "\n2 1 2 7\n") << Malformed
                                        << "line 16: \"7\" follows all that the header declares for vertex 6";

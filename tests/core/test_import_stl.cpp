@@ -20,6 +20,7 @@ private slots:
     void keepsFloatsThatLieFarAway();
     void saysWhatIsBehindTheTriangles_data();
     void saysWhatIsBehindTheTriangles();
+    void readsTextWithComments();
     void saysWhyAFileCannotBeOpened_data();
     void saysWhyAFileCannotBeOpened();
 
@@ -144,6 +145,14 @@ void TestImportStl::saysWhatIsBehindTheTriangles()
     QCOMPARE(notesOf(**result), notes);
 }
 
+void TestImportStl::readsTextWithComments()
+{
+    QByteArray text = "# made by hand\n; of a box\n\n" + stlText();
+    text.replace("; of a box\n", "").replace("outer loop\nvertex 2 1 2", "# a loop\nouter loop\nvertex 2 1 2");
+    const auto box = m_folder.imported("comments.stl", text + QByteArray(3, '\0'));
+    VERIFY_BOX_WITH_NOTES(box, QByteArray());
+}
+
 void TestImportStl::saysWhyAFileCannotBeOpened_data()
 {
     QTest::addColumn<QByteArray>("content");
@@ -166,6 +175,8 @@ void TestImportStl::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("infinity") << stlBinary(-1, 0, INFINITY) << NotFinite << "0";
     QTest::newRow("infinity in a large one")
         << cells(300001).replace(84 + 50 * 200000 + 12, 4, little(INFINITY)) << NotFinite << "600000";
+    QTest::newRow("text with a zero") << stlText().replace("vertex 2 1 2\n", QByteArray("vertex 2 1 \0", 12) + "2\n")
+                                      << Malformed << "a vertex needs three numbers, not";
     QTest::newRow("garbage") << QByteArray("garbage") << Malformed << "ends within the header";
 }
 

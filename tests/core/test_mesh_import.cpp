@@ -1,5 +1,6 @@
 #include "imported.h"
 
+#include <QStringConverter>
 #include <QTest>
 
 #include <glm/geometric.hpp>
@@ -25,6 +26,9 @@ class TestMeshImport : public QObject {
 private slots:
     void readsTheBoxOfEveryFormat_data();
     void readsTheBoxOfEveryFormat();
+    void readsTextInUtf16_data();
+    void readsTextInUtf16();
+    void refusesTextWithZeros();
     void readsColors_data();
     void readsColors();
     void readsTextures_data();
@@ -116,6 +120,41 @@ void TestMeshImport::readsTheBoxOfEveryFormat()
         for (std::size_t c = 0; c < 3; ++c)
             QVERIFY2(glm::dot(mesh.normals[mesh.indices[i + c]], out) > 0.9999f, "a hard edge was smoothed");
     }
+}
+
+void TestMeshImport::readsTextInUtf16_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("obj") << "utf16.obj" << objBox();
+    QTest::newRow("stl") << "utf16.stl" << stlText();
+    QTest::newRow("ply") << "utf16.ply" << plyText();
+    QTest::newRow("off") << "utf16.off" << offBox();
+}
+
+void TestMeshImport::readsTextInUtf16()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    const auto marked = imported(name, "\xef\xbb\xbf" + content);
+    VERIFY_BOX_WITH_NOTES(marked, QByteArray());
+    for (const auto encoding : {QStringConverter::Utf16LE, QStringConverter::Utf16BE}) {
+        QStringEncoder encoder(encoding, QStringConverter::Flag::WriteBom);
+        const QByteArray encoded = encoder.encode(QString::fromUtf8(content));
+        const auto box = imported(name, encoded);
+        VERIFY_BOX_WITH_NOTES(box, QByteArray());
+    }
+}
+
+void TestMeshImport::refusesTextWithZeros()
+{
+    // Without a mark nothing says that it is UTF-16.
+    QStringEncoder encoder(QStringConverter::Utf16LE);
+    const QByteArray encoded = encoder.encode(QString::fromUtf8(objBox()));
+    const auto zeros = imported("zeros.obj", encoded);
+    VERIFY_REFUSED(zeros, ImportErrorCode::Malformed, QString("line 1: a byte 0 stands in the text"));
+    const auto one = imported("one.obj", objBox() + QByteArray("v 1 \0 2 3\n", 10));
+    VERIFY_REFUSED(one, ImportErrorCode::Malformed, QString("a byte 0 stands in the text"));
 }
 
 void TestMeshImport::readsColors_data()

@@ -48,6 +48,12 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("normals", NormalsLeftOut, 2, "",
         "2 faces refer to normals that the file does not have: they are computed instead");
     row("words behind a vertex", NumbersLeftOut, 1, "", "1 vertex has words behind the coordinates that are not used");
+    row("colours", ColorsUndeclared, 0, "",
+        "the numbers behind the coordinates are used as colours, though the header does not declare any");
+    row("a weight", WeightsLeftOut, 1, "",
+        "1 vertex has a fourth number, the weight of rational curves: it is not used");
+    row("an unknown line", LinesUnknown, 1, "\"V\" 7",
+        "not used: 1 line that begins with a word unknown to the format, \"V\" 7");
     row("bytes at the end", BytesLeftOut, 7, "", "7 bytes behind all that the file declares are not used");
     row("a part", PartLeftOut, 0, "EXT_x", "\"EXT_x\" is not shown");
     row("a part, several times", PartLeftOut, 4, "curv", "\"curv\" is not shown (4 times)");
