@@ -60,7 +60,8 @@ std::optional<OffWord> offWord(std::string_view word)
     return result;
 }
 
-/// The file's numbers: words in text, where each vertex and each face has a line of its own, or binary.
+/// The file's numbers: words in text, or binary. In text each vertex and each face begins a line. It may go on in the next
+/// lines, but then has the last of them for itself: so a number that is missing does not take one of the next line.
 class OffNumbers {
 public:
     OffNumbers(const Source &source, std::size_t offset, std::size_t line, const OffKind &kind)
@@ -80,6 +81,7 @@ public:
         if (m_isBinary)
             return;
         skipComments();
+        m_brokenLine = 0;
         if (m_scanner.isAtEnd())
             failTruncated(what);
     }
@@ -134,6 +136,8 @@ public:
         values.clear();
         m_areIntegers = true;
         std::string_view word = nextWordInLine();
+        if (m_brokenLine > 0 && !word.empty())
+            failBroken();
         for (; !word.empty(); word = nextWordInLine()) {
             const std::optional<float> value = floatFromWord(word);
             if (!value)
@@ -145,12 +149,33 @@ public:
         return word.empty();
     }
 
+    /// Before the faces of a binary file: finds out whether each has the number of its colours behind it, as the format says.
+    /// Some programs leave that out, and the file ends too early for it.
+    void findFaceColors(std::size_t count)
+    {
+        if (!m_isBinary)
+            return;
+        const std::size_t begin = m_at;
+        const auto skip = [&](std::uint64_t words) {
+            const bool isThere = words <= bytesLeft() / 4;
+            m_at += isThere ? 4 * static_cast<std::size_t>(words) : 0;
+            return isThere;
+        };
+        bool areThere = true;
+        for (std::size_t face = 0; face < count && areThere; ++face) {
+            for (int part = 0; part < 2 && areThere; ++part) // corners, colours
+                areThere = bytesLeft() >= 4 && skip(bits(""));
+        }
+        m_at = begin;
+        m_hasFaceColors = areThere;
+    }
+
     /// The numbers behind a face: up to four of the line, or of as many as the binary count says.
     std::vector<float> faceColor()
     {
         std::vector<float> values;
         if (m_isBinary) {
-            const std::int64_t count = integer(marked("face colour"));
+            const std::int64_t count = m_hasFaceColors ? integer(marked("face colour")) : 0;
             for (std::int64_t i = 0; i < count; ++i)
                 values.push_back(static_cast<float>(real(marked("face colour"))));
         } else {
@@ -213,12 +238,24 @@ private:
 
     std::string_view wordInLine(const char *what)
     {
-        const std::string_view word = nextWordInLine();
+        std::string_view word = nextWordInLine();
+        if (!word.empty())
+            return word;
+        if (m_brokenLine == 0) {
+            m_brokenLine = m_scanner.line();
+            m_brokenIn = what;
+        }
+        skipComments();
+        word = nextWordInLine();
         if (word.empty())
-            failMalformed(tr("line %1: the line ends where a %2 is expected", m_scanner.line(), tr(what)));
+            failBroken();
         return word;
     }
 
+    [[noreturn]] void failBroken() const
+    {
+        failMalformed(tr("line %1: the line ends where a %2 is expected", m_brokenLine, tr(m_brokenIn)));
+    }
     [[noreturn]] void failTruncated(const char *what) const
     {
         failMalformed(tr("the file ends where a %1 is expected", tr(what)));
@@ -232,8 +269,11 @@ private:
     std::size_t m_at;
     TextScanner m_scanner;
     bool m_isBinary;
+    bool m_hasFaceColors = true;
     std::endian m_byteOrder;
     bool m_areIntegers = false;
+    std::size_t m_brokenLine = 0; ///< where the vertex or face goes on in the next line, or 0
+    const char *m_brokenIn = "";  ///< what was expected there
 };
 
 /// @param mostOfAll  255 or 1
@@ -413,6 +453,7 @@ Model readOff(const Source &source)
     Model model;
     PolygonMesh polygons(vertexCount);
     readVertices(kind, vertexCount, numbers, model, polygons.mesh, source.progress);
+    numbers.findFaceColors(faceCount);
     std::vector<std::int64_t> corners;
     for (std::size_t f = 0; f < faceCount; ++f) {
         if (f % kElementsBetweenReports == 0)

@@ -59,6 +59,9 @@ void TestImportOff::readsTheBoxHoweverItIsWritten_data()
     QTest::newRow("each count in a line of its own") << offBox().replace("8 6 12", "8\n6\n12");
     QTest::newRow("counts behind the word") << offBox().replace("OFF\n# a comment\n8 6 12", "OFF 8 6 12");
     QTest::newRow("counts against the word") << offBox().replace("OFF\n# a comment\n8 6 12", "OFF8 6 12");
+    QTest::newRow("a number a line") << "OFF\n8 6 12\n"
+                                            + offBox().mid(offBox().indexOf("8 6 12") + 7).replace(' ', '\n');
+    QTest::newRow("a comment within a face") << offBox().replace("4 3 0 4 7", "4 3 # and\n\n0 4 7");
     QTest::newRow("no word") << offBox().replace("OFF\n# a comment\n", "");
     QTest::newRow("three dimensions") << offBox("nOFF").replace("8 6 12", "3\n8 6 12");
     QTest::newRow("comments behind vertices") << offBox("OFF", " # a vertex");
@@ -68,6 +71,10 @@ void TestImportOff::readsTheBoxHoweverItIsWritten_data()
     for (qsizetype i = 0; i < big.size(); ++i)
         little += big[i / 4 * 4 + 3 - i % 4];
     QTest::newRow("binary, little-endian") << little;
+    QByteArray bare = "OFF BINARY\n" + big.left(12 + 8 * 12);
+    for (qsizetype face = 0; face < 6; ++face)
+        bare += big.mid(12 + 8 * 12 + face * 24, 20);
+    QTest::newRow("binary, no numbers of colours") << bare;
 }
 
 void TestImportOff::readsTheBoxHoweverItIsWritten()
