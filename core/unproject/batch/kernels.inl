@@ -142,15 +142,13 @@ private:
     std::size_t packs(std::size_t begin, std::size_t end) const
     {
         std::size_t i = begin;
+        if constexpr (streams && Pack::kLanes * sizeof(Scalar) < kCacheLine / 2)
+            i = lines(begin, end);
         for (; i + Pack::kLanes <= end; i += Pack::kLanes) {
-            if constexpr (streams) {
-                Pack::prefetch(ahead(m_px + i));
-                Pack::prefetch(ahead(m_py + i));
-                Pack::prefetch(ahead(m_depth + i));
-            }
+            if constexpr (streams)
+                prefetch(i);
             Pack p[3];
-            Method(m_constants, Pack::loaded(m_py + i))
-                .unproject(m_constants, Pack::loaded(m_px + i), Pack::loaded(m_depth + i), p);
+            unproject(i, p);
             if constexpr (streams) {
                 p[0].stream(m_x + i);
                 p[1].stream(m_y + i);
@@ -159,6 +157,44 @@ private:
                 p[0].store(m_x + i);
                 p[1].store(m_y + i);
                 p[2].store(m_z + i);
+            }
+        }
+        return i;
+    }
+
+    void prefetch(std::size_t i) const
+    {
+        Pack::prefetch(ahead(m_px + i));
+        Pack::prefetch(ahead(m_py + i));
+        Pack::prefetch(ahead(m_depth + i));
+    }
+
+    void unproject(std::size_t i, Pack (&p)[3]) const
+    {
+        Method(m_constants, Pack::loaded(m_py + i))
+            .unproject(m_constants, Pack::loaded(m_px + i), Pack::loaded(m_depth + i), p);
+    }
+
+    /// Whole cache lines, past the caches, each in one go: a line that is filled little by little, by small packs, is
+    /// written in parts, and takes several times as long. @return where it stopped, less than a line before the end
+    std::size_t lines(std::size_t begin, std::size_t end) const
+    {
+        constexpr std::size_t kPoints = kCacheLine / sizeof(Scalar);
+        alignas(kCacheLine) Scalar line[3][kPoints];
+        std::size_t i = begin;
+        for (; i + kPoints <= end; i += kPoints) {
+            prefetch(i);
+            for (std::size_t k = 0; k < kPoints; k += Pack::kLanes) {
+                Pack p[3];
+                unproject(i + k, p);
+                p[0].store(line[0] + k);
+                p[1].store(line[1] + k);
+                p[2].store(line[2] + k);
+            }
+            Scalar *const to[3] = {m_x + i, m_y + i, m_z + i};
+            for (int axis = 0; axis < 3; ++axis) {
+                for (std::size_t k = 0; k < kPoints; k += Pack::kLanes)
+                    Pack::loaded(line[axis] + k).stream(to[axis] + k);
             }
         }
         return i;
