@@ -127,6 +127,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     }
     result.sought.got = point.got;
     result.sought.lastDigit = point.lastDigit;
+    result.sought.writtenDigit = point.lastDigit;
     std::vector<double> depths;
     if (depth && step > 0.0) {
         depths = {std::max(low, *depth - step / 2.0), std::min(high, *depth + step / 2.0)};
@@ -245,7 +246,8 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
         const Sought &sought = hypothesis.count == 0 ? point.right : point.sought;
         const std::optional<Nearest> found = hypothesis.nearest(given, sought);
         for (int axis = 0; found && axis < 3; ++axis)
-            candidate.digits += digitsExplained(sought.got[axis], sought.lastDigit[axis], found->point[axis]);
+            candidate.digits +=
+                digitsExplained(sought.got[axis], sought.lastDigit[axis], unitsOff(sought, axis, found->point));
     }
     return candidate;
 }

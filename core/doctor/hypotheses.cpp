@@ -65,6 +65,15 @@ bool hasOtherWay(const Variant &a, const Variant &b)
 
 } // namespace
 
+double unitsOff(const Sought &sought, int axis, const glm::dvec3 &answer)
+{
+    const double got = sought.got[axis], off = (answer[axis] - got) / sought.lastDigit[axis];
+    // Where the digits that count are fewer than those given, nobody has cut anything off at the last of them.
+    const bool isAllThatWasGiven = sought.lastDigit[axis] == sought.writtenDigit[axis];
+    const bool isNearerToZero = (got > 0.0 && off < -kRounded) || (got < 0.0 && off > kRounded);
+    return isAllThatWasGiven && isNearerToZero ? std::max(2.0, std::abs(off)) : std::abs(off);
+}
+
 std::optional<glm::dvec3> Hypothesis::answerTo(const Given &given, const Click &click) const
 {
     const bool isSameStage = count == 2 && parts[0]->stage == parts[1]->stage;
@@ -93,7 +102,8 @@ std::optional<Nearest> Hypothesis::nearest(const Given &given, const Sought &sou
             share = std::clamp(share, 0.0, 1.0);
         closest = *first + share * (*second - *first);
     }
-    return Nearest{closest, largest((closest - sought.got) / sought.lastDigit)};
+    return Nearest{
+        closest, std::max({unitsOff(sought, 0, closest), unitsOff(sought, 1, closest), unitsOff(sought, 2, closest)})};
 }
 
 std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Sought> points, std::span<const Variant> list)

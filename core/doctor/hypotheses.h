@@ -17,8 +17,18 @@ struct Sought {
     std::vector<Click> clicks; ///< one or two
     bool isLine = false;       ///< of two
     glm::dvec3 got{0.0};
-    glm::dvec3 lastDigit{1.0};
+    glm::dvec3 lastDigit{1.0};    ///< that counts
+    glm::dvec3 writtenDigit{1.0}; ///< the last one that was given
 };
+
+/// A rounded coordinate is half a unit of its last digit off, one that was cut off a whole one. What single precision adds
+/// to either.
+constexpr double kRounded = 0.6;
+constexpr double kCutOff = 1.1;
+
+/// By how many units of its last digit a coordinate is off an answer. Digits are cut off towards zero: more than rounding
+/// explains, and on the other side, is never less than two units.
+double unitsOff(const Sought &sought, int axis, const glm::dvec3 &answer);
 
 /// The answer closest to what was got.
 struct Nearest {

@@ -103,10 +103,9 @@ int digitsOf(double coordinate, double lastDigit)
     return units < 1.0 ? 1 : int(std::floor(std::log10(units) + 1e-9)) + 1;
 }
 
-int digitsExplained(double coordinate, double lastDigit, double answer)
+int digitsExplained(double coordinate, double lastDigit, double off)
 {
     const int given = digitsOf(coordinate, lastDigit);
-    const double off = std::abs(answer - coordinate) / lastDigit;
     if (off <= kCutOff)
         return given;
     // An error of 5 units of a digit takes the digit after it, too.

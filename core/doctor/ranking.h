@@ -8,11 +8,6 @@
 
 namespace unprojector::doctor {
 
-/// A rounded coordinate is half a unit of its last digit off, one that was cut off a whole one. What single precision adds
-/// to either.
-constexpr double kRounded = 0.6;
-constexpr double kCutOff = 1.1;
-
 /// The id of a hypothesis: "right", that of its mistake, or those of both with a plus.
 std::string idOf(const Hypothesis &hypothesis);
 /// In which ways its mistakes are made, where there are several.
@@ -28,6 +23,7 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> hypotheses);
 /// How many digits a coordinate was given with, those before the first that is not 0 left out; at least 1.
 int digitsOf(double coordinate, double lastDigit);
 /// How many of them an answer explains.
-int digitsExplained(double coordinate, double lastDigit, double answer);
+/// @param off  as unitsOff()
+int digitsExplained(double coordinate, double lastDigit, double off);
 
 } // namespace unprojector::doctor

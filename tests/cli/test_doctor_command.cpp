@@ -120,6 +120,9 @@ void TestDoctorCommand::theAnswerInWords()
     // The last digits are cut off, and not said to be explained as they stand.
     const Run cutOff = doctor(kClick + QStringList{"--got", "0.7051,-0.4121,0.0918"});
     QVERIFY2(cutOff.output.contains("digits given, the last not rounded but cut off, off by"), cutOff.output);
+    // They are cut off towards zero: an answer on the other side explains them no better than any other.
+    const Run further = doctor(kClick + QStringList{"--got", "0.7052,-0.4122,0.0918"});
+    QVERIFY2(!further.output.contains("cut off") && further.output.startsWith("unknown"), further.output);
     // More digits than a double answers count for nothing.
     const Run longer =
         doctor(kClick + QStringList{"--got", "0.50000000000000000,0.7500000000000000,-0.2500000000000000"});
