@@ -2,13 +2,11 @@
 
 #include "core/geometry/angle.h"
 #include "core/text/error_text.h"
+#include "core/text/json_syntax.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <string_view>
 
 namespace unprojector::scene_file {
 using namespace geometry;
@@ -96,70 +94,11 @@ std::string causeText(const Error &error)
     return {};
 }
 
-/// What the parser expected or found; signs of JSON in quotes are the same in every language.
-std::string parsedThing(const std::string &english)
+/// What stands in an error in English.
+std::string syntaxText(const std::string &english)
 {
-    struct Thing {
-        std::string_view english;
-        const char *text;
-    };
-    constexpr Thing kThings[] = {
-        {"value", marked("value|JSON")},
-        {"object", marked("an object in { }")},
-        {"object key", marked("object key")},
-        {"object separator", marked("object separator")},
-        {"array", marked("array|JSON")},
-        {"end of input", marked("end of input")},
-        {"string literal", marked("string literal")},
-        {"number literal", marked("number literal")},
-        {"true literal", marked("true literal")},
-        {"false literal", marked("false literal")},
-        {"null literal", marked("null literal")},
-        {"'[', '{', or a literal", marked("'[', '{', or a literal")},
-    };
-    const auto *found = std::find_if(std::begin(kThings), std::end(kThings),
-                                     [&](const Thing &thing) { return thing.english == english; });
-    return found == std::end(kThings) ? english : tr(found->text);
-}
-
-/// Why it could not read a value or a key, as it says itself.
-std::string parsedReason(std::string_view english)
-{
-    return saidAgain(english, {marked("invalid literal"), marked("invalid string: ill-formed UTF-8 byte"),
-                               marked("invalid string: missing closing quote"),
-                               marked("invalid string: forbidden character after backslash"),
-                               marked("invalid string: '\\u' must be followed by 4 hex digits"),
-                               marked("invalid string: surrogate U+D800..U+DBFF must be followed by U+DC00..U+DFFF"),
-                               marked("invalid string: surrogate U+DC00..U+DFFF must follow U+D800..U+DBFF"),
-                               marked("invalid string: control character %1 must be escaped to %2 or %3"),
-                               marked("invalid string: control character %1 must be escaped to %2"),
-                               marked("invalid number; expected '+', '-', or digit after exponent"),
-                               marked("invalid number; expected digit after %1"),
-                               marked("invalid BOM; must be 0xEF 0xBB 0xBF if given")});
-}
-
-/// What the parser has said, whose sentences are English.
-std::string syntaxText(const std::string &detail)
-{
-    if (language() == Language::English)
-        return detail;
-    if (const auto parts = valuesIn(detail, "while parsing %1 - unexpected %2; expected %3"))
-        return tr("while parsing %1 - unexpected %2; expected %3", parsedThing((*parts)[0]), parsedThing((*parts)[1]),
-                  parsedThing((*parts)[2]));
-    if (const auto parts = valuesIn(detail, "while parsing %1 - unexpected %2"))
-        return tr("while parsing %1 - unexpected %2", parsedThing((*parts)[0]), parsedThing((*parts)[1]));
-    if (const auto parts = valuesIn(detail, "while parsing %1 - %2")) {
-        const std::string thing = parsedThing((*parts)[0]), &english = (*parts)[1];
-        const std::string reason = parsedReason(english);
-        // What it wanted instead stands last; some reasons have an "expected" of their own.
-        constexpr std::string_view kWanted = "; expected ";
-        const std::size_t end = reason == english ? english.rfind(kWanted) : english.npos;
-        if (end == english.npos)
-            return tr("while parsing %1 - %2", thing, reason);
-        return tr("while parsing %1 - %2; expected %3", thing, parsedReason(english.substr(0, end)),
-                  parsedThing(english.substr(end + kWanted.size())));
-    }
-    return saidAgain(detail, {marked("the file is UTF-16; save it as UTF-8"), marked("unexpected zero byte")});
+    return jsonMistakeText(
+        saidAgain(english, {marked("the file is UTF-16; save it as UTF-8"), marked("unexpected zero byte")}));
 }
 
 std::string sentence(const SceneFileError &e)

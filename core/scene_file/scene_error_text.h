@@ -8,7 +8,7 @@ namespace unprojector::scene_file {
 
 /// One line that says what is wrong with a scene file, where, and what to do, in the language of tr(), UTF-8:
 ///
-///   scene.json:3:7: unexpected ','
+///   scene.json:3:7: , stands where a value is expected
 ///   scene.json: projection.near: 0 must be greater than 0
 ///
 /// All other wording lives in the window or in the command line. This one is both's: a scene file is edited as text, and

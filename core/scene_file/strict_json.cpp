@@ -2,6 +2,7 @@
 
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_file.h"
+#include "core/text/json_syntax.h"
 
 #include <nlohmann/json.hpp>
 
@@ -45,27 +46,6 @@ private:
     const char **m_reached;
 };
 
-/// The library's sentence without its error number, its place (in its own counting) and what it read last (which may be
-/// the whole file).
-std::string parserDetail(std::string_view message)
-{
-    for (const std::string_view opening : {"syntax error ", "parse error"}) {
-        if (const std::size_t at = message.find(opening); at != std::string_view::npos) {
-            message.remove_prefix(at + (opening == "syntax error " ? opening.size() : 0));
-            break;
-        }
-    }
-    constexpr std::string_view kLastRead = "; last read: '";
-    if (const std::size_t from = message.find(kLastRead); from != std::string_view::npos) {
-        std::string without(message.substr(0, from));
-        const std::size_t to = message.rfind("'; expected ");
-        if (to != std::string_view::npos && to > from)
-            without += message.substr(to + 1);
-        return shortened(without, 200);
-    }
-    return shortened(message, 200);
-}
-
 class Builder {
 public:
     explicit Builder(std::string_view text) : m_text(text), m_reached(text.data()) {}
@@ -101,11 +81,11 @@ public:
     }
     bool parse_error(std::size_t position, const std::string &lastToken, const nlohmann::detail::exception &error)
     {
+        text::JsonMistake mistake = text::jsonMistake(m_text, position, lastToken, error.what());
         // Numbers that overflow come with their own kind of error.
         if (error.id == 406)
-            return fail(SceneFileErrorCode::NumberTooLarge,
-                        position > lastToken.size() ? position - lastToken.size() : 0, lastToken);
-        return failSyntax(position > 0 ? position - 1 : 0, parserDetail(error.what()));
+            return fail(SceneFileErrorCode::NumberTooLarge, mistake.at, lastToken);
+        return failSyntax(mistake.at, std::move(mistake.english));
     }
     // NOLINTEND(readability-identifier-naming)
 

@@ -202,20 +202,20 @@ void TestChinese::messagesAreSaidInChinese_data()
     QTest::newRow("system") << QStringList{"landmarks", "nothing.pp", "-", "--to", "csv"} << QByteArray()
                             << "nothing.pp: 无法读取：没有那个文件或目录\n";
     QTest::newRow("syntax") << QStringList{"matrices", "-"} << QByteArray(R"({"unprojector" 1})")
-                            << "stdin:1:16: 读取键之后的分隔符时遇到意外的数；应为':'\n";
+                            << "stdin:1:16: 此处应为“:”，却是 1\n";
     const auto json = [](const char *name, const QByteArray &text, const char *message) {
         QTest::newRow(name) << QStringList{"matrices", "-"} << text << QStringLiteral("stdin:1:") + message;
     };
-    json("no-literal", "hello", "1: 读取值时出错：无法识别的值\n");
-    json("not-utf8", "{\"a\": \"\xFF\"}", "8: 读取值时出错：文字中有不是 UTF-8 的字节\n");
-    json("backslash", R"({"a": "\d"})", "9: 读取值时出错：反斜杠后的字符不合规定\n");
-    json("hex-digits", R"({"a": "\u12"})", "12: 读取值时出错：'\\u' 之后须有 4 位十六进制数字\n");
+    json("no-literal", "hello", "1: 此处应为值，却是 hello\n");
+    json("not-utf8", "{\"a\": \"\xFF\"}", "8: 此处有不是 UTF-8 的字节；请把文件存为 UTF-8\n");
+    json("backslash", R"({"a": "\d"})", "9: 引号中的文字含有 JSON 不认识的反斜杠；反斜杠请写成 \\\\\n");
+    json("hex-digits", R"({"a": "\u12"})", "12: \\u 之后没有 4 位十六进制数字\n");
     json("control-character", "{\"a\": \"b\tc\"}",
-         "9: 读取值时出错：文字中的控制字符 U+0009 (HT) 须写成 \\u0009 或 \\t\n");
-    json("open-key", "{\"a", "4: 读取键时出错：文字缺少右引号；应为文字\n");
-    json("number", R"({"a": -})", "8: 读取值时出错：'-' 之后应为数字\n");
-    json("exponent", R"({"a": 1e})", "9: 读取值时出错：指数的 e 之后应为 '+'、'-' 或数字\n");
-    json("comma-missing", R"({"a": 1 "b": 2})", "11: 读取{ } 中的 JSON 对象时遇到意外的文字；应为'}'\n");
+         "9: 引号中的文字含有换行、制表符或其他控制字符；请写成 \\n、\\t 或 \\u 加编号\n");
+    json("open-key", "{\"a", "4: 引号中的文字没有结束；请用 \" 结束它\n");
+    json("number", R"({"a": -})", "7: - 不是数；请写 1、-0.5 或 2e3 这样的数\n");
+    json("exponent", R"({"a": 1e})", "7: 1e 不是数；请写 1、-0.5 或 2e3 这样的数\n");
+    json("comma-missing", R"({"a": 1 "b": 2})", "9: 此处应为“,”或“}”，却是 \"b\"\n");
     QTest::newRow("model") << QStringList{"info", "broken.obj"} << QByteArray()
                            << "broken.obj: 已损坏：第 1 行：顶点需要三个数，而不是 “x”\n";
     QTest::newRow("landmark-row") << QStringList{"landmarks", "--from", "csv", "--to", "pp", "-", "-"}

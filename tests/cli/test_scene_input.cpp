@@ -256,7 +256,7 @@ void TestSceneInput::brokenFiles_data()
     row("UTF-16, little-endian", "\xFF\xFE" + utf16(kScene, true), ":1:1: the file is UTF-16; save it as UTF-8");
     row("UTF-16, big-endian", "\xFE\xFF" + utf16(kScene, false), ":1:1: the file is UTF-16; save it as UTF-8");
     row("UTF-16 without a mark", utf16(kScene, true), ":1:2: unexpected zero byte");
-    row("Latin-1", changed("face", "Gr\xFCn"), ":7:26: while parsing value - invalid string: ill-formed UTF-8 byte");
+    row("Latin-1", changed("face", "Gr\xFCn"), ":7:26: a byte here is not UTF-8; save the file as UTF-8");
     row("a picture", QByteArray("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), ":");
     row("a CSV", "px,py,depth\n1,2,3\n", ":1:1: ");
     row("10 000 brackets", QByteArray(10000, '['), ":1:65: brackets are nested deeper than 64 levels");

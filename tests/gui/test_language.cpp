@@ -430,9 +430,8 @@ void TestLanguage::whatCoreSaysIsInTheLanguage_data()
                                          "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
                            << "broken.ply 已损坏：文件在 face 1（共 9 个）之内结束"
                            << "broken.ply is damaged: the file ends within ";
-    QTest::newRow("scene") << "broken.json" << QByteArray(R"({"unprojector" 1})")
-                           << ":1:16: 读取键之后的分隔符时遇到意外的数；应为':'"
-                           << ":1:16: while parsing object separator - unexpected number literal; expected ':'";
+    QTest::newRow("scene") << "broken.json" << QByteArray(R"({"unprojector" 1})") << ":1:16: 此处应为“:”，却是 1"
+                           << ":1:16: 1 stands where \":\" is expected";
     QTest::newRow("points") << "broken.csv" << QByteArray("name,x,y,z\na,1,2,far\n") << ":2: z 为 “far”；请写一个数"
                             << ":2: z is \"far\"; write a number";
 }

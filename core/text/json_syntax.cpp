@@ -1,0 +1,131 @@
+#include "core/text/json_syntax.h"
+
+#include "core/text/translation.h"
+#include "core/text/utf8.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace unprojector::text {
+namespace {
+
+struct Kind {
+    std::string_view sign; ///< a part of the library's message
+    const char *english;
+};
+
+constexpr const char *kNotUtf8 = marked("a byte here is not UTF-8; save the file as UTF-8");
+
+/// The first sign that a message has counts.
+constexpr Kind kKinds[] = {
+    {"ill-formed UTF-8", kNotUtf8},
+    {"invalid BOM", kNotUtf8},
+    {"number overflow", marked("%1 is too large for a number")},
+    {"missing closing quote", marked("a text in quotes does not end; close it with \"")},
+    {"control character", marked("a text in quotes holds a line break, a tab or another control character; write \\n, "
+                                 "\\t or \\u and its number")},
+    {"forbidden character", marked("a text in quotes holds a backslash that JSON does not know; write \\\\ for a "
+                                   "backslash")},
+    {"4 hex digits", marked("\\u stands without its 4 hexadecimal digits")},
+    {"surrogate", marked("a pair of \\u for one character is not whole")},
+    {"unexpected end of input", marked("the file ends too early; a bracket or a value is missing")},
+    {"invalid number", marked("%1 is no number; write one such as 1, -0.5 or 2e3")},
+    {"expected end of input", marked("%1 stands behind the end")},
+    {"while parsing object key", marked("%1 stands where a key in double quotes is expected")},
+    {"while parsing object separator", marked("%1 stands where \":\" is expected")},
+    {"while parsing object", marked("%1 stands where \",\" or \"}\" is expected")},
+    {"while parsing array", marked("%1 stands where \",\" or \"]\" is expected")},
+    {"while parsing value", marked("%1 stands where a value is expected")},
+    {"", marked("this is no JSON")},
+};
+
+constexpr std::string_view kSigns = ",:{}[]\"";
+constexpr std::string_view kBetweenWords = " \t\r\n,:{}[]\"";
+
+/// The library's sentence without what it read last, which may hold anything.
+std::string withoutLastRead(std::string_view message)
+{
+    constexpr std::string_view kLastRead = "; last read: '";
+    const std::size_t from = message.find(kLastRead), to = message.rfind("'; expected ");
+    std::string without(message.substr(0, from));
+    if (from != message.npos && to != message.npos && to > from)
+        without += message.substr(to);
+    return without;
+}
+
+/// What stands at a place: a text with its quotes, a sign, or a word or a number.
+std::string_view tokenAt(std::string_view text, std::size_t at)
+{
+    text.remove_prefix(std::min(at, text.size()));
+    if (text.empty())
+        return text;
+    if (text.front() == '"') {
+        std::size_t end = 1;
+        while (end < text.size() && text[end] != '"')
+            end += text[end] == '\\' ? 2U : 1U;
+        return text.substr(0, end + 1);
+    }
+    if (kSigns.find(text.front()) != kSigns.npos)
+        return text.substr(0, 1);
+    return text.substr(0, text.find_first_of(kBetweenWords));
+}
+
+/// Where the word begins that a place lies in.
+std::size_t wordBegin(std::string_view text, std::size_t at)
+{
+    const auto isInWord = [text](std::size_t place) {
+        return place < text.size() && kBetweenWords.find(text[place]) == kBetweenWords.npos;
+    };
+    while (at > 0 && isInWord(at) && isInWord(at - 1))
+        --at;
+    return at;
+}
+
+/// The beginning of a token as a sentence shows it; empty where it is not UTF-8.
+std::string quotable(std::string_view token)
+{
+    constexpr std::size_t kMost = 24;
+    const std::string_view begin = token.substr(0, kMost);
+    std::string quoted(begin.substr(0, firstNotUtf8(begin)));
+    std::replace_if(
+        quoted.begin(), quoted.end(), [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; }, '?');
+    return quoted.empty() || token.size() <= kMost ? quoted : quoted + "\xE2\x80\xA6";
+}
+
+} // namespace
+
+JsonMistake jsonMistake(std::string_view text, std::size_t position, std::string_view lastToken,
+                        std::string_view parserMessage)
+{
+    const std::string message = withoutLastRead(parserMessage);
+    const auto has = [&message](std::string_view sign) { return message.find(sign) != message.npos; };
+    // The library reads numbers and texts as tokens; signs and words pile up behind them in its last one.
+    const std::size_t begin = position > lastToken.size() ? position - lastToken.size() : 0;
+    const std::size_t last = std::min(position > 0 ? position - 1 : 0, text.size());
+    JsonMistake mistake;
+    if (has("invalid string"))
+        mistake.at = last;
+    else if (has("invalid number") || has("number overflow") || tokenAt(text, begin) == lastToken)
+        mistake.at = begin;
+    else
+        mistake.at = wordBegin(text, last);
+
+    const auto *kind =
+        std::find_if(std::begin(kKinds), std::end(kKinds), [&has](const Kind &k) { return has(k.sign); });
+    const std::string_view written = tokenAt(text, mistake.at);
+    const std::string token = quotable(written);
+    const InEnglish english;
+    const bool isBinary = token.empty() && !written.empty();
+    mistake.english = isBinary ? tr(kNotUtf8) : tr(kind->english, token);
+    return mistake;
+}
+
+std::string jsonMistakeText(const std::string &english)
+{
+    std::string said = english;
+    for (auto kind = std::begin(kKinds); said == english && kind != std::end(kKinds); ++kind)
+        said = saidAgain(english, {kind->english});
+    return said;
+}
+
+} // namespace unprojector::text
