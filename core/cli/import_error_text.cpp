@@ -23,7 +23,9 @@ std::string importErrorText(const ImportError &error)
                   file, error.detail);
     case ImportErrorCode::Malformed: return tr("%1: is damaged: %2", file, error.detail);
     case ImportErrorCode::Unsupported: return tr("%1: cannot be shown: %2", file, error.detail);
-    case ImportErrorCode::NoTriangles: return tr("%1: holds neither triangles nor points", file);
+    case ImportErrorCode::NoTriangles:
+        return tr(error.detail.empty() ? "%1: holds neither triangles nor points" : "%1: cannot be shown: %2", file,
+                  error.detail);
     case ImportErrorCode::NotFinite:
         return tr(error.detail.empty() ? "%1: vertex %2 is NaN, infinite, or beyond 3.4e38"
                                        : "%1: vertex %2 is NaN, infinite, or beyond 3.4e38: %3",

@@ -17,7 +17,7 @@ int main(int argc, char **argv)
     } catch (const std::bad_alloc &) {
         std::fputs("unproject: out of memory; the results are not complete\n", stderr);
     } catch (const std::exception &error) {
-        std::fprintf(stderr, "unproject: %s\n", error.what());
+        std::fprintf(stderr, "unproject: an error of this program (%s); the results are not complete\n", error.what());
     }
     return static_cast<int>(unprojector::cli::ExitCode::UnusableInput);
 }

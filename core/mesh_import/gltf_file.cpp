@@ -1,9 +1,10 @@
 #include "core/mesh_import/gltf_file.h"
 
+#include "core/text/json_syntax.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
-#include <array>
+#include <optional>
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -29,6 +30,12 @@ bool isGlb(const Source &source)
     return source.suffix == "glb" || (source.bytes.size() >= 20 && wordAt(source.bytes, 0) == kGlbMagic);
 }
 
+[[noreturn]] void failOtherVersion(const std::string &version)
+{
+    throw Failure(ImportErrorCode::Unsupported,
+                  tr("it is glTF %1, and only glTF 2.0 can be read; convert it to glTF 2.0", version));
+}
+
 struct Chunks {
     std::string_view json;
     std::span<const std::uint8_t> binary;
@@ -42,7 +49,7 @@ Chunks chunksOfGlb(const Source &source)
     if (bytes.size() < 20)
         failMalformed(tr("the file ends within the header"));
     if (wordAt(bytes, 4) != 2)
-        failMalformed(tr("the file is GLB version %1, only version 2 can be read", wordAt(bytes, 4)));
+        failOtherVersion(std::to_string(wordAt(bytes, 4)) + ".0");
     if (wordAt(bytes, 8) > bytes.size())
         failMalformed(tr("the header declares %1 bytes, the file has %2", wordAt(bytes, 8), bytes.size()));
     Chunks chunks;
@@ -65,8 +72,11 @@ Chunks chunksOfGlb(const Source &source)
     return chunks;
 }
 
-/// Measures how deep JSON is nested: what reads it as a tree calls itself for each level.
-struct DepthMeter : nlohmann::json_sax<Json> {
+/// Finds what cannot be read as a tree: JSON that is broken, and JSON so deep that its reader, which calls itself for each
+/// level, would have no memory for it.
+struct JsonCheck : nlohmann::json_sax<Json> {
+    explicit JsonCheck(std::string_view jsonText) : text(jsonText) {}
+
     bool null() override { return true; }
     bool boolean(bool) override { return true; }
     bool number_integer(number_integer_t) override { return true; }
@@ -74,13 +84,26 @@ struct DepthMeter : nlohmann::json_sax<Json> {
     bool number_float(number_float_t, const string_t &) override { return true; }
     bool string(string_t &) override { return true; }
     bool binary(binary_t &) override { return true; }
-    bool start_object(std::size_t) override { return ++depth <= kDeepestJson; }
+    bool start_object(std::size_t) override { return open(); }
     bool key(string_t &) override { return true; }
-    bool end_object() override { return --depth <= kDeepestJson; }
-    bool start_array(std::size_t) override { return ++depth <= kDeepestJson; }
-    bool end_array() override { return --depth <= kDeepestJson; }
-    bool parse_error(std::size_t, const std::string &, const nlohmann::detail::exception &) override { return false; }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t) override { return open(); }
+    bool end_array() override { return close(); }
+    bool parse_error(std::size_t position, const std::string &lastToken,
+                     const nlohmann::detail::exception &error) override
+    {
+        mistake = text::jsonMistake(text, position, lastToken, error.what());
+        return false;
+    }
+    bool open() { return ++depth <= kDeepestJson; }
+    bool close()
+    {
+        --depth;
+        return true;
+    }
 
+    std::string_view text;
+    std::optional<text::JsonMistake> mistake;
     std::size_t depth = 0;
 };
 
@@ -91,16 +114,31 @@ Json parsed(std::string_view text)
         text.remove_suffix(1);
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
-    DepthMeter meter;
-    if (!Json::sax_parse(text, &meter) && meter.depth > kDeepestJson)
+    JsonCheck check(text);
+    Json::sax_parse(text, &check);
+    if (check.depth > kDeepestJson)
         failMalformed(tr("the JSON is nested too deeply"));
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error &error) {
-        const std::size_t end = std::min<std::size_t>(error.byte, text.size());
-        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-        failMalformed(tr("line %1: the JSON is broken or ends too early", line));
+    if (check.mistake) {
+        const std::string_view before = text.substr(0, check.mistake->at);
+        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+        const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1; // npos + 1 is 0
+        failMalformed(tr("line %1, column %2: %3", line, column, text::jsonMistakeText(check.mistake->english)));
     }
+    return Json::parse(text);
+}
+
+/// What a file says of its version: "2.0". Empty where it says nothing.
+std::string versionOf(const Json &root)
+{
+    const Json *asset = GltfFile::find(root, "asset");
+    const Json *version = asset ? GltfFile::find(*asset, "version") : nullptr;
+    if (version && version->is_string())
+        return version->get<std::string>();
+    if (version && version->is_number())
+        return version->dump();
+    // glTF 1.0 does not ask for a version; its objects have names instead of numbers.
+    const Json *meshes = GltfFile::find(root, "meshes");
+    return meshes && meshes->is_object() ? "1.0" : std::string();
 }
 
 /// The value of a digit of base64, or -1.
@@ -149,16 +187,17 @@ std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri)
     return fromBase64(uri.substr(comma + 1));
 }
 
-GltfFile::GltfFile(const Source &source) : m_source(source)
+GltfFile::GltfFile(const Source &source, std::vector<ModelNote> &notes) : m_source(source), m_notes(notes)
 {
     m_isGlb = isGlb(source);
     const Chunks chunks = m_isGlb ? chunksOfGlb(source) : Chunks{source.text(), {}};
     m_root = parsed(chunks.json);
     m_binary = chunks.binary;
-    const Json *asset = find(m_root, "asset");
-    const Json *version = asset ? find(*asset, "version") : nullptr;
-    if (!version || !version->is_string() || !version->get_ref<const std::string &>().starts_with("2."))
-        failMalformed(tr("the file is no glTF version 2"));
+    const std::string version = versionOf(m_root);
+    if (version.empty())
+        failMalformed(tr("it names no version of glTF: \"version\" in \"asset\" is missing"));
+    if (version.substr(0, version.find('.')) != "2")
+        failOtherVersion(version);
     m_buffers.resize(array("buffers").size());
 }
 
@@ -205,7 +244,7 @@ const Json &GltfFile::reference(const Json &object, const char *key, const char 
     return objects[static_cast<std::size_t>(index)];
 }
 
-GltfFile::Buffer GltfFile::readBuffer(const std::string &address) const
+GltfFile::Buffer GltfFile::readBuffer(const std::string &address)
 {
     Buffer buffer;
     if (std::optional<std::vector<std::uint8_t>> embedded = dataFromUri(address)) {
@@ -220,6 +259,7 @@ GltfFile::Buffer GltfFile::readBuffer(const std::string &address) const
     } catch (const Failure &) {
         failMalformed(tr("the file \"%1\", which it needs, cannot be read; look at its permissions", address));
     }
+    noteIfOutside(m_notes, m_source.file, file, address);
     return buffer;
 }
 

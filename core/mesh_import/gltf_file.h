@@ -21,8 +21,9 @@ using Json = nlohmann::json;
 /// the file is not as glTF 2.0 has it.
 class GltfFile {
 public:
-    /// Throws Failure (Malformed) for what is neither.
-    explicit GltfFile(const Source &source);
+    /// @param notes  gets one for each file outside the model's folder that is read
+    /// Throws Failure (Malformed) for what is neither, Failure (Unsupported) for another version than 2.
+    GltfFile(const Source &source, std::vector<ModelNote> &notes);
 
     const Source &source() const { return m_source; }
     const Json &root() const { return m_root; }
@@ -49,10 +50,11 @@ private:
         std::unique_ptr<FileBytes> file;
         std::span<const std::uint8_t> bytes() const { return file ? file->bytes() : embedded; }
     };
-    Buffer readBuffer(const std::string &address) const;
+    Buffer readBuffer(const std::string &address);
     std::span<const std::uint8_t> bufferBytes(std::uint64_t buffer);
 
     const Source &m_source;
+    std::vector<ModelNote> &m_notes;
     Json m_root;
     bool m_isGlb = false;
     std::span<const std::uint8_t> m_binary;         ///< GLB's chunk

@@ -1,10 +1,11 @@
 #include "core/mesh_import/gltf_nodes.h"
 
+#include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 
+#include <cmath>
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -19,6 +20,14 @@ constexpr std::size_t kDeepestNode = 512;
     failMalformed(tr("the nodes form a circle or are nested too deeply"));
 }
 
+/// A node in a sentence: its number, and its name where it has one.
+std::string nameOf(std::size_t number, const Json &node)
+{
+    const Json *name = GltfFile::find(node, "name");
+    return std::to_string(number)
+           + (name && name->is_string() ? " \"" + name->get<std::string>() + '"' : std::string());
+}
+
 /// An array of so many numbers, or null.
 const Json *numbers(const Json &node, const char *key, std::size_t count)
 {
@@ -28,25 +37,88 @@ const Json *numbers(const Json &node, const char *key, std::size_t count)
     return found;
 }
 
-glm::dmat4 parentFromNode(const Json &node)
+/// Whether a node is hidden with all that is below it.
+bool isHidden(const Json &node)
 {
-    const auto at = [](const Json *list, std::size_t place) { return GltfFile::real((*list)[place]); };
-    glm::dmat4 matrix(1.0);
-    if (const Json *given = numbers(node, "matrix", 16)) {
-        for (int i = 0; i < 16; ++i)
-            matrix[i / 4][i % 4] = at(given, static_cast<std::size_t>(i));
-        return matrix;
-    }
-    if (const Json *moved = numbers(node, "translation", 3))
-        matrix = glm::translate(matrix, {at(moved, 0), at(moved, 1), at(moved, 2)});
-    if (const Json *turned = numbers(node, "rotation", 4))
-        matrix *= glm::mat4_cast(glm::dquat(at(turned, 3), at(turned, 0), at(turned, 1), at(turned, 2)));
-    if (const Json *scaled = numbers(node, "scale", 3))
-        matrix = glm::scale(matrix, {at(scaled, 0), at(scaled, 1), at(scaled, 2)});
-    return matrix;
+    const Json *extensions = GltfFile::find(node, "extensions");
+    const Json *visibility = extensions ? GltfFile::find(*extensions, "KHR_node_visibility") : nullptr;
+    const Json *visible = visibility ? GltfFile::find(*visibility, "visible") : nullptr;
+    return visible && *visible == false;
 }
 
 } // namespace
+
+bool Placement::isRotationUnit() const
+{
+    constexpr double kFewDigits = 0.01;
+    return std::abs(glm::length(rotation) - 1.0) <= kFewDigits;
+}
+
+glm::dmat4 Placement::matrix() const
+{
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), translation);
+    return glm::scale(moved * glm::mat4_cast(glm::normalize(rotation)), scale);
+}
+
+std::string wrongLastRow(const glm::dmat4 &matrix)
+{
+    constexpr double kRounding = 1e-6; // of single precision
+    const glm::dvec4 row(matrix[0][3], matrix[1][3], matrix[2][3], matrix[3][3]);
+    std::string text;
+    bool isRight = true;
+    for (int i = 0; i < 4; ++i) {
+        isRight = isRight && std::abs(row[i] - (i == 3 ? 1.0 : 0.0)) <= kRounding;
+        text += (i > 0 ? " " : "") + text::shortestText(row[i]);
+    }
+    return isRight ? std::string() : text;
+}
+
+glm::dmat4 withLastRow(glm::dmat4 matrix)
+{
+    for (int i = 0; i < 4; ++i)
+        matrix[i][3] = i == 3 ? 1.0 : 0.0;
+    return matrix;
+}
+
+glm::dmat4 GltfNodes::parentFromNode(std::size_t number) const
+{
+    const Json &node = m_file.array("nodes")[number];
+    const auto at = [](const Json *list, std::size_t place) { return GltfFile::real((*list)[place]); };
+    const auto vector = [&at](const Json *list) { return glm::dvec3(at(list, 0), at(list, 1), at(list, 2)); };
+    if (const Json *given = numbers(node, "matrix", 16)) {
+        glm::dmat4 matrix(1.0);
+        for (int i = 0; i < 16; ++i)
+            matrix[i / 4][i % 4] = at(given, static_cast<std::size_t>(i));
+        const std::string lastRow = wrongLastRow(matrix);
+        if (!lastRow.empty())
+            failMalformed(
+                tr("the matrix of node %1 has the last row %2; it must be 0 0 0 1", nameOf(number, node), lastRow));
+        return withLastRow(matrix);
+    }
+    Placement placement;
+    if (const Json *moved = numbers(node, "translation", 3))
+        placement.translation = vector(moved);
+    if (const Json *turned = numbers(node, "rotation", 4))
+        placement.rotation = glm::dquat(at(turned, 3), at(turned, 0), at(turned, 1), at(turned, 2));
+    if (const Json *scaled = numbers(node, "scale", 3))
+        placement.scale = vector(scaled);
+    if (!placement.isRotationUnit())
+        failMalformed(tr("the rotation of node %1 has the length %2; it must be 1", nameOf(number, node),
+                         text::shortestText(glm::length(placement.rotation))));
+    return placement.matrix();
+}
+
+glm::dmat4 GltfNodes::worldFromNode(std::size_t node) const
+{
+    glm::dmat4 worldFromNode = parentFromNode(node);
+    std::size_t depth = 1;
+    for (std::size_t parent = m_parents[node]; parent != kNone; parent = m_parents[parent]) {
+        if (++depth > kDeepestNode)
+            failNoTree();
+        worldFromNode = parentFromNode(parent) * worldFromNode;
+    }
+    return worldFromNode;
+}
 
 std::vector<std::size_t> GltfNodes::nodeList(const Json &object, const char *key) const
 {
@@ -63,12 +135,12 @@ std::vector<std::size_t> GltfNodes::nodeList(const Json &object, const char *key
 GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_file(file)
 {
     const Json &nodes = m_file.array("nodes");
-    std::vector<bool> isChild(nodes.size(), false);
-    for (const Json &node : nodes) {
-        for (const std::size_t child : nodeList(node, "children")) {
-            if (isChild[child])
+    m_parents.assign(nodes.size(), kNone);
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        for (const std::size_t child : nodeList(nodes[n], "children")) {
+            if (m_parents[child] != kNone)
                 failMalformed(tr("node %1 has two parents", child));
-            isChild[child] = true;
+            m_parents[child] = n;
         }
     }
     const Json &scenes = m_file.array("scenes");
@@ -82,35 +154,43 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
     }
     notes.push_back({ModelNote::Kind::SceneMissing, 0, {}});
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (!isChild[n])
+        if (m_parents[n] == kNone)
             m_roots.push_back(n);
     }
     if (m_roots.empty() && !nodes.empty())
         failNoTree();
 }
 
-void GltfNodes::visit(const std::function<void(const Json &node, const glm::dmat4 &worldFromNode)> &visit) const
+std::size_t GltfNodes::visit(const std::function<void(const Json &node, const glm::dmat4 &worldFromNode)> &visit) const
 {
     struct Waiting {
         std::size_t node, depth;
+        bool isBelowHidden;
         glm::dmat4 worldFromParent;
     };
     std::vector<Waiting> waiting;
-    const auto add = [&waiting](const std::vector<std::size_t> &list, std::size_t depth, const glm::dmat4 &parent) {
+    const auto add = [&waiting](const std::vector<std::size_t> &list, std::size_t depth, bool isBelowHidden,
+                                const glm::dmat4 &parent) {
         for (auto node = list.rbegin(); node != list.rend(); ++node)
-            waiting.push_back({*node, depth, parent});
+            waiting.push_back({*node, depth, isBelowHidden, parent});
     };
-    add(m_roots, 1, glm::dmat4(1.0));
+    std::size_t hiddenCount = 0;
+    add(m_roots, 1, false, glm::dmat4(1.0));
     while (!waiting.empty()) {
         const Waiting next = waiting.back();
         waiting.pop_back();
         if (next.depth > kDeepestNode)
             failNoTree();
         const Json &node = m_file.array("nodes")[next.node];
-        const glm::dmat4 worldFromNode = next.worldFromParent * parentFromNode(node);
-        visit(node, worldFromNode);
-        add(nodeList(node, "children"), next.depth + 1, worldFromNode);
+        const glm::dmat4 worldFromNode = next.worldFromParent * parentFromNode(next.node);
+        const bool isNowHidden = next.isBelowHidden || isHidden(node);
+        if (!isNowHidden)
+            visit(node, worldFromNode);
+        else if (GltfFile::find(node, "mesh"))
+            ++hiddenCount;
+        add(nodeList(node, "children"), next.depth + 1, isNowHidden, worldFromNode);
     }
+    return hiddenCount;
 }
 
 } // namespace unprojector::mesh_import::mesh_reader

@@ -2,10 +2,13 @@
 
 #include "core/mesh_import/gltf_file.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -17,14 +20,41 @@ public:
     /// @param notes  gets one where the file has no scene
     GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes);
 
-    /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order.
-    void visit(const std::function<void(const Json &node, const glm::dmat4 &worldFromNode)> &visit) const;
+    /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order; not with nodes that the
+    /// file hides (KHR_node_visibility), nor with those below them.
+    /// @return how many nodes with meshes are hidden
+    std::size_t visit(const std::function<void(const Json &node, const glm::dmat4 &worldFromNode)> &visit) const;
+
+    /// Of any node, shown or not.
+    glm::dmat4 worldFromNode(std::size_t node) const;
+    /// The nodes that an object's array refers to.
+    std::vector<std::size_t> nodeList(const Json &object, const char *key) const;
 
 private:
-    std::vector<std::size_t> nodeList(const Json &object, const char *key) const;
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    glm::dmat4 parentFromNode(std::size_t node) const;
 
     const GltfFile &m_file;
     std::vector<std::size_t> m_roots;
+    std::vector<std::size_t> m_parents; ///< kNone where there is none
 };
+
+/// What places a node or an instance.
+struct Placement {
+    glm::dvec3 translation{0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 scale{1.0};
+
+    /// But for the few digits that some programs write.
+    bool isRotationUnit() const;
+    /// translation * rotation * scale, of the rotation made a unit.
+    glm::dmat4 matrix() const;
+};
+
+/// The last row of a matrix that is not affine, as text; empty where it is 0 0 0 1, but for rounding.
+std::string wrongLastRow(const glm::dmat4 &matrix);
+/// A matrix with 0 0 0 1 as its last row.
+glm::dmat4 withLastRow(glm::dmat4 matrix);
 
 } // namespace unprojector::mesh_import::mesh_reader

@@ -6,6 +6,7 @@
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
 #include "core/text/number_text.h"
+#include "core/text/system_error.h"
 #include "core/text/translation.h"
 #include "core/text/utf8.h"
 #include "core/threads/parallel.h"
@@ -182,6 +183,17 @@ void finishModel(Model &model, ProgressReporter &progress)
     noteWhatIsNotSeen(model);
 }
 
+/// Makes one note of those of files outside the model's folder: a model may have many pictures in a folder beside its own.
+void gatherFilesOutside(std::vector<ModelNote> &notes)
+{
+    const auto isOutside = [](const ModelNote &note) { return note.kind == ModelNote::Kind::ReadOutside; };
+    const auto first = std::find_if(notes.begin(), notes.end(), isOutside);
+    if (first == notes.end())
+        return;
+    first->count = static_cast<std::size_t>(std::count_if(first, notes.end(), isOutside));
+    notes.erase(std::remove_if(first + 1, notes.end(), isOutside), notes.end());
+}
+
 std::string lowerCaseSuffix(const std::filesystem::path &file)
 {
     std::string suffix = utf8FromPath(file.extension());
@@ -275,6 +287,7 @@ Model import(const std::filesystem::path &file, ProgressReporter &progress)
     const std::span<const std::uint8_t> bytes =
         reader == readGltf ? contents.bytes() : withoutByteOrderMark(contents.bytes(), converted);
     Model model = readAs(reader, Source{file, suffix, bytes, progress});
+    gatherFilesOutside(model.notes);
     progress.beginStage(0.7, 1.0);
     finishModel(model, progress);
     model.name = utf8FromPath(file.stem());
@@ -325,8 +338,11 @@ Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::p
         error.code = ImportErrorCode::OutOfMemory;
     } catch (const std::length_error &) {
         error.code = ImportErrorCode::OutOfMemory;
-    } catch (const std::exception &exception) {
-        error.detail = exception.what();
+    } catch (const std::system_error &failure) {
+        error.code = ImportErrorCode::NotReadable;
+        error.detail = text::systemErrorText(failure.code());
+    } catch (const std::exception &) {
+        error.detail = tr("its reader fails at it, which is an error of this program");
     }
     return error;
 }

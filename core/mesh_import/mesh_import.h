@@ -20,7 +20,7 @@ enum class ImportErrorCode {
     UnknownFormat, ///< the suffix is not one of OBJ, STL, PLY, OFF, glTF, GLB
     Malformed,     ///< detail: what the parser says, with a line number where it has one
     Unsupported,   ///< in order, but needs what is not supported; detail: what
-    NoTriangles,   ///< readable, but nothing to show
+    NoTriangles,   ///< readable, but nothing to show; detail: why, where there is more to say
     NotFinite,     ///< a vertex holds NaN or infinity; index: the vertex, counted from 0
     Cancelled,     ///< the progress callback said stop
     OutOfMemory,

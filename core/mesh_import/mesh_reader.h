@@ -93,5 +93,8 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
 int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference);
 /// The file that such a reference means, or an empty path.
 std::filesystem::path resolveReference(const std::filesystem::path &modelFile, const std::string &reference);
+/// Adds a note for a file that was read, unless it lies in the model file's folder or below, or is noted already.
+void noteIfOutside(std::vector<ModelNote> &notes, const std::filesystem::path &modelFile,
+                   const std::filesystem::path &file, const std::string &reference);
 
 } // namespace unprojector::mesh_import::mesh_reader

@@ -105,6 +105,24 @@ std::string noteText(const ModelNote &note)
                       ? "%1 texture has neither a PNG nor a JPEG picture: its surfaces are shown without it"
                       : "%1 textures have neither PNG nor JPEG pictures: their surfaces are shown without them",
                   note.count);
+    case ModelNote::Kind::ExtensionLeftOut:
+        return tr("the glTF extension %1, which the file requires, is not applied: the shape is whole without it, but "
+                  "colours, light, motion or data may be missing",
+                  quotedDetail(note));
+    case ModelNote::Kind::SkinsApplied:
+        return tr(note.count == 1 ? "%1 mesh has a skin: it is shown where the file's nodes have its joints"
+                                  : "%1 meshes have skins: they are shown where the file's nodes have their joints",
+                  note.count);
+    case ModelNote::Kind::MeshesHidden:
+        return tr(note.count == 1 ? "%1 mesh is hidden by the file (KHR_node_visibility) and is not shown"
+                                  : "%1 meshes are hidden by the file (KHR_node_visibility) and are not shown",
+                  note.count);
+    case ModelNote::Kind::ReadOutside:
+        return note.count > 1
+                   ? tr(note.count == 2 ? "the file %1 and %2 other one outside the model's folder were read"
+                                        : "the file %1 and %2 other ones outside the model's folder were read",
+                        quotedDetail(note), note.count - 1)
+                   : tr("the file %1 outside the model's folder was read", quotedDetail(note));
     }
     return {};
 }

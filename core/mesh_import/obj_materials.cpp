@@ -89,6 +89,7 @@ bool ObjMaterials::readLibrary(const std::string &name)
     } catch (const Failure &) {
         return false;
     }
+    noteIfOutside(m_model.notes, m_source.file, file, name);
     return true;
 }
 

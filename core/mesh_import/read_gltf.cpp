@@ -1,8 +1,11 @@
 #include "core/geometry/finite.h"
 #include "core/mesh_import/gltf_corners.h"
+#include "core/mesh_import/gltf_extensions.h"
 #include "core/mesh_import/gltf_file.h"
+#include "core/mesh_import/gltf_instances.h"
 #include "core/mesh_import/gltf_materials.h"
 #include "core/mesh_import/gltf_nodes.h"
+#include "core/mesh_import/gltf_pose.h"
 #include "core/mesh_import/gltf_values.h"
 #include "core/text/translation.h"
 #include "core/threads/parallel.h"
@@ -16,6 +19,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,17 +36,9 @@ namespace {
 
 /// Nodes may show a mesh again and again: a small file could ask for any amount of memory.
 constexpr std::size_t kMostVertices = std::size_t{1} << 26;
+/// Where counting ends, so that it does not begin at 0 again.
+constexpr std::size_t kMostCounted = std::size_t{1} << 62;
 constexpr std::size_t kVerticesInTask = 1 << 16;
-
-/// Extensions that a file may require: those that change nothing of what is shown, and those that are read.
-bool isSupported(std::string_view extension)
-{
-    constexpr std::array kSupported{
-        "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual", "KHR_xmp",
-        "KHR_xmp_json_ld",       "EXT_texture_webp",      "KHR_texture_basisu",  "MSFT_texture_dds"};
-    return extension.starts_with("KHR_materials_")
-           || std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
-}
 
 std::uint8_t byteFromShare(double share)
 {
@@ -74,19 +70,23 @@ struct Group {
 
 class GltfReader {
 public:
-    explicit GltfReader(const Source &source) : m_file(source), m_materials(m_file, m_model) {}
+    explicit GltfReader(const Source &source) : m_file(source, m_model.notes), m_materials(m_file, m_model) {}
 
     Model read()
     {
-        checkExtensions();
+        checkRequiredExtensions(m_file, m_model.notes);
         const GltfNodes nodes(m_file, m_model.notes);
+        GltfSkins skins(m_file, nodes);
         if (m_file.array("meshes").empty())
             throw Failure(ImportErrorCode::NoTriangles);
-        nodes.visit([this](const Json &node, const glm::dmat4 &) { m_totalVertices += vertexCountOf(node); });
+        nodes.visit([this](const Json &node, const glm::dmat4 &) {
+            m_totalVertices = std::min(m_totalVertices + vertexCountOf(node), kMostCounted);
+        });
         if (m_totalVertices > kMostVertices)
             failMalformed(
                 tr("the nodes show %1 vertices, of which at most %2 can be read", m_totalVertices, kMostVertices));
-        nodes.visit([this](const Json &node, const glm::dmat4 &worldFromNode) { addNode(node, worldFromNode); });
+        m_hidden = nodes.visit(
+            [&](const Json &node, const glm::dmat4 &worldFromNode) { addNode(node, worldFromNode, skins); });
         noteWhatIsLeftOut();
         return finished();
     }
@@ -100,15 +100,8 @@ private:
         auto operator<=>(const Key &) const = default;
     };
 
-    void checkExtensions() const
-    {
-        for (const Json &extension : m_file.array("extensionsRequired")) {
-            if (extension.is_string() && !isSupported(extension.get_ref<const std::string &>()))
-                throw Failure(ImportErrorCode::Unsupported,
-                              tr("it needs the glTF extension %1, which is not supported; export it without",
-                                 extension.get<std::string>()));
-        }
-    }
+    /// Where a primitive's vertices go, by its attributes and how many it has.
+    using PoseOf = std::function<GltfPose(const Json &attributes, std::size_t vertexCount)>;
 
     const Json &primitivesOf(const Json &mesh) const
     {
@@ -132,21 +125,34 @@ private:
                 count += static_cast<std::size_t>(
                     GltfFile::number(m_file.reference(primitive, "indices", "accessors"), "count", 0) / 3);
         }
-        return count;
+        // Instances take time without vertices too.
+        const auto factor = [](std::size_t number) { return std::clamp(number, std::size_t{1}, 2 * kMostVertices); };
+        return factor(count) * factor(instanceCount(m_file, node));
     }
 
-    void addNode(const Json &node, const glm::dmat4 &worldFromNode)
+    void addNode(const Json &node, const glm::dmat4 &worldFromNode, GltfSkins &skins)
     {
         if (!GltfFile::find(node, "mesh"))
             return;
-        m_skinned += GltfFile::find(node, "skin") ? 1u : 0u;
-        if (const Json *extensions = GltfFile::find(node, "extensions"))
-            m_instanced += GltfFile::find(*extensions, "EXT_mesh_gpu_instancing") ? 1u : 0u;
         const Json &mesh = m_file.reference(node, "mesh", "meshes");
         const Json &weights =
             GltfFile::find(node, "weights") ? GltfFile::array(node, "weights") : GltfFile::array(mesh, "weights");
-        for (const Json &primitive : primitivesOf(mesh))
-            addPrimitive(primitive, weights, worldFromNode);
+        const bool hasSkin = GltfFile::find(node, "skin");
+        bool isPosed = false;
+        for (const glm::dmat4 &nodeFromInstance : nodeFromInstances(m_file, node)) {
+            const PoseOf poseOf = [&](const Json &attributes, std::size_t vertexCount) {
+                if (!hasSkin || !GltfPose::isSkinned(attributes))
+                    return GltfPose(worldFromNode * nodeFromInstance);
+                isPosed = true;
+                return GltfPose(m_file, skins.worldFromMeshByJoint(node), attributes, vertexCount);
+            };
+            for (const Json &primitive : primitivesOf(mesh))
+                addPrimitive(primitive, weights, poseOf);
+            if (isPosed)
+                break; // the node's transform has no part in it, and all instances are in one place
+        }
+        m_posed += isPosed ? 1u : 0u;
+        m_unusedSkins += hasSkin && !isPosed ? 1u : 0u;
     }
 
     /// An attribute of a primitive: as many values as it has positions.
@@ -200,7 +206,7 @@ private:
         return m_groups[found->second];
     }
 
-    void addPrimitive(const Json &primitive, const Json &weights, const glm::dmat4 &worldFromMesh)
+    void addPrimitive(const Json &primitive, const Json &weights, const PoseOf &poseOf)
     {
         const Json *attributes = GltfFile::find(primitive, "attributes");
         if (!attributes || !attributes->is_object())
@@ -234,10 +240,11 @@ private:
         Group &group = groupFor(material, {GltfFile::number(primitive, "material", ~std::uint64_t{0}),
                                            normals.has_value(), colors.has_value(), texcoords.has_value(), arePoints});
 
+        const GltfPose pose = poseOf(*attributes, positions.count());
         const std::size_t first = group.positions.size();
-        addPositions(vectors(primitive, "POSITION", positions, weights), worldFromMesh, group);
+        addPositions(vectors(primitive, "POSITION", positions, weights), pose, group);
         if (normals)
-            addNormals(vectors(primitive, "NORMAL", *normals, weights), worldFromMesh, group.mesh);
+            addNormals(vectors(primitive, "NORMAL", *normals, weights), pose, group.mesh);
         if (colors)
             addColors(*colors, group.mesh);
         if (texcoords)
@@ -250,13 +257,13 @@ private:
                 addElement({vertexOf(point)}, first, positions.count(), group.mesh);
             return;
         }
-        const bool isMirrored = glm::determinant(glm::dmat3(worldFromMesh)) < 0.0;
-        if (indices && mode == GltfCorners::Triangles && !isMirrored
+        if (indices && mode == GltfCorners::Triangles && !pose.isMirrored()
             && addTriangles(*indices, 3 * corners.triangleCount(), first, positions.count(), group.mesh))
             return;
         for (std::size_t t = 0; t < corners.triangleCount(); ++t) {
             const auto [a, b, c] = corners.ofTriangle(t);
-            const std::uint64_t last = vertexOf(isMirrored ? b : c), middle = vertexOf(isMirrored ? c : b);
+            const std::uint64_t last = vertexOf(pose.isMirrored() ? b : c),
+                                middle = vertexOf(pose.isMirrored() ? c : b);
             addElement({vertexOf(a), middle, last}, first, positions.count(), group.mesh);
         }
     }
@@ -292,9 +299,8 @@ private:
             mesh.indices.push_back(static_cast<std::uint32_t>(first + vertex));
     }
 
-    void addPositions(std::vector<glm::dvec3> positions, const glm::dmat4 &worldFromMesh, Group &group)
+    void addPositions(std::vector<glm::dvec3> positions, const GltfPose &pose, Group &group)
     {
-        const bool isIdentity = worldFromMesh == glm::dmat4(1.0);
         const auto report = [&](double share) {
             m_file.source().progress.report(
                 (static_cast<double>(m_doneVertices) + share * static_cast<double>(positions.size()))
@@ -302,8 +308,7 @@ private:
         };
         inParallelRanges(positions.size(), kVerticesInTask, report, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
-                if (!isIdentity)
-                    positions[v] = glm::dvec3(worldFromMesh * glm::dvec4(positions[v], 1.0));
+                positions[v] = pose.position(v, positions[v]);
                 if (!isFinite(positions[v]))
                     throw Failure(ImportErrorCode::NotFinite, {}, m_doneVertices + v);
             }
@@ -315,20 +320,12 @@ private:
             group.positions.insert(group.positions.end(), positions.begin(), positions.end());
     }
 
-    static void addNormals(const std::vector<glm::dvec3> &normals, const glm::dmat4 &worldFromMesh, Mesh &mesh)
+    static void addNormals(const std::vector<glm::dvec3> &normals, const GltfPose &pose, Mesh &mesh)
     {
-        const glm::dmat3 linear(worldFromMesh);
-        // The cofactor matrix: inverse transpose times determinant, which a flat scale does not make infinite.
-        const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                                   glm::cross(linear[0], linear[1]));
-        const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
         const std::size_t first = mesh.normals.size();
         fillInParallel(mesh.normals, first + normals.size(), {}, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t v = begin; v < end; ++v) {
-                const glm::dvec3 turned = side * (cofactors * normals[v - first]);
-                const double length = glm::length(turned);
-                mesh.normals[v] = length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0f);
-            }
+            for (std::size_t v = begin; v < end; ++v)
+                mesh.normals[v] = glm::vec3(pose.normal(v - first, normals[v - first]));
         });
     }
 
@@ -361,9 +358,10 @@ private:
                 m_model.notes.push_back({kind, count, detail});
         };
         note(ModelNote::Kind::FacesLeftOut, m_brokenCount, "");
-        note(ModelNote::Kind::PartLeftOut, m_skinned, "skin");
+        note(ModelNote::Kind::SkinsApplied, m_posed, "");
+        note(ModelNote::Kind::PartLeftOut, m_unusedSkins, "skin");
+        note(ModelNote::Kind::MeshesHidden, m_hidden, "");
         note(ModelNote::Kind::PartLeftOut, m_file.array("animations").size(), "animation");
-        note(ModelNote::Kind::PartLeftOut, m_instanced, "EXT_mesh_gpu_instancing");
     }
 
     /// As points are kept: each vertex one, in their order.
@@ -385,6 +383,18 @@ private:
         gather(group.mesh.texcoords);
     }
 
+    /// Why there is neither a triangle nor a point; empty where the file holds nothing else either.
+    std::string whyNothing() const
+    {
+        if (m_brokenCount > 0)
+            return tr("it has no vertices of the numbers that its faces refer to");
+        if (m_lineCount > 0)
+            return tr("it holds lines only, and lines are not shown here: %1", m_lineCount);
+        if (m_hidden > 0)
+            return tr("the file hides all nodes that have meshes");
+        return {};
+    }
+
     /// Points are shown where there are no triangles.
     Model finished()
     {
@@ -403,6 +413,8 @@ private:
         }
         if (m_lineCount > 0)
             m_model.notes.push_back({ModelNote::Kind::LinesLeftOut, m_lineCount, {}});
+        if (all.isEmpty())
+            throw Failure(ImportErrorCode::NoTriangles, whyNothing());
         for (std::size_t i = 0; i < m_groups.size(); ++i) {
             Group &group = m_groups[i];
             if (group.mesh.indices.empty())
@@ -424,8 +436,8 @@ private:
         return glm::length(way) > kFar * box.diagonal() ? originFor(box) : common;
     }
 
-    GltfFile m_file;
     Model m_model;
+    GltfFile m_file;
     GltfMaterials m_materials;
     std::map<Key, std::size_t> m_groupNumbers;
     std::vector<Group> m_groups;
@@ -433,8 +445,9 @@ private:
     std::size_t m_doneVertices = 0;
     std::size_t m_brokenCount = 0;
     std::size_t m_lineCount = 0; ///< and points beside triangles
-    std::size_t m_skinned = 0;
-    std::size_t m_instanced = 0;
+    std::size_t m_posed = 0;     ///< nodes whose meshes are where their joints are
+    std::size_t m_unusedSkins = 0;
+    std::size_t m_hidden = 0; ///< nodes with meshes that the file hides
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 namespace unprojector::mesh_import::mesh_reader {
 
@@ -70,11 +71,30 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
     return texture;
 }
 
+void noteIfOutside(std::vector<ModelNote> &notes, const std::filesystem::path &modelFile,
+                   const std::filesystem::path &file, const std::string &reference)
+{
+    // By the names alone: a link in the model's folder was put there by its owner.
+    const auto normal = [](const std::filesystem::path &path) {
+        std::error_code error;
+        const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+        return (error ? path : absolute).lexically_normal();
+    };
+    const std::filesystem::path fromFolder = normal(file).lexically_relative(normal(modelFile).parent_path());
+    if (!fromFolder.empty() && *fromFolder.begin() != "..")
+        return;
+    ModelNote note{ModelNote::Kind::ReadOutside, 1, reference};
+    if (std::find(notes.begin(), notes.end(), note) == notes.end())
+        notes.push_back(std::move(note));
+}
+
 int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference)
 {
     model.textures.push_back(readTexture(modelFile, reference));
     if (model.textures.back().encoded.empty())
         model.notes.push_back({ModelNote::Kind::TextureMissing, 0, reference});
+    else
+        noteIfOutside(model.notes, modelFile, model.textures.back().file, reference);
     return static_cast<int>(model.textures.size()) - 1;
 }
 

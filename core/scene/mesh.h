@@ -82,6 +82,10 @@ struct ModelNote {
         SceneMissing,      ///< the file has no scene: all its nodes are shown
         PositionsMissing,  ///< count: parts of meshes without any positions
         PictureUnknown,    ///< count: textures whose picture is of a kind that is not known
+        ExtensionLeftOut,  ///< detail: a glTF extension that the file requires, and that moves no vertex
+        SkinsApplied,      ///< count: nodes whose meshes are where the joints of their skins are
+        MeshesHidden,      ///< count: nodes with meshes that the file hides
+        ReadOutside,       ///< detail: a file outside the model's folder that was read; count: how many such files
     };
     Kind kind;
     std::size_t count = 0;

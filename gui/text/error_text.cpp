@@ -208,6 +208,8 @@ QString errorText(const ImportError &error)
     case ImportErrorCode::Malformed: return Errors::tr("%1 is damaged: %2").arg(file, detail);
     case ImportErrorCode::Unsupported: return Errors::tr("%1 cannot be shown: %2").arg(file, detail);
     case ImportErrorCode::NoTriangles:
+        if (!detail.isEmpty())
+            return Errors::tr("%1 cannot be shown: %2").arg(file, detail);
         return Errors::tr("%1 holds no triangles, so there is no surface to click on.").arg(file);
     case ImportErrorCode::NotFinite:
         return Errors::tr("%1: vertex %2 is NaN, infinite, or beyond 3.4e38%3.")

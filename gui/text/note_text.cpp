@@ -87,6 +87,21 @@ QString noteText(const ModelNote &note)
     case ModelNote::Kind::PictureUnknown:
         return NoteTexts::tr("Textures without a PNG or JPEG picture, whose surfaces are shown without it: %1.")
             .arg(count);
+    case ModelNote::Kind::ExtensionLeftOut:
+        return NoteTexts::tr(
+                   "The glTF extension %1, which the file requires, is not applied: the shape is whole without it, "
+                   "but colours, light, motion or data may be missing.")
+            .arg(detail);
+    case ModelNote::Kind::SkinsApplied:
+        return NoteTexts::tr("Meshes with skins, which are shown where the file's nodes have their joints: %1.")
+            .arg(count);
+    case ModelNote::Kind::MeshesHidden:
+        return NoteTexts::tr("Meshes that the file hides (KHR_node_visibility), and that are not shown: %1.")
+            .arg(count);
+    case ModelNote::Kind::ReadOutside:
+        return note.count > 1 ? NoteTexts::tr("Files outside the model's folder were read: %1 and others, %2 in all.")
+                                    .arg(detail, count)
+                              : NoteTexts::tr("The file %1 outside the model's folder was read.").arg(detail);
     }
     return {};
 }

@@ -4850,6 +4850,26 @@ Both are as large as fits.</source>
         <translation>没有 PNG 或 JPEG 图片的纹理，其表面不带图片显示：%1。</translation>
     </message>
     <message>
+        <source>The glTF extension %1, which the file requires, is not applied: the shape is whole without it, but colours, light, motion or data may be missing.</source>
+        <translation>文件要求的 glTF 扩展 %1 未被应用：没有它形状也是完整的，但可能缺少颜色、光照、动作或数据。</translation>
+    </message>
+    <message>
+        <source>Meshes with skins, which are shown where the file&apos;s nodes have their joints: %1.</source>
+        <translation>带蒙皮的网格，按文件节点给出的关节位置显示：%1。</translation>
+    </message>
+    <message>
+        <source>Meshes that the file hides (KHR_node_visibility), and that are not shown: %1.</source>
+        <translation>被文件隐藏（KHR_node_visibility）而未显示的网格：%1。</translation>
+    </message>
+    <message>
+        <source>Files outside the model&apos;s folder were read: %1 and others, %2 in all.</source>
+        <translation>读取了模型文件夹以外的文件：%1 等，共 %2 个。</translation>
+    </message>
+    <message>
+        <source>The file %1 outside the model&apos;s folder was read.</source>
+        <translation>读取了模型文件夹以外的文件 %1。</translation>
+    </message>
+    <message>
         <source>%1: %2.</source>
         <comment>a file of points: what is said of it, without its full stop</comment>
         <translation>%1：%2。</translation>

@@ -65,6 +65,19 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("no positions", PositionsMissing, 1, "", "1 part of a mesh has no positions and is not shown");
     row("unknown pictures", PictureUnknown, 2, "",
         "2 textures have neither PNG nor JPEG pictures: their surfaces are shown without them");
+    row("an extension", ExtensionLeftOut, 0, "KHR_x",
+        "the glTF extension \"KHR_x\", which the file requires, is not applied: the shape is whole without it, but "
+        "colours, light, motion or data may be missing");
+    row("a skin", SkinsApplied, 1, "", "1 mesh has a skin: it is shown where the file's nodes have its joints");
+    row("skins", SkinsApplied, 2, "", "2 meshes have skins: they are shown where the file's nodes have their joints");
+    row("a hidden mesh", MeshesHidden, 1, "", "1 mesh is hidden by the file (KHR_node_visibility) and is not shown");
+    row("hidden meshes", MeshesHidden, 4, "",
+        "4 meshes are hidden by the file (KHR_node_visibility) and are not shown");
+    row("a file elsewhere", ReadOutside, 1, "../a.png", "the file \"../a.png\" outside the model's folder was read");
+    row("two files elsewhere", ReadOutside, 2, "../a.png",
+        "the file \"../a.png\" and 1 other one outside the model's folder were read");
+    row("files elsewhere", ReadOutside, 3, "../a.png",
+        "the file \"../a.png\" and 2 other ones outside the model's folder were read");
     row("a name that would steer a terminal", PartLeftOut, 0, "a\x1b[2J\nb", "\"a?[2J?b\" is not shown");
 }
 

@@ -117,7 +117,7 @@ void TestTextures::theLoadingCanBeCancelled()
 void TestTextures::everyNoteHasItsWords()
 {
     QVERIFY(notesText(QStringLiteral("head.obj"), {}).isEmpty());
-    for (int kind = 0; kind <= int(ModelNote::Kind::PictureUnknown); ++kind) {
+    for (int kind = 0; kind <= int(ModelNote::Kind::ReadOutside); ++kind) {
         for (const std::size_t count : {std::size_t(1), std::size_t(5'000'000'000)}) {
             const QString text = noteText({static_cast<ModelNote::Kind>(kind), count, "<b>"});
             QVERIFY2(text.endsWith(u'.') && !text.contains(u'%'), qPrintable(text));

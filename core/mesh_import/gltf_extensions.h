@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/mesh_import/gltf_file.h"
+
+#include <string_view>
+#include <vector>
+
+namespace unprojector::mesh_import::mesh_reader {
+
+/// What a glTF extension means for the shape of a file that requires it.
+enum class GltfExtension {
+    Read,        ///< it is applied
+    LeavesShape, ///< it is not applied, and no vertex moves for it: materials, textures, lights, data, sound, animation
+    ChangesShape, ///< it is not applied, and the shape is not whole without it
+    Unknown,
+};
+
+/// By the public registry of glTF extensions, and by the extensions that programs write besides.
+GltfExtension gltfExtension(std::string_view name);
+
+/// Goes through the extensions that a file requires. Adds a note for each one that is not applied.
+/// Throws Failure (Unsupported) where the shape would not be whole.
+void checkRequiredExtensions(const GltfFile &file, std::vector<ModelNote> &notes);
+
+} // namespace unprojector::mesh_import::mesh_reader
