@@ -127,6 +127,14 @@ Json parsed(std::string_view text)
     return Json::parse(text);
 }
 
+/// The beginning of a value as the file has it, for a sentence.
+std::string written(const Json &value)
+{
+    constexpr std::size_t kMost = 24;
+    const std::string all = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return all.size() > kMost ? all.substr(0, kMost) + "\xE2\x80\xA6" : all;
+}
+
 /// What a file says of its version: "2.0". Empty where it says nothing.
 std::string versionOf(const Json &root)
 {
@@ -135,7 +143,7 @@ std::string versionOf(const Json &root)
     if (version && version->is_string())
         return version->get<std::string>();
     if (version && version->is_number())
-        return version->dump();
+        return written(*version);
     // glTF 1.0 does not ask for a version; its objects have names instead of numbers.
     const Json *meshes = GltfFile::find(root, "meshes");
     return meshes && meshes->is_object() ? "1.0" : std::string();
@@ -204,7 +212,7 @@ GltfFile::GltfFile(const Source &source, std::vector<ModelNote> &notes) : m_sour
 const Json *GltfFile::find(const Json &object, const char *key)
 {
     if (!object.is_object())
-        failMalformed(tr("something else stands where a JSON object belongs"));
+        failMalformed(tr("%1 stands where an object with \"%2\" belongs", written(object), key));
     const auto found = object.find(key);
     return found == object.end() ? nullptr : &*found;
 }
@@ -214,7 +222,7 @@ const Json &GltfFile::array(const Json &object, const char *key)
     static const Json kNone = Json::array();
     const Json *found = find(object, key);
     if (found && !found->is_array())
-        failMalformed(tr("\"%1\" is no array", key));
+        failMalformed(tr("\"%1\" is %2, which is no array", key, written(*found)));
     return found ? *found : kNone;
 }
 
@@ -224,14 +232,14 @@ std::uint64_t GltfFile::number(const Json &object, const char *key, std::uint64_
     if (!found)
         return otherwise;
     if (!found->is_number_unsigned() || found->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-        failMalformed(tr("\"%1\" is no number of a fitting size", key));
+        failMalformed(tr("\"%1\" is %2, which is no number of a fitting size", key, written(*found)));
     return found->get<std::uint64_t>();
 }
 
 double GltfFile::real(const Json &value)
 {
     if (!value.is_number())
-        failMalformed(tr("something else stands where a number belongs"));
+        failMalformed(tr("%1 stands where a number belongs", written(value)));
     return value.get<double>();
 }
 

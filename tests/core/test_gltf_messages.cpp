@@ -140,6 +140,13 @@ void TestGltfMessages::refuses_data()
     QTest::newRow("instances without a mesh's numbers")
         << quad(R"(,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0,"SCALE":1}}})")
         << "the attribute SCALE of instances does not have 3 numbers for each of 4 instances";
+    QTest::newRow("a word for a number") << quad(R"(,"translation":[1,"up",3])")
+                                         << "\"up\" stands where a number belongs";
+    QTest::newRow("a negative count") << quad().replace(R"("count":4)", R"("count":-4)")
+                                      << "\"count\" is -4, which is no number of a fitting size";
+    QTest::newRow("a list for an object") << quad({}, R"(,"extras":1)").replace(R"({"mesh":0})", "[1,2]")
+                                          << "[1,2] stands where an object with \"children\" belongs";
+    QTest::newRow("an object for a list") << quad(R"(,"children":{})") << "\"children\" is {}, which is no array";
     QTest::newRow("a number too large") << quad(R"(,"translation":[1,)"
                                                 "\n 1e400,3]")
                                         << "line 2, column 2: 1e400 is too large for a number";
