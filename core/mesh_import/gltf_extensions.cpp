@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -180,6 +181,17 @@ bool fits(std::string_view pattern, std::string_view name)
     return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1)) : name == pattern;
 }
 
+std::set<std::string> namesIn(const GltfFile &file, const char *key)
+{
+    std::set<std::string> names;
+    for (const Json &name : file.array(key)) {
+        if (!name.is_string())
+            failMalformed(tr("\"%1\" holds something else than names", key));
+        names.insert(name.get<std::string>());
+    }
+    return names;
+}
+
 } // namespace
 
 GltfExtension gltfExtension(std::string_view name)
@@ -189,12 +201,10 @@ GltfExtension gltfExtension(std::string_view name)
     return found == std::end(kExtensions) ? GltfExtension::Unknown : found->meaning;
 }
 
-void checkRequiredExtensions(const GltfFile &file, std::vector<ModelNote> &notes)
+void checkExtensions(const GltfFile &file, std::vector<ModelNote> &notes)
 {
-    for (const Json &extension : file.array("extensionsRequired")) {
-        if (!extension.is_string())
-            failMalformed(tr("\"%1\" holds something else than names", "extensionsRequired"));
-        const auto &name = extension.get_ref<const std::string &>();
+    const std::set<std::string> required = namesIn(file, "extensionsRequired");
+    for (const std::string &name : required) {
         switch (gltfExtension(name)) {
         case GltfExtension::Read: break;
         case GltfExtension::LeavesShape: notes.push_back({ModelNote::Kind::ExtensionLeftOut, 0, name}); break;
@@ -207,6 +217,10 @@ void checkRequiredExtensions(const GltfFile &file, std::vector<ModelNote> &notes
                              "it without",
                              name));
         }
+    }
+    for (const std::string &name : namesIn(file, "extensionsUsed")) {
+        if (gltfExtension(name) == GltfExtension::ChangesShape)
+            notes.push_back({ModelNote::Kind::SubstituteShown, 0, name});
     }
 }
 

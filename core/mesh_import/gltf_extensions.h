@@ -18,8 +18,9 @@ enum class GltfExtension {
 /// By the public registry of glTF extensions, and by the extensions that programs write besides.
 GltfExtension gltfExtension(std::string_view name);
 
-/// Goes through the extensions that a file requires. Adds a note for each one that is not applied.
-/// Throws Failure (Unsupported) where the shape would not be whole.
-void checkRequiredExtensions(const GltfFile &file, std::vector<ModelNote> &notes);
+/// Adds a note for each extension that a file requires and that is not applied, and for each one that changes the shape and
+/// that it can do without.
+/// Throws Failure (Unsupported) where a required one changes the shape, or may.
+void checkExtensions(const GltfFile &file, std::vector<ModelNote> &notes);
 
 } // namespace unprojector::mesh_import::mesh_reader

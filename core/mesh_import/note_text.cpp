@@ -109,6 +109,9 @@ std::string noteText(const ModelNote &note)
         return tr("the glTF extension %1, which the file requires, is not applied: the shape is whole without it, but "
                   "colours, light, motion or data may be missing",
                   quotedDetail(note));
+    case ModelNote::Kind::SubstituteShown:
+        return tr("the glTF extension %1 is not supported: the shape that the file has without it is shown",
+                  quotedDetail(note));
     case ModelNote::Kind::SkinsApplied:
         return tr(note.count == 1 ? "%1 mesh has a skin: it is shown where the file's nodes have its joints"
                                   : "%1 meshes have skins: they are shown where the file's nodes have their joints",

@@ -74,7 +74,7 @@ public:
 
     Model read()
     {
-        checkRequiredExtensions(m_file, m_model.notes);
+        checkExtensions(m_file, m_model.notes);
         const GltfNodes nodes(m_file, m_model.notes);
         GltfSkins skins(m_file, nodes);
         if (m_file.array("meshes").empty())

@@ -83,6 +83,7 @@ struct ModelNote {
         PositionsMissing,  ///< count: parts of meshes without any positions
         PictureUnknown,    ///< count: textures whose picture is of a kind that is not known
         ExtensionLeftOut,  ///< detail: a glTF extension that the file requires, and that moves no vertex
+        SubstituteShown,   ///< detail: a glTF extension that changes the shape, and that the file can do without
         SkinsApplied,      ///< count: nodes whose meshes are where the joints of their skins are
         MeshesHidden,      ///< count: nodes with meshes that the file hides
         ReadOutside,       ///< detail: a file outside the model's folder that was read; count: how many such files

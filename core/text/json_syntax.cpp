@@ -88,7 +88,12 @@ std::string quotable(std::string_view token)
     const std::string_view begin = token.substr(0, kMost);
     std::string quoted(begin.substr(0, firstNotUtf8(begin)));
     std::replace_if(
-        quoted.begin(), quoted.end(), [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; }, '?');
+        quoted.begin(), quoted.end(),
+        [](char c) {
+            const auto byte = static_cast<unsigned char>(c);
+            return byte < 0x20 || byte == 0x7f;
+        },
+        '?');
     return quoted.empty() || token.size() <= kMost ? quoted : quoted + "\xE2\x80\xA6";
 }
 

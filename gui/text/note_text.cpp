@@ -92,6 +92,9 @@ QString noteText(const ModelNote &note)
                    "The glTF extension %1, which the file requires, is not applied: the shape is whole without it, "
                    "but colours, light, motion or data may be missing.")
             .arg(detail);
+    case ModelNote::Kind::SubstituteShown:
+        return NoteTexts::tr("The glTF extension %1 is not supported: the shape that the file has without it is shown.")
+            .arg(detail);
     case ModelNote::Kind::SkinsApplied:
         return NoteTexts::tr("Meshes with skins, which are shown where the file's nodes have their joints: %1.")
             .arg(count);

@@ -4854,6 +4854,10 @@ Both are as large as fits.</source>
         <translation>文件要求的 glTF 扩展 %1 未被应用：没有它形状也是完整的，但可能缺少颜色、光照、动作或数据。</translation>
     </message>
     <message>
+        <source>The glTF extension %1 is not supported: the shape that the file has without it is shown.</source>
+        <translation>不支持 glTF 扩展 %1：显示文件在没有它时的形状。</translation>
+    </message>
+    <message>
         <source>Meshes with skins, which are shown where the file&apos;s nodes have their joints: %1.</source>
         <translation>带蒙皮的网格，按文件节点给出的关节位置显示：%1。</translation>
     </message>

@@ -57,6 +57,8 @@ void TestGltfMessages::saysWhatIsLeftOut_data()
              .split(' '))
         QTest::newRow(extension.constData()) << quad({}, ",\"extensionsRequired\":[\"" + extension + "\"]") << 2
                                              << int(Kind::ExtensionLeftOut) << 0 << QString::fromLatin1(extension);
+    QTest::newRow("a packed shape besides") << quad({}, R"(,"extensionsUsed":["KHR_draco_mesh_compression","ACME_x"])")
+                                            << 2 << int(Kind::SubstituteShown) << 0 << "KHR_draco_mesh_compression";
     {
         QByteArray json = quad(R"(,"children":[1])");
         json.replace(

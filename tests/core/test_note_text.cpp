@@ -68,6 +68,8 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("an extension", ExtensionLeftOut, 0, "KHR_x",
         "the glTF extension \"KHR_x\", which the file requires, is not applied: the shape is whole without it, but "
         "colours, light, motion or data may be missing");
+    row("an extension that may be missing", SubstituteShown, 0, "KHR_x",
+        "the glTF extension \"KHR_x\" is not supported: the shape that the file has without it is shown");
     row("a skin", SkinsApplied, 1, "", "1 mesh has a skin: it is shown where the file's nodes have its joints");
     row("skins", SkinsApplied, 2, "", "2 meshes have skins: they are shown where the file's nodes have their joints");
     row("a hidden mesh", MeshesHidden, 1, "", "1 mesh is hidden by the file (KHR_node_visibility) and is not shown");
