@@ -200,7 +200,7 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, const 
         reason = tr("the row has %1 cells, the header %2", surplus, m_columns.count());
     }
     if (fault != kNoColumn) {
-        refuseRow(block, line, place, fault, reason, rows, messages);
+        refuseRow(block, place, fault, reason, rows, messages);
         return;
     }
     for (std::size_t k = 0; k < 3; ++k)
@@ -208,16 +208,11 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, const 
     rows.places.push_back(place);
 }
 
-void NumberReader::refuseRow(const LineBlock &block, std::string_view line, const RowPlace &place, std::size_t cell,
-                             std::string_view what, NumberRows &rows, std::vector<LineMessage> &messages) const
+void NumberReader::refuseRow(const LineBlock &block, const RowPlace &place, std::size_t cell, std::string_view what,
+                             NumberRows &rows, std::vector<LineMessage> &messages) const
 {
     complainAt(block, place, cell, what, messages);
-    std::size_t surplus = 0;
-    const Cells cells = cellsOf(line, surplus);
-    BadRow bad{rows.count(), {}};
-    std::transform(cells.begin(), cells.end(), bad.cells.begin(),
-                   [](std::string_view text) { return std::string(trimmed(text)); });
-    rows.bad.push_back(std::move(bad));
+    rows.bad.push_back(rows.count());
     for (auto &column : rows.values)
         column.push_back(0.0);
     rows.places.push_back(place);
@@ -231,7 +226,7 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
     rows.bad.clear();
     if (block.isOverlong) {
         complainOf(block, {}, kNoColumn, tr("the line is longer than %1 bytes", LineBlocks::kMostBytes), messages);
-        rows.bad.push_back({0, {}});
+        rows.bad.push_back(0);
         for (auto &column : rows.values)
             column.push_back(0.0);
         rows.places.push_back({});
@@ -269,7 +264,7 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
             }
         }
         if (!row.isClosed)
-            refuseRow(block, line, place, row.cell, tr("the quote is not closed; quotes in quotes are doubled"), rows,
+            refuseRow(block, place, row.cell, tr("the quote is not closed; quotes in quotes are doubled"), rows,
                       messages);
         else if (!trimmed(line).empty())
             readRow(block, line, place, rows, messages);

@@ -32,23 +32,18 @@ struct NumberColumns {
 std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &source,
                                         const std::vector<ColumnNames> &alternatives);
 
-/// A row that has no result.
-struct BadRow {
-    std::size_t row = 0;              ///< in its block
-    std::array<std::string, 3> cells; ///< as written, without blanks; empty where there are none
-};
-
 /// Where a row stands in its block.
 struct RowPlace {
     std::uint32_t line = 0;  ///< counted from the block's first
     std::uint32_t start = 0; ///< of its text
 };
 
-/// Rows of three numbers, one array a column. A bad row has zeros, as a column that is not wanted has, and is named in `bad`.
+/// Rows of three numbers, one array a column. A bad row, which has no result, has zeros, as a column that is not wanted
+/// has, and is named in `bad`.
 struct NumberRows {
     std::array<std::vector<double>, 3> values;
     std::vector<RowPlace> places; ///< of each row
-    std::vector<BadRow> bad;      ///< by row, ascending
+    std::vector<std::size_t> bad; ///< rows, ascending
 
     std::size_t count() const { return places.size(); }
 };
@@ -80,8 +75,8 @@ private:
                  std::vector<LineMessage> &messages) const;
     /// Names the row in rows.bad and says why; its numbers are zeros.
     /// @param cell  at fault, counted from the line's start
-    void refuseRow(const LineBlock &block, std::string_view line, const RowPlace &place, std::size_t cell,
-                   std::string_view what, NumberRows &rows, std::vector<LineMessage> &messages) const;
+    void refuseRow(const LineBlock &block, const RowPlace &place, std::size_t cell, std::string_view what,
+                   NumberRows &rows, std::vector<LineMessage> &messages) const;
     /// @param surplus  how many cells there are if those are more than the header has, blank ones aside; else 0
     Cells cellsOf(std::string_view line, std::size_t &surplus) const;
 

@@ -65,7 +65,7 @@ public:
         result.badRows = m_rows.bad.size();
         auto bad = m_rows.bad.begin();
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
-            if (bad != m_rows.bad.end() && bad->row == i) {
+            if (bad != m_rows.bad.end() && *bad == i) {
                 m_task.layout.writeBad(writer, block, m_rows, *bad++);
                 writePick(writer, std::nullopt, {});
             } else {

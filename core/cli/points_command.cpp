@@ -93,8 +93,8 @@ private:
         m_bad.clear();
         auto known = m_rows.bad.begin();
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
-            if (known != m_rows.bad.end() && known->row == i) {
-                m_bad.push_back(std::move(*known++));
+            if (known != m_rows.bad.end() && *known == i) {
+                m_bad.push_back(*known++);
                 continue;
             }
             std::size_t column = 0;
@@ -102,9 +102,7 @@ private:
             if (what.empty())
                 continue;
             m_task.reader.complainOf(block, m_rows.places[i], column, what, messages);
-            m_bad.push_back({i,
-                             {shortestText(m_rows.values[0][i]), shortestText(m_rows.values[1][i]),
-                              shortestText(m_rows.values[2][i])}});
+            m_bad.push_back(i);
         }
     }
 
@@ -140,7 +138,7 @@ private:
         result.badRows = m_bad.size();
         auto bad = m_bad.begin();
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
-            if (bad != m_bad.end() && bad->row == i) {
+            if (bad != m_bad.end() && *bad == i) {
                 writeBad(block, *bad++, writer);
                 continue;
             }
@@ -167,9 +165,9 @@ private:
         return writePoints(writer, m_task.options.methods, m_points);
     }
 
-    void writeBad(const LineBlock &block, const BadRow &bad, RowWriter &writer) const
+    void writeBad(const LineBlock &block, std::size_t row, RowWriter &writer) const
     {
-        m_task.layout.writeBad(writer, block, m_rows, bad);
+        m_task.layout.writeBad(writer, block, m_rows, row);
         for (std::size_t k = 0; k < m_task.results; ++k)
             writer.nothing();
         writer.endRow();
@@ -177,7 +175,7 @@ private:
 
     const Task &m_task;
     NumberRows m_rows;
-    std::vector<BadRow> m_bad;
+    std::vector<std::size_t> m_bad; ///< rows
     std::array<std::vector<double>, 2> m_centres;
     std::vector<Columns> m_results;                  ///< of each method
     std::vector<std::optional<glm::dvec3>> m_points; ///< of one row

@@ -115,7 +115,7 @@ public:
         auto bad = m_rows.bad.begin();
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
             Stages stages;
-            if (bad != m_rows.bad.end() && bad->row == i) {
+            if (bad != m_rows.bad.end() && *bad == i) {
                 m_task.layout.writeBad(writer, block, m_rows, *bad++);
             } else {
                 m_task.layout.writeInput(writer, block, m_rows, i);

@@ -59,7 +59,7 @@ void RowLayout::writeCells(RowWriter &writer, std::string_view line, const Numbe
             start = end + 1;
         }
         if (column < kPassed)
-            number(column);
+            number(column, cell);
         else if (column == kPassed)
             writer.passed(cell);
     }
@@ -73,13 +73,13 @@ void RowLayout::writeInput(RowWriter &writer, const LineBlock &block, const Numb
         return;
     }
     writeCells(writer, rowAt(block.text, rows.places[row].start),
-               [&](std::size_t column) { writer.number(rows.values[column][row]); });
+               [&](std::size_t column, std::string_view) { writer.number(rows.values[column][row]); });
 }
 
-void RowLayout::writeBad(RowWriter &writer, const LineBlock &block, const NumberRows &rows, const BadRow &bad) const
+void RowLayout::writeBad(RowWriter &writer, const LineBlock &block, const NumberRows &rows, std::size_t row) const
 {
-    writeCells(writer, rowAt(block.text, rows.places[bad.row].start),
-               [&](std::size_t column) { writer.asWritten(bad.cells[column]); });
+    writeCells(writer, rowAt(block.text, rows.places[row].start),
+               [&](std::size_t, std::string_view cell) { writer.passedNumber(cell); });
 }
 
 } // namespace unprojector::cli

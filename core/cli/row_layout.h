@@ -22,15 +22,16 @@ public:
 
     /// Writes what a row has of the input: its numbers, and whatever else is in it, unchanged.
     void writeInput(RowWriter &writer, const LineBlock &block, const NumberRows &rows, std::size_t row) const;
-    /// The same of a row that has no result. The block may be one line that is too long: it is empty then.
-    void writeBad(RowWriter &writer, const LineBlock &block, const NumberRows &rows, const BadRow &bad) const;
+    /// Writes all that a row without a result has of the input, unchanged. The block may be one line that is too long: it is
+    /// empty then.
+    void writeBad(RowWriter &writer, const LineBlock &block, const NumberRows &rows, std::size_t row) const;
 
 private:
     // Beside the three wanted columns, 0 to 2.
     static constexpr std::size_t kPassed = 3;
     static constexpr std::size_t kDropped = 4;
 
-    /// Calls `number` for the wanted columns, and writes the others.
+    /// Calls `number` for the wanted columns with what is written there, and passes the others.
     template <class Number>
     void writeCells(RowWriter &writer, std::string_view line, const Number &number) const;
 

@@ -73,25 +73,21 @@ public:
         m_output += '"';
     }
 
-    /// A cell of the input that means nothing to the command, as it stands there.
+    /// A cell of the input, as it stands there.
     void passed(std::string_view cell)
     {
         startCell();
         m_output += m_format == RowFormat::Jsonl ? jsonOfCell(cell) : passedCell(cell);
     }
 
-    /// What stood in a cell of comma-separated values; in JSON where it is a number. No comma and no line end is in it.
-    void asWritten(std::string_view cell)
+    /// The same of a cell where a number is wanted: in JSON null where it is none.
+    void passedNumber(std::string_view cell)
     {
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-        const bool isNumber = error == std::errc{} && end == cell.data() + cell.size() && std::isfinite(value);
-        if (m_format == RowFormat::Jsonl && isNumber)
-            return number(value);
-        if (m_format == RowFormat::Jsonl || cell.find('"') != std::string_view::npos)
-            return nothing();
+        if (m_format == RowFormat::Csv)
+            return passed(cell);
+        const std::string json = jsonOfCell(trimmed(unquoted(cell)));
         startCell();
-        m_output += cell;
+        m_output += json.starts_with('"') ? "null" : json;
     }
 
     void endRow()

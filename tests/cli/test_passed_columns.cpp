@@ -14,6 +14,8 @@ private slots:
     void otherColumnsStayWhereTheyStood();
     void resultsAreWhatTheyAreWithoutThem();
     void badRowsKeepTheirColumns();
+    void badRowsKeepTheirCells_data();
+    void badRowsKeepTheirCells();
     void asJson_data();
     void asJson();
     void anObjectHasEachKeyOnce_data();
@@ -109,6 +111,43 @@ void TestPassedColumns::badRowsKeepTheirColumns()
     // Of a line that is too long nothing is kept.
     const Run overlong = points("name,px,py,depth\n" + QByteArray(200000, 'a') + ",400,300,0\nb,400,300,0\n");
     QCOMPARE(overlong.lines().mid(1), (QList<QByteArray>{",,,,,,", "b,400,300,0,0,0,4"}));
+}
+
+void TestPassedColumns::badRowsKeepTheirCells_data()
+{
+    QTest::addColumn<QByteArray>("row");
+    QTest::addColumn<QByteArray>("json"); // of its three cells
+    QTest::newRow("a word") << QByteArray("ab,300,0") << QByteArray("null,300,0");
+    QTest::newRow("a word in quotes") << QByteArray("\"ab\",300,0") << QByteArray("null,300,0");
+    QTest::newRow("quotes in quotes, a comma") << QByteArray("\"a\"\"b, c\",300,0") << QByteArray("null,300,0");
+    QTest::newRow("a line break in quotes") << QByteArray("\"a\nb\",300,0") << QByteArray("null,300,0");
+    QTest::newRow("quotes in a word") << QByteArray("a\"b,300,0") << QByteArray("null,300,0");
+    QTest::newRow("the others in quotes") << QByteArray("ab,\"300\",\" 0 \"") << QByteArray("null,300,0");
+    QTest::newRow("blanks") << QByteArray(" ab , 300,0 ") << QByteArray("null,300,0");
+    QTest::newRow("all digits, a depth outside the range")
+        << QByteArray("400.50,3e2,2.00") << QByteArray("400.50,3e2,2.00");
+    QTest::newRow("nothing") << QByteArray(",300,0") << QByteArray("null,300,0");
+}
+
+void TestPassedColumns::badRowsKeepTheirCells()
+{
+    QFETCH(QByteArray, row);
+    QFETCH(QByteArray, json);
+    for (const QByteArray &name : {QByteArray(), QByteArray(",name")}) {
+        const QByteArray cell = name.isEmpty() ? "" : ",\"a, b\"";
+        const Run run = points("px,py,depth" + name + '\n' + row + cell + '\n');
+        QCOMPARE(run.exitCode, 1);
+        QCOMPARE(run.output.mid(run.output.indexOf('\n') + 1), row + cell + ",,,\n");
+    }
+    if (!row.contains("2.00")) {
+        const Run projected = project("x,y,z\n" + row + '\n');
+        QCOMPARE(projected.exitCode, 1);
+        QVERIFY2(projected.output.contains('\n' + row + ",,"), projected.output.constData());
+    }
+    const Run lines = points("px,py,depth\n" + row + '\n', {"--format", "jsonl"});
+    const QJsonArray cells = QJsonDocument::fromJson('[' + json + ']').array();
+    const QJsonObject line = QJsonDocument::fromJson(lines.output).object();
+    QCOMPARE((QJsonArray{line["px"], line["py"], line["depth"]}), cells);
 }
 
 void TestPassedColumns::asJson_data()

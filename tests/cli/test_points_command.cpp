@@ -146,7 +146,7 @@ void TestPointsCommand::badRowsAreNamedAndTheRestGoesOn_data()
     QTest::newRow("empty cell") << QByteArray("1,,0.5") << "1,,0.5" + cells << QByteArray(":3:3: py is missing");
     QTest::newRow("NaN") << QByteArray("nan,2,0.5") << "nan,2,0.5" + cells
                          << QByteArray(":3:1: px: \"nan\" is not finite");
-    QTest::newRow("infinity") << QByteArray("1, -inf,0.5") << "1,-inf,0.5" + cells
+    QTest::newRow("infinity") << QByteArray("1, -inf,0.5") << "1, -inf,0.5" + cells
                               << QByteArray(":3:4: py: \"-inf\" is not finite");
     QTest::newRow("1e400") << QByteArray("1e400,2,0.5") << "1e400,2,0.5" + cells
                            << QByteArray(":3:1: px: \"1e400\" is beyond the range of double precision");
