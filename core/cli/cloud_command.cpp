@@ -112,10 +112,12 @@ ExitCode runCloud(const CloudOptions &options)
     const Surfaces surfaces(g.depthRange);
     std::size_t seen = 0;
     ProgressBar progress(pixelsOf(g), ProgressBar::Unit::Points);
+    std::optional<DepthEnds> ends;
+    if (options.depths == DepthNumbers::Range)
+        ends = {std::min(dn, df), std::max(dn, df)};
     const std::optional<DepthImage> image =
         readDepthImage(options.depth, options.size, static_cast<std::size_t>(g.surface.widthPixels),
-                       static_cast<std::size_t>(g.surface.heightPixels), std::min(dn, df), std::max(dn, df),
-                       [&](std::span<const float> depths) {
+                       static_cast<std::size_t>(g.surface.heightPixels), ends, [&](std::span<const float> depths) {
                            seen += surfaces.countIn(depths);
                            progress.advance(depths.size());
                        });

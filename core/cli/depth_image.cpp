@@ -105,7 +105,7 @@ struct Layout {
     enum class Kind { Raw, Pfm, Pgm } kind = Kind::Raw;
     Size size;
     bool isLittleEndian = true;
-    double greatest = 0.0; ///< PGM: the value that stands for depthHigh
+    double greatest = 0.0; ///< PGM: the value that stands for 1
 };
 
 /// Nothing where the header is broken. Without one, the layout is raw and has no size.
@@ -146,16 +146,25 @@ void swapEach(std::span<Number> values)
     }
 }
 
-bool readFloats(Bytes &bytes, const Layout &layout, std::span<float> depths)
+double stretched(double number, const DepthEnds &ends)
+{
+    return ends.low + number * (ends.high - ends.low);
+}
+
+bool readFloats(Bytes &bytes, const Layout &layout, const std::optional<DepthEnds> &ends, std::span<float> depths)
 {
     if (!bytes.read(reinterpret_cast<char *>(depths.data()), depths.size_bytes()))
         return false;
     if (layout.isLittleEndian != (std::endian::native == std::endian::little))
         swapBytes(depths);
+    if (ends) {
+        for (float &depth : depths)
+            depth = static_cast<float>(stretched(static_cast<double>(depth), *ends));
+    }
     return true;
 }
 
-bool readIntegers(Bytes &bytes, const Layout &layout, double depthLow, double depthHigh, std::span<float> depths)
+bool readIntegers(Bytes &bytes, const Layout &layout, const DepthEnds &ends, std::span<float> depths)
 {
     const std::size_t pixelBytes = layout.greatest > 255.0 ? 2 : 1;
     std::string pixels(depths.size() * pixelBytes, '\0');
@@ -165,7 +174,7 @@ bool readIntegers(Bytes &bytes, const Layout &layout, double depthLow, double de
         unsigned value = static_cast<unsigned char>(pixels[i * pixelBytes]);
         if (pixelBytes == 2)
             value = value << 8 | static_cast<unsigned char>(pixels[i * pixelBytes + 1]);
-        depths[i] = static_cast<float>(depthLow + value / layout.greatest * (depthHigh - depthLow));
+        depths[i] = static_cast<float>(stretched(value / layout.greatest, ends));
     }
     return true;
 }
@@ -188,8 +197,9 @@ void swapBytes(std::span<double> values)
 }
 
 std::optional<DepthImage> readDepthImage(const std::string &file, const std::string &sizeText,
-                                         std::size_t expectedWidth, std::size_t expectedHeight, double depthLow,
-                                         double depthHigh, const std::function<void(std::span<const float>)> &onRead)
+                                         std::size_t expectedWidth, std::size_t expectedHeight,
+                                         const std::optional<DepthEnds> &stretchedOver,
+                                         const std::function<void(std::span<const float>)> &onRead)
 {
     std::optional<Size> given;
     if (!sizeText.empty()) {
@@ -227,8 +237,9 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
     const std::span<float> all(image.depths.get(), size.width * size.height);
     for (std::size_t start = 0; start < all.size(); start += kBlock) {
         const std::span<float> block = all.subspan(start, std::min(kBlock, all.size() - start));
-        if (!(layout->kind == Layout::Kind::Pgm ? readIntegers(bytes, *layout, depthLow, depthHigh, block)
-                                                : readFloats(bytes, *layout, block)))
+        if (!(layout->kind == Layout::Kind::Pgm
+                  ? readIntegers(bytes, *layout, stretchedOver.value_or(DepthEnds()), block)
+                  : readFloats(bytes, *layout, stretchedOver, block)))
             return refuse(tr("the file is too short for %1 pixels", shown(size)));
         onRead(block);
     }

@@ -168,6 +168,10 @@ void addCloud(CLI::App &app, Run &run)
         ->required();
     addFile(*command, "-o,--output", options->output, tr("Binary PLY; - is standard output"))->required();
     command->add_option("--size", options->size, tr("Of raw floats, in pixels"))->type_name("WxH");
+    addChoice<DepthNumbers>(*command, "--depths", options->depths,
+                            {{"range", DepthNumbers::Range}, {"window", DepthNumbers::Window}},
+                            tr("What the picture's numbers are, in PGM over its greatest one: depths of the\n"
+                               "window, or 0 to 1 over the scene's depth range"));
     addChoice<Method>(*command, "--method", options->method, {{"formula", Method::Formula}, {"matrix", Method::Matrix}},
                       tr("How to compute"));
     addChoice<PointPrecision>(*command, "--precision", options->precision,

@@ -89,6 +89,8 @@ private slots:
     void initTestCase() { m_scene = m_folder.write("scene.json", kScene); }
     void everyFormatGivesTheSamePoints_data();
     void everyFormatGivesTheSamePoints();
+    void numbersMeanTheSameInEveryFormat_data();
+    void numbersMeanTheSameInEveryFormat();
     void backgroundAndNonsenseAreLeftOut();
     void aLargeWorldNeedsDoubles();
     void whatIsBeyondFloatsIsSaid();
@@ -132,6 +134,43 @@ void TestCloudCommand::everyFormatGivesTheSamePoints()
         QCOMPARE(pointsOf(ply).size(), kPoints.size());
     else
         QVERIFY(isClose(pointsOf(ply), kPoints));
+}
+
+void TestCloudCommand::numbersMeanTheSameInEveryFormat_data()
+{
+    QTest::addColumn<QByteArray>("range");
+    QTest::addColumn<float>("number");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<float>("share"); // of the way from the near plane's depth to the far plane's
+    QTest::newRow("depths of the window") << QByteArray("[0, 0.5]") << 0.25f << QStringList{} << 0.5f;
+    QTest::newRow("so they are called") << QByteArray("[0, 0.5]") << 0.25f << QStringList{"--depths", "window"} << 0.5f;
+    QTest::newRow("reversed") << QByteArray("[0.5, 0]") << 0.4f << QStringList{} << 0.2f;
+    QTest::newRow("over the range") << QByteArray("[0, 0.5]") << 0.25f << QStringList{"--depths", "range"} << 0.25f;
+    QTest::newRow("over a range that begins later")
+        << QByteArray("[0.5, 1]") << 0.25f << QStringList{"--depths", "range"} << 0.25f;
+    QTest::newRow("over a reversed range")
+        << QByteArray("[0.5, 0]") << 0.25f << QStringList{"--depths", "range"} << 0.75f;
+}
+
+void TestCloudCommand::numbersMeanTheSameInEveryFormat()
+{
+    QFETCH(QByteArray, range);
+    QFETCH(float, number);
+    QFETCH(QStringList, options);
+    QFETCH(float, share);
+    QByteArray scene = kScene;
+    scene.replace("\"window\"", "\"depthRange\": " + range + ", \"window\"");
+    const QString file = m_folder.write("range.json", scene);
+    const QVector<float> values(qsizetype(kWidth) * kHeight, number);
+    const float distance = 4.0f / (4.0f - 3.0f * share); // n f / (f - d (f - n))
+    for (const QByteArray &image : {bytesOf(values), pfm(values, true), pfm(values, false), pgm(values)}) {
+        const QString depth = m_folder.write("depth", image);
+        const Run run = runCommand(QStringList{"cloud", "--size", "4x3", file, depth, "-o", "-"} + options);
+        VERIFY_SUCCEEDED(run);
+        const QVector<float> points = pointsOf(run.output);
+        QCOMPARE(points.size(), 3 * values.size());
+        QVERIFY2(std::abs(points[2] - (5.0f - distance)) < 1e-3f, qPrintable(QString::number(points[2]))); // 16 bits
+    }
 }
 
 void TestCloudCommand::backgroundAndNonsenseAreLeftOut()

@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const std::string file = fuzz::fileOf("depth.pfm", data, size).string();
     for (const char *given : {"", "3x2"}) {
         std::size_t seen = 0;
-        const auto image = readDepthImage(file, given, 3, 2, 0.25, 0.75,
+        const auto image = readDepthImage(file, given, 3, 2, DepthEnds{0.25, 0.75},
                                           [&](std::span<const float> depths) { seen += depths.size(); });
         if (!image)
             continue;
