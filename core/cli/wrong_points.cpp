@@ -16,10 +16,17 @@ std::optional<std::string> allOf(ByteSource &source)
 {
     std::string text;
     std::array<char, 16384> buffer;
-    while (const std::size_t size = source.read(buffer.data(), buffer.size()))
+    for (std::size_t size = 1; size > 0 && text.size() <= kMostPointBytes;) {
+        size = source.read(buffer.data(), buffer.size());
         text.append(buffer.data(), size);
+    }
     if (source.hasFailed()) {
         complain(tr("%1: cannot be read", source.name()));
+        return std::nullopt;
+    }
+    if (text.size() > kMostPointBytes) {
+        complain(tr("%1: larger than %2 MB; give the points to look at alone, of which the first %3 count",
+                    source.name(), kMostPointBytes >> 20, kMostWrongPoints));
         return std::nullopt;
     }
     return text;

@@ -23,6 +23,9 @@ struct WrongPoints {
 /// So many points of one program are looked at; more would tell nothing new.
 constexpr std::size_t kMostWrongPoints = 100;
 
+/// Far more than so many points need.
+constexpr std::size_t kMostPointBytes = std::size_t{1} << 24;
+
 /// CSV with the columns px,py,depth,x,y,z, found by their names; without a header in this order. What is wrong is said on stderr.
 /// @param file  UTF-8; "-" for stdin
 /// @return nothing where there is no point to look at

@@ -37,6 +37,7 @@ private slots:
     void digitsAreReadAsWritten();
     void noZeroIsBelowZero();
     void aTableIsOneProgram();
+    void anEndlessTableIsRefused();
     void badRowsAreNamed();
     void theMeshGivesTheDepth();
     void theRayJudgesWithoutModels();
@@ -217,6 +218,16 @@ void TestDoctorCommand::aTableIsOneProgram()
     QCOMPARE(named.exitCode, 0);
     QCOMPARE(QJsonDocument::fromJson(named.output).object()["candidates"].toArray()[0].toObject()["id"].toString(),
              QString("y-not-flipped"));
+}
+
+void TestDoctorCommand::anEndlessTableIsRefused()
+{
+    const QByteArray row = "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918\n";
+    const Run run = doctor({"--points", "-"}, row.repeated((1 << 24) / row.size() + 1));
+    QCOMPARE(run.exitCode, 2);
+    QCOMPARE(run.errors,
+             QByteArray("stdin: larger than 16 MB; give the points to look at alone, of which the first 100 "
+                        "count\n"));
 }
 
 void TestDoctorCommand::badRowsAreNamed()
