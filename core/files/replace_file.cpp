@@ -74,8 +74,9 @@ Result<ReplacingFile, FileError> ReplacingFile::open(const std::filesystem::path
         return systemError(error);
     if (const Written free = checkTarget(replacing.m_target); !free)
         return free.error();
-    if (const std::error_code failed = replacing.m_fresh.create(
-            replacing.m_target.has_parent_path() ? replacing.m_target.parent_path() : ".", replacing.m_target))
+    const std::filesystem::path folder = replacing.m_target.has_parent_path() ? replacing.m_target.parent_path() : ".";
+    removeAbandonedFiles(folder);
+    if (const std::error_code failed = replacing.m_fresh.create(folder, replacing.m_target))
         return systemError(failed);
     return replacing;
 }

@@ -1,11 +1,15 @@
 #include "core/files/system_file.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #ifdef _WIN32
 #include "core/files/windows_api.h"
@@ -13,6 +17,7 @@
 #include <cerrno>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #endif
@@ -22,15 +27,33 @@ namespace {
 
 constexpr int kMostLinks = 40; // as Linux has it
 
-/// Short, so that it fits beside the longest name, and hidden where a dot hides.
+// Of a fresh file's name. It is short, so that it fits beside the longest name, and hidden where a dot hides.
+constexpr std::string_view kNameStart = ".unprojector-", kNameEnd = ".tmp", kDigits = "0123456789abcdef";
+constexpr std::size_t kNameDigits = 16;
+
 std::string randomName()
 {
     std::random_device random;
-    std::string name = ".unprojector-";
-    for (int i = 0; i < 16; ++i)
-        name += "0123456789abcdef"[random() % 16];
-    return name + ".tmp";
+    std::string name(kNameStart);
+    for (std::size_t i = 0; i < kNameDigits; ++i)
+        name += kDigits[random() % kDigits.size()];
+    return name.append(kNameEnd);
 }
+
+bool isRandomName(const std::filesystem::path &path)
+{
+    const std::filesystem::path::string_type name = path.filename().native(); // which need not be Unicode
+    if (name.size() != kNameStart.size() + kNameDigits + kNameEnd.size())
+        return false;
+    const auto digits = name.begin() + static_cast<std::ptrdiff_t>(kNameStart.size());
+    const auto end = digits + static_cast<std::ptrdiff_t>(kNameDigits);
+    return std::equal(kNameStart.begin(), kNameStart.end(), name.begin())
+           && std::equal(end, name.end(), kNameEnd.begin()) && std::all_of(digits, end, [](auto c) {
+                  return std::find(kDigits.begin(), kDigits.end(), c) != kDigits.end();
+              });
+}
+
+constexpr std::chrono::minutes kAbandonedAfter{10};
 
 /// Where a link points to; nothing where there is no link.
 std::optional<std::filesystem::path> linkTarget(const std::filesystem::path &file)
@@ -74,7 +97,52 @@ mode_t permissionsAfter(mode_t before, bool isOwnerKept, bool isGroupKept)
 }
 #endif
 
+/// Removes a file that no program holds.
+void removeUnlessHeld(const std::filesystem::path &file)
+{
+#ifdef _WIN32
+    // Whoever holds it has it open for writing, which this one does not share.
+    HANDLE handle = CreateFileW(file.c_str(), DELETE, 0, nullptr, OPEN_EXISTING,
+                                FILE_FLAG_DELETE_ON_CLOSE | FILE_FLAG_OPEN_REPARSE_POINT, nullptr);
+    if (handle != INVALID_HANDLE_VALUE)
+        CloseHandle(handle);
+#else
+    const int descriptor = ::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+        ::unlink(file.c_str());
+    ::close(descriptor);
+#endif
+}
+
 } // namespace
+
+void removeAbandonedFiles(const std::filesystem::path &folder)
+{
+    std::error_code error;
+    std::vector<std::filesystem::path> abandoned;
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        std::error_code ignored;
+        if (!isRandomName(it->path()) || !std::filesystem::is_regular_file(it->symlink_status(ignored)))
+            continue;
+        const std::filesystem::file_time_type written = std::filesystem::last_write_time(it->path(), ignored);
+        if (!ignored && std::filesystem::file_time_type::clock::now() - written > kAbandonedAfter)
+            abandoned.push_back(it->path());
+    }
+    for (const std::filesystem::path &file : abandoned)
+        removeUnlessHeld(file);
+}
+
+void keepToOwner([[maybe_unused]] const std::filesystem::path &path)
+{
+#ifndef _WIN32
+    using std::filesystem::perms;
+    std::error_code ignored; // some file systems have no permissions
+    std::filesystem::permissions(path, perms::group_all | perms::others_all, std::filesystem::perm_options::remove,
+                                 ignored);
+#endif
+}
 
 FreshFile::FreshFile(FreshFile &&other) noexcept
 {
@@ -88,6 +156,7 @@ FreshFile &FreshFile::operator=(FreshFile &&other) noexcept
     std::swap(m_handle, other.m_handle);
 #else
     std::swap(m_descriptor, other.m_descriptor);
+    std::swap(m_permissions, other.m_permissions);
 #endif
     return *this;
 }
@@ -183,7 +252,7 @@ std::error_code FreshFile::create(const std::filesystem::path &folder, const std
 {
     struct stat before {};
     const bool isReplacing = ::stat(replaced.c_str(), &before) == 0;
-    // What replaces a private file is private from its first byte on.
+    // A new one is made with the permissions that the folder and the user's mask give it, which say what it gets in its place.
     const mode_t mode = isReplacing ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
     for (int i = 0; i < 100 && m_descriptor < 0; ++i) {
         const std::filesystem::path path = folder / randomName();
@@ -193,16 +262,21 @@ std::error_code FreshFile::create(const std::filesystem::path &folder, const std
         else if (errno != EEXIST)
             break;
     }
-    if (m_descriptor < 0)
+    struct stat made {};
+    if (m_descriptor < 0 || ::fstat(m_descriptor, &made) != 0)
         return lastError();
-    if (!isReplacing)
-        return {};
-    // Who may not give files away keeps them. The group comes first, as another's file cannot be given to one; the
-    // permissions last, as a change of owner may clear some.
-    const bool isGroupKept = ::fchown(m_descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
-    const bool isOwnerKept = ::fchown(m_descriptor, before.st_uid, static_cast<gid_t>(-1)) == 0;
-    const mode_t permissions = permissionsAfter(before.st_mode, isOwnerKept, isGroupKept);
-    return ::fchmod(m_descriptor, permissions) == 0 ? std::error_code() : lastError();
+    // See removeAbandonedFiles; where there are no locks, nothing is removed.
+    ::flock(m_descriptor, LOCK_EX | LOCK_NB);
+    m_permissions = made.st_mode & mode_t{07777};
+    if (isReplacing) {
+        // Who may not give files away keeps them. The group comes first, as another's file cannot be given to one; the
+        // permissions last, as a change of owner may clear some.
+        const bool isGroupKept = ::fchown(m_descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
+        const bool isOwnerKept = ::fchown(m_descriptor, before.st_uid, static_cast<gid_t>(-1)) == 0;
+        m_permissions = permissionsAfter(before.st_mode, isOwnerKept, isGroupKept);
+    }
+    ::fchmod(m_descriptor, S_IRUSR | S_IWUSR); // not all file systems have permissions
+    return {};
 }
 
 std::error_code FreshFile::write(std::string_view bytes)
@@ -233,10 +307,16 @@ std::error_code FreshFile::close()
 
 std::error_code FreshFile::moveTo(const std::filesystem::path &target)
 {
-    if (const std::error_code error = close())
-        return error;
+    struct stat now {};
+    if (::fstat(m_descriptor, &now) != 0)
+        return lastError();
+    if ((now.st_mode & mode_t{07777}) != m_permissions
+        && ::fchmod(m_descriptor, static_cast<mode_t>(m_permissions)) != 0)
+        return lastError();
+    // Held until it has its name: nobody takes it for an abandoned one. All of it is on the disk since sync().
     if (::rename(m_path.c_str(), target.c_str()) != 0)
         return lastError();
+    close();
     // The new name is on the disk when its folder is. Some file systems cannot be told so, and the file is there anyway.
     const std::filesystem::path folder = m_path.parent_path();
     m_path.clear();

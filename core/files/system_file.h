@@ -9,7 +9,7 @@
 namespace unprojector::files {
 
 /// A new file of a random name that belongs to nobody yet. It goes away with this object unless it has been moved to its
-/// place.
+/// place. Until then only the user may read it, and the system tells other programs that it is held.
 class FreshFile {
 public:
     FreshFile() = default;
@@ -39,8 +39,17 @@ private:
     void *m_handle = nullptr;
 #else
     int m_descriptor = -1;
+    unsigned m_permissions = 0; ///< that it gets in its place
 #endif
 };
+
+/// Removes the fresh files of a folder that a program left behind when it was killed: those that no program holds and that
+/// nobody has written to for ten minutes. The time is for what the system cannot tell: a program between making its file
+/// and holding it, or on another computer that shares the folder without its locks.
+void removeAbandonedFiles(const std::filesystem::path &folder);
+
+/// Takes a file or a folder from all but its owner. Windows keeps what a user's own folders hold so anyway.
+void keepToOwner(const std::filesystem::path &path);
 
 /// Whether this process may write to a file that exists.
 std::error_code checkWritable(const std::filesystem::path &file);
