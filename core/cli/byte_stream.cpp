@@ -2,6 +2,7 @@
 
 #include "core/cli/progress_bar.h"
 #include "core/files/path_text.h"
+#include "core/text/printable.h"
 #include "core/text/system_error.h"
 #include "core/text/translation.h"
 
@@ -37,7 +38,7 @@ std::filesystem::path namedPath(const std::string &file, const char *standardStr
 
 void complain(std::string_view line)
 {
-    std::string text(line);
+    std::string text = text::printableLine(line);
     text += '\n';
     withoutProgressBar([&text] { std::fwrite(text.data(), 1, text.size(), stderr); });
 }
@@ -136,6 +137,11 @@ void ByteSink::write(std::string_view bytes)
         check(m_file->write(bytes));
     else if (std::fwrite(bytes.data(), 1, bytes.size(), m_stream.get()) != bytes.size())
         failStream();
+}
+
+void ByteSink::print(std::string_view text)
+{
+    write(text::printableLines(text));
 }
 
 void ByteSink::flush()

@@ -15,7 +15,7 @@
 
 namespace unprojector::cli {
 
-/// A line on stderr. A progress bar makes way for it.
+/// A line on stderr, as text::printableLine has it. A progress bar makes way for it.
 void complain(std::string_view line);
 
 /// Bytes as they are (no line ends translated) from a file, or from stdin for "-".
@@ -57,6 +57,8 @@ public:
 
     bool isOpen() const { return m_stream != nullptr || m_file; }
     void write(std::string_view bytes);
+    /// Writes a text for people, as text::printableLines has it.
+    void print(std::string_view text);
     void flush();
     /// After the last byte: only now does a file take its place. Without it nothing has happened to one that was there.
     /// @return UnusableInput where not all could be written, which stderr has been told

@@ -2,6 +2,7 @@
 #include "core/cli/console.h"
 #include "core/cli/language_choice.h"
 #include "core/files/standard_streams.h"
+#include "core/text/printable.h"
 #include "core/text/translation.h"
 
 #include <cstdio>
@@ -17,7 +18,8 @@ int main(int argc, char **argv)
     } catch (const std::bad_alloc &) {
         std::fputs("unproject: out of memory; the results are not complete\n", stderr);
     } catch (const std::exception &error) {
-        std::fprintf(stderr, "unproject: an error of this program (%s); the results are not complete\n", error.what());
+        std::fprintf(stderr, "unproject: an error of this program (%s); the results are not complete\n",
+                     unprojector::text::printableLine(error.what()).c_str());
     }
     return static_cast<int>(unprojector::cli::ExitCode::UnusableInput);
 }

@@ -153,7 +153,10 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
             continue;
         }
         const std::string name = *hit ? opened.objects[(*hit)->object].name : std::string();
-        sink.write(options.isJson ? pickJson(position, *hit, name) : pickText(position, *hit, opened.objects));
+        if (options.isJson)
+            sink.write(pickJson(position, *hit, name));
+        else
+            sink.print(pickText(position, *hit, opened.objects));
     }
     const ExitCode written = sink.finish();
     return written == ExitCode::Done ? code : written;

@@ -5,6 +5,7 @@
 #include "core/scene_file/ray_on_mesh.h"
 #include "core/text/columns.h"
 #include "core/text/number_text.h"
+#include "core/text/printable.h"
 #include "core/text/translation.h"
 
 #include <glm/common.hpp>
@@ -79,7 +80,7 @@ std::string pickText(const DevicePoint &position, const std::optional<SceneHit> 
     const auto distanceText = [&hit](double distance) {
         return shortestText(distance, kLeftOut * length(hit->uncertainty));
     };
-    add(tr("object|row"), object.name);
+    add(tr("object|row"), printableLine(object.name));
     if (hit->triangle)
         add(tr("triangle|row"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
     add(tr("world|row"), rounded(hit->world, hit->uncertainty));

@@ -203,8 +203,11 @@ void addMap(CLI::App &app, Run &run)
                          + conventionNames())
         ->type_name("WORD")
         ->check([](const std::string &given) {
-            return maps::conventionNamed(given) != nullptr ? std::string()
-                                                           : tr("\"%1\" is none of\n%2", given, conventionNames());
+            if (maps::conventionNamed(given) != nullptr)
+                return std::string();
+            std::string names = conventionNames();
+            std::erase(names, '\n');
+            return tr("\"%1\" is none of %2", given, names);
         });
     addChoice<maps::Unit>(*command, "--unit", options->unit, {{"world", maps::Unit::World}, {"ulp", maps::Unit::Ulps}},
                           tr("World units, or units in the last place of the formulas' largest coordinate"));

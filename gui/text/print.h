@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/text/printable.h"
+
 #include <QByteArray>
 #include <QString>
 
@@ -11,13 +13,15 @@
 
 namespace unprojector::gui {
 
-/// A text as the standard streams take it: in the locale's letters, on Windows in UTF-8, as `unproject` writes there.
+/// A text for people as the standard streams take it: in the locale's letters, on Windows in UTF-8, as `unproject` writes
+/// there; control characters are written out.
 inline QByteArray printed(const QString &text)
 {
+    const std::string shown = text::printableLines(text.toStdString());
 #ifdef Q_OS_WIN
-    return text.toUtf8();
+    return QByteArray::fromStdString(shown);
 #else
-    return text.toLocal8Bit();
+    return QString::fromStdString(shown).toLocal8Bit();
 #endif
 }
 

@@ -137,7 +137,7 @@ void TestMapCommand::unusable_data()
     QTest::newRow("no convention") << displacement + QStringList{"-o", m_map}
                                    << QByteArray("--convention (with --what displacement)");
     QTest::newRow("unknown") << displacement + QStringList{"--convention", "blender", "-o", m_map}
-                             << QByteArray("\"blender\" is none of\npaper, screen2world, meshlab");
+                             << QByteArray("\"blender\" is none of paper, screen2world, meshlab");
     QTest::newRow("convention of nothing")
         << QStringList{m_scene, "--what", "formula-ray", "--convention", "paper", "-o", m_map}
         << QByteArray("--convention paper: is for --what displacement, not for --what formula-ray");

@@ -1,5 +1,6 @@
 // What the core says in Chinese: that every text of its source has a translation, and how lines of it are laid out.
 #include "core/text/columns.h"
+#include "core/text/printable.h"
 #include "core/text/translation.h"
 
 #include <QDirIterator>
@@ -143,6 +144,8 @@ private slots:
     void textsAreSaidInTheLanguageThatIsSet();
     void valuesStandInTheirPlaces();
     void aTextIsSaidAgain();
+    void controlsAreWrittenOut_data();
+    void controlsAreWrittenOut();
     void wideCharactersTakeTwoColumns();
     void linesAreWrappedBetweenCharacters_data();
     void linesAreWrappedBetweenCharacters();
@@ -264,6 +267,43 @@ void TestCoreTexts::aTextIsSaidAgain()
     QCOMPARE(saidAgain("to 16 bits", patterns), std::string("舍入到 16 位"));
     QCOMPARE(saidAgain("to few bits", {}), std::string("to few bits"));
     setLanguage(Language::English);
+}
+
+void TestCoreTexts::controlsAreWrittenOut_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("line");
+    QTest::newRow("nothing") << QByteArray() << QByteArray();
+    QTest::newRow("letters, a tab, an escape that is written out")
+        << QByteArray("a\tb \\x1b") << QByteArray("a\tb \\x1b");
+    QTest::newRow("Chinese, joiners") << QByteArray("\u9762\u200d\u8138") << QByteArray("\u9762\u200d\u8138");
+    QTest::newRow("a colour") << QByteArray("\033[31mred") << QByteArray("\\x1b[31mred");
+    QTest::newRow("a title") << QByteArray("\033]0;title\a") << QByteArray("\\x1b]0;title\\x07");
+    QTest::newRow("NUL, DEL") << QByteArray("a\0b\x7f", 4) << QByteArray("a\\x00b\\x7f");
+    QTest::newRow("line ends") << QByteArray("a\r\nb") << QByteArray("a\\x0d\\x0ab");
+    QTest::newRow("C1") << QByteArray("\xc2\x9b"
+                                      "31m")
+                        << QByteArray("\\u009b31m");
+    QTest::newRow("C1 as a byte") << QByteArray("\x9b"
+                                                "31m")
+                                  << QByteArray("\\x9b31m");
+    QTest::newRow("Latin-1 between UTF-8")
+        << QByteArray("\u9762\xe9\u8138\xe9") << QByteArray("\u9762\\xe9\u8138\\xe9");
+    QTest::newRow("cut off") << QByteArray("a\xe2\x80") << QByteArray("a\\xe2\\x80");
+    QTest::newRow("overrides") << QByteArray("\u202a\u202b\u202c\u202d\u202e")
+                               << QByteArray("\\u202a\\u202b\\u202c\\u202d\\u202e");
+    QTest::newRow("isolates") << QByteArray("\u2066\u2067\u2068\u2069") << QByteArray("\\u2066\\u2067\\u2068\\u2069");
+    QTest::newRow("separators") << QByteArray("\u2028\u2029") << QByteArray("\\u2028\\u2029");
+    QTest::newRow("a tag") << QByteArray("\U000e0041") << QByteArray("\\U000e0041");
+}
+
+void TestCoreTexts::controlsAreWrittenOut()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, line);
+    const auto bytes = [](const std::string &printed) { return QByteArray::fromStdString(printed); };
+    QCOMPARE(bytes(printableLine(text.toStdString())), line);
+    QCOMPARE(bytes(printableLines(text.toStdString())), line.replace("\\x0a", "\n"));
 }
 
 void TestCoreTexts::wideCharactersTakeTwoColumns()

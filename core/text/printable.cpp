@@ -1,0 +1,70 @@
+#include "core/text/printable.h"
+
+#include "core/text/identifier.h"
+#include "core/text/utf8.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace unprojector::text {
+namespace {
+
+std::string hexadecimal(std::uint32_t value, int digits)
+{
+    std::string text;
+    for (int i = digits - 1; i >= 0; --i)
+        text += "0123456789abcdef"[(value >> (4 * i)) % 16];
+    return text;
+}
+
+/// "\x1b", "\u202e", "\U000e0001"
+/// @param character  one character of UTF-8
+std::string writtenOut(std::string_view character)
+{
+    const auto byte = [&character](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(character[i])}; };
+    if (character.size() == 1)
+        return "\\x" + hexadecimal(byte(0), 2);
+    std::uint32_t code = byte(0) & (0xffU >> (character.size() + 1));
+    for (std::size_t i = 1; i < character.size(); ++i)
+        code = code << 6 | (byte(i) & 0x3fU);
+    return code < 0x10000 ? "\\u" + hexadecimal(code, 4) : "\\U" + hexadecimal(code, 8);
+}
+
+std::string printable(std::string_view text, bool areLineEndsKept)
+{
+    std::string result;
+    result.reserve(text.size());
+    std::size_t bad = firstNotUtf8(text);
+    for (std::size_t at = 0; at < text.size();) {
+        if (at == bad) {
+            result += writtenOut(text.substr(at, 1));
+            ++at;
+            const std::size_t next = firstNotUtf8(text.substr(at));
+            bad = next == text.npos ? next : at + next;
+            continue;
+        }
+        const std::size_t control = std::min(controlAt(text, at), bad - at);
+        const bool isKept = text[at] == '\t' || (text[at] == '\n' && areLineEndsKept);
+        if (control > 0 && !isKept)
+            result += writtenOut(text.substr(at, control));
+        else
+            result += text[at];
+        at += std::max<std::size_t>(control, 1);
+    }
+    return result;
+}
+
+} // namespace
+
+std::string printableLine(std::string_view line)
+{
+    return printable(line, false);
+}
+
+std::string printableLines(std::string_view text)
+{
+    return printable(text, true);
+}
+
+} // namespace unprojector::text
