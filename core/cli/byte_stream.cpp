@@ -92,9 +92,11 @@ void ByteSink::Close::operator()(std::FILE *file) const
         std::fclose(file);
 }
 
-ByteSink::ByteSink(const std::string &file) : m_name(file == "-" ? "stdout" : file)
+ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(file == "-" ? "stdout" : file)
 {
-    // Writing to a closed pipe or beyond a limit then fails, and is seen here.
+    if (isOverInput(file, inputs))
+        return;
+        // Writing to a closed pipe or beyond a limit then fails, and is seen here.
 #ifdef SIGPIPE
     std::signal(SIGPIPE, SIG_IGN);
 #endif
@@ -179,7 +181,7 @@ void ByteSink::check(const Written &written)
     complain(m_name + ": " + fileErrorText(written.error()));
 }
 
-bool isOverInput(const std::string &output, std::initializer_list<std::string> inputs)
+bool isOverInput(const std::string &output, const InputFiles &inputs)
 {
     for (const std::string &input : inputs) {
         if (!isSameFile(namedPath(output, "/dev/stdout"), namedPath(input, "/dev/stdin")))

@@ -7,16 +7,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace unprojector::cli {
 
 /// A line on stderr, as text::printableLine has it. A progress bar makes way for it.
 void complain(std::string_view line);
+
+/// The files that a run reads, or that the scene it reads names, in UTF-8; "-" stands for stdin. No output replaces one of
+/// them, under whatever name.
+using InputFiles = std::vector<std::string>;
 
 /// Bytes as they are (no line ends translated) from a file, or from stdin for "-".
 class ByteSource {
@@ -52,8 +56,10 @@ class ByteSink {
 public:
     enum class State { Open, ReaderGone, Failed };
 
-    /// @param file  UTF-8, "-" for stdout; what cannot be opened is said on stderr, and `isOpen` is false
-    explicit ByteSink(const std::string &file = "-");
+    /// @param file    UTF-8, "-" for stdout
+    /// @param inputs  of this run
+    /// What cannot be opened or would destroy an input is said on stderr, and `isOpen` is false.
+    ByteSink(const std::string &file, const InputFiles &inputs);
 
     bool isOpen() const { return m_stream != nullptr || m_file; }
     void write(std::string_view bytes);
@@ -82,7 +88,7 @@ private:
 };
 
 /// Whether writing an output would destroy one of the inputs; if so, stderr has been told.
-/// @param output, inputs  UTF-8; "-" stands for stdout and stdin
-bool isOverInput(const std::string &output, std::initializer_list<std::string> inputs);
+/// @param output  UTF-8; "-" stands for stdout
+bool isOverInput(const std::string &output, const InputFiles &inputs);
 
 } // namespace unprojector::cli

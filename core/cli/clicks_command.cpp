@@ -67,9 +67,8 @@ public:
         return true;
     }
 
-    ExitCode finish() const
+    ExitCode finish(ByteSink &sink) const
     {
-        ByteSink sink;
         sink.write(m_text);
         const ExitCode written = sink.finish();
         return written == ExitCode::Done && m_hasBad ? ExitCode::SomeRowsBad : written;
@@ -120,14 +119,15 @@ ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &click
         complain(tr("--pixel is for tables of pixels; a click knows the centre of its own"));
         return ExitCode::UnusableInput;
     }
-    if (isOverInput("-", {options.rows.scene}))
+    ByteSink sink("-", filesOf(clicks, options.rows.scene));
+    if (!sink.isOpen())
         return ExitCode::UnusableInput;
     ClickRows rows(options, clicks.size());
     for (std::size_t i = 0; i < clicks.size(); ++i) {
         if (!rows.add(i, clicks[i]))
             return ExitCode::UnusableInput;
     }
-    return rows.finish();
+    return rows.finish(sink);
 }
 
 } // namespace unprojector::cli

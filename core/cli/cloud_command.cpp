@@ -102,9 +102,9 @@ ExitCode runCloud(const CloudOptions &options)
         complain(options.scene + ": " + errorText(unprojection.error()));
         return ExitCode::UnusableInput;
     }
-    if (isOverInput(options.output, {options.scene, options.depth}))
-        return ExitCode::UnusableInput;
-    ByteSink sink(options.output); // what cannot be written is known before all is computed
+    InputFiles inputs = scene->files;
+    inputs.push_back(options.depth);
+    ByteSink sink(options.output, inputs); // what cannot be written is known before all is computed
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
     // PLY says first how many points there are: they are counted as they come.

@@ -10,9 +10,9 @@ namespace unprojector::cli {
 ExitCode runCode(const CodeOptions &options)
 {
     const std::optional<SceneFile> scene = sceneFile(options.scene);
-    if (!scene || isOverInput(options.output, {options.scene}))
+    if (!scene)
         return ExitCode::UnusableInput;
-    ByteSink sink(options.output);
+    ByteSink sink(options.output, filesOf(*scene, options.scene));
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
     sink.write(scene_code::sceneCode(*scene, options.dialect));

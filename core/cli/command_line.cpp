@@ -137,8 +137,8 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
         const bool isDone = app.exit(error, output, errors) == 0; // help and version come this way too
         if (!errors.str().empty())
             complain(mistakeText(app, error));
-        ByteSink sink;
-        sink.write(output.str());
+        ByteSink sink("-", {});
+        sink.print(output.str());
         const ExitCode written = sink.finish();
         return isDone ? written : ExitCode::UnusableInput;
     }

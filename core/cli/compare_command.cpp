@@ -235,6 +235,9 @@ ExitCode runCompare(const CompareOptions &options)
         complain(options.scene + ": " + errorText(unprojector.error()));
         return ExitCode::UnusableInput;
     }
+    ByteSink sink("-", scene->files);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
     const FormulaInFloat formulaInFloat(scene->geometry);
     const auto by = [&](Method method) {
         return [&, method](const WindowPoint &window) { return unprojector->worldAt(method, window); };
@@ -257,8 +260,10 @@ ExitCode runCompare(const CompareOptions &options)
             way.add(*world, way.by(window));
     });
     progress.finish();
-    ByteSink sink;
-    sink.write(options.isJson ? json(ways, points) : table(ways, points));
+    if (options.isJson)
+        sink.write(json(ways, points));
+    else
+        sink.print(table(ways, points));
     return sink.finish();
 }
 

@@ -21,8 +21,14 @@ using namespace doctor;
 using namespace text;
 namespace {
 
+/// A case, and the files of its scene.
+struct CaseRead {
+    Case scene;
+    InputFiles files;
+};
+
 /// The case without any mesh. What is wrong is said on stderr.
-std::optional<Case> withoutMesh(const std::string &file)
+std::optional<CaseRead> withoutMesh(const std::string &file)
 {
     const std::optional<SceneInput> input = sceneInput(file);
     if (!input)
@@ -30,10 +36,10 @@ std::optional<Case> withoutMesh(const std::string &file)
     Case result{input->geometry, {}, {}, {}};
     for (const PlacedObject &object : input->objects)
         result.models.push_back({object.name, object.worldFromObject});
-    return result;
+    return CaseRead{std::move(result), input->files};
 }
 
-std::optional<Case> withMesh(const std::string &file)
+std::optional<CaseRead> withMesh(const std::string &file)
 {
     const std::optional<OpenedScene> opened = openScene(file);
     const std::optional<Picture> picture = opened ? pictureOf(*opened, {}) : std::nullopt;
@@ -50,17 +56,17 @@ std::optional<Case> withMesh(const std::string &file)
     if (!opened->objects.empty())
         result.depthOnMesh = ray::MeshDepth(std::make_shared<ray::SceneRays>(
             *unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes()));
-    return result;
+    return CaseRead{std::move(result), opened->files};
 }
 
 /// The mesh is asked for only where a depth is missing: a scene without its models will do otherwise.
-std::optional<Case> caseOf(const std::string &file, bool isDepthMissing)
+std::optional<CaseRead> caseOf(const std::string &file, bool isDepthMissing)
 {
     if (!isMeantAsScene(file))
         return withMesh(file);
     if (!isDepthMissing)
         return withoutMesh(file);
-    std::optional<Case> result = withMesh(file);
+    std::optional<CaseRead> result = withMesh(file);
     if (result || file == "-")
         return result;
     result = withoutMesh(file);
@@ -148,38 +154,46 @@ ExitCode runDoctor(const DoctorOptions &options)
             complain(tr("the scene and the points cannot both come from standard input; give a file for one of them"));
             return ExitCode::UnusableInput;
         }
-        std::optional<WrongPoints> read = wrongPoints(options.points);
-        if (!read)
+        std::optional<WrongPoints> table = wrongPoints(options.points);
+        if (!table)
             return ExitCode::UnusableInput;
-        given = std::move(*read);
+        given = std::move(*table);
     }
     const bool isDepthMissing =
         std::any_of(given.points.begin(), given.points.end(), [](const WrongPoint &p) { return !p.depth; });
     std::optional<SizeGiven> otherSize;
     if (!options.otherSize.empty() && !(otherSize = sizeGiven("--other-size", options.otherSize)))
         return ExitCode::UnusableInput;
-    std::optional<Case> scene = caseOf(options.scene, isDepthMissing);
-    if (!scene || !setSpace(given.points, options.gotSpace, *scene))
+    std::optional<CaseRead> read = caseOf(options.scene, isDepthMissing);
+    if (!read || !setSpace(given.points, options.gotSpace, read->scene))
         return ExitCode::UnusableInput;
+    if (!options.points.empty())
+        read->files.push_back(options.points);
+    ByteSink sink("-", read->files);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    Case &scene = read->scene;
     if (otherSize) {
-        scene->otherSize = Surface{otherSize->width, otherSize->height, 1.0};
-        if (const Check valid = check(*scene->otherSize); !valid) {
+        scene.otherSize = Surface{otherSize->width, otherSize->height, 1.0};
+        if (const Check valid = check(*scene.otherSize); !valid) {
             complain("--other-size " + options.otherSize + ": " + errorText(valid.error()));
             return ExitCode::UnusableInput;
         }
     }
-    leaveOutside(given, scene->picture.surface);
+    leaveOutside(given, scene.picture.surface);
     if (given.points.empty())
         return ExitCode::UnusableInput;
-    const Result<Diagnosis> diagnosis = diagnose(*scene, given.points);
+    const Result<Diagnosis> diagnosis = diagnose(scene, given.points);
     if (!diagnosis) {
         const Error &error = diagnosis.error();
-        complain(error.code == ErrorCode::DepthOutsideRange ? depthRefused(given, error.value, scene->picture)
+        complain(error.code == ErrorCode::DepthOutsideRange ? depthRefused(given, error.value, scene.picture)
                                                             : options.scene + ": " + errorText(error));
         return ExitCode::UnusableInput;
     }
-    ByteSink sink;
-    sink.write(options.isJson ? doctorJson(*diagnosis) : doctorText(*diagnosis, given.points.front()));
+    if (options.isJson)
+        sink.write(doctorJson(*diagnosis));
+    else
+        sink.print(doctorText(*diagnosis, given.points.front()));
     const ExitCode written = sink.finish();
     return written == ExitCode::Done && !given.isComplete ? ExitCode::SomeRowsBad : written;
 }

@@ -7,6 +7,7 @@
 #include "core/scene/measures.h"
 #include "core/text/columns.h"
 #include "core/text/number_text.h"
+#include "core/text/printable.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -116,7 +117,8 @@ ExitCode runInfo(const InfoOptions &options)
                 + tr("the surface is open, so that the volume means nothing: about another origin it is another"));
         objects += objects.empty() ? "" : ", ";
         objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
-        table += (object.isHidden ? tr("%1 (hidden)", object.name) : object.name) + '\n' + lines(measures);
+        const std::string name = printableLine(object.name);
+        table += (object.isHidden ? tr("%1 (hidden)", name) : name) + '\n' + lines(measures);
     }
     std::vector<std::string> notes = notesOf(opened->objects);
     notes.insert(notes.end(), openOnes.begin(), openOnes.end());
@@ -131,10 +133,15 @@ ExitCode runInfo(const InfoOptions &options)
     } else {
         text = opened->objects.size() == 1 ? table : tr("all|objects") + '\n' + lines(all) + table;
         for (const std::string &note : notes)
-            text += tr("note: %1", note) + '\n';
+            text += tr("note: %1", printableLine(note)) + '\n';
     }
-    ByteSink sink;
-    sink.write(text);
+    ByteSink sink("-", opened->files);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    if (options.isJson)
+        sink.write(text);
+    else
+        sink.print(text);
     return sink.finish();
 }
 

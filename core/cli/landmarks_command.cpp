@@ -2,6 +2,7 @@
 
 #include "core/cli/byte_stream.h"
 #include "core/cli/import_error_text.h"
+#include "core/cli/opened_scene.h"
 #include "core/curves/curve_line.h"
 #include "core/curves/surface_mesh.h"
 #include "core/files/path_text.h"
@@ -63,7 +64,9 @@ std::optional<ReadLandmarks> readFile(const std::string &file, Format format)
     return std::move(read).value();
 }
 
-ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkFileError> &text)
+/// @param inputs  of the run: none of them is written over
+ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkFileError> &text,
+               const InputFiles &inputs)
 {
     const std::string name = file == "-" ? "stdout" : file;
     if (!text) {
@@ -72,7 +75,7 @@ ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkF
         complain(errorText(error));
         return ExitCode::UnusableInput;
     }
-    ByteSink sink(file);
+    ByteSink sink(file, inputs);
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
     sink.write(text->text);
@@ -183,6 +186,9 @@ public:
         }
     }
 
+    /// The mesh's file, and what it refers to.
+    InputFiles files() const { return filesOf(pathFromUtf8(m_mesh), m_target.places->model()); }
+
     void tellFarthest() const
     {
         if (m_count > 0)
@@ -210,7 +216,10 @@ ExitCode convert(const LandmarksOptions &options)
 {
     const std::optional<Format> from = formatOf(options.input, options.from, "--from");
     const std::optional<Format> to = formatOf(options.output, options.to, "--to");
-    if (!from || !to || isOverInput(options.output, {options.input, options.mesh}))
+    InputFiles inputs{options.input};
+    if (!options.mesh.empty())
+        inputs.push_back(options.mesh);
+    if (!from || !to || isOverInput(options.output, inputs))
         return ExitCode::UnusableInput;
     std::optional<ReadLandmarks> read = readFile(options.input, *from);
     if (!read)
@@ -218,6 +227,10 @@ ExitCode convert(const LandmarksOptions &options)
     if (!options.mesh.empty()) {
         std::optional<Tying> tying = Tying::to(options.mesh);
         if (!tying)
+            return ExitCode::UnusableInput;
+        for (std::string &file : tying->files())
+            inputs.push_back(std::move(file));
+        if (isOverInput(options.output, inputs))
             return ExitCode::UnusableInput;
         for (LandmarkSet &set : read->sets) {
             tying->tie(set);
@@ -233,7 +246,7 @@ ExitCode convert(const LandmarksOptions &options)
                                      + (read->sets.size() > 1 ? '_' + std::to_string(i + 1) : "");
         }
     }
-    return write(options.output, landmarksText(read->sets, *to));
+    return write(options.output, landmarksText(read->sets, *to), inputs);
 }
 
 Result<WrittenLandmarks, LandmarkFileError> tableOf(const std::vector<LandmarkSet> &sets, LandmarkTable table)
@@ -266,7 +279,8 @@ ExitCode makeTable(const LandmarksOptions &options)
                     options.folder));
         return ExitCode::UnusableInput;
     }
-    const ExitCode written = write(options.output, tableOf(folder.sets, options.table));
+    const InputFiles inputs = folder.isTableInput ? InputFiles{options.output} : InputFiles();
+    const ExitCode written = write(options.output, tableOf(folder.sets, options.table), inputs);
     return written == ExitCode::Done && !folder.badFiles.empty() ? ExitCode::SomeRowsBad : written;
 }
 
@@ -293,9 +307,9 @@ std::vector<RepeatedSpecimen> specimensOf(const std::vector<std::vector<Landmark
 ExitCode makeRepeats(const LandmarksOptions &options)
 {
     std::vector<std::vector<LandmarkSet>> files;
+    if (isOverInput(options.output, options.repeats))
+        return ExitCode::UnusableInput;
     for (const std::string &file : options.repeats) {
-        if (isOverInput(options.output, {file}))
-            return ExitCode::UnusableInput;
         const std::optional<Format> format = formatOf(file, options.from, "--from");
         std::optional<ReadLandmarks> read = format ? readFile(file, *format) : std::nullopt;
         if (!read)
@@ -308,7 +322,7 @@ ExitCode makeRepeats(const LandmarksOptions &options)
         if (specimen.placings.size() < 2)
             complain(tr("the specimen \"%1\" is in one file only: there is nothing to compare it with", specimen.name));
     }
-    return write(options.output, WrittenLandmarks{repeatsTable(specimens), {}});
+    return write(options.output, WrittenLandmarks{repeatsTable(specimens), {}}, options.repeats);
 }
 
 } // namespace

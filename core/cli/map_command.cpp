@@ -3,7 +3,6 @@
 #include "core/cli/byte_stream.h"
 #include "core/cli/opened_scene.h"
 #include "core/cli/progress_bar.h"
-#include "core/files/path_text.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -61,11 +60,7 @@ bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
         complain(tr("the map and --json cannot both go to standard output; give a file for the map"));
         return false;
     }
-    if (isOverInput(options.output, {options.scene}))
-        return false;
-    return std::none_of(opened.objects.begin(), opened.objects.end(), [&](const SceneObject &object) {
-        return !object.file.empty() && isOverInput(options.output, {files::utf8FromPath(object.file)});
-    });
+    return !isOverInput(options.output, opened.files);
 }
 
 /// What is seen at each pixel; what is wrong is said on stderr.
@@ -169,7 +164,7 @@ ExitCode runMap(const MapOptions &options)
         complain(opened->name + ": " + errorText(unprojector.error()));
         return ExitCode::UnusableInput;
     }
-    ByteSink sink(options.output); // what cannot be written is known before all is computed
+    ByteSink sink(options.output, opened->files); // what cannot be written is known before all is computed
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
     ProgressBar bar(2 * pixelsOf(*picture), ProgressBar::Unit::Points);
@@ -196,7 +191,7 @@ ExitCode runMap(const MapOptions &options)
         complain(statisticsText(options, statistics, pixelsOf(*picture)));
         return ExitCode::Done;
     }
-    ByteSink json;
+    ByteSink json("-", opened->files);
     json.write(statisticsJson(options, statistics, made));
     return json.finish();
 }

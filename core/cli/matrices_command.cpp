@@ -246,7 +246,9 @@ ExitCode runMatrices(const MatricesOptions &options)
     if (!camera->hasClip && !camera->camera.intrinsics)
         complain(
             tr("%1: no camera matrix K: OpenCV's camera is a perspective, this projection is none", options.scene));
-    ByteSink sink;
+    ByteSink sink("-", scene->files);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
     sink.write(written(matrices, others, options, *camera));
     return sink.finish();
 }

@@ -1,6 +1,5 @@
 #include "core/cli/opened_scene.h"
 
-#include "core/cli/byte_stream.h"
 #include "core/cli/import_error_text.h"
 #include "core/cli/scene_input.h"
 #include "core/cli/size_text.h"
@@ -41,10 +40,20 @@ std::optional<OpenedScene> openModel(const std::string &file)
     const ModelPointer model = readModel(path);
     if (!model)
         return std::nullopt;
-    return OpenedScene{{{utf8FromPath(path.filename()), path, model, {}}}, std::nullopt, file};
+    return OpenedScene{{{utf8FromPath(path.filename()), path, model, {}}}, std::nullopt, file, filesOf(path, *model)};
 }
 
 } // namespace
+
+InputFiles filesOf(const std::filesystem::path &file, const Model &model)
+{
+    InputFiles files{utf8FromPath(file)};
+    for (const std::filesystem::path &other : model.otherFiles)
+        files.push_back(utf8FromPath(other));
+    for (const Texture &texture : model.textures)
+        files.push_back(utf8FromPath(texture.file));
+    return files;
+}
 
 bool isMeantAsScene(const std::string &file)
 {
@@ -69,7 +78,7 @@ std::optional<OpenedScene> openScene(const std::string &file)
     std::optional<SceneFile> scene = sceneFile(file);
     if (!scene)
         return std::nullopt;
-    OpenedScene opened{{}, std::move(scene), file == "-" ? "stdin" : file};
+    OpenedScene opened{{}, std::move(scene), file == "-" ? "stdin" : file, {file}};
     std::map<std::filesystem::path, ModelPointer> read;
     std::map<std::string, ModelPointer> bundled;
     for (const SceneFileObject &object : opened.file->objects) {
@@ -91,6 +100,9 @@ std::optional<OpenedScene> openScene(const std::string &file)
         }
         if (!model)
             return std::nullopt;
+        if (object.bundled.empty())
+            for (std::string &named : filesOf(path, *model))
+                opened.files.push_back(std::move(named));
         opened.objects.push_back({object.name, path, model, object.transform, object.isHidden});
     }
     return opened;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/cli/byte_stream.h"
 #include "core/ray/ray_caster.h"
 #include "core/scene/scene.h"
 #include "core/scene_file/scene_file.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,10 +19,14 @@ struct OpenedScene {
     std::vector<SceneObject> objects;
     std::optional<SceneFile> file; ///< nothing where a model was opened
     std::string name;              ///< what was opened, for messages
+    InputFiles files;              ///< all that was read: the scene, the models, and what these refer to
 
     /// The clip planes that cut.
     std::vector<glm::dvec4> clipPlanes() const;
 };
+
+/// A model's file and those that were read for it.
+InputFiles filesOf(const std::filesystem::path &file, const Model &model);
 
 /// Whether a file is opened as a scene and not as a model. A name that ends in .json is meant as a scene even where the contents
 /// are beyond recognition: its error says why.

@@ -96,15 +96,14 @@ private:
     NumberRows m_rows;
 };
 
-ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const SceneRays &rays)
+ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const SceneRays &rays, ByteSink &sink)
 {
     ByteSource source(options.input);
     if (!source.isOpen())
         return ExitCode::UnusableInput;
     LineBlocks blocks(source);
     const std::optional<NumberColumns> columns = readHeader(blocks, source, {kPositionColumns});
-    // What is added to the input would be read as input, without end.
-    if (!columns || isOverInput("-", {options.input}))
+    if (!columns)
         return ExitCode::UnusableInput;
     std::atomic<std::size_t> outside = 0;
     const Task task{options,
@@ -113,7 +112,6 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
                     NumberReader(source.name(), *columns),
                     RowLayout(*columns, pickColumns(), options.format),
                     outside};
-    ByteSink sink;
     if (!options.isHeaderless) {
         std::string header;
         RowWriter(options.format, task.layout.names(), header).header();
@@ -133,9 +131,8 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
 }
 
 ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint> &positions, const OpenedScene &opened,
-                       const SceneRays &rays)
+                       const SceneRays &rays, ByteSink &sink)
 {
-    ByteSink sink;
     ExitCode code = ExitCode::Done;
     const Picture &picture = rays.rays().picture();
     for (const DevicePoint &position : positions) {
@@ -182,6 +179,13 @@ ExitCode runPick(const PickOptions &options)
         return ExitCode::UnusableInput;
     if (!areReachable(*opened))
         return ExitCode::UnusableInput;
+    InputFiles inputs = opened->files;
+    if (positions.empty())
+        inputs.push_back(options.input);
+    // What is added to the input would be read as input, without end.
+    ByteSink sink("-", inputs);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
     const std::optional<Picture> picture = pictureOf(*opened, options.size);
     if (!picture)
         return ExitCode::UnusableInput;
@@ -193,7 +197,8 @@ ExitCode runPick(const PickOptions &options)
     if (opened->objects.empty())
         complain(tr("%1: the scene has no objects; nothing will be met", opened->name));
     const SceneRays rays(*unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes());
-    return positions.empty() ? pickRows(options, *opened, rays) : pickPositions(options, positions, *opened, rays);
+    return positions.empty() ? pickRows(options, *opened, rays, sink)
+                             : pickPositions(options, positions, *opened, rays, sink);
 }
 
 } // namespace unprojector::cli

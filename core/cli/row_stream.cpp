@@ -9,8 +9,9 @@ namespace unprojector::cli {
 using text::tr;
 
 RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const std::string &input)
-    : scene(std::move(sceneRead)), space(spaceInIt), source(input)
+    : scene(std::move(sceneRead)), space(spaceInIt), inputs(scene.files), source(input)
 {
+    inputs.push_back(input);
 }
 
 ColumnNames pointColumnsOf(const std::string &method)
@@ -45,9 +46,9 @@ ExitCode runRows(RowStream &rows, const RowOptions &options, const std::vector<s
                  const std::function<BlockWorker()> &worker)
 {
     // What is added to the input would be read as input, without end.
-    if (isOverInput("-", {options.input}))
+    ByteSink sink("-", rows.inputs);
+    if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    ByteSink sink;
     if (!options.isHeaderless) {
         std::string header;
         RowWriter(options.format, names, header).header();

@@ -33,6 +33,7 @@ struct RowStream {
 
     SceneInput scene;
     BatchSpace space;
+    InputFiles inputs; ///< the scene's files and that of the rows
     ByteSource source;
     LineBlocks blocks{source};
     NumberColumns columns;

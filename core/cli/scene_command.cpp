@@ -415,6 +415,9 @@ ExitCode runScene(const SceneOptions &options)
     const std::optional<Pasted> given = pasted(options.fromMatrices);
     if (!given)
         return ExitCode::UnusableInput;
+    ByteSink sink(options.output, given->isFile ? InputFiles{options.fromMatrices[0]} : InputFiles());
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
     const auto numbers = pastedScene(given->text);
     if (!numbers) {
         const PasteError &error = numbers.error();
@@ -447,11 +450,6 @@ ExitCode runScene(const SceneOptions &options)
         complain(sceneErrorText(readAgain.error()));
         return ExitCode::UnusableInput;
     }
-    if (given->isFile && isOverInput(options.output, {options.fromMatrices[0]}))
-        return ExitCode::UnusableInput;
-    ByteSink sink(options.output);
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
     sink.write(*written);
     return sink.finish();
 }

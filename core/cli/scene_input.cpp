@@ -1,6 +1,5 @@
 #include "core/cli/scene_input.h"
 
-#include "core/cli/byte_stream.h"
 #include "core/files/path_text.h"
 #include "core/mesh_import/file_contents.h"
 #include "core/scene_file/scene_error_text.h"
@@ -77,15 +76,42 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
     return std::move(given).value();
 }
 
+InputFiles filesOf(const SceneFile &scene, const std::string &file)
+{
+    InputFiles files{file};
+    for (const SceneFileObject &object : scene.objects) {
+        if (object.bundled.empty())
+            files.push_back(
+                utf8FromPath(objectFile(object, file == "-" ? std::filesystem::path() : pathFromUtf8(file))));
+    }
+    return files;
+}
+
+InputFiles filesOf(const SceneOrClicks &given, const std::string &file)
+{
+    if (const auto *scene = std::get_if<SceneFile>(&given))
+        return filesOf(*scene, file);
+    InputFiles files{file};
+    for (const Click &click : std::get<std::vector<Click>>(given)) {
+        for (std::string &named : filesOf(click.scene, file)) {
+            if (std::find(files.begin(), files.end(), named) == files.end())
+                files.push_back(std::move(named));
+        }
+    }
+    return files;
+}
+
 SceneInput sceneInput(const SceneFile &scene)
 {
-    SceneInput input{pictureOf(scene), {}, scene.conventions.value_or(Api::OpenGl)};
+    SceneInput input{pictureOf(scene), {}, scene.conventions.value_or(Api::OpenGl), {}};
     for (const SceneFileObject &object : scene.objects)
         input.objects.push_back({object.name, worldFromObject(object.transform)});
     return input;
 }
 
-std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file)
+namespace {
+
+std::optional<SceneInput> withoutFiles(const SceneOrClicks &given, const std::string &file)
 {
     if (const auto *scene = std::get_if<SceneFile>(&given)) {
         const ApiConventions &api = conventionsOf(scene->conventions.value_or(Api::OpenGl));
@@ -102,6 +128,16 @@ std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::stri
              + tr(clicks.empty() ? "no click is in it, and so no scene; give a scene file"
                                  : "its clicks have different scenes; give one click, or the scene of one"));
     return std::nullopt;
+}
+
+} // namespace
+
+std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file)
+{
+    std::optional<SceneInput> input = withoutFiles(given, file);
+    if (input)
+        input->files = filesOf(given, file);
+    return input;
 }
 
 std::optional<SceneInput> sceneInput(const std::string &file)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cli/byte_stream.h"
 #include "core/scene_file/clicks.h"
 #include "core/unproject/batch/batch_unproject.h"
 #include "core/unproject/unprojector.h"
@@ -24,11 +25,17 @@ struct SceneInput {
     Picture geometry;
     std::vector<PlacedObject> objects;
     Api conventions = Api::OpenGl; ///< to write matrices in
+    InputFiles files;              ///< see filesOf
 };
 
 /// Reads a scene file, or the clicks that the window prints; what is wrong with it is said on stderr.
 /// @param file  UTF-8; "-" for stdin
 std::optional<SceneOrClicks> sceneOrClicks(const std::string &file);
+
+/// The file itself, and those of the models that its scenes name, whether they are read or not.
+/// @param file  as above
+InputFiles filesOf(const SceneFile &scene, const std::string &file);
+InputFiles filesOf(const SceneOrClicks &given, const std::string &file);
 
 SceneInput sceneInput(const SceneFile &scene);
 /// The scene of a file, or the one that all its clicks show. What is wrong is said on stderr.

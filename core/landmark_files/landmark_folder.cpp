@@ -38,22 +38,33 @@ bool isModel(const std::string &suffix)
     return std::find(kSuffixes.begin(), kSuffixes.end(), lowerCase(suffix)) != kSuffixes.end();
 }
 
-std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, const std::filesystem::path &leaveOut,
-                                           std::error_code &error)
+/// Sorted.
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, std::error_code &error)
 {
     std::vector<std::filesystem::path> found;
     for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
         std::error_code ignored;
         const std::filesystem::path &file = it->path();
         const std::optional<Format> format = formatOf(file);
-        // Other JSON is no file of landmarks, nor is the table itself.
+        // Other JSON is no file of landmarks.
         const bool isOther = format == Format::SlicerJson && !isMarkup(file.stem());
-        if (format && *format != Format::Nts && !isOther && it->is_regular_file(ignored)
-            && (leaveOut.empty() || !isSameFile(file, leaveOut)))
+        if (format && *format != Format::Nts && !isOther && it->is_regular_file(ignored))
             found.push_back(file);
     }
     std::sort(found.begin(), found.end());
     return found;
+}
+
+/// Whether a file is more than an earlier table of a folder: it has a specimen that the folder's other files lack, or that
+/// is named after it.
+bool holdsMore(const std::filesystem::path &table, const std::vector<LandmarkSet> &others)
+{
+    const auto read = readLandmarkFile(table);
+    return read && std::any_of(read->sets.begin(), read->sets.end(), [&](const LandmarkSet &set) {
+               return set.name.empty() || set.name == specimenOf(table)
+                      || std::none_of(others.begin(), others.end(),
+                                      [&set](const LandmarkSet &other) { return other.name == set.name; });
+           });
 }
 
 } // namespace
@@ -76,11 +87,16 @@ std::string specimenOf(const std::filesystem::path &file)
     return utf8FromPath(isModel(utf8FromPath(scan.extension())) ? scan.stem() : scan);
 }
 
-LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std::filesystem::path &leaveOut,
+LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std::filesystem::path &table,
                                   std::error_code &error)
 {
     LandmarkFolder read;
-    for (const std::filesystem::path &file : filesIn(folder, leaveOut, error)) {
+    std::filesystem::path earlier;
+    for (const std::filesystem::path &file : filesIn(folder, error)) {
+        if (!table.empty() && isSameFile(file, table)) {
+            earlier = file;
+            continue;
+        }
         const std::string name = utf8FromPath(file);
         ++read.fileCount;
         if (formatOf(file) == Format::MeshLabTemplate) {
@@ -107,6 +123,7 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std
             read.sets.push_back(std::move(set));
         }
     }
+    read.isTableInput = !earlier.empty() && holdsMore(earlier, read.sets);
     return read;
 }
 

@@ -24,12 +24,13 @@ struct LandmarkFolder {
         reports;               ///< what was not kept as it was and what was not read, each a sentence with its file
     std::size_t fileCount = 0; ///< of landmarks, those that could not be read among them
     std::vector<std::string> badFiles; ///< that could not be read
+    bool isTableInput = false; ///< the table to be made would replace landmarks that no other file of the folder has
 };
 
 /// Reads the files of a folder, by name. Templates are left out; JSON that is not 3D Slicer's is none of them.
 /// @param error  why the folder could not be read
-/// @param leaveOut  a file that is none of them, as the table that is to be made; may be empty
-LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std::filesystem::path &leaveOut,
+/// @param table  the file that is to be made of them: an earlier one is none of them; may be empty
+LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std::filesystem::path &table,
                                   std::error_code &error);
 
 } // namespace unprojector::landmark_files

@@ -264,6 +264,7 @@ GltfFile::Buffer GltfFile::readBuffer(const std::string &address)
         failMalformed(tr("the file \"%1\", which it needs, is not there", address));
     try {
         buffer.file = std::make_unique<FileBytes>(file);
+        m_bufferFiles.push_back(file);
     } catch (const Failure &) {
         failMalformed(tr("the file \"%1\", which it needs, cannot be read; look at its permissions", address));
     }

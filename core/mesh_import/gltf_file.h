@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <span>
@@ -27,6 +28,8 @@ public:
 
     const Source &source() const { return m_source; }
     const Json &root() const { return m_root; }
+    /// The files of buffers that were read.
+    const std::vector<std::filesystem::path> &bufferFiles() const { return m_bufferFiles; }
 
     /// The value of an object's key, or null.
     static const Json *find(const Json &object, const char *key);
@@ -59,6 +62,7 @@ private:
     bool m_isGlb = false;
     std::span<const std::uint8_t> m_binary;         ///< GLB's chunk
     std::vector<std::unique_ptr<Buffer>> m_buffers; ///< of those read so far
+    std::vector<std::filesystem::path> m_bufferFiles;
 };
 
 /// What a "data:" address holds; nothing where it is none.

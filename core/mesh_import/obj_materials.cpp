@@ -86,6 +86,7 @@ bool ObjMaterials::readLibrary(const std::string &name)
     try {
         const FileBytes contents(file);
         parse({reinterpret_cast<const char *>(contents.bytes().data()), contents.bytes().size()});
+        m_model.otherFiles.push_back(file);
     } catch (const Failure &) {
         return false;
     }

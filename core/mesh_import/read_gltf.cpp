@@ -425,6 +425,7 @@ private:
             setPositions(group.mesh, origin, group.positions);
             m_model.meshes.push_back(std::move(group.mesh));
         }
+        m_model.otherFiles = m_file.bufferFiles();
         return std::move(m_model);
     }
 

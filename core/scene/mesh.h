@@ -103,6 +103,8 @@ struct Model {
     /// Of the file, before any were split for their normals or the like. 0: of a soup, whose triangles have theirs alone.
     std::size_t fileVertices = 0;
     std::vector<ModelNote> notes; ///< what is not as in the file
+    /// The other files that were read for it: libraries of materials, buffers. Those of textures are at the textures.
+    std::vector<std::filesystem::path> otherFiles;
 
     std::size_t triangleCount() const;
     std::size_t pointCount() const;

@@ -44,7 +44,7 @@ void TestBlockPipeline::whatAWorkerThrowsEndsAll()
     const QString rows = m_folder.write("rows", block.repeated(40)), output = m_folder.write("output", "before");
     ByteSource source(rows.toStdString());
     LineBlocks blocks(source);
-    ByteSink sink(output.toStdString());
+    ByteSink sink(output.toStdString(), {});
     std::atomic<int> begun = 0, living = 0;
     const auto makeWorker = [&]() -> BlockWorker {
         return [&](const LineBlock &lines, BlockResult &result) {
@@ -71,7 +71,7 @@ void TestBlockPipeline::aWorkerThatCannotBeMade()
 {
     ByteSource source(m_folder.write("rows", "1\n2\n").toStdString());
     LineBlocks blocks(source);
-    ByteSink sink(m_folder.path("output").toStdString());
+    ByteSink sink(m_folder.path("output").toStdString(), {});
     const auto none = []() -> BlockWorker { throw std::runtime_error("none"); };
     QVERIFY_THROWS_EXCEPTION(std::runtime_error, runBlocks(blocks, source, sink, 4, none));
 }
