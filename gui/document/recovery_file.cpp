@@ -1,5 +1,7 @@
 #include "gui/document/recovery_file.h"
 
+#include "core/files/system_file.h"
+
 #include "gui/document/portable.h"
 
 #include <QDir>
@@ -27,6 +29,11 @@ constexpr QLatin1String kContentSuffix(".recovery");
 constexpr QLatin1String kLockSuffix(".lock");
 constexpr QLatin1String kDamagedSuffix(".damaged");
 
+std::filesystem::path pathOf(const QString &name)
+{
+    return std::filesystem::path(name.toStdU16String());
+}
+
 QString versionKey()
 {
     return QStringLiteral("unprojectorRecovery");
@@ -51,6 +58,16 @@ std::optional<files::FileStamp> stampFromText(const QString &text)
     return files::FileStamp{numbers[0] == QStringLiteral("1"), numbers[1].toULongLong(), numbers[2].toULongLong()};
 }
 
+/// Mends what earlier versions have left open to others.
+void keepAllToOwner(const QString &folder)
+{
+    if (!QFileInfo(folder).isDir())
+        return;
+    files::keepToOwner(pathOf(folder));
+    for (const QFileInfo &file : QDir(folder).entryInfoList(QDir::Files | QDir::Hidden | QDir::NoSymLinks))
+        files::keepToOwner(pathOf(file.filePath()));
+}
+
 } // namespace
 
 QString RecoveryFile::defaultFolder(const QString &programFolder)
@@ -71,12 +88,15 @@ RecoveryFile::RecoveryFile(const QString &folder, const QString &id)
 Result<std::unique_ptr<RecoveryFile>, QString> RecoveryFile::create(const QString &folder)
 {
     std::error_code error;
-    std::filesystem::create_directories(std::filesystem::path(folder.toStdU16String()), error);
+    std::filesystem::create_directories(pathOf(folder), error);
     if (error)
         return reasonText(error);
+    files::keepToOwner(pathOf(folder));
     std::unique_ptr<RecoveryFile> file(new RecoveryFile(folder, QUuid::createUuid().toString(QUuid::Id128)));
-    if (file->m_lock.tryLock(0))
+    if (file->m_lock.tryLock(0)) {
+        files::keepToOwner(pathOf(file->m_lock.fileName()));
         return file;
+    }
     // No other program has its name: the lock's file could not be made.
     const bool isForbidden = file->m_lock.error() == QLockFile::PermissionError;
     return reasonText(std::make_error_code(isForbidden ? std::errc::permission_denied : std::errc::io_error));
@@ -84,6 +104,7 @@ Result<std::unique_ptr<RecoveryFile>, QString> RecoveryFile::create(const QStrin
 
 std::vector<std::unique_ptr<RecoveryFile>> RecoveryFile::abandonedIn(const QString &folder)
 {
+    keepAllToOwner(folder);
     QStringList ids;
     const QStringList filters{QStringLiteral("*.recovery"), QStringLiteral("*.recovery.*"), QStringLiteral("*.lock")};
     for (const QString &name : QDir(folder).entryList(filters, QDir::Files | QDir::Hidden))
@@ -96,6 +117,7 @@ std::vector<std::unique_ptr<RecoveryFile>> RecoveryFile::abandonedIn(const QStri
         std::unique_ptr<RecoveryFile> file(new RecoveryFile(folder, id));
         if (!file->m_lock.tryLock(0))
             continue;
+        files::keepToOwner(pathOf(file->m_lock.fileName()));
         file->clearRests();
         if (!QFile::exists(file->path()))
             continue;
@@ -134,6 +156,9 @@ Kept RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
     QSaveFile file(path());
     if (!file.open(QIODevice::WriteOnly))
         return file.errorString();
+#ifndef Q_OS_WIN
+    file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner); // before there is anything in it
+#endif
     file.write(QJsonDocument(json).toJson(QJsonDocument::Compact));
     file.write("\n");
     file.write(sceneText.data(), static_cast<qint64>(sceneText.size()));

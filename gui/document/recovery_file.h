@@ -33,7 +33,8 @@ struct RecoveryInfo {
 ///
 /// The file is one line of JSON with the RecoveryInfo, then the scene as File > Save would write it beside the scene
 /// file, so that its models are found from there. A scene without a file has them by absolute paths. Both parts are in
-/// one file, so that they cannot come from different moments.
+/// one file, so that they cannot come from different moments. Folder and files are the user's alone: a scene may be of a
+/// patient.
 class RecoveryFile {
 public:
     /// The folder for them: the user's own, or that of a program that isPortable.

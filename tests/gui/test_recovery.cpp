@@ -16,7 +16,12 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstdio>
+
+#ifndef Q_OS_WIN
+#include <sys/stat.h>
+#endif
 
 using namespace keeping;
 
@@ -99,6 +104,7 @@ private slots:
     void aDamagedFileIsPutAside_data();
     void aDamagedFileIsPutAside();
     void whatDeadProgramsLeaveIsCleared();
+    void whatIsKeptIsTheUsersAlone();
     void namesAreNoMarkup();
 
 private:
@@ -375,6 +381,43 @@ void TestRecovery::whatDeadProgramsLeaveIsCleared()
     QVERIFY(!offeredBy(*window).isEmpty());
     const QStringList left = QDir(m_folder->recovery()).entryList(QDir::Files | QDir::Hidden);
     QVERIFY2(left.size() == 2, qPrintable(left.join(u' '))); // the file and its lock
+}
+
+void TestRecovery::whatIsKeptIsTheUsersAlone()
+{
+#ifdef Q_OS_WIN
+    QSKIP("Windows' rights are those of the folder");
+#else
+    const auto permissionsIn = [](const QString &path) {
+        return static_cast<int>(std::filesystem::status(pathOf(path)).permissions());
+    };
+    const QString folder = m_folder->recovery();
+    const auto areAlone = [&] {
+        const QFileInfoList files = QDir(folder).entryInfoList(QDir::Files | QDir::Hidden);
+        return files.size() >= 2 && permissionsIn(folder) == 0700
+               && std::all_of(files.begin(), files.end(),
+                              [&](const QFileInfo &file) { return permissionsIn(file.filePath()) == 0600; });
+    };
+    const mode_t before = umask(022);
+    {
+        const auto window = windowKeepingIn(folder);
+        QVERIFY(openAndWait(*window, m_folder->sceneFile()));
+        edit(*window);
+        QVERIFY(becomesKept(folder));
+        QVERIFY(areAlone()); // the file and its lock
+    }
+    // An earlier version left them so.
+    using std::filesystem::perms;
+    for (const QFileInfo &file : QDir(folder).entryInfoList(QDir::Files | QDir::Hidden))
+        std::filesystem::permissions(pathOf(file.filePath()), perms(0644));
+    std::filesystem::permissions(pathOf(folder), perms(0755));
+    write(folder + QStringLiteral("/0123.damaged"), "{");
+    const auto window = windowKeepingIn(folder);
+    window->session().offerRecovery();
+    QVERIFY(!offeredBy(*window).isEmpty());
+    QVERIFY(areAlone());
+    umask(before);
+#endif
 }
 
 void TestRecovery::namesAreNoMarkup()
