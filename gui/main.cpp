@@ -18,6 +18,7 @@
 #include <QSettings>
 
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 
 namespace {
@@ -82,6 +83,39 @@ bool hasHanzi()
 {
     return QFontDatabase::writingSystems().contains(QFontDatabase::SimplifiedChinese);
 }
+
+/// While it lives, Qt's abort where it cannot open a window, as on a display that does not answer, is a sentence and an exit
+/// code. What else Qt says is said when it ends.
+class WindowsOrReason {
+public:
+    /// @param sentence  with %1 for Qt's reason
+    explicit WindowsOrReason(const QString &sentence)
+    {
+        s_sentence = sentence;
+        s_said.clear();
+        m_before = qInstallMessageHandler(hear);
+    }
+    ~WindowsOrReason()
+    {
+        qInstallMessageHandler(m_before);
+        for (const QString &said : std::as_const(s_said))
+            std::fprintf(stderr, "%s\n", printed(said).constData());
+    }
+    WindowsOrReason(const WindowsOrReason &) = delete;
+    WindowsOrReason &operator=(const WindowsOrReason &) = delete;
+
+private:
+    static void hear(QtMsgType type, const QMessageLogContext &, const QString &message)
+    {
+        s_said << message;
+        if (type == QtFatalMsg) // the first is of the display, the last of plugins
+            std::_Exit(usageError(s_sentence.arg(s_said.front().section(u'\n', 0, 0).trimmed())));
+    }
+
+    static inline QString s_sentence;
+    static inline QStringList s_said;
+    QtMessageHandler m_before;
+};
 
 bool hasDisplay()
 {
@@ -243,11 +277,15 @@ int main(int argc, char **argv)
             languageOf(QSettings().value(QStringLiteral("window/language")).toString()).value_or(Language::System);
         translation->choose(spoken ? *spoken : parser.isSet(screenshot) ? Language::System : kept);
     };
+    const QString noWindow =
+        CommandLine::tr("No window can be opened (%1). Set DISPLAY to a display that answers, or run under xvfb-run.");
     translation.reset();
     words.reset();
     // By this the desktop knows the window's menu entry and icon.
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.unprojector.unprojector"));
+    std::optional<WindowsOrReason> windows(noWindow);
     std::optional<QApplication> application(std::in_place, argc, argv);
+    windows.reset();
     speak();
     preferHanziOfChina();
     QString problem = openGLProblem();

@@ -135,6 +135,10 @@
         <translation>没有可用的显示。请设置 DISPLAY，或在 xvfb-run 下运行。</translation>
     </message>
     <message>
+        <source>No window can be opened (%1). Set DISPLAY to a display that answers, or run under xvfb-run.</source>
+        <translation>无法打开窗口（%1）。请将 DISPLAY 设为可以连接的显示，或在 xvfb-run 下运行。</translation>
+    </message>
+    <message>
         <source>Standard output cannot be written: %1.</source>
         <translation>无法写入标准输出：%1。</translation>
     </message>

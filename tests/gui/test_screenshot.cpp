@@ -49,6 +49,7 @@ private slots:
     void whatCannotBePrintedIsTold();
     void helpAndVersionNeedNoDisplay_data();
     void helpAndVersionNeedNoDisplay();
+    void aDisplayThatDoesNotAnswerIsToldInWords();
     void anOldOpenGLIsRefusedInWords();
     void withoutOpenGLItEndsInWords();
     void aNameInAnyLettersIsPrinted();
@@ -337,6 +338,23 @@ void TestScreenshot::helpAndVersionNeedNoDisplay()
     QVERIFY(picture.hasExited);
     QCOMPARE(picture.exitCode, 2);
     QVERIFY2(picture.errors.contains("display"), picture.errors.constData());
+#endif
+}
+
+void TestScreenshot::aDisplayThatDoesNotAnswerIsToldInWords()
+{
+#ifdef Q_OS_LINUX
+    const QStringList nowhere{"DISPLAY=:9876", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM=xcb"};
+    for (const QStringList &words : {QStringList(), QStringList{"--screenshot", path("never.png")}}) {
+        const Run result = run(words, nowhere);
+        QVERIFY(result.hasExited);
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.errors.startsWith("unprojector: No window can be opened (") && result.errors.contains(":9876")
+                     && result.errors.count('\n') == 1,
+                 result.errors.constData());
+    }
+#else
+    QSKIP("no displays by name");
 #endif
 }
 
