@@ -2,6 +2,7 @@
 
 #include "gui/panels/digits_font.h"
 #include "gui/text/doctor_text.h"
+#include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 
 #include <QHeaderView>
@@ -54,7 +55,7 @@ void CandidatesTable::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint 
             item->setTextAlignment(alignment | Qt::AlignVCenter);
             if (column == Answer)
                 item->setFont(digitsFont(font()));
-            item->setToolTip(text);
+            item->setToolTip(plainToolTip(text));
             setItem(row, column, item);
         };
         put(Name, candidateName(candidate), Qt::AlignLeft);

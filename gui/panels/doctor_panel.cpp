@@ -84,6 +84,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     spaceLine->addWidget(m_space, 1);
 
     m_pictureText->setWordWrap(true);
+    m_pictureText->setTextFormat(Qt::PlainText); // it repeats what was typed
     m_pictureText->setAccessibleName(tr("The picture of the pixels"));
     m_pictureNow->setToolTip(tr("Take the pixels for those of the view as it is now"));
     // What is below stays where it is when this comes.

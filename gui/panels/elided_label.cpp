@@ -1,5 +1,7 @@
 #include "gui/panels/elided_label.h"
 
+#include "gui/text/error_text.h"
+
 namespace unprojector::gui {
 
 ElidedLabel::ElidedLabel(QWidget *parent) : QLabel(parent)
@@ -27,7 +29,7 @@ void ElidedLabel::elide()
 {
     const QString shown = fontMetrics().elidedText(m_fullText, Qt::ElideRight, contentsRect().width());
     setText(shown);
-    setToolTip(shown == m_fullText ? QString() : m_fullText);
+    setToolTip(shown == m_fullText ? QString() : plainToolTip(m_fullText)); // it may have names in it
 }
 
 } // namespace unprojector::gui

@@ -39,6 +39,7 @@ ObjectsPanel::ObjectsPanel(SceneDocument &document, QWidget *parent)
     connect(m_list, &QWidget::customContextMenuRequested, this, &ObjectsPanel::showMenu);
 
     m_reason->setWordWrap(true);
+    m_reason->setTextFormat(Qt::PlainText); // it has the name in it
     m_reason->setAccessibleName(tr("Why the name was refused"));
     m_reason->hide();
     connect(m_model, &ObjectsModel::nameRefused, m_reason, [this](const QString &reason) {

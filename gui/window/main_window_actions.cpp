@@ -25,6 +25,7 @@
 #include "gui/window/key_sheet.h"
 #include "gui/window/map_overlay.h"
 #include "gui/window/place_ids.h"
+#include "gui/window/plain_tool_tip.h"
 #include "gui/window/scene_code_window.h"
 #include "gui/window/work_places.h"
 
@@ -222,6 +223,8 @@ void MainWindow::createEditMenu(QToolBar &bar)
     if (const QKeySequence key(Qt::CTRL | Qt::Key_Y); !redoKeys.contains(key))
         redoKeys << key; // not every desktop has it
     redo->setShortcuts(redoKeys);
+    for (QAction *action : {undo, redo})
+        keepToolTipPlain(action);
     menu->addActions({undo, redo});
     onBar(bar, undo, Drawing::Undo);
     onBar(bar, redo, Drawing::Redo);

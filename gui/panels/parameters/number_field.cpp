@@ -2,6 +2,7 @@
 
 #include "gui/panels/contrast.h"
 #include "gui/panels/parameters/digit_step.h"
+#include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 
 #include <QApplication>
@@ -218,7 +219,8 @@ bool NumberField::event(QEvent *event)
     switch (event->type()) {
     case QEvent::ToolTip:
         // Made when it is asked for: keeping it up to date would cost more than the text.
-        setToolTip((isBad() ? m_reason : writtenText(m_value)) + u'\n' + m_help);
+        setToolTip(
+            plainToolTip((isBad() ? m_reason : writtenText(m_value)) + u'\n' + m_help)); // it repeats what was typed
         break;
     case QEvent::ShortcutOverride: {
         const auto &key = *static_cast<QKeyEvent *>(event);
