@@ -123,6 +123,8 @@ private:
     std::string repeatsText(QStringList &problems, QString &said) const;
     /// What a table lacks.
     QStringList leftOut() const;
+    /// Whether a file is a scan of the series or has the points of one.
+    bool holds(const std::filesystem::path &file) const;
 
     /// What was open before a series whose first scan is being loaded.
     struct Former {

@@ -91,10 +91,25 @@ QStringList ScanSeries::leftOut() const
     return problems;
 }
 
+bool ScanSeries::holds(const std::filesystem::path &file) const
+{
+    return std::any_of(m_scans.begin(), m_scans.end(), [&file](const Scan &scan) {
+        bool isIt = files::isSameFile(scan.file, file);
+        for (int placing = 1; placing <= kMostPlacings && !isIt; ++placing)
+            isIt = files::isSameFile(landmarksBeside(scan.file, placing), file);
+        return isIt;
+    });
+}
+
 bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
 {
     if (!keep())
         return false;
+    if (holds(file)) {
+        emit failed(
+            tr("%1: the series has this file, which would be destroyed. Give another name.").arg(pathText(file)));
+        return false;
+    }
     const std::vector<landmarks::LandmarkSet> sets = alignedSets();
     if (sets.empty()) {
         emit failed(tr("On no scan of the series is a point yet."));

@@ -14,6 +14,7 @@
 #include "gui/panels/observer_panel.h"
 #include "gui/panels/parameters_panel.h"
 #include "gui/panels/points_panel.h"
+#include "gui/panels/save_name.h"
 #include "gui/panels/viewport_inspector.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
@@ -25,6 +26,7 @@
 #include "gui/window/overlay_bars.h"
 #include "gui/window/picture_note.h"
 #include "gui/window/place_ids.h"
+#include "gui/window/scene_files.h"
 #include "gui/window/window_questions.h"
 #include "gui/window/work_places.h"
 
@@ -266,6 +268,27 @@ void MainWindow::showName()
 {
     setWindowTitle(tr("%1[*] – Unprojector").arg(m_session->name()));
     setWindowModified(m_session->hasUnsavedChanges());
+}
+
+bool MainWindow::mayExportTo(const std::filesystem::path &file)
+{
+    const QString refusal = overwritingText(*m_document, *m_session, file);
+    if (!refusal.isEmpty())
+        showFailure(refusal);
+    return refusal.isEmpty();
+}
+
+void MainWindow::exportMap()
+{
+    const SaveName named =
+        askSaveName(*this, tr("Export Map"), {tr("Picture with its scale (*.png)"), tr("Float map (*.pfm)")},
+                    pathText(m_session->proposedName().stem()) + QStringLiteral("-map"));
+    if (named.file.empty() || !mayExportTo(named.file))
+        return;
+    if (const QString problem = m_map->exportTo(named.file); !problem.isEmpty())
+        showFailure(problem);
+    else
+        statusBar()->showMessage(tr("Map written to %1").arg(pathText(named.file.filename())), kNoticeMilliseconds);
 }
 
 void MainWindow::createStatusBar()

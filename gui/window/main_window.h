@@ -193,6 +193,8 @@ private:
     void createLessonsMenu(QMenu &menu);
     void importPoints();
     void exportPoints();
+    /// Whether an export may go to a file; where not, the message bar has the reason.
+    bool mayExportTo(const std::filesystem::path &file);
     void createPointActions(QMenu &menu);
     void createEditMenu(QToolBar &bar);
     /// What clicks take on the meshes.

@@ -193,7 +193,7 @@ void MainWindow::exportPoints()
     const SaveName named =
         askSaveName(*this, tr("Export Points"), PointFiles::exportFilters().split(QStringLiteral(";;")),
                     pathText(m_session->proposedName().stem()));
-    if (!named.file.empty())
+    if (!named.file.empty() && mayExportTo(named.file))
         m_pointFiles->exportTo(named.file);
 }
 
@@ -418,19 +418,6 @@ void MainWindow::createHelpMenu()
     });
     menu->addSeparator();
     addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
-}
-
-void MainWindow::exportMap()
-{
-    const SaveName named =
-        askSaveName(*this, tr("Export Map"), {tr("Picture with its scale (*.png)"), tr("Float map (*.pfm)")},
-                    pathText(m_session->proposedName().stem()) + QStringLiteral("-map"));
-    if (named.file.empty())
-        return;
-    if (const QString problem = m_map->exportTo(named.file); !problem.isEmpty())
-        showFailure(problem);
-    else
-        statusBar()->showMessage(tr("Map written to %1").arg(pathText(named.file.filename())), kNoticeMilliseconds);
 }
 
 void MainWindow::showFormulas(const QString &anchor)

@@ -7,13 +7,14 @@
 #include "gui/panels/save_name.h"
 #include "gui/panels/segmented_switch.h"
 #include "gui/text/error_text.h"
+#include "gui/window/scene_files.h"
+#include "gui/window/window_questions.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScreen>
@@ -31,7 +32,7 @@ constexpr std::array kDialects{CodeDialect::Glu, CodeDialect::Glm, CodeDialect::
 } // namespace
 
 SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &session, QWidget *parent)
-    : QDialog(parent), m_session(session), m_text(new QPlainTextEdit)
+    : QDialog(parent), m_document(document), m_session(session), m_text(new QPlainTextEdit)
 {
     setWindowTitle(tr("Scene as Code"));
     constexpr int kDigits = 118, kLines = 40;
@@ -127,18 +128,20 @@ void SceneCodeWindow::save()
     if (file.empty())
         return;
     if (const QString problem = exportTo(file); !problem.isEmpty())
-        QMessageBox::warning(this, tr("Save Code"), problem);
+        warn(*this, tr("Save Code"), problem);
 }
 
 QString SceneCodeWindow::exportTo(const std::filesystem::path &file)
 {
     m_said->clear();
+    if (const QString refusal = overwritingText(m_document, m_session, file); !refusal.isEmpty())
+        return refusal;
     const files::Written written = files::replaceFile(file, code().toStdString());
     if (!written)
         return QStringLiteral("%1: %2").arg(pathText(file),
                                             QString::fromStdString(files::fileErrorText(written.error())));
     m_said->setText(tr("Saved: %1").arg(pathText(file.filename())));
-    m_said->setToolTip(pathText(file));
+    m_said->setToolTip(plainToolTip(pathText(file)));
     return {};
 }
 

@@ -36,6 +36,7 @@ private:
     void copy() const;
     void save();
 
+    const SceneDocument &m_document;
     const Session &m_session;
     SegmentedSwitch *m_dialects;
     QPlainTextEdit *m_text;

@@ -8,6 +8,7 @@
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/scene_files.h"
 #include "gui/window/work_places.h"
 
 #include <QBuffer>
@@ -100,8 +101,11 @@ QString ScreenshotRun::savePicture()
     const int quality = format.toLower() == "png" ? 75 : -1;
     if (!m_window->grab().save(&buffer, format.constData(), quality))
         return tr("%1 is no picture's name; let it end in .png.").arg(m_request.picture);
-    const files::Written written = files::replaceFile(std::filesystem::path(m_request.picture.toStdU16String()),
-                                                      {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const std::filesystem::path file(m_request.picture.toStdU16String());
+    if (const QString refusal = overwritingText(m_window->document(), m_window->session(), file); !refusal.isEmpty())
+        return refusal;
+    const files::Written written =
+        files::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
     return written ? QString()
                    : m_request.picture + ": " + QString::fromStdString(files::fileErrorText(written.error()));
 }

@@ -34,6 +34,13 @@ int askOwn(QWidget &window, const QString &title, const QString &text, const QSt
 
 } // namespace
 
+void warn(QWidget &window, const QString &title, const QString &text)
+{
+    QMessageBox box(QMessageBox::Warning, title, text, QMessageBox::Ok, &window);
+    box.setTextFormat(Qt::PlainText);
+    box.exec();
+}
+
 SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name, bool hasFile)
 {
     const QString question = hasFile ? tr("Save the changes to %1?").arg(name)

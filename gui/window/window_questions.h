@@ -9,6 +9,9 @@ class QWidget;
 
 namespace unprojector::gui {
 
+/// Warns in a message box and waits until it is closed. Names in the text may look like markup: it is shown as it is.
+void warn(QWidget &window, const QString &title, const QString &text);
+
 /// Asks the questions of the session and of files of points in message boxes over a window.
 class WindowQuestions : public SessionQuestions, public PointFileQuestions {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::WindowQuestions)

@@ -6558,6 +6558,10 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::ScanSeries</name>
     <message>
+        <source>%1: the series has this file, which would be destroyed. Give another name.</source>
+        <translation>%1：系列中已有此文件，写入会毁掉它。请另给一个名称。</translation>
+    </message>
+    <message>
         <source>%1: the folder cannot be read: %2</source>
         <translation>%1：无法读取此文件夹：%2</translation>
     </message>
@@ -6624,6 +6628,13 @@ of a point that needs no division</source>
     <message>
         <source>Repeats written to %1.</source>
         <translation>重复测量已写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SceneFiles</name>
+    <message>
+        <source>%1: the scene that is open uses this file, which would be destroyed. Give another name.</source>
+        <translation>%1：打开的场景正在使用此文件，写入会毁掉它。请另给一个名称。</translation>
     </message>
 </context>
 <context>

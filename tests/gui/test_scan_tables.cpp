@@ -37,6 +37,13 @@ void TestScanTables::tablesOfASeries()
     QVERIFY(m_series->exportTable(file(QStringLiteral("long.csv")), ScanSeries::Table::Long));
     QVERIFY(read(QStringLiteral("long.csv")).startsWith("specimen,name,x,y,z"));
     QVERIFY(!m_series->exportTable(file(QStringLiteral("no/folder/x.csv")), ScanSeries::Table::Wide));
+    // Nor over what the table is made of.
+    for (const QString &name : {QStringLiteral("square.obj"), QStringLiteral("other.obj.points.csv")}) {
+        const QByteArray before = read(name);
+        QVERIFY(!before.isEmpty());
+        QVERIFY(!m_series->exportTable(file(name), ScanSeries::Table::Wide));
+        QCOMPARE(read(name), before);
+    }
 }
 
 void TestScanTables::repeatsOfASeries()

@@ -1,17 +1,26 @@
 // The scene as code in its window: it is that of the scene as it is now, copied and saved as it is read.
 
+#include "gui/document/scene_document.h"
+#include "gui/panels/elided_label.h"
+#include "gui/window/plain_tool_tip.h"
 #include "gui/window/scene_code_window.h"
+#include "gui/window/window_questions.h"
 #include "tests/support/patience.h"
 #include "window_user.h"
 
+#include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTemporaryDir>
+#include <QTimer>
+#include <QUndoCommand>
 
 #include <algorithm>
 
@@ -25,6 +34,8 @@ private slots:
     void itFollowsTheScene();
     void matricesOfAFileStayMatrices();
     void everyDialectIsCopiedAndSaved();
+    void filesOfTheSceneAreNotWrittenOver();
+    void namesAreNoMarkup();
 
 private:
     QString shown() const { return m_code->findChild<QPlainTextEdit *>()->toPlainText(); }
@@ -97,6 +108,71 @@ void TestSceneCodeWindow::everyDialectIsCopiedAndSaved()
                             [](const QLabel *label) { return label->text() == QStringLiteral("Saved: code"); }));
     }
     QVERIFY(m_code->exportTo(std::filesystem::path(folder.path().toStdU16String())).startsWith(folder.path()));
+}
+
+void TestSceneCodeWindow::filesOfTheSceneAreNotWrittenOver()
+{
+    const QTemporaryDir folder;
+    const auto pathOf = [&folder](const QString &name) {
+        return std::filesystem::path(folder.filePath(name).toStdU16String());
+    };
+    const auto write = [&folder](const QString &name, const QByteArray &text) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    };
+    write(QStringLiteral("t.mtl"), "newmtl m\nmap_Kd t.jpg\n");
+    write(QStringLiteral("t.jpg"), "no picture");
+    write(QStringLiteral("t.obj"), "mtllib t.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write(QStringLiteral("scene.json"), R"({"unprojector": 1, "window": {"width": 800, "height": 600},
+        "projection": {"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 100},
+        "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, "objects": [{"name": "t", "file": "t.obj"}]})");
+    std::filesystem::create_hard_link(pathOf(QStringLiteral("t.obj")), pathOf(QStringLiteral("other.obj")));
+    m_window->session().openScene(pathOf(QStringLiteral("scene.json")));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->session().file(), pathOf(QStringLiteral("scene.json")), kPatienceMilliseconds);
+    for (const char *name : {"scene.json", "t.obj", "t.mtl", "t.jpg", "other.obj"}) {
+        const std::filesystem::path file = pathOf(QString::fromLatin1(name));
+        const auto before = std::filesystem::file_size(file);
+        const QString problem = m_code->exportTo(file);
+        QVERIFY2(problem.contains(QStringLiteral("which would be destroyed")), qPrintable(name + problem));
+        QCOMPARE(std::filesystem::file_size(file), before);
+    }
+    QCOMPARE(m_code->exportTo(pathOf(QStringLiteral("new.cpp"))), QString());
+}
+
+/// What looks like markup in names and paths is shown as it is written.
+void TestSceneCodeWindow::namesAreNoMarkup()
+{
+    const QString name = QStringLiteral("<img src=x><b>bold"),
+                  escaped = QStringLiteral("&lt;img src=x&gt;&lt;b&gt;bold");
+#ifndef Q_OS_WIN // where no file has such a name
+    const QTemporaryDir folder;
+    QCOMPARE(m_code->exportTo(std::filesystem::path(folder.filePath(name).toStdU16String())), QString());
+    const QList<QLabel *> labels = m_code->findChildren<QLabel *>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel *label) {
+        return label->textFormat() == Qt::PlainText && label->text().contains(name)
+               && label->toolTip().contains(escaped);
+    }));
+#endif
+    bool isPlain = false;
+    QTimer::singleShot(0, m_code, [&] {
+        auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+        QVERIFY(box);
+        isPlain = box->textFormat() == Qt::PlainText && box->text() == name;
+        box->close();
+    });
+    warn(*m_code, QStringLiteral("title"), name);
+    QVERIFY(isPlain);
+    ElidedLabel label;
+    label.resize(20, 20);
+    label.setFullText(name);
+    QVERIFY2(label.toolTip().contains(escaped), qPrintable(label.toolTip()));
+    QAction action(QStringLiteral("&Undo Move ") + name);
+    keepToolTipPlain(&action);
+    QVERIFY2(action.toolTip().contains(escaped), qPrintable(action.toolTip()));
+    action.setText(QStringLiteral("&Undo"));
+    QVERIFY(!action.toolTip().contains(escaped) && action.toolTip().contains(QStringLiteral("Undo")));
+    m_window->document().undoStack().push(new QUndoCommand(QStringLiteral("Move ") + name));
+    QVERIFY(m_window->findChild<QAction *>(QStringLiteral("undo"))->toolTip().contains(escaped));
 }
 
 QTEST_MAIN(TestSceneCodeWindow)

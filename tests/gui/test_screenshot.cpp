@@ -232,6 +232,13 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     QVERIFY(scene.open(QIODevice::WriteOnly));
     scene.write(kScene);
     scene.close();
+    const auto write = [this](const QString &name, const QByteArray &text) {
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    };
+    write("skin.png", "no picture");
+    write("skin.mtl", "newmtl m\nmap_Kd skin.png\n");
+    write("skin.obj", "mtllib skin.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const QString picture = path("never.png");
     const auto row = [](const char *name, const QStringList &arguments, const QString &words) {
         QTest::newRow(name) << arguments << words;
@@ -275,6 +282,8 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     const QString isInput = "scene.png is opened too and would be overwritten; give the picture another name.";
     row("the scene that it opens", {"--screenshot", path("scene.png"), path("scene.png")}, isInput);
     row("the scene by another way", {"--screenshot", path("./scene.png"), path("scene.png")}, isInput);
+    row("a texture of a model that it opens", {"--screenshot", path("skin.png"), path("skin.obj")},
+        "skin.png: the scene that is open uses this file, which would be destroyed.");
     row("one of several", {"--screenshot", path("scene.png"), broken.fileName(), path("scene.png")}, isInput);
 }
 
@@ -292,6 +301,7 @@ void TestScreenshot::aMistakeIsToldOnStderr()
     QVERIFY2(result.output.isEmpty(), result.output.constData());
     QVERIFY(!QFile::exists(path("never.png")));
     QVERIFY(QFileInfo(path("broken.obj")).size() > 0);
+    QCOMPARE(QFileInfo(path("skin.png")).size(), qint64(10));
     QFile scene(path("scene.png"));
     QVERIFY(scene.open(QIODevice::ReadOnly));
     QCOMPARE(scene.readAll(), QByteArray(kScene));
