@@ -31,8 +31,11 @@ namespace {
 
 void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
 {
+    std::vector<FileNote> ofFile;
     for (const LandmarkNote &note : notes)
-        complain(name + ": " + noteText(note));
+        ofFile.push_back({name, note});
+    for (const std::string &line : noteLines(ofFile))
+        complain(line);
 }
 
 /// What cannot be read is said on stderr.
@@ -90,16 +93,16 @@ std::optional<Format> formatOf(const std::string &file, const std::optional<Form
 {
     if (given)
         return given;
-    const std::optional<Format> format = file == "-" ? std::nullopt : landmark_files::formatOf(pathFromUtf8(file));
+    const bool isRead = option == std::string_view("--from");
+    const std::optional<Format> format = file == "-" ? std::nullopt
+                                         : isRead    ? readFormatOf(pathFromUtf8(file))
+                                                     : landmark_files::formatOf(pathFromUtf8(file));
     if (!format) {
-        std::string words;
-        for (const Format known : kFormats)
-            words += (words.empty() ? "" : ", ") + std::string(suffixOf(known));
         complain(tr("%1: the name does not say what this is; give %2, one of %3",
                     file != "-"                       ? file
                     : option == std::string("--from") ? "stdin"
                                                       : "stdout",
-                    option, words));
+                    option, isRead ? readWords() : writtenWords()));
     }
     return format;
 }
@@ -273,10 +276,8 @@ ExitCode makeTable(const LandmarksOptions &options)
     for (const std::string &report : folder.reports)
         complain(report);
     if (folder.sets.empty()) {
-        complain(tr(folder.fileCount == 0
-                        ? "%1: there are no files of landmarks (.csv, .pp, .mrk.json, .fcsv, .pts, .tps)"
-                        : "%1: none of its files of landmarks could be read",
-                    options.folder));
+        complain(folder.fileCount == 0 ? tr("%1: there are no files of landmarks (%2)", options.folder, readWords())
+                                       : tr("%1: none of its files of landmarks could be read", options.folder));
         return ExitCode::UnusableInput;
     }
     const InputFiles inputs = folder.isTableInput ? InputFiles{options.output} : InputFiles();

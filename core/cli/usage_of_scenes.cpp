@@ -44,18 +44,20 @@ std::string conventionNames()
 }
 
 CLI::Option *addLandmarkFormat(CLI::App &command, const std::string &name,
-                               std::optional<landmark_files::Format> &target, const std::string &description)
+                               std::optional<landmark_files::Format> &target, const std::string &description,
+                               bool isWritten)
 {
-    std::string names;
-    for (const landmark_files::Format format : landmark_files::kFormats)
-        names += (names.empty() ? "" : ", ") + std::string(landmark_files::suffixOf(format));
+    const std::string names = isWritten ? landmark_files::writtenWords() : landmark_files::readWords();
     return command
         .add_option_function<std::string>(
             name, [&target](const std::string &given) { target = landmark_files::formatOfSuffix(given); },
             description + ": " + names)
         ->type_name("WORD")
-        ->check([names](const std::string &given) {
-            return landmark_files::formatOfSuffix(given) ? std::string() : tr("\"%1\" is none of %2", given, names);
+        ->check([names, isWritten](const std::string &given) {
+            const auto format = landmark_files::formatOfSuffix(given);
+            return format && (!isWritten || landmark_files::isWritten(*format))
+                       ? std::string()
+                       : tr("\"%1\" is none of %2", given, names);
         });
 }
 
@@ -263,9 +265,9 @@ void addLandmarks(CLI::App &app, Run &run)
     CLI::Option *input = addFile(*command, "IN", options->input, tr("File of landmarks; - is standard input"));
     CLI::Option *converted = addFile(*command, "OUT", options->output, tr("File of landmarks; - is standard output"));
     CLI::Option *from =
-        addLandmarkFormat(*command, "--from", options->from, tr("What IN is, where its name does not say"));
+        addLandmarkFormat(*command, "--from", options->from, tr("What IN is, where its name does not say"), false);
     CLI::Option *to =
-        addLandmarkFormat(*command, "--to", options->to, tr("What OUT is to be, where its name does not say"));
+        addLandmarkFormat(*command, "--to", options->to, tr("What OUT is to be, where its name does not say"), true);
     CLI::Option *mesh = addFile(*command, "--mesh", options->mesh,
                                 tr("Model that every point is moved onto, to the closest place; how far is said"))
                             ->type_name("MODEL");
@@ -297,11 +299,14 @@ void addLandmarks(CLI::App &app, Run &run)
                               {"nts", LandmarkTable::Nts}},
                              tr("Of the table: a row a point, a row a specimen, or a file of specimens"));
     command->footer(
-        tr("csv  ours: name,x,y,z,object,face,u,v,w,note; keeps all that points have\n"
+        tr("csv  ours: name,x,y,z,object,face,u,v,w,note; keeps all that points have. Tables of R, 3D Slicer, "
+           "CloudCompare\n"
+           "and spreadsheets are read too (.txt, .tsv), with commas, semicolons, tabs or blanks between the columns\n"
            "pp, pptpl  MeshLab: picked points, and a template of names\n"
            "mrk.json, fcsv  3D Slicer. Points in RAS get x and y negated, as a mesh's file has them (LPS)\n"
            "pts  IDAV Landmark\n"
-           "tps, nts  tpsDig, geomorph, NTSYS: many specimens; nts is only written\n"
+           "tps, nts  tpsDig, geomorph, NTSYS (.dta too): many specimens\n"
+           "landmarkAscii, ljson  Amira and Avizo, landmarker.io; only read\n"
            "\n"
            "Coordinates keep all their digits. What a file has no place for is said on stderr. Of a folder, a file "
            "that\n"

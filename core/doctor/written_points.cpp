@@ -1,6 +1,7 @@
 #include "core/doctor/written_points.h"
 
 #include "core/landmark_files/lines.h"
+#include "core/text/csv.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,7 +12,8 @@
 namespace unprojector::doctor {
 namespace {
 
-using landmark_files::CsvRow;
+using text::CsvCell;
+using text::CsvRow;
 
 constexpr std::size_t kDepth = 2;
 
@@ -51,8 +53,8 @@ using Places = std::array<std::size_t, kPointColumns.size()>;
 
 bool isHeader(const CsvRow &row)
 {
-    return std::any_of(row.cells.begin(), row.cells.end(), [](const std::string &cell) {
-        return std::find(kPointColumns.begin(), kPointColumns.end(), landmark_files::lowerCase(cell))
+    return std::any_of(row.cells.begin(), row.cells.end(), [](const CsvCell &cell) {
+        return std::find(kPointColumns.begin(), kPointColumns.end(), landmark_files::lowerCase(cell.text))
                != kPointColumns.end();
     });
 }
@@ -61,8 +63,8 @@ Result<Places, PointTableError> placesIn(const CsvRow &header)
 {
     Places places{};
     for (std::size_t column = 0; column < kPointColumns.size(); ++column) {
-        const auto is = [&](const std::string &cell) {
-            return landmark_files::lowerCase(cell) == kPointColumns[column];
+        const auto is = [&](const CsvCell &cell) {
+            return landmark_files::lowerCase(cell.text) == kPointColumns[column];
         };
         const auto found = std::find_if(header.cells.begin(), header.cells.end(), is);
         places[column] = std::size_t(found - header.cells.begin());
@@ -169,11 +171,11 @@ Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text)
     if (text.starts_with(kByteOrderMark))
         text.remove_prefix(kByteOrderMark.size());
     std::vector<CsvRow> read;
-    try {
-        read = landmark_files::csvRows(text);
-    } catch (const landmark_files::Failure &failure) {
-        return PointTableError{PointTableError::Kind::OpenQuote, failure.line, {}};
-    }
+    text::CsvReader reader(text);
+    while (reader.next())
+        read.push_back(reader.row());
+    if (reader.error())
+        return PointTableError{PointTableError::Kind::OpenQuote, reader.error()->line, {}};
     const bool hasHeader = !read.empty() && isHeader(read.front());
     Places places{0, 1, 2, 3, 4, 5};
     if (hasHeader) {
@@ -184,13 +186,13 @@ Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text)
     }
     std::vector<PointRow> rows;
     for (std::size_t i = hasHeader ? 1 : 0; i < read.size(); ++i) {
-        const std::vector<std::string> &cells = read[i].cells;
+        const std::vector<CsvCell> &cells = read[i].cells;
         PointRow row;
         row.line = read[i].line;
         row.isTooLong = !hasHeader && cells.size() > kPointColumns.size();
         for (std::size_t column = 0; column < places.size(); ++column) {
             if (places[column] < cells.size())
-                row.cells[column] = cells[places[column]];
+                row.cells[column] = cells[places[column]].text;
         }
         rows.push_back(std::move(row));
     }

@@ -26,9 +26,11 @@ ReadLandmarks readIdav(std::string_view text)
         throw Failure{lines.number(), tr("this is a .pts of dlib, points in a picture; only those of IDAV Landmark, "
                                          "which begin with \"Version 1.0\", are points in space")};
     if (!first.starts_with("version"))
-        throw Failure{lines.number(), tr("this .pts begins with %1, not with \"Version 1.0\" as those of IDAV Landmark "
-                                         "do; is it a point cloud? Open it as a model then",
-                                         mesh_import::quoted(lines.text()))};
+        throw Failure{lines.number(),
+                      tr("this .pts begins with %1, not with \"Version 1.0\" as those of IDAV Landmark "
+                         "do; a point cloud of a scanner is not read: save it as .ply, and open that as a "
+                         "model",
+                         mesh_import::quoted(lines.text()))};
     if (!lines.nextFilled())
         throw Failure{lines.number(), tr("the number of points is missing; it stands behind \"Version 1.0\"")};
     const std::size_t countLine = lines.number();

@@ -29,6 +29,8 @@ const char *suffixOf(Format format)
     case Format::Idav: return "pts";
     case Format::Tps: return "tps";
     case Format::Nts: return "nts";
+    case Format::LandmarkAscii: return "landmarkAscii";
+    case Format::Landmarker: return "ljson";
     }
     return "";
 }
@@ -37,10 +39,10 @@ std::optional<Format> formatOfSuffix(std::string_view suffix)
 {
     const std::string lower = lowerCase(suffix);
     for (const Format format : kFormats) {
-        if (lower == suffixOf(format))
+        if (lower == lowerCase(suffixOf(format)))
             return format;
     }
-    return std::nullopt;
+    return lower == "dta" ? std::optional(Format::Nts) : std::nullopt;
 }
 
 std::optional<Format> formatOf(const std::filesystem::path &file)
@@ -49,6 +51,37 @@ std::optional<Format> formatOf(const std::filesystem::path &file)
     if (lowerCase(suffix) == ".json")
         return Format::SlicerJson;
     return suffix.empty() ? std::nullopt : formatOfSuffix(std::string_view(suffix).substr(1));
+}
+
+std::optional<Format> readFormatOf(const std::filesystem::path &file)
+{
+    const std::string suffix = lowerCase(utf8FromPath(file.extension()));
+    return suffix == ".txt" || suffix == ".tsv" ? std::optional(Format::Csv) : formatOf(file);
+}
+
+namespace {
+
+template <class Is>
+std::string wordsWhere(const Is &is)
+{
+    std::string words;
+    for (const Format format : kFormats) {
+        if (is(format))
+            words += (words.empty() ? "" : ", ") + std::string(suffixOf(format));
+    }
+    return words;
+}
+
+} // namespace
+
+std::string readWords()
+{
+    return wordsWhere([](Format) { return true; });
+}
+
+std::string writtenWords()
+{
+    return wordsWhere(isWritten);
 }
 
 Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, Format format, const std::string &name)
@@ -72,8 +105,9 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
         case Format::SlicerCsv: return readSlicerCsv(text);
         case Format::Idav: return readIdav(text);
         case Format::Tps: return readTps(text);
-        case Format::Nts:
-            throw Failure{0, tr(".nts is only written; give another file"), LandmarkFileError::Code::CannotHold};
+        case Format::Nts: return readNts(text);
+        case Format::LandmarkAscii: return readAmira(text);
+        case Format::Landmarker: return readLandmarker(text);
         }
         return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
     } catch (const Failure &failure) {
@@ -105,6 +139,8 @@ std::string textOf(std::span<const LandmarkSet> sets, Format format, Notes &note
     case Format::Idav: return idavText(onlyOf(sets, format), notes);
     case Format::Tps: return tpsText(sets, notes);
     case Format::Nts: return ntsText(sets, notes);
+    case Format::LandmarkAscii:
+    case Format::Landmarker: throw Failure{0, {}, LandmarkFileError::Code::NotWritten};
     }
     return {};
 }
@@ -133,7 +169,7 @@ Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem:
 {
     const std::string name = utf8FromPath(file);
     const auto failed = [&name](LandmarkFileError::Code code) { return LandmarkFileError{code, name, 0, {}}; };
-    const std::optional<Format> format = formatOf(file);
+    const std::optional<Format> format = readFormatOf(file);
     if (!format)
         return failed(LandmarkFileError::Code::UnknownFormat);
     std::error_code system;
@@ -164,7 +200,7 @@ Result<std::vector<LandmarkNote>, LandmarkFileError> writeLandmarkFile(const std
     const std::string name = utf8FromPath(file);
     const std::optional<Format> format = formatOf(file);
     if (!format)
-        return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
+        return LandmarkFileError{LandmarkFileError::Code::NotWritten, name, 0, {}};
     const Result<WrittenLandmarks, LandmarkFileError> text = landmarksText(sets, *format);
     if (!text) {
         LandmarkFileError error = text.error();

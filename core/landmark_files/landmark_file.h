@@ -24,18 +24,30 @@ enum class Format {
     SlicerCsv,       ///< .fcsv of 3D Slicer
     Idav,            ///< .pts of IDAV Landmark
     Tps,             ///< .tps of tpsDig and geomorph; many specimens
-    Nts,             ///< .nts of NTSYS; many specimens, written only
+    Nts,             ///< .nts and .dta of NTSYS; many specimens
+    LandmarkAscii,   ///< .landmarkAscii of Amira and Avizo; read only
+    Landmarker,      ///< .ljson of landmarker.io and menpo; read only
 };
-inline constexpr std::array kFormats{Format::Csv,        Format::MeshLab,   Format::MeshLabTemplate,
-                                     Format::SlicerJson, Format::SlicerCsv, Format::Idav,
-                                     Format::Tps,        Format::Nts};
+inline constexpr std::array kFormats{
+    Format::Csv, Format::MeshLab, Format::MeshLabTemplate, Format::SlicerJson, Format::SlicerCsv, Format::Idav,
+    Format::Tps, Format::Nts,     Format::LandmarkAscii,   Format::Landmarker};
+/// Whether a format can be written; each can be read.
+constexpr bool isWritten(Format format)
+{
+    return format != Format::LandmarkAscii && format != Format::Landmarker;
+}
 
 /// The suffix of a format, and the word for it: "csv", "pp", "mrk.json", …
 const char *suffixOf(Format format);
-/// The format of that suffix, in whatever case; nothing where there is none.
+/// The format of that suffix, in whatever case; nothing where there is none. "dta" is NTSYS's too.
 std::optional<Format> formatOfSuffix(std::string_view suffix);
 /// The format that a file's name ends in. "x.json" is one of 3D Slicer's too.
 std::optional<Format> formatOf(const std::filesystem::path &file);
+/// The same of a file that is to be read: "x.txt" and "x.tsv" are tables.
+std::optional<Format> readFormatOf(const std::filesystem::path &file);
+/// "csv, pp, mrk.json", as choices.
+std::string readWords();
+std::string writtenWords();
 
 /// What of landmarks did not pass through a file as it was.
 struct LandmarkNote {
@@ -72,6 +84,12 @@ struct LandmarkNote {
         MissingHadPosition, ///< count: points that are not placed and have coordinates all the same
         BlanksLeftOut,      ///< count: names and other texts that have blanks around them and no quotes
         CommentsLeftOut,    ///< count: lines
+        HeaderMissing,      ///< detail: what the columns of the table are taken for
+        DecimalCommas,      ///< the table's numbers have a decimal comma
+        EmptyRowsLeftOut,   ///< count: rows of a table behind its last point that have nothing but separators
+        RowNamesLeftOut,    ///< count: row names of R that are no numbers, beside a column of names
+        NegativeIsMissing,  ///< count: points whose coordinates are all -1, as tpsDig writes missing ones
+        LinksLeftOut,       ///< count: pairs of points that a file joins by lines
     };
     Kind kind;
     std::size_t count = 0;
@@ -82,6 +100,15 @@ struct LandmarkNote {
 /// A note as a sentence for people, without a full stop. English.
 std::string noteText(const LandmarkNote &note);
 
+/// A note and the file that it is about.
+struct FileNote {
+    std::string file; ///< UTF-8
+    LandmarkNote note;
+};
+/// Notes as lines "FILE: what". More than three of one kind are one line: with their sum where they say the same, else
+/// with the first and how many are like it. Changed names are all listed.
+std::vector<std::string> noteLines(const std::vector<FileNote> &notes);
+
 /// Why landmarks could not be read or written.
 struct LandmarkFileError {
     enum class Code {
@@ -90,6 +117,7 @@ struct LandmarkFileError {
         NotReadable,
         NotWritable,   ///< detail: files::fileErrorText
         UnknownFormat, ///< the suffix is none of ours
+        NotWritten,    ///< the suffix is of no format that is written
         TooLarge,
         Malformed,  ///< line, detail: what is wrong there and what to do
         CannotHold, ///< detail: what the format cannot have at all, and what to do
@@ -118,7 +146,7 @@ constexpr std::size_t kMostLandmarkBytes = std::size_t{64} << 20;
 /// Reads the text of a file of landmarks. Every number is read to the nearest double, whatever the system's language.
 /// @param text  UTF-8, with or without a byte order mark
 /// @param name  of the file, for the error
-/// @return TooLarge, Malformed; UnknownFormat of Nts, which is not read
+/// @return TooLarge, Malformed
 geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, Format format,
                                                                   const std::string &name);
 
@@ -145,7 +173,7 @@ std::size_t takeSemilandmarks(LandmarkSet &set);
 geometry::Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem::path &file);
 
 /// Writes a file by its suffix, by way of a new file beside it.
-/// @return what was lost; UnknownFormat, NotWritable, and the errors of landmarksText
+/// @return what was lost; NotWritten, NotWritable, and the errors of landmarksText
 geometry::Result<std::vector<LandmarkNote>, LandmarkFileError> writeLandmarkFile(const std::filesystem::path &file,
                                                                                  std::span<const LandmarkSet> sets);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -48,7 +49,7 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
         const std::optional<Format> format = formatOf(file);
         // Other JSON is no file of landmarks.
         const bool isOther = format == Format::SlicerJson && !isMarkup(file.stem());
-        if (format && *format != Format::Nts && !isOther && it->is_regular_file(ignored))
+        if (format && !isOther && it->is_regular_file(ignored))
             found.push_back(file);
     }
     std::sort(found.begin(), found.end());
@@ -92,6 +93,7 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std
 {
     LandmarkFolder read;
     std::filesystem::path earlier;
+    std::vector<FileNote> notes;
     for (const std::filesystem::path &file : filesIn(folder, error)) {
         if (!table.empty() && isSameFile(file, table)) {
             earlier = file;
@@ -111,7 +113,7 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std
         }
         ReadLandmarks landmarks = std::move(result).value();
         for (const LandmarkNote &note : landmarks.notes)
-            read.reports.push_back(name + ": " + noteText(note));
+            notes.push_back({name, note});
         for (std::size_t i = 0; i < landmarks.sets.size(); ++i) {
             LandmarkSet &set = landmarks.sets[i];
             if (set.name.empty())
@@ -123,6 +125,9 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std
             read.sets.push_back(std::move(set));
         }
     }
+    std::vector<std::string> lines = noteLines(notes);
+    read.reports.insert(read.reports.end(), std::make_move_iterator(lines.begin()),
+                        std::make_move_iterator(lines.end()));
     read.isTableInput = !earlier.empty() && holdsMore(earlier, read.sets);
     return read;
 }

@@ -4,6 +4,9 @@
 
 #include "core/text/translation.h"
 
+#include <algorithm>
+#include <map>
+
 namespace unprojector::landmark_files {
 using text::marked;
 using text::tr;
@@ -15,14 +18,19 @@ std::string counted(std::size_t count, const char *one, const char *many)
     return count == 1 ? tr(one, count) : tr(many, count);
 }
 
-std::string suffixList()
+/// ".csv, .pp or .tps"
+template <class Is>
+std::string suffixList(const Is &is)
 {
-    std::string list;
-    for (const Format format : kFormats)
-        list = list.empty()                ? '.' + std::string(suffixOf(format))
-               : format == kFormats.back() ? tr("%1 or %2", list, '.' + std::string(suffixOf(format)))
-                                           : list + ", ." + std::string(suffixOf(format));
-    return list;
+    std::string list, last;
+    for (const Format format : kFormats) {
+        if (!is(format))
+            continue;
+        if (!last.empty())
+            list += (list.empty() ? "" : ", ") + last;
+        last = '.' + std::string(suffixOf(format));
+    }
+    return tr("%1 or %2", list, last);
 }
 
 std::string sentence(const LandmarkFileError &error)
@@ -31,7 +39,9 @@ std::string sentence(const LandmarkFileError &error)
     case LandmarkFileError::Code::NotFound: return tr("there is no such file");
     case LandmarkFileError::Code::IsDirectory: return tr("this is a folder, not a file of landmarks");
     case LandmarkFileError::Code::NotReadable: return tr("the file cannot be read; look at its permissions");
-    case LandmarkFileError::Code::UnknownFormat: return tr("the name must end in %1", suffixList());
+    case LandmarkFileError::Code::UnknownFormat:
+        return tr("the name must end in %1", suffixList([](Format) { return true; }));
+    case LandmarkFileError::Code::NotWritten: return tr("the name must end in %1", suffixList(isWritten));
     case LandmarkFileError::Code::TooLarge:
         return tr("a file of landmarks may have at most %1 MiB (8 MiB of JSON)", kMostLandmarkBytes >> 20);
     case LandmarkFileError::Code::NotWritable:
@@ -119,9 +129,57 @@ std::string noteText(const LandmarkNote &note)
     case Kind::BlanksLeftOut:
         return said(marked("the blanks around %1 text are left out; quotes keep them"),
                     marked("the blanks around %1 texts are left out; quotes keep them"));
+    case Kind::HeaderMissing:
+        return tr("the table has no first line that names its columns; they are taken for %1", note.detail);
+    case Kind::DecimalCommas: return tr("the numbers have a decimal comma: 1,5 is one and a half");
+    case Kind::EmptyRowsLeftOut:
+        return said(marked("%1 empty row at the end of the table is left out"),
+                    marked("%1 empty rows at the end of the table are left out"));
+    case Kind::RowNamesLeftOut:
+        return said(marked("%1 row name beside the names of the points is left out"),
+                    marked("%1 row names beside the names of the points are left out"));
+    case Kind::NegativeIsMissing:
+        return said(marked("%1 point has only coordinates of -1, as tpsDig writes a missing point; it is missing here"),
+                    marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they are missing "
+                           "here"));
+    case Kind::LinksLeftOut:
+        return said(marked("%1 line between two points is left out"), marked("%1 lines between points are left out"));
     case Kind::CommentsLeftOut: return said(marked("%1 comment is left out"), marked("%1 comments are left out"));
     }
     return {};
+}
+
+std::vector<std::string> noteLines(const std::vector<FileNote> &notes)
+{
+    constexpr std::size_t kMostLines = 3;
+    std::vector<LandmarkNote::Kind> kinds;
+    std::map<LandmarkNote::Kind, std::vector<const FileNote *>> groups;
+    for (const FileNote &note : notes) {
+        std::vector<const FileNote *> &group = groups[note.note.kind];
+        if (group.empty())
+            kinds.push_back(note.note.kind);
+        group.push_back(&note);
+    }
+    std::vector<std::string> lines;
+    for (const LandmarkNote::Kind kind : kinds) {
+        const std::vector<const FileNote *> &group = groups[kind];
+        const FileNote &first = *group.front();
+        LandmarkNote sum = first.note;
+        sum.count = 0;
+        for (const FileNote *each : group)
+            sum.count += each->note.count;
+        if (group.size() <= kMostLines || kind == LandmarkNote::Kind::NameChanged) {
+            for (const FileNote *each : group)
+                lines.push_back(each->file + ": " + noteText(each->note));
+        } else if (std::all_of(group.begin(), group.end(),
+                               [&first](const FileNote *each) { return each->note.detail == first.note.detail; })) {
+            lines.push_back(tr("%1 files: %2", group.size(), noteText(sum)));
+        } else {
+            lines.push_back(
+                tr("%1: %2 (and %3 more notes like this one)", first.file, noteText(first.note), group.size() - 1));
+        }
+    }
+    return lines;
 }
 
 std::string errorText(const LandmarkFileError &error)

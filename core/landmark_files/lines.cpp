@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -261,78 +262,16 @@ std::string PlainNames::of(const std::string &name, const std::string &instead)
     return plain;
 }
 
-std::vector<CsvRow> csvRows(std::string_view text, std::size_t firstLine)
+bool isMissingWord(std::string_view word)
 {
-    std::vector<CsvRow> rows;
-    CsvRow row{{}, {}, firstLine};
-    std::string cell;
-    std::size_t line = firstLine, quoteLine = 0;
-    bool beganWithBlank = false;
-    enum class State { Start, Plain, Quoted, Closed } state = State::Start;
-    const auto endCell = [&] {
-        const std::string_view bare = state == State::Plain ? trimmed(cell) : std::string_view(cell);
-        if (state == State::Plain && (beganWithBlank || bare.size() < cell.size()))
-            row.trimmed.push_back(row.cells.size());
-        row.cells.emplace_back(bare);
-        cell.clear();
-        beganWithBlank = false;
-        state = State::Start;
-    };
-    const auto endRow = [&] {
-        if (state == State::Start && row.cells.empty()) { // a blank line
-            cell.clear();
-            beganWithBlank = false;
-            return;
-        }
-        endCell();
-        rows.push_back(std::move(row));
-        row = {};
-    };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        const bool isLineEnd = c == '\n' || c == '\r';
-        const bool isBlank = c == ' ' || c == '\t';
-        if (isLineEnd && c == '\r' && i + 1 < text.size() && text[i + 1] == '\n' && state != State::Quoted)
-            continue; // the line feed ends it
-        if (isLineEnd && !(c == '\r' && i + 1 < text.size() && text[i + 1] == '\n'))
-            ++line;
-        if (state == State::Quoted) {
-            if (c == '"' && i + 1 < text.size() && text[i + 1] == '"')
-                cell += text[++i];
-            else if (c == '"')
-                state = State::Closed;
-            else
-                cell += c;
-        } else if (isLineEnd) {
-            endRow();
-            row.line = line;
-        } else if (c == ',') {
-            endCell();
-        } else if (state == State::Closed) {
-            if (!isBlank)
-                throw Failure{
-                    line, tr("behind the closing quote stands \"%1\"; put the whole cell in quotes and double those in "
-                             "it",
-                             std::string(1, c >= ' ' && c <= '~' ? c : '?'))};
-        } else if (state == State::Start && c == '"') {
-            state = State::Quoted;
-            quoteLine = line;
-        } else if (state == State::Plain || !isBlank) {
-            cell += c;
-            state = State::Plain;
-        } else {
-            beganWithBlank = true;
-        }
-    }
-    if (state == State::Quoted)
-        throw Failure{quoteLine, tr("a quote is opened here and never closed; close it, or double it within quotes")};
-    endRow();
-    return rows;
+    constexpr std::array<std::string_view, 6> kWords{"na", "nan", "n/a", "#n/a", "null", "none"};
+    return std::find(kWords.begin(), kWords.end(), lowerCase(word)) != kWords.end();
 }
 
 void appendCell(std::string &text, std::string_view cell)
 {
-    const bool isPlain = cell.find_first_of(",\"\r\n") == cell.npos && trimmed(cell).size() == cell.size();
+    const bool isPlain = cell.find_first_of(",\"\r\n") == cell.npos && trimmed(cell).size() == cell.size()
+                         && cell != "NA" && cell != "#N/A";
     if (isPlain) {
         text += cell;
         return;

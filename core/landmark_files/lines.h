@@ -2,6 +2,7 @@
 
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/landmark.h"
+#include "core/scene_file/scene_file_error.h"
 
 #include <cstddef>
 #include <map>
@@ -104,19 +105,14 @@ private:
     std::map<std::string, std::size_t> m_next; ///< number behind a name that was given before
 };
 
-/// A row of a format of comma-separated values: its cells with their quotes taken away, those without quotes without blanks
-/// around them, and where it begins.
-struct CsvRow {
-    std::vector<std::string> cells;
-    std::vector<std::size_t> trimmed; ///< places of the cells that had blanks around them, rising
-    std::size_t line = 0;
-};
-/// The rows of a text as RFC 4180 has it; blank lines are passed over. A quote within a cell that does not begin with one is
-/// a character like others.
-/// Throws Failure where a quote is not closed.
-std::vector<CsvRow> csvRows(std::string_view text, std::size_t firstLine = 1);
-/// A cell, in quotes where it needs them.
+/// Whether a word stands for "no number": NA, NaN, N/A, #N/A, null or none, in whatever case.
+bool isMissingWord(std::string_view word);
+
+/// A cell, in quotes where it needs them: without them NA is nothing.
 void appendCell(std::string &text, std::string_view cell);
+
+/// An error of a JSON document: its place is the key, or line and column.
+Failure failureOf(scene_file::SceneFileError error);
 
 // One pair a format. Readers throw Failure.
 ReadLandmarks readCsv(std::string_view text);
@@ -125,6 +121,9 @@ ReadLandmarks readSlicerJson(std::string_view text);
 ReadLandmarks readSlicerCsv(std::string_view text);
 ReadLandmarks readIdav(std::string_view text);
 ReadLandmarks readTps(std::string_view text);
+ReadLandmarks readNts(std::string_view text);
+ReadLandmarks readAmira(std::string_view text);
+ReadLandmarks readLandmarker(std::string_view text);
 
 std::string csvText(std::span<const LandmarkSet> sets, Notes &notes);
 std::string meshLabText(const LandmarkSet &set, Notes &notes);

@@ -3,14 +3,17 @@
 #include "core/landmark_files/lines.h"
 #include "core/mesh_import/text_scanner.h"
 #include "core/scene_file/json_text.h"
+#include "core/text/csv.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace unprojector::landmark_files {
+using text::CsvCell;
 using text::marked;
 using text::tr;
 namespace {
@@ -35,17 +38,18 @@ enum Field : std::size_t {
     Status,
     AutoCreated
 };
-constexpr std::size_t kFieldCount = AutoCreated + 1;
+constexpr std::size_t kFieldCount = AutoCreated + 1, kOldFieldCount = 6;
 /// Of newer files, the fifteenth field.
 constexpr std::string_view kDefined = "2", kPreview = "1";
 
-/// What follows a key in a comment: "# CoordinateSystem = LPS".
+/// What follows a key in a comment: "# CoordinateSystem = LPS". A spreadsheet pads it with separators.
 std::optional<std::string_view> valueOf(std::string_view comment, std::string_view key)
 {
     const std::size_t equals = comment.find('=');
     if (equals == comment.npos || trimmed(comment.substr(1, equals - 1)) != key)
         return std::nullopt;
-    return trimmed(comment.substr(equals + 1));
+    const std::string_view value = comment.substr(equals + 1);
+    return trimmed(value.substr(0, value.find_last_not_of(",; \t\r") + 1));
 }
 
 Axes axesOf(std::string_view word, std::size_t line)
@@ -57,69 +61,120 @@ Axes axesOf(std::string_view word, std::size_t line)
     throw Failure{line, tr("the coordinate system is %1; it must be LPS or RAS (1 or 0)", mesh_import::quoted(word))};
 }
 
-bool flagOf(const std::string &cell, bool usual, std::size_t line, const char *what)
+bool flagOf(const CsvCell &cell, bool usual, std::size_t line, const char *what)
 {
-    if (cell.empty())
+    if (cell.text.empty() || isMissingWord(cell.text))
         return usual;
-    if (cell == "0" || cell == "1")
-        return cell == "1";
+    if (cell.text == "0" || cell.text == "1")
+        return cell.text == "1";
     throw Failure{line, tr("%1 is %2; it must be 0 or 1. Is there a comma in a label that is not in quotes?", tr(what),
-                           mesh_import::quoted(cell))};
+                           mesh_import::quoted(cell.text))};
 }
 
-WorldPoint positionOf(const CsvRow &row, std::size_t first, Axes axes)
+/// Nothing where the row says NA.
+std::optional<WorldPoint> positionOf(const text::CsvRow &row, std::size_t first, Axes axes,
+                                     const text::DecimalMark &mark)
 {
+    constexpr std::array kNames{"x", "y", "z"};
+    const auto cell = [&](std::size_t i) { return std::string_view(row.cells[first + i].text); };
+    const auto isMissing = [&](std::size_t i) { return cell(i).empty() || isMissingWord(cell(i)); };
+    if (isMissing(0) && isMissing(1) && isMissing(2))
+        return std::nullopt;
     glm::dvec3 v(0.0);
-    for (int i = 0; i < 3; ++i)
-        v[i] = numberOf(row.cells[first + std::size_t(i)], row.line, i == 0 ? "x" : i == 1 ? "y" : "z");
+    for (std::size_t i = 0; i < kNames.size(); ++i)
+        v[static_cast<int>(i)] = numberOf(mark.withPoint(cell(i)), row.line, kNames[i]);
     return turned(WorldPoint(v), axes);
 }
 
-/// label,x,y,z,sel,vis: 3D Slicer 3, always in RAS.
-Landmark oldLandmarkOf(CsvRow row)
+/// A text that R wrote: NA where there is none.
+std::string textOf(const CsvCell &cell)
 {
-    row.cells.resize(6);
+    return !cell.isQuoted && cell.text == "NA" ? std::string() : cell.text;
+}
+
+/// label,x,y,z,sel,vis: 3D Slicer 3, always in RAS.
+Landmark oldLandmarkOf(text::CsvRow &row, const text::DecimalMark &mark)
+{
+    row.cells.resize(kOldFieldCount);
     Landmark landmark;
-    landmark.name = row.cells[0];
-    landmark.world = positionOf(row, 1, Axes::Ras);
+    landmark.name = row.cells[0].text;
+    landmark.world = positionOf(row, 1, Axes::Ras, mark);
     if (!flagOf(row.cells[4], true, row.line, "sel"))
         landmark.extra.edit()["selected"] = false;
     landmark.isHidden = !flagOf(row.cells[5], true, row.line, "vis");
     return landmark;
 }
 
-Landmark landmarkOf(CsvRow row, Axes axes, std::size_t number, Notes &notes)
+Landmark landmarkOf(text::CsvRow &row, Axes axes, std::size_t number, const text::DecimalMark &mark, Notes &notes)
 {
     row.cells.resize(kFieldCount);
     const auto &cells = row.cells;
     Landmark landmark;
-    landmark.name = cells[Label];
-    landmark.note = cells[Description];
-    const WorldPoint position = positionOf(row, X, axes);
-    const bool isDefined = cells[Status].empty() || cells[Status] == kDefined || cells[Status] == kPreview;
+    landmark.name = cells[Label].text;
+    landmark.note = textOf(cells[Description]);
+    const std::optional<WorldPoint> position = positionOf(row, X, axes, mark);
+    const std::string &status = cells[Status].text;
+    const bool isDefined = status.empty() || status == kDefined || status == kPreview || isMissingWord(status);
     if (isDefined)
         landmark.world = position;
-    else if (!(position == WorldPoint()))
+    else if (position && !(*position == WorldPoint()))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
     landmark.isHidden = !flagOf(cells[Visible], true, row.line, "vis");
-    if (!cells[Id].empty() && cells[Id] != std::to_string(number))
-        landmark.extra.edit()["id"] = cells[Id];
+    if (const std::string &id = cells[Id].text; !id.empty() && id != std::to_string(number))
+        landmark.extra.edit()["id"] = id;
     bool isTurned = false;
-    for (std::size_t i = 0; i < kOrientation.size(); ++i)
-        isTurned = isTurned || (!cells[Orientation + i].empty() && cells[Orientation + i] != kUsualOrientation[i]);
+    std::array<std::string, kOrientation.size()> orientation;
+    for (std::size_t i = 0; i < kOrientation.size(); ++i) {
+        orientation[i] = mark.withPoint(textOf(cells[Orientation + i]));
+        isTurned = isTurned || (!orientation[i].empty() && orientation[i] != kUsualOrientation[i]);
+    }
     for (std::size_t i = 0; i < kOrientation.size() && isTurned; ++i) {
-        static_cast<void>(numberOf(cells[Orientation + i], row.line, kOrientation[i]));
-        landmark.extra.edit()[kOrientation[i]] = cells[Orientation + i];
+        static_cast<void>(numberOf(orientation[i], row.line, kOrientation[i]));
+        landmark.extra.edit()[kOrientation[i]] = orientation[i];
     }
     if (!flagOf(cells[Selected], true, row.line, "sel"))
         landmark.extra.edit()["selected"] = false;
     if (flagOf(cells[Locked], false, row.line, "lock"))
         landmark.extra.edit()["locked"] = true;
-    if (!cells[AssociatedNode].empty())
-        landmark.extra.edit()["associatedNodeID"] = cells[AssociatedNode];
+    if (const std::string node = textOf(cells[AssociatedNode]); !node.empty())
+        landmark.extra.edit()["associatedNodeID"] = node;
     if (flagOf(cells[AutoCreated], false, row.line, marked("the last field")))
         landmark.extra.edit()["autoCreated"] = true;
     return landmark;
+}
+
+/// The text of a comment, which a spreadsheet may have put in quotes; nothing of another row.
+std::optional<std::string_view> commentOf(const text::CsvRow &row)
+{
+    const std::string_view first = row.cells.front().text;
+    if (!first.starts_with('#'))
+        return std::nullopt;
+    return row.cells.front().isQuoted ? first : trimmed(row.source);
+}
+
+/// How the rows of points are written.
+struct Dialect {
+    char separator = ',';
+    text::DecimalMark mark{','};
+};
+
+/// By the first row that is no comment.
+Dialect dialectOf(std::string_view text)
+{
+    Dialect dialect;
+    bool hasSeparator = false;
+    for (text::CsvReader rows(text); rows.next() && !hasSeparator;) {
+        hasSeparator = !commentOf(rows.row());
+        if (hasSeparator)
+            dialect.separator = text::csvSeparatorOf(rows.row().source);
+    }
+    dialect.mark = text::DecimalMark(dialect.separator);
+    for (text::CsvReader rows(text, dialect.separator); rows.next();) {
+        const auto &cells = rows.row().cells;
+        for (std::size_t i = X; i <= Z && i < cells.size() && !commentOf(rows.row()); ++i)
+            dialect.mark.see(cells[i].text);
+    }
+    return dialect;
 }
 
 } // namespace
@@ -131,40 +186,46 @@ ReadLandmarks readSlicerCsv(std::string_view text)
     LandmarkSet &set = read.sets.emplace_back();
     set.axes = Axes::Ras; // of files that do not say
     bool hasVersion = false;
-    Lines lines(text);
-    while (lines.nextFilled()) {
-        const std::string_view line = lines.text();
-        if (line.front() == '#') {
-            if (const auto system = valueOf(line, "CoordinateSystem"))
-                set.axes = axesOf(*system, lines.number());
-            else if (valueOf(line, "Markups fiducial file version"))
+    const Dialect dialect = dialectOf(text);
+    text::CsvReader rows(text, dialect.separator);
+    while (rows.next()) {
+        text::CsvRow &row = rows.row();
+        if (const auto comment = commentOf(row)) {
+            if (const auto system = valueOf(*comment, "CoordinateSystem"))
+                set.axes = axesOf(*system, row.line);
+            else if (valueOf(*comment, "Markups fiducial file version"))
                 hasVersion = true;
-            else if (!valueOf(line, "columns"))
+            else if (!valueOf(*comment, "columns"))
                 notes.add(LandmarkNote::Kind::CommentsLeftOut);
             continue;
         }
-        const std::vector<CsvRow> rows = csvRows(line, lines.number());
-        const std::size_t most = hasVersion ? kFieldCount : 6;
-        if (rows.empty() || rows.front().cells.size() < 4 || rows.front().cells.size() > most)
-            throw Failure{lines.number(),
-                          tr(hasVersion
-                                 ? "%1 is no point; write id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,"
-                                   "associatedNodeID, with labels that have commas in quotes"
-                                 : "%1 is no point; without a line \"# Markups fiducial file version = 5.8\" points "
-                                   "are label,x,y,z,sel,vis",
-                             mesh_import::quoted(line))};
-        for (const std::size_t place : rows.front().trimmed) {
-            if (hasVersion ? place == Label || place == Description : place == 0)
+        if (row.isPadding())
+            continue;
+        const std::size_t most = hasVersion ? kFieldCount : kOldFieldCount;
+        row.trimPadding(most);
+        if (row.cells.size() < 4 || row.cells.size() > most)
+            throw Failure{row.line,
+                          tr(hasVersion ? "%1 is no point; write id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,"
+                                          "associatedNodeID, with labels that have commas in quotes"
+                                        : "%1 is no point; without a line \"# Markups fiducial file version = "
+                                          "5.8\" points are label,x,y,z,sel,vis",
+                             mesh_import::quoted(trimmed(row.source)))};
+        for (std::size_t place = 0; place < row.cells.size(); ++place) {
+            if (row.cells[place].hadBlanks && (hasVersion ? place == Label || place == Description : place == 0))
                 notes.add(LandmarkNote::Kind::BlanksLeftOut);
         }
-        set.landmarks.push_back(hasVersion ? landmarkOf(rows.front(), set.axes, set.landmarks.size(), notes)
-                                           : oldLandmarkOf(rows.front()));
+        set.landmarks.push_back(hasVersion ? landmarkOf(row, set.axes, set.landmarks.size(), dialect.mark, notes)
+                                           : oldLandmarkOf(row, dialect.mark));
     }
+    if (rows.error())
+        throw Failure{rows.error()->line, rows.error()->text};
     if (!hasVersion && set.landmarks.empty())
         throw Failure{
             1, tr("there are no points, and no line \"# Markups fiducial file version = 5.8\"; is it another file?")};
     if (!hasVersion)
         set.axes = Axes::Ras;
+    if (dialect.mark.isComma())
+        notes.add(LandmarkNote::Kind::DecimalCommas);
     if (set.axes == Axes::Ras && !set.landmarks.empty())
         notes.add(LandmarkNote::Kind::AxesTurned);
     read.notes = notes.take();

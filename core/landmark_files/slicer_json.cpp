@@ -9,8 +9,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace unprojector::landmark_files {
 using text::tr;
@@ -136,7 +138,35 @@ LandmarkSet setOf(Markup &&markup, Notes &notes)
     return set;
 }
 
-/// Of the document: its place is the key, or line and column.
+/// Whether a value is how programs write the position of a point that is not placed: "", "NA", [] or three of null.
+bool isNoPosition(const Json &value)
+{
+    const auto isNothing = [](const Json &each) {
+        return each.is_null()
+               || (each.is_string()
+                   && (trimmed(each.get_ref<const std::string &>()).empty()
+                       || isMissingWord(trimmed(each.get_ref<const std::string &>()))));
+    };
+    return isNothing(value) || (value.is_array() && std::all_of(value.begin(), value.end(), isNothing));
+}
+
+/// Makes null of each such position.
+void clearNoPositions(Json &document)
+{
+    if (!document.is_object() || !document.contains("markups") || !document["markups"].is_array())
+        return;
+    for (Json &markup : document["markups"]) {
+        if (!markup.is_object() || !markup.contains("controlPoints") || !markup["controlPoints"].is_array())
+            continue;
+        for (Json &point : markup["controlPoints"]) {
+            if (point.is_object() && point.contains("position") && isNoPosition(point["position"]))
+                point["position"] = nullptr;
+        }
+    }
+}
+
+} // namespace
+
 Failure failureOf(SceneFileError error)
 {
     const std::size_t line = std::exchange(error.line, 0);
@@ -148,16 +178,16 @@ Failure failureOf(SceneFileError error)
                                                        : LandmarkFileError::Code::Malformed};
 }
 
-} // namespace
-
 ReadLandmarks readSlicerJson(std::string_view text)
 {
-    const auto json = parseStrictJson(text);
-    if (!json)
-        throw failureOf(json.error());
+    auto parsed = parseStrictJson(text);
+    if (!parsed)
+        throw failureOf(parsed.error());
+    Json json = std::move(parsed).value();
+    clearNoPositions(json);
     JsonNode::FirstError error;
-    const JsonNode root(*json, error);
-    if (!json->is_object() || !json->contains("markups"))
+    const JsonNode root(json, error);
+    if (!json.is_object() || !json.contains("markups"))
         throw Failure{1, tr("there is no list \"markups\", which holds the points of 3D Slicer; is it another file?")};
     Document document;
     static_cast<void>(FieldReader::read(root, document, Plain{}));

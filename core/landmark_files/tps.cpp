@@ -1,4 +1,4 @@
-// .tps of tpsDig and geomorph, many specimens a file; and .nts of NTSYS, which is only written.
+// .tps of tpsDig and geomorph, many specimens a file.
 
 #include "core/geometry/finite.h"
 #include "core/landmark_files/lines.h"
@@ -32,10 +32,28 @@ std::optional<KeyValue> keyValueOf(std::string_view line)
     return KeyValue{key, trimmed(line.substr(equals + 1))};
 }
 
-bool isMissingWord(std::string_view word)
+/// Whether a row is tpsDig's "-1 -1", a missing point. Our own writer gives a point that really is there an exponent.
+bool isMinusOnes(const std::vector<std::string_view> &words)
 {
-    const std::string lower = lowerCase(word);
-    return lower == "na" || lower == "nan";
+    return std::all_of(words.begin(), words.end(), [](std::string_view word) {
+        return mesh_import::doubleFromWord(word) == -1.0 && word.find_first_of("eE") == word.npos;
+    });
+}
+
+/// Takes points of -1 for missing where no other coordinate of the specimen is negative: tpsDig counts pixels.
+/// @param minusOnes  the points' places
+void takeMinusOnesAsMissing(LandmarkSet &set, const std::vector<std::size_t> &minusOnes, Notes &notes)
+{
+    std::vector<Landmark> others = set.landmarks;
+    for (const std::size_t place : minusOnes)
+        others[place].world.reset();
+    const bool isInPixels = std::all_of(others.begin(), others.end(), [](const Landmark &landmark) {
+        return !landmark.world || (landmark.world->x >= 0.0 && landmark.world->y >= 0.0 && landmark.world->z >= 0.0);
+    });
+    if (minusOnes.empty() || !isInPixels)
+        return;
+    notes.add(LandmarkNote::Kind::NegativeIsMissing, minusOnes.size());
+    set.landmarks = std::move(others);
 }
 
 /// The next row of so many numbers.
@@ -89,10 +107,14 @@ ReadLandmarks readTps(std::string_view text)
             LandmarkSet &set = read.sets.emplace_back();
             keys.clear();
             scaleOfSet = 1.0;
+            std::vector<std::size_t> minusOnes;
             for (std::uint32_t i = 0; i < count; ++i) {
                 const std::vector<std::string_view> words = rowOf(lines, key == "LM3" ? 3 : 2, announced);
                 set.landmarks.push_back(landmarkOf(words, lines.number()));
+                if (isMinusOnes(words))
+                    minusOnes.push_back(i);
             }
+            takeMinusOnesAsMissing(set, minusOnes, notes);
             if (key == "LM" && count > 0)
                 notes.add(LandmarkNote::Kind::FlatPoints, count);
             continue;
@@ -140,8 +162,11 @@ ReadLandmarks readTps(std::string_view text)
                     throw Failure{lines.number(), tr("%1 is no point of a curve; write two or three numbers",
                                                      mesh_import::quoted(lines.text()))};
                 const Landmark place = landmarkOf(words, lines.number());
-                if (place.isMissing())
-                    throw Failure{lines.number(), tr("a point of a curve is NA; a curve has all its points")};
+                if (place.isMissing() || (words.size() == 2 && isMinusOnes(words)))
+                    throw Failure{lines.number(),
+                                  tr("a point of a curve is %1, which stands for a missing one; a curve "
+                                     "has all its points",
+                                     lines.text())};
                 curve.semilandmarks.push_back(WorldPoint(place.world->coordinates() * scaleOfSet));
                 if (!isFinite(curve.semilandmarks.back()))
                     throw Failure{lines.number(),
@@ -216,6 +241,8 @@ std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
             std::string row;
             if (landmark.world)
                 appendNumbers(row, landmark.world->coordinates(), ' ');
+            if (landmark.world == WorldPoint(-1.0, -1.0, -1.0))
+                row = " -1e0 -1e0 -1e0"; // "-1 -1 -1" would be missing
             text += landmark.world ? row.substr(1) : "NA NA NA";
             text += '\n';
         }
@@ -231,43 +258,6 @@ std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
         if (!set.name.empty())
             text += "ID=" + names.of(set.name) + '\n';
         text += '\n';
-    }
-    return text;
-}
-
-std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
-{
-    constexpr double kMissing = 9999.0;
-    addLosses(notes, sets, {.specimenName = true});
-    if (sets.empty() || sets.front().landmarks.empty())
-        throw Failure{0, tr(".nts is a table, and there are no points; place some first"),
-                      LandmarkFileError::Code::CannotHold};
-    const std::size_t points = sets.front().landmarks.size();
-    bool hasMissing = false;
-    for (const LandmarkSet &set : sets) {
-        if (set.landmarks.size() != points)
-            throw Failure{0,
-                          tr(".nts is a table, in which all specimens have the same points: \"%1\" has %2, \"%3\" has "
-                             "%4; take .tps, or leave one of them out",
-                             set.name, set.landmarks.size(), sets.front().name, points),
-                          LandmarkFileError::Code::CannotHold};
-        for (const Landmark &landmark : set.landmarks)
-            hasMissing = hasMissing || landmark.isMissing();
-    }
-    std::string text = "1 " + std::to_string(sets.size()) + "L " + std::to_string(3 * points);
-    text += hasMissing ? " 1 9999 DIM=3\n" : " 0 DIM=3\n";
-    PlainNames names(" \"'", true, notes);
-    for (std::size_t i = 0; i < sets.size(); ++i)
-        text += names.of(sets[i].name, std::to_string(i + 1)) + '\n';
-    for (const LandmarkSet &set : sets) {
-        std::string row;
-        for (const Landmark &landmark : set.landmarks) {
-            const glm::dvec3 v = landmark.world ? landmark.world->coordinates() : glm::dvec3(kMissing);
-            if (hasMissing && landmark.world && (v.x == kMissing || v.y == kMissing || v.z == kMissing))
-                notes.add(LandmarkNote::Kind::LooksMissing, 1, landmark.name);
-            appendNumbers(row, v, ' ');
-        }
-        text += row.substr(1) + '\n';
     }
     return text;
 }

@@ -118,7 +118,7 @@ bool PointFiles::isPointFile(const std::filesystem::path &file)
     const bool isOtherJson =
         format == Format::SlicerJson
         && pathText(file.stem().extension()).compare(QStringLiteral(".mrk"), Qt::CaseInsensitive) != 0;
-    return format && *format != Format::Nts && *format != Format::MeshLabTemplate && !isOtherJson;
+    return format && *format != Format::MeshLabTemplate && !isOtherJson;
 }
 
 bool PointFiles::isTemplate(const std::filesystem::path &file)
@@ -130,7 +130,7 @@ QString PointFiles::importFilter()
 {
     QStringList patterns;
     for (const Format format : kFormats) {
-        if (format != Format::Nts && format != Format::MeshLabTemplate)
+        if (format != Format::MeshLabTemplate)
             patterns << patternOf(format);
     }
     return tr("Points (%1)").arg(patterns.join(u' '));

@@ -169,7 +169,9 @@ inline QList<StrictPoint> strictPoints(const QByteArray &text, Format format)
         }
         break;
     }
-    case Format::Nts: break;
+    case Format::Nts:
+    case Format::LandmarkAscii:
+    case Format::Landmarker: break;
     }
     return points;
 }

@@ -40,7 +40,7 @@ void TestForeignLandmarks::filesOfOtherPrograms_data()
         << Format::MeshLab
         << QByteArray("<?xml version='1.0'?><PickedPoints><!-- <point/> --><point z='3' y='2' x='1' name='it&#39;s'/>"
                       "<point x='9' y='9' z='9' active='0' name=''/></PickedPoints>")
-        << head + "\nit's,1,2,3" + empty + ",,,,,,,,,\n"
+        << head + "\nit's,1,2,3" + empty + "\"\",,,,,,,,,\n"
         << QStringList{"1 comment is left out",
                        "1 point is marked as not placed and had coordinates, which are left out"};
     QTest::newRow("MeshLab template")
@@ -140,17 +140,23 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
     add("csv: empty", Format::Csv, "", "f:1: the file is empty; the first line names the columns, name,x,y,z at least");
     add("csv: no z", Format::Csv, "name,x,y\na,1,2\n",
         "f:1: there is no column z; the first line names the columns, name,x,y,z at least");
-    add("csv: semicolons", Format::Csv, "name;x;y;z\na;1,5;2;3\n",
-        "f:1: the columns are separated by semicolons; save the table with commas, and numbers with a decimal point");
+    add("csv: decimal commas and points", Format::Csv, "name;x;y;z\na;1,5;2;3\nb;1.5;2;3\n",
+        "f:2: x is \"1,5\"; write a number with a decimal point");
+    add("csv: thousands", Format::Csv, "name\tx\ty\tz\na\t1,234.5\t2\t3\n",
+        "f:2: x is \"1,234.5\"; write a number with a decimal point");
     add("csv: a decimal comma", Format::Csv, "name,x,y,z\na,\"1,5\",2,3\n",
         "f:2: x is \"1,5\"; write a number with a decimal point");
     add("csv: half a point", Format::Csv, "name,x,y,z\na,1,,3\n",
         "f:2: y is empty and its neighbours are not; give all three, or none");
     add("csv: too many cells", Format::Csv, "name,x,y,z\na,b,1,2,3\n",
-        "f:2: here are 5 cells, and the first line names 4 columns; put cells that have commas in quotes");
+        "f:2: here are 5 cells, and the first line names 4 columns; put a cell that has the separator in it in quotes");
     add("csv: an open quote", Format::Csv, "name,x,y,z\na,1,2,3\n\"b,1,2,3\n",
         "f:3: a quote is opened here and never closed; close it, or double it within quotes");
-    add("csv: not finite", Format::Csv, "name,x,y,z\n\na,nan,2,3\n", "f:3: x is \"nan\"; write a number");
+    add("csv: not finite", Format::Csv, "name,x,y,z\n\na,nan,2,3\n",
+        "f:3: x is \"nan\" and its neighbours are numbers; give all three, or none");
+    add("csv: infinite", Format::Csv, "name,x,y,z\na,inf,2,3\n", "f:2: x is \"inf\"; write a number");
+    add("csv: four numbers that may be anything", Format::Csv, "1,2,3,4\n2,2,3,4\n",
+        "f:1: there is no column x; the first line names the columns, name,x,y,z at least");
     add("csv: a face without its place", Format::Csv, "name,x,y,z,face\na,1,2,3,7\n",
         "f:2: face and u, v, w belong together; give all of them, or none");
     add("csv: a colour", Format::Csv, "x,y,z,color\n1,2,3,red\n", "f:2: color is \"red\"; write it as #rrggbb");
@@ -194,8 +200,8 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f:1: this is a .pts of dlib, points in a picture; only those of IDAV Landmark, which begin with \"Version "
         "1.0\", are points in space");
     add("pts: a point cloud", Format::Idav, "3\n1 2 3\n1 2 3\n1 2 3\n",
-        "f:1: this .pts begins with \"3\", not with \"Version 1.0\" as those of IDAV Landmark do; is it a point cloud? "
-        "Open it as a model then");
+        "f:1: this .pts begins with \"3\", not with \"Version 1.0\" as those of IDAV Landmark do; a point cloud of a "
+        "scanner is not read: save it as .ply, and open that as a model");
     add("pts: cut off", Format::Idav, "Version 1.0\n3\nS0 1 2 3\nS1 1 2 3\n",
         "f:4: the file ends after 2 of 3 points; is it cut off?");
     add("pts: one more", Format::Idav, "Version 1.0\n1\nS0 1 2 3\nS1 1 2 3\n",
@@ -209,7 +215,39 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f:2: some coordinates are NA and some are not; a point is missing as a whole");
     add("tps: cut off", Format::Tps, "LM3=4000000000\n1 2 3\n",
         "f:2: the file ends within the points that line 1 announces; is it cut off?");
-    add("nts", Format::Nts, "1 1L 3 0 DIM=3\na\n1 2 3\n", "f: .nts is only written; give another file");
+    add("nts: no DIM", Format::Nts, "1 1L 3 0\na\n1 2 3\n",
+        "f:1: \"1 1L 3 0\" does not say DIM=3; this is no matrix of landmarks");
+    add("nts: cut off", Format::Nts, "1 2L 3 0 DIM=3\na\nb\n1 2 3\n4 5",
+        "f:5: the file ends within the matrix that the parameters announce; is it cut off?");
+    add("nts: more", Format::Nts, "1 1L 3 0 DIM=3\na\n1 2 3\n4\n",
+        "f:4: \"4\" stands behind the matrix; write the right numbers of rows and columns into the parameters");
+    add("nts: a label of two words", Format::Nts, "1 1L 3 0 DIM=3\nskull 7\n1 2 3\n",
+        "f:3: \"3\" stands behind the matrix; ");
+    add("nts: half missing", Format::Nts, "1 1L 3 1 9999 DIM=3\na\n1 9999 3\n",
+        "f:3: some coordinates of a point are missing and some are not; a point is missing as a whole");
+    add("nts: distances", Format::Nts, "2 3L 3 0 DIM=3\n",
+        "f:1: \"2 3L 3 0 DIM=3\" is no line of parameters; a matrix of landmarks begins with one like 1 12L 63 1 9999 "
+        "DIM=3");
+    add("landmarkAscii: binary", Format::LandmarkAscii, "# AmiraMesh BINARY-LITTLE-ENDIAN 2.1\n",
+        "f:1: this file is binary; save it as \"LandmarkSet Ascii\" in Amira or Avizo");
+    add("landmarkAscii: another", Format::LandmarkAscii, "1 2 3\n",
+        "f:1: the first line is \"1 2 3\"; Amira and Avizo begin the file with \"# Avizo 3D ASCII 2.0\"");
+    add("landmarkAscii: cut off", Format::LandmarkAscii,
+        "# Avizo 3D ASCII 2.0\ndefine Markers 2\nMarkers { float[3] Coordinates } @1\n@1\n1 2 3\n",
+        "f:5: here are 1 of the 2 points that \"define Markers\" announces; is the file cut off?");
+    add("landmarkAscii: more", Format::LandmarkAscii,
+        "# Avizo 3D ASCII 2.0\ndefine Markers 1\nMarkers { float[3] Coordinates } @1\n@1\n1 2 3\n4 5 6\n",
+        "f:6: \"4 5 6\" stands behind the points; write the right number behind \"define Markers\"");
+    add("ljson: a picture", Format::Landmarker, R"({"version": 2, "landmarks": {"points": [[1, 2]]}})",
+        "f: landmarks.points[0] has two coordinates: these are points in a picture, not in space");
+    add("ljson: a label of no point", Format::Landmarker,
+        R"({"version": 2, "labels": [{"label": "a", "mask": [1]}], "landmarks": {"points": [[1, 2, 3]]}})",
+        "f: labels[0].mask names point 1, and there are 1, counted from 0");
+    add("ljson: another document", Format::Landmarker, "{\"markups\": []}",
+        "f: there are neither \"landmarks\" nor \"groups\", which hold the points of landmarker.io; is it another "
+        "file?");
+    add("tps: a curve with a missing point", Format::Tps, "LM=1\n1 2\nCURVES=1\nPOINTS=2\n1 1\n-1 -1\n",
+        "f:6: a point of a curve is -1 -1, which stands for a missing one; a curve has all its points");
 }
 
 void TestForeignLandmarks::badFilesAreRefusedWithTheirLine()

@@ -40,7 +40,7 @@ void TestPointFiles::pointFilesByName_data()
     QTest::newRow("markups") << "a.mrk.json" << true;
     QTest::newRow("a scene") << "a.json" << false;
     QTest::newRow("a template") << "a.pptpl" << false;
-    QTest::newRow("only written") << "a.nts" << false;
+    QTest::newRow("NTSYS") << "a.nts" << true;
     QTest::newRow("a model") << "a.ply" << false;
     QTest::newRow("no suffix") << "points" << false;
 }

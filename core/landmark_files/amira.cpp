@@ -1,0 +1,108 @@
+// .landmarkAscii of Amira and Avizo: "# Avizo 3D ASCII 2.0", declarations, then sections of numbers, "@1" and so on.
+
+#include "core/landmark_files/lines.h"
+#include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace unprojector::landmark_files {
+using text::marked;
+using text::tr;
+namespace {
+
+/// "Markers { float[3] Coordinates } @1"
+struct Declaration {
+    std::string type, name, section;
+};
+
+std::optional<Declaration> declarationOf(std::string_view line)
+{
+    std::string spaced;
+    for (const char c : line)
+        spaced += c == '{' || c == '}' ? std::string{' ', c, ' '} : std::string{c};
+    const std::vector<std::string_view> words = wordsOf(spaced);
+    if (words.size() != 6 || words[0] != "Markers" || words[1] != "{" || words[4] != "}" || !words[5].starts_with('@'))
+        return std::nullopt;
+    return Declaration{std::string(words[2]), std::string(words[3]), std::string(words[5])};
+}
+
+Landmark landmarkOf(const Lines &lines)
+{
+    constexpr std::array kAxes{"x", "y", "z"};
+    const std::vector<std::string_view> words = wordsOf(lines.text());
+    if (words.size() != kAxes.size())
+        throw Failure{lines.number(), tr("%1 is no point; write x, y and z", mesh_import::quoted(lines.text()))};
+    Landmark landmark;
+    if (std::all_of(words.begin(), words.end(), isMissingWord))
+        return landmark;
+    glm::dvec3 v(0.0);
+    for (std::size_t i = 0; i < kAxes.size(); ++i)
+        v[static_cast<int>(i)] = numberOf(words[i], lines.number(), kAxes[i]);
+    landmark.world = WorldPoint(v);
+    return landmark;
+}
+
+} // namespace
+
+ReadLandmarks readAmira(std::string_view text)
+{
+    Lines lines(text);
+    static_cast<void>(lines.next());
+    const std::string first = lowerCase(lines.text());
+    const bool isAmira =
+        first.starts_with('#') && (first.find("amira") != first.npos || first.find("avizo") != first.npos);
+    if (!isAmira)
+        throw Failure{1, tr("the first line is %1; Amira and Avizo begin the file with \"# Avizo 3D ASCII 2.0\"",
+                            mesh_import::quoted(lines.text()))};
+    if (first.find("ascii") == first.npos)
+        throw Failure{1, tr("this file is binary; save it as \"LandmarkSet Ascii\" in Amira or Avizo")};
+    ReadLandmarks read;
+    Notes notes;
+    std::optional<std::uint32_t> count;
+    std::map<std::string, std::string, std::less<>> sections; ///< of coordinates that are not read yet
+    bool isOther = false;                                     ///< the numbers of a section that says no places
+    while (lines.nextFilled()) {
+        const std::vector<std::string_view> words = wordsOf(lines.text());
+        if (words.size() == 3 && words[0] == "define" && words[1] == "Markers") {
+            count = countOf(words[2], lines.number(), marked("the number of points"));
+        } else if (const auto declaration = declarationOf(lines.text())) {
+            const bool isPlace = declaration->type == "float[3]" || declaration->type == "double[3]";
+            if (isPlace && declaration->name.starts_with("Coordinates"))
+                sections.emplace(declaration->section, declaration->name);
+            else
+                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, declaration->name);
+        } else if (const auto section = sections.find(lines.text()); section != sections.end()) {
+            if (!count)
+                throw Failure{lines.number(), tr("the number of points is missing; write a line %1 before the points",
+                                                 "define Markers 10")};
+            sections.erase(section);
+            isOther = false;
+            LandmarkSet &set = read.sets.emplace_back();
+            for (std::uint32_t i = 0; i < *count; ++i) {
+                if (!lines.nextFilled() || lines.text().starts_with('@'))
+                    throw Failure{lines.number(),
+                                  tr("here are %1 of the %2 points that \"define Markers\" announces; is the file cut "
+                                     "off?",
+                                     i, *count)};
+                set.landmarks.push_back(landmarkOf(lines));
+            }
+        } else if (lines.text().starts_with('@')) {
+            isOther = true;
+        } else if (!read.sets.empty() && !isOther && !lines.text().starts_with('#')) {
+            throw Failure{lines.number(), tr("%1 stands behind the points; write the right number behind \"define "
+                                             "Markers\"",
+                                             mesh_import::quoted(lines.text()))};
+        }
+    }
+    if (read.sets.empty() || !sections.empty())
+        throw Failure{lines.number(),
+                      tr("there is no section of points, which begins with a line \"@1\"; is the file cut "
+                         "off?")};
+    read.notes = notes.take();
+    return read;
+}
+
+} // namespace unprojector::landmark_files

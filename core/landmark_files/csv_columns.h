@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace unprojector::landmark_files::csv {
+
+/// All columns that mean something here, in the order in which they are written.
+enum Column : std::size_t {
+    Specimen,
+    Name,
+    X,
+    Y,
+    Z,
+    Object,
+    Face,
+    U,
+    V,
+    W,
+    Note,
+    Vertex,
+    EdgeFrom,
+    EdgeTo,
+    EdgeShare,
+    Dx,
+    Dy,
+    Dz,
+    Color,
+    Hidden,
+    Mesh,
+    Unit,
+    CurveName, ///< of the curve that a row is a semilandmark of
+    CurvePoints,
+    CurveWay,
+    CurveCount,
+    Defined, ///< this and the rest: of 3D Slicer's tables, read only
+    Visible,
+    Selected,
+    Locked
+};
+inline constexpr std::size_t kColumnCount = Locked + 1, kWrittenCount = CurveCount + 1;
+inline constexpr std::array<const char *, kWrittenCount> kColumnNames{
+    "specimen", "name",   "x",      "y",        "z",      "object",      "face",      "u",         "v",
+    "w",        "note",   "vertex", "edgefrom", "edgeto", "edgeshare",   "dx",        "dy",        "dz",
+    "color",    "hidden", "mesh",   "unit",     "curve",  "curvepoints", "curvekind", "curvecount"};
+inline constexpr std::array kCurveKinds{"geodesic", "planeSection"};
+
+} // namespace unprojector::landmark_files::csv

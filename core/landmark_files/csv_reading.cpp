@@ -1,0 +1,317 @@
+// Reading of tables: our own, and those of other programs that name their columns.
+
+#include "core/landmark_files/csv_table.h"
+#include "core/landmark_files/lines.h"
+#include "core/scene_file/json_text.h"
+#include "core/scene_file/strict_json.h"
+#include "core/text/translation.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+
+namespace unprojector::landmark_files {
+using namespace csv;
+using text::CsvCell;
+using text::CsvRow;
+using text::tr;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A cell without quotes in which R or a spreadsheet says that there is nothing.
+bool isNothing(const CsvCell &cell)
+{
+    return cell.text.empty() || (!cell.isQuoted && (cell.text == "NA" || cell.text == "#N/A"));
+}
+
+/// The cells of a row by what they mean.
+class Cells {
+public:
+    Cells(const Table &table, const CsvRow &row) : m_table(table), m_row(row) {}
+
+    /// A name may be "NA", the short form of a nasion.
+    std::string_view operator[](Column column) const
+    {
+        if (!m_table.header.has(column))
+            return {};
+        const CsvCell &cell = m_row.cells[m_table.header.places[column]];
+        return column != Name && column != Specimen && isNothing(cell) ? std::string_view()
+                                                                       : std::string_view(cell.text);
+    }
+    std::size_t line() const { return m_row.line; }
+
+    double number(Column column) const
+    {
+        return numberOf(m_table.mark.withPoint((*this)[column]), line(), titleOf(column));
+    }
+
+    /// Three numbers; nothing where all are empty or say that they are missing.
+    std::optional<glm::dvec3> numbers(Column first) const
+    {
+        constexpr int kCount = 3;
+        const auto column = [first](int i) { return Column(first + std::size_t(i)); };
+        const auto isMissing = [&](int i) { return (*this)[column(i)].empty() || isMissingWord((*this)[column(i)]); };
+        int given = 0;
+        for (int i = 0; i < kCount; ++i)
+            given += isMissing(i) ? 0 : 1;
+        if (given == 0)
+            return std::nullopt;
+        glm::dvec3 v(0.0);
+        for (int i = 0; i < kCount; ++i) {
+            if (isMissing(i))
+                throw Failure{line(), (*this)[column(i)].empty()
+                                          ? tr("%1 is empty and its neighbours are not; give all three, or none",
+                                               titleOf(column(i)))
+                                          : tr("%1 is \"%2\" and its neighbours are numbers; give all three, or none",
+                                               titleOf(column(i)), (*this)[column(i)])};
+            v[i] = number(column(i));
+        }
+        return v;
+    }
+
+    /// 0 or 1, or the words for them.
+    bool flag(Column column, bool usual) const
+    {
+        const std::string word = lowerCase((*this)[column]);
+        if (word.empty())
+            return usual;
+        const bool isTrue = word == "1" || word == "true";
+        if (!isTrue && word != "0" && word != "false")
+            throw Failure{line(), tr("%1 is \"%2\"; write 1 or 0", titleOf(column), (*this)[column])};
+        return isTrue;
+    }
+
+private:
+    /// As the table itself calls it.
+    const std::string &titleOf(Column column) const { return m_table.header.titles[column]; }
+
+    const Table &m_table;
+    const CsvRow &m_row;
+};
+
+Hold holdOf(const Cells &cells)
+{
+    const bool isFace = !cells[Face].empty(), isVertex = !cells[Vertex].empty(), isEdge = !cells[EdgeFrom].empty();
+    if (isFace + isVertex + isEdge > 1)
+        throw Failure{cells.line(), tr("a point is held by one of face, vertex and edge; leave the others empty")};
+    const std::optional<glm::dvec3> barycentric = cells.numbers(U);
+    if (isFace != barycentric.has_value())
+        throw Failure{cells.line(), tr("face and u, v, w belong together; give all of them, or none")};
+    if (isFace) {
+        OnTriangle held; // in one piece GCC 12 calls its padding uninitialized
+        held.triangle = countOf(cells[Face], cells.line(), "face");
+        held.barycentric = *barycentric;
+        return held;
+    }
+    if (isVertex)
+        return AtVertex{countOf(cells[Vertex], cells.line(), "vertex")};
+    if (isEdge)
+        return OnEdge{
+            {countOf(cells[EdgeFrom], cells.line(), "edgeFrom"), countOf(cells[EdgeTo], cells.line(), "edgeTo")},
+            cells.number(EdgeShare)};
+    return Free{};
+}
+
+/// "#ff8000"
+std::optional<glm::u8vec3> colorOf(std::string_view text, std::size_t line)
+{
+    if (text.empty())
+        return std::nullopt;
+    std::uint32_t value = 0;
+    const char *end = text.data() + text.size();
+    const bool isHex =
+        text.size() == 7 && text.front() == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
+    if (!isHex)
+        throw Failure{line, tr("color is \"%1\"; write it as #rrggbb", text)};
+    return glm::u8vec3(value >> 16, (value >> 8) & 0xff, value & 0xff);
+}
+
+/// A cell of a column of somebody else's: as JSON where it is what JSON writes, else as a text.
+Json jsonOf(const std::string &cell)
+{
+    const auto json = scene_file::parseStrictJson(cell); // no deeper than what writes it has stack for
+    const bool isJson = json && !json->is_string() && scene_file::compactJson(*json) == cell;
+    return isJson ? *json : Json(cell);
+}
+
+Landmark landmarkOf(const Table &table, const CsvRow &row, Notes &notes)
+{
+    const Cells cells(table, row);
+    Landmark landmark;
+    landmark.name = cells[Name];
+    const std::optional<glm::dvec3> world = cells.numbers(X);
+    const bool isDefined = cells.flag(Defined, true);
+    if (world && isDefined)
+        landmark.world = turned(WorldPoint(*world), table.header.axes);
+    else if (world && *world != glm::dvec3(0.0))
+        notes.add(LandmarkNote::Kind::MissingHadPosition);
+    landmark.object = cells[Object];
+    landmark.hold = holdOf(cells);
+    landmark.note = cells[Note];
+    if (const auto uncertainty = cells.numbers(Dx))
+        landmark.uncertainty = WorldVector(*uncertainty);
+    landmark.color = colorOf(cells[Color], row.line);
+    landmark.isHidden = cells.flag(Hidden, !cells.flag(Visible, true));
+    if (!cells.flag(Selected, true))
+        landmark.extra.edit()["selected"] = false;
+    if (cells.flag(Locked, false))
+        landmark.extra.edit()["locked"] = true;
+    for (const auto &[place, name] : table.header.others) {
+        const CsvCell &cell = row.cells[place];
+        if (isNothing(cell))
+            continue;
+        if (name.empty())
+            throw Failure{
+                row.line,
+                tr("the cell \"%1\" stands in a column without a name; give it one in the first line", cell.text)};
+        landmark.extra.edit()[name] = jsonOf(cell.text);
+    }
+    return landmark;
+}
+
+std::vector<std::string> namesOf(std::string_view text, std::size_t line)
+{
+    std::vector<std::string> names;
+    if (text.empty())
+        return names;
+    const auto json = scene_file::parseStrictJson(std::string(text));
+    const bool isList = json && json->is_array()
+                        && std::all_of(json->begin(), json->end(), [](const Json &j) { return j.is_string(); });
+    if (!isList)
+        throw Failure{line, tr("curvePoints is %1; write the names as %2", text, R"(["A","B"])")};
+    for (const Json &name : *json)
+        names.push_back(name.get<std::string>());
+    return names;
+}
+
+/// Takes a row that says of a curve what it is, and where one of its semilandmarks.
+void addToCurve(LandmarkSet &set, const Cells &cells)
+{
+    const std::string name(cells[CurveName]);
+    auto curve = std::find_if(set.curves.begin(), set.curves.end(), [&](const Curve &c) { return c.name == name; });
+    if (curve == set.curves.end()) {
+        curve = set.curves.insert(curve, Curve());
+        curve->name = name;
+        curve->points = namesOf(cells[CurvePoints], cells.line());
+        const auto kind = std::find(kCurveKinds.begin(), kCurveKinds.end(), cells[CurveWay]);
+        if (kind == kCurveKinds.end() && !cells[CurveWay].empty())
+            throw Failure{cells.line(), tr("curveKind is \"%1\"; write geodesic or planeSection", cells[CurveWay])};
+        if (kind != kCurveKinds.end())
+            curve->kind = static_cast<CurveKind>(kind - kCurveKinds.begin());
+        curve->count = 0;
+        if (!cells[CurveCount].empty()) {
+            curve->count = countOf(cells[CurveCount], cells.line(), "curveCount");
+            if (curve->count < 2 || curve->count > kMostSemilandmarks)
+                throw Failure{cells.line(),
+                              tr("curveCount is %1; write 2 to %2", cells[CurveCount], kMostSemilandmarks)};
+        }
+    }
+    if (const auto place = cells.numbers(X))
+        curve->semilandmarks.push_back(WorldPoint(*place));
+}
+
+/// Whether a row of a curve has what is kept of landmarks only.
+bool saysMore(const Cells &cells, const Header &header, const CsvRow &row)
+{
+    const auto isOther = [&](const auto &other) { return !isNothing(row.cells[other.first]); };
+    for (std::size_t column = Object; column <= Hidden; ++column) {
+        if (!cells[Column(column)].empty())
+            return true;
+    }
+    return std::any_of(header.others.begin(), header.others.end(), isOther);
+}
+
+/// How many texts of a row had blanks around them: numbers lose nothing by that.
+std::size_t trimmedTexts(const Header &header, const CsvRow &row)
+{
+    constexpr std::array kTexts{Specimen, Name, Object, Note, Mesh, Unit, CurveName};
+    std::size_t count = 0;
+    for (std::size_t place = 0; place < row.cells.size(); ++place) {
+        if (!row.cells[place].hadBlanks || header.rowNames == place)
+            continue;
+        const auto known = std::find(header.places.begin(), header.places.end(), place);
+        const bool isText =
+            known == header.places.end()
+            || std::find(kTexts.begin(), kTexts.end(), Column(known - header.places.begin())) != kTexts.end();
+        count += isText ? 1 : 0;
+    }
+    return count;
+}
+
+/// What is not kept of a table as a whole.
+void addTableNotes(Notes &notes, const Table &table)
+{
+    if (table.header.isGuessed)
+        notes.add(LandmarkNote::Kind::HeaderMissing, 1, table.header.has(Name) ? "name,x,y,z" : "x,y,z");
+    if (table.mark.isComma())
+        notes.add(LandmarkNote::Kind::DecimalCommas);
+    if (table.paddingCount > 0)
+        notes.add(LandmarkNote::Kind::EmptyRowsLeftOut, table.paddingCount);
+    if (table.header.axes == Axes::Ras)
+        notes.add(LandmarkNote::Kind::AxesTurned);
+}
+
+} // namespace
+
+ReadLandmarks readCsv(std::string_view text)
+{
+    const Table table = tableOf(text);
+    const Header &header = table.header;
+    ReadLandmarks read;
+    Notes notes;
+    addTableNotes(notes, table);
+    std::map<std::string, std::size_t, std::less<>> places;
+    std::size_t rowNames = 0;
+    for (TableRows rows(table); rows.next();) {
+        const CsvRow &row = rows.row();
+        if (const std::size_t count = trimmedTexts(header, row); count > 0)
+            notes.add(LandmarkNote::Kind::BlanksLeftOut, count);
+        const Cells cells(table, row);
+        const auto [place, isNew] = places.try_emplace(std::string(cells[Specimen]), read.sets.size());
+        if (isNew) {
+            LandmarkSet set;
+            set.name = cells[Specimen];
+            set.mesh = cells[Mesh];
+            set.unit = cells[Unit];
+            set.axes = header.axes;
+            read.sets.push_back(std::move(set));
+        }
+        LandmarkSet &set = read.sets[place->second];
+        for (const auto &[column, known] : {std::pair(Mesh, &set.mesh), std::pair(Unit, &set.unit)}) {
+            if (cells[column] != *known)
+                throw Failure{row.line, tr("%1 is \"%2\", and that of the rows before is \"%3\"; a specimen has one, "
+                                           "so give it in each of its rows",
+                                           kColumnNames[column], cells[column], *known)};
+        }
+        if (header.rowNames) { // row numbers say nothing
+            const std::string &name = row.cells[*header.rowNames].text;
+            rowNames += name.find_first_not_of("0123456789") == name.npos ? 0u : 1u;
+        }
+        if (cells[CurveName].empty()) {
+            set.landmarks.push_back(landmarkOf(table, row, notes));
+        } else {
+            addToCurve(set, cells);
+            if (saysMore(cells, header, row))
+                notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
+        }
+    }
+    if (rowNames > 0)
+        notes.add(LandmarkNote::Kind::RowNamesLeftOut, rowNames);
+    read.notes = notes.take();
+    for (LandmarkSet &set : read.sets) {
+        for (Curve &curve : set.curves) {
+            if (curve.count == 0) // the table of somebody who knows the semilandmarks only
+                curve.count = static_cast<std::uint32_t>(
+                    std::clamp<std::size_t>(curve.semilandmarks.size(), 2, kMostSemilandmarks));
+        }
+    }
+    if (read.sets.empty())
+        read.sets.emplace_back();
+    return read;
+}
+
+} // namespace unprojector::landmark_files

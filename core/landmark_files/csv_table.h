@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/landmark_files/csv_columns.h"
+#include "core/landmark_files/lines.h"
+#include "core/text/csv.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace unprojector::landmark_files::csv {
+
+/// What a table's first line says of its columns, and its rows together of how they are written.
+struct Header {
+    std::array<std::size_t, kColumnCount> places;            ///< npos: there is no such column
+    std::array<std::string, kColumnCount> titles;            ///< as the table calls them
+    std::vector<std::pair<std::size_t, std::string>> others; ///< columns of somebody else's
+    std::optional<std::size_t> rowNames; ///< a first column without a name that holds R's row names, which are dropped
+    std::size_t count = 0;
+    Axes axes = Axes::Lps;
+    bool isGuessed = false; ///< there is no header; the columns are name, x, y, z or x, y, z
+
+    static constexpr std::size_t npos = std::size_t(-1);
+    bool has(Column column) const { return places[column] != npos; }
+};
+
+struct Table {
+    std::string_view text;
+    char separator = ',';
+    Header header;
+    std::size_t rowCount = 0; ///< without the header, and without padding behind the last row
+    std::size_t paddingCount = 0;
+    text::DecimalMark mark{','};
+};
+
+/// Looks through a table once. Throws Failure.
+Table tableOf(std::string_view text);
+
+/// The rows of a table behind its header, each with as many cells as the header has.
+class TableRows {
+public:
+    explicit TableRows(const Table &table);
+    /// @return false behind the last row. Throws Failure.
+    bool next();
+    const text::CsvRow &row() const { return m_reader.row(); }
+
+private:
+    const Table &m_table;
+    text::CsvReader m_reader;
+    std::size_t m_read = 0;
+};
+
+} // namespace unprojector::landmark_files::csv

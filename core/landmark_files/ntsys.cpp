@@ -1,0 +1,253 @@
+// .nts and .dta of NTSYS: a matrix, a row a specimen, or without labels a row a landmark of one specimen.
+
+#include "core/landmark_files/lines.h"
+#include "core/mesh_import/text_scanner.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace unprojector::landmark_files {
+using text::marked;
+using text::tr;
+namespace {
+
+/// "1 12L 63L 1 9999 DIM=3": the kind of matrix, rows, columns, whether values are missing and what stands for them.
+struct Parameters {
+    std::uint32_t rows = 0, columns = 0, dimensions = 3;
+    char rowLabels = 0; ///< 'L': all before the numbers; 'B', 'E': each at the begin or end of its row; 0: none
+    bool hasColumnLabels = false;
+    std::optional<double> missing;
+
+    std::size_t axes() const { return dimensions; }
+};
+
+std::string upperCase(std::string_view text)
+{
+    std::string upper(text);
+    for (char &c : upper)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return upper;
+}
+
+/// Takes the letter off a count that has one.
+char takeLetter(std::string_view &word, std::string_view letters)
+{
+    if (word.empty() || letters.find(word.back()) == letters.npos)
+        return 0;
+    const char letter = word.back();
+    word.remove_suffix(1);
+    return letter;
+}
+
+Parameters parametersOf(std::string_view line, std::size_t number)
+{
+    const std::string upper = upperCase(line);
+    const std::size_t key = upper.find("DIM");
+    const std::size_t equals = key == upper.npos ? key : upper.find('=', key);
+    if (equals == upper.npos)
+        throw Failure{number, tr("%1 does not say DIM=3; this is no matrix of landmarks", mesh_import::quoted(line))};
+    const std::string_view behind = trimmed(std::string_view(upper).substr(equals + 1));
+    const std::size_t end = std::min(behind.find_first_of(" \t"), behind.size());
+    Parameters parameters;
+    parameters.dimensions = countOf(behind.substr(0, end), number, "DIM");
+    if (parameters.dimensions != 2 && parameters.dimensions != 3)
+        throw Failure{number, tr("DIM is %1; it must be 2 or 3", parameters.dimensions)};
+    const std::string rest = upper.substr(0, key) + ' ' + std::string(behind.substr(end));
+    std::vector<std::string_view> words = wordsOf(rest);
+    if (words.size() < 3 || words.front() != "1")
+        throw Failure{number, tr("%1 is no line of parameters; a matrix of landmarks begins with one like %2",
+                                 mesh_import::quoted(line), "1 12L 63 1 9999 DIM=3")};
+    parameters.rowLabels = takeLetter(words[1], "LBE");
+    parameters.hasColumnLabels = takeLetter(words[2], "LBE") != 0;
+    parameters.rows = countOf(words[1], number, marked("the number of rows"));
+    parameters.columns = countOf(words[2], number, marked("the number of columns"));
+    if (words.size() > 4 && words[3] != "0")
+        parameters.missing = numberOf(words[4], number, marked("the number for missing values"));
+    if (parameters.columns == 0 || parameters.columns % parameters.dimensions != 0)
+        throw Failure{number, tr("%1 columns are no whole number of points of %2 coordinates", parameters.columns,
+                                 parameters.dimensions)};
+    return parameters;
+}
+
+/// The words behind the parameters, with their lines.
+class Words {
+public:
+    Words(Lines &lines, Notes &notes) : m_lines(lines), m_notes(notes) {}
+
+    /// Nothing at the end.
+    std::optional<std::string_view> next()
+    {
+        while (m_at == m_words.size()) {
+            if (!m_lines.nextFilled())
+                return std::nullopt;
+            m_at = 0;
+            m_words.clear();
+            if (isComment(m_lines.text()))
+                m_notes.add(LandmarkNote::Kind::CommentsLeftOut);
+            else
+                m_words = wordsOf(m_lines.text());
+        }
+        return m_words[m_at++];
+    }
+    std::string_view need()
+    {
+        const std::optional<std::string_view> word = next();
+        if (!word)
+            throw Failure{line(), tr("the file ends within the matrix that the parameters announce; is it cut off?")};
+        return *word;
+    }
+    std::size_t line() const { return m_lines.number(); }
+
+    static bool isComment(std::string_view line) { return line.front() == '"' || line.front() == '\''; }
+
+private:
+    Lines &m_lines;
+    Notes &m_notes;
+    std::vector<std::string_view> m_words;
+    std::size_t m_at = 0;
+};
+
+Landmark landmarkOf(Words &words, const Parameters &parameters)
+{
+    constexpr std::array kAxes{"x", "y", "z"};
+    glm::dvec3 v(0.0);
+    std::size_t missing = 0;
+    for (std::size_t axis = 0; axis < parameters.axes(); ++axis) {
+        const std::string_view word = words.need();
+        double &value = v[static_cast<int>(axis)];
+        if (!isMissingWord(word))
+            value = numberOf(word, words.line(), kAxes[axis]);
+        missing += isMissingWord(word) || value == parameters.missing ? 1u : 0u;
+    }
+    if (missing > 0 && missing < parameters.axes())
+        throw Failure{words.line(),
+                      tr("some coordinates of a point are missing and some are not; a point is missing as "
+                         "a whole")};
+    Landmark landmark;
+    if (missing == 0)
+        landmark.world = WorldPoint(v);
+    return landmark;
+}
+
+/// What the labels of a point's columns have in common: "Nasion" of "Nasion_x", "Nasion_y" and "Nasion_z".
+std::string nameOf(const std::vector<std::string> &labels, std::size_t first, std::size_t axes)
+{
+    constexpr std::string_view kAxes = "xyz";
+    std::string stem;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        std::string_view label = labels[first + axis];
+        if (label.empty() || lowerCase(label.substr(label.size() - 1)) != kAxes.substr(axis, 1))
+            return {};
+        label.remove_suffix(1);
+        if (!label.empty() && (label.back() == '_' || label.back() == '.' || label.back() == '-'))
+            label.remove_suffix(1);
+        if (axis > 0 && label != stem)
+            return {};
+        stem = label;
+    }
+    return stem;
+}
+
+} // namespace
+
+ReadLandmarks readNts(std::string_view text)
+{
+    ReadLandmarks read;
+    Notes notes;
+    Lines lines(text);
+    std::string title;
+    std::size_t comments = 0;
+    bool isThere = lines.nextFilled();
+    for (; isThere && Words::isComment(lines.text()); isThere = lines.nextFilled()) {
+        title = trimmed(lines.text().substr(1));
+        while (!title.empty() && (title.back() == '"' || title.back() == '\''))
+            title.pop_back();
+        ++comments;
+    }
+    if (!isThere)
+        throw Failure{1, tr("there are no points; NTSYS has them behind a line like %1", "1 12L 63 1 9999 DIM=3")};
+    const Parameters parameters = parametersOf(lines.text(), lines.number());
+    const std::size_t axes = parameters.axes();
+    Words words(lines, notes);
+    std::vector<std::string> rowLabels, columnLabels;
+    for (std::uint32_t i = 0; parameters.rowLabels == 'L' && i < parameters.rows; ++i)
+        rowLabels.emplace_back(words.need());
+    for (std::uint32_t i = 0; parameters.hasColumnLabels && i < parameters.columns; ++i)
+        columnLabels.emplace_back(words.need());
+    // geomorph's digit.fixed: the rows are the landmarks of one specimen, whose name is the comment.
+    const bool isOneSpecimen = parameters.rowLabels == 0 && parameters.columns == parameters.dimensions;
+    if (isOneSpecimen && comments == 1) {
+        read.sets.emplace_back().name = title;
+        comments = 0;
+    }
+    if (comments > 0)
+        notes.add(LandmarkNote::Kind::CommentsLeftOut, comments);
+    for (std::uint32_t row = 0; row < parameters.rows; ++row) {
+        if (read.sets.empty() || !isOneSpecimen)
+            read.sets.emplace_back();
+        LandmarkSet &set = read.sets.back();
+        if (parameters.rowLabels == 'L')
+            set.name = rowLabels[row];
+        else if (parameters.rowLabels == 'B')
+            set.name = words.need();
+        for (std::size_t column = 0; column < parameters.columns; column += axes) {
+            Landmark landmark = landmarkOf(words, parameters);
+            if (!columnLabels.empty() && !isOneSpecimen)
+                landmark.name = nameOf(columnLabels, column, axes);
+            set.landmarks.push_back(std::move(landmark));
+        }
+        if (parameters.rowLabels == 'E')
+            set.name = words.need();
+    }
+    if (const auto word = words.next())
+        throw Failure{words.line(), tr("%1 stands behind the matrix; write the right numbers of rows and columns into "
+                                       "the parameters",
+                                       mesh_import::quoted(*word))};
+    if (axes == 2)
+        notes.add(LandmarkNote::Kind::FlatPoints, std::size_t{parameters.rows} * (parameters.columns / 2));
+    if (read.sets.empty())
+        read.sets.emplace_back();
+    read.notes = notes.take();
+    return read;
+}
+
+std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
+{
+    constexpr double kMissing = 9999.0;
+    addLosses(notes, sets, {.specimenName = true});
+    if (sets.empty() || sets.front().landmarks.empty())
+        throw Failure{0, tr(".nts is a table, and there are no points; place some first"),
+                      LandmarkFileError::Code::CannotHold};
+    const std::size_t points = sets.front().landmarks.size();
+    bool hasMissing = false;
+    for (const LandmarkSet &set : sets) {
+        if (set.landmarks.size() != points)
+            throw Failure{0,
+                          tr(".nts is a table, in which all specimens have the same points: \"%1\" has %2, \"%3\" has "
+                             "%4; take .tps, or leave one of them out",
+                             set.name, set.landmarks.size(), sets.front().name, points),
+                          LandmarkFileError::Code::CannotHold};
+        for (const Landmark &landmark : set.landmarks)
+            hasMissing = hasMissing || landmark.isMissing();
+    }
+    std::string text = "1 " + std::to_string(sets.size()) + "L " + std::to_string(3 * points);
+    text += hasMissing ? " 1 9999 DIM=3\n" : " 0 DIM=3\n";
+    PlainNames names(" \"'", true, notes);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+        text += names.of(sets[i].name, std::to_string(i + 1)) + '\n';
+    for (const LandmarkSet &set : sets) {
+        std::string row;
+        for (const Landmark &landmark : set.landmarks) {
+            const glm::dvec3 v = landmark.world ? landmark.world->coordinates() : glm::dvec3(kMissing);
+            if (hasMissing && landmark.world && (v.x == kMissing || v.y == kMissing || v.z == kMissing))
+                notes.add(LandmarkNote::Kind::LooksMissing, 1, landmark.name);
+            appendNumbers(row, v, ' ');
+        }
+        text += row.substr(1) + '\n';
+    }
+    return text;
+}
+
+} // namespace unprojector::landmark_files
