@@ -159,6 +159,12 @@ Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const Landma
             sets = plain;
         }
         std::string text = textOf(sets, format, notes);
+        if (text.size() > kMostLandmarkBytes) // what is written shall be read again
+            throw Failure{0,
+                          tr("the file would have %1 MiB, and a file of landmarks may have at most %2 MiB; write fewer "
+                             "points, or a format that takes less",
+                             (text.size() >> 20) + 1, kMostLandmarkBytes >> 20),
+                          LandmarkFileError::Code::CannotHold};
         return WrittenLandmarks{std::move(text), notes.take()};
     } catch (const Failure &failure) {
         return LandmarkFileError{failure.code, {}, failure.line, failure.text};

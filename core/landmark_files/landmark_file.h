@@ -140,7 +140,7 @@ struct WrittenLandmarks {
     std::vector<LandmarkNote> notes;
 };
 
-/// No file of landmarks is larger.
+/// No file of landmarks is larger, neither one that is read nor one that is written.
 constexpr std::size_t kMostLandmarkBytes = std::size_t{64} << 20;
 
 /// Reads the text of a file of landmarks. Every number is read to the nearest double, whatever the system's language.
@@ -155,7 +155,7 @@ geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_vi
 /// the curve is, in TPS as CURVES and POINTS, in the others as further points, "NAME:01".
 /// @param sets  one a specimen
 /// @return CannotHold: several specimens where the format has one, or specimens of different numbers of points where it
-///         has a table; a name that is not UTF-8 in JSON
+///         has a table; a name that is not UTF-8 in JSON; more than kMostLandmarkBytes
 geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format);
 
 /// A table with one row a specimen: specimen,A_x,A_y,A_z,B_x,… The columns are the landmarks of all specimens by name, in

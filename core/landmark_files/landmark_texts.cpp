@@ -43,7 +43,7 @@ std::string sentence(const LandmarkFileError &error)
         return tr("the name must end in %1", suffixList([](Format) { return true; }));
     case LandmarkFileError::Code::NotWritten: return tr("the name must end in %1", suffixList(isWritten));
     case LandmarkFileError::Code::TooLarge:
-        return tr("a file of landmarks may have at most %1 MiB (8 MiB of JSON)", kMostLandmarkBytes >> 20);
+        return tr("a file of landmarks may have at most %1 MiB", kMostLandmarkBytes >> 20);
     case LandmarkFileError::Code::NotWritable:
     case LandmarkFileError::Code::Malformed:
     case LandmarkFileError::Code::CannotHold: return error.detail;

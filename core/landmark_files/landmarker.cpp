@@ -129,7 +129,7 @@ LandmarkSet firstVersion(const Json &groups, Notes &notes)
 
 ReadLandmarks readLandmarker(std::string_view text)
 {
-    const auto json = scene_file::parseStrictJson(text);
+    const auto json = scene_file::parseStrictJson(text, kMostLandmarkBytes);
     if (!json)
         throw failureOf(json.error());
     ReadLandmarks read;

@@ -26,10 +26,15 @@ constexpr const char *kTemplateName = "templateName";
 
 // ---- reading ----------------------------------------------------------------------------------------------------
 
-/// What the XML library does not tell of a text: on which lines its points begin. And that its elements lie in each other
-/// no deeper than the library, which calls itself for each level, has stack for.
+/// What the XML library does not tell of a text: on which lines its points begin, and where it can be cut into pieces.
+/// Elements lie in each other no deeper than the library, which calls itself for each level, has stack for.
 class Outline {
 public:
+    /// The beginning of a piece, and its line, counted from 1.
+    struct Cut {
+        std::size_t offset = 0, line = 1;
+    };
+
     explicit Outline(std::string_view text)
     {
         std::size_t level = 0;
@@ -51,8 +56,11 @@ public:
             } else {
                 const std::size_t end = tagEnd(text, i);
                 const std::string_view tag = text.substr(i + 1, end - i - 1);
-                if (tag.substr(0, tag.find_first_of(" \t\r\n/")) == "point")
+                if (tag.substr(0, tag.find_first_of(" \t\r\n/")) == "point") {
+                    if (level == 1 && m_points.size() % kPointsOfPiece == 0 && !m_points.empty())
+                        m_cuts.push_back({i, m_line});
                     m_points.push_back(m_line);
+                }
                 if (!tag.ends_with('/'))
                     ++level;
                 if (level > kMostLevels)
@@ -66,9 +74,12 @@ public:
 
     /// The line of a point, counted from 0; 0 where it is not known.
     std::size_t lineOf(std::size_t point) const { return point < m_points.size() ? m_points[point] : 0; }
+    /// Places between two children of the root, rising.
+    const std::vector<Cut> &cuts() const { return m_cuts; }
 
 private:
     static constexpr std::size_t kMostLevels = 64;
+    static constexpr std::size_t kPointsOfPiece = 4096;
 
     void advanceTo(std::string_view text, std::size_t place)
     {
@@ -97,18 +108,42 @@ private:
     }
 
     std::vector<std::size_t> m_points;
+    std::vector<Cut> m_cuts;
     std::size_t m_at = 0, m_line = 1;
 };
 
-Tree treeOf(std::string_view text)
+/// @param firstLine  of the text in its file
+Tree treeOf(const std::string &text, std::size_t firstLine)
 {
     try {
-        std::istringstream stream{std::string(text)};
+        std::istringstream stream(text);
         Tree tree;
         boost::property_tree::read_xml(stream, tree, boost::property_tree::xml_parser::trim_whitespace);
         return tree;
     } catch (const boost::property_tree::xml_parser_error &error) {
-        throw Failure{error.line(), tr("this is no XML: %1", error.message())};
+        throw Failure{error.line() + firstLine - 1, tr("this is no XML: %1", error.message())};
+    }
+}
+
+/// Calls a function with the root of each piece of a document: the tree of all of it would take kilobytes a point.
+template <class Take>
+void forEachPiece(std::string_view text, const std::string &root, const Outline &outline, const Take &take)
+{
+    Outline::Cut start;
+    for (std::size_t i = 0; i <= outline.cuts().size(); ++i) {
+        const bool isLast = i == outline.cuts().size();
+        const Outline::Cut end = isLast ? Outline::Cut{text.size(), 0} : outline.cuts()[i];
+        std::string piece(text.substr(start.offset, end.offset - start.offset));
+        if (i > 0)
+            piece.insert(0, '<' + root + '>');
+        if (!isLast)
+            piece += "</" + root + '>';
+        const Tree tree = treeOf(piece, start.line);
+        const auto points = tree.get_child_optional(root);
+        if (!points)
+            throw Failure{1, tr("there is no <%1>, which holds the points of MeshLab; is it another file?", root)};
+        take(*points);
+        start = end;
     }
 }
 
@@ -180,24 +215,22 @@ ReadLandmarks readMeshLab(std::string_view text, bool isTemplate)
 {
     const char *root = isTemplate ? "PickPointsTemplate" : "PickedPoints";
     const Outline outline(text);
-    const Tree tree = treeOf(text);
-    const auto points = tree.get_child_optional(root);
-    if (!points)
-        throw Failure{1, tr("there is no <%1>, which holds the points of MeshLab; is it another file?", root)};
     ReadLandmarks read;
     Notes notes;
     LandmarkSet &set = read.sets.emplace_back();
-    for (const auto &[tag, element] : *points) {
-        if (tag == "point")
-            set.landmarks.push_back(
-                pointOf(element, outline.lineOf(set.landmarks.size()), set.landmarks.size(), isTemplate, notes));
-        else if (tag == kDocumentData)
-            readDocumentData(element, set);
-        else if (tag == "<xmlcomment>")
-            notes.add(LandmarkNote::Kind::CommentsLeftOut);
-        else
-            notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, tag);
-    }
+    forEachPiece(text, root, outline, [&](const Tree &points) {
+        for (const auto &[tag, element] : points) {
+            const std::size_t number = set.landmarks.size();
+            if (tag == "point")
+                set.landmarks.push_back(pointOf(element, outline.lineOf(number), number, isTemplate, notes));
+            else if (tag == kDocumentData)
+                readDocumentData(element, set);
+            else if (tag == "<xmlcomment>")
+                notes.add(LandmarkNote::Kind::CommentsLeftOut);
+            else
+                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, tag);
+        }
+    });
     read.notes = notes.take();
     return read;
 }

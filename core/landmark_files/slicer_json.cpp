@@ -180,7 +180,7 @@ Failure failureOf(SceneFileError error)
 
 ReadLandmarks readSlicerJson(std::string_view text)
 {
-    auto parsed = parseStrictJson(text);
+    auto parsed = parseStrictJson(text, kMostLandmarkBytes);
     if (!parsed)
         throw failureOf(parsed.error());
     Json json = std::move(parsed).value();

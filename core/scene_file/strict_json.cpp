@@ -189,10 +189,15 @@ std::string shortened(std::string_view text, std::size_t most)
 
 Result<Json, SceneFileError> parseStrictJson(std::string_view text)
 {
+    return parseStrictJson(text, kMostSceneBytes);
+}
+
+Result<Json, SceneFileError> parseStrictJson(std::string_view text, std::size_t mostBytes)
+{
     SceneFileError error;
-    if (text.size() > kMostSceneBytes) {
+    if (text.size() > mostBytes) {
         error.code = SceneFileErrorCode::TooLarge;
-        error.limit = double(kMostSceneBytes);
+        error.limit = double(mostBytes);
         return error;
     }
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,8 @@ namespace unprojector::scene_file {
 /// number.
 /// @return EmptyFile, Syntax, NumberTooLarge, TooDeep, DuplicateKey, each with line and column; TooLarge
 Result<nlohmann::ordered_json, SceneFileError> parseStrictJson(std::string_view text);
+/// The same of a document that may have other than kMostSceneBytes.
+Result<nlohmann::ordered_json, SceneFileError> parseStrictJson(std::string_view text, std::size_t mostBytes);
 
 /// At most `most` bytes of a text, not cut inside a character; "…" at the end where something is missing.
 std::string shortened(std::string_view text, std::size_t most = 60);

@@ -496,8 +496,9 @@ void TestLandmarkFiles::badCurvesAreRefused_data()
                               << "x:2: curveKind is \"bent\"; write geodesic or planeSection";
     QTest::newRow("csv-count") << int(Format::Csv) << QByteArray("x,y,z,curve,curveCount\n1,2,3,c,1\n")
                                << "x:2: curveCount is 1; write 2 to 1000";
-    QTest::newRow("tps-missing") << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3\nNA NA NA\n")
-                                 << "x:5: a point of a curve is NA; a curve has all its points";
+    QTest::newRow("tps-missing")
+        << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3\nNA NA NA\n")
+        << "x:5: a point of a curve is NA NA NA, which stands for a missing one; a curve has all its points";
     QTest::newRow("tps-scale") << int(Format::Tps)
                                << QByteArray("LM3=0\nSCALE=1e300\nCURVES=1\nPOINTS=2\n1e300 2 3\n1 2 3\n")
                                << "x:5: SCALE makes this point's coordinates too large; write a smaller one";
