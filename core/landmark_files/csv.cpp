@@ -109,6 +109,37 @@ std::string titleOf(std::size_t column)
     }
 }
 
+using Row = std::array<std::string, kWrittenCount>;
+
+/// Calls a function with each row of a table, and the landmark that it is of, none of a semilandmark's. The rows of all
+/// landmarks at once would take a kilobyte each.
+template <class Take>
+void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &take)
+{
+    PlainNames specimens("", true, notes); // rows of one name are one specimen's
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const LandmarkSet &set = sets[i];
+        const std::string specimen = sets.size() > 1 ? specimens.of(set.name, std::to_string(i + 1)) : set.name;
+        if (set.landmarks.empty() && set.curves.empty() && (sets.size() > 1 || !set.name.empty()))
+            notes.add(LandmarkNote::Kind::EmptySpecimenLeftOut, 1, specimen);
+        for (const Landmark &landmark : set.landmarks) {
+            Row row = cellsOf(set, landmark);
+            row[Specimen] = specimen;
+            take(row, &landmark);
+        }
+        PlainNames curves("", true, notes); // rows of one name are one curve's
+        for (std::size_t k = 0; k < set.curves.size(); ++k) {
+            const Curve &curve = set.curves[k];
+            for (Row &row : rowsOf(set, curve, curves.of(nameOf(curve, k)))) {
+                row[Specimen] = specimen;
+                take(row, static_cast<const Landmark *>(nullptr));
+            }
+            for (auto it = curve.extra.json().begin(); it != curve.extra.json().end(); ++it)
+                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
+        }
+    }
+}
+
 } // namespace
 
 std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
@@ -118,8 +149,6 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
     all.specimenName = all.mesh = all.unit = true;
     addLosses(notes, sets, all);
 
-    std::vector<std::array<std::string, kWrittenCount>> rows;
-    std::vector<const Landmark *> landmarks;
     std::array<bool, kWrittenCount> isUsed{};
     std::vector<std::string> others;
     std::set<std::string> known;
@@ -128,42 +157,18 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
     };
     std::fill(isUsed.begin() + Name, isUsed.begin() + Vertex, true);
     isUsed[Specimen] = sets.size() > 1;
-    PlainNames specimens("", true, notes); // rows of one name are one specimen's
-    const auto use = [&](const std::array<std::string, kWrittenCount> &row) {
+    forEachRow(sets, notes, [&](const Row &row, const Landmark *landmark) {
         for (std::size_t column = 0; column < kWrittenCount; ++column)
             isUsed[column] = isUsed[column] || !row[column].empty();
-    };
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-        const LandmarkSet &set = sets[i];
-        const std::string specimen = sets.size() > 1 ? specimens.of(set.name, std::to_string(i + 1)) : set.name;
-        if (set.landmarks.empty() && set.curves.empty() && (sets.size() > 1 || !set.name.empty()))
-            notes.add(LandmarkNote::Kind::EmptySpecimenLeftOut, 1, specimen);
-        for (const Landmark &landmark : set.landmarks) {
-            rows.push_back(cellsOf(set, landmark));
-            rows.back()[Specimen] = specimen;
-            landmarks.push_back(&landmark);
-            use(rows.back());
-            for (auto it = landmark.extra.json().begin(); it != landmark.extra.json().end(); ++it) {
-                if (it.key().empty() || isOurs(it.key()))
-                    notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
-                else if (known.insert(it.key()).second)
-                    others.push_back(it.key());
-            }
+        if (!landmark)
+            return;
+        for (auto it = landmark->extra.json().begin(); it != landmark->extra.json().end(); ++it) {
+            if (it.key().empty() || isOurs(it.key()))
+                notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
+            else if (known.insert(it.key()).second)
+                others.push_back(it.key());
         }
-        PlainNames curves("", true, notes); // rows of one name are one curve's
-        for (std::size_t k = 0; k < set.curves.size(); ++k) {
-            const Curve &curve = set.curves[k];
-            const std::string name = curves.of(nameOf(curve, k));
-            for (std::array<std::string, kWrittenCount> &row : rowsOf(set, curve, name)) {
-                row[Specimen] = specimen;
-                use(row);
-                rows.push_back(std::move(row));
-                landmarks.push_back(nullptr);
-            }
-            for (auto it = curve.extra.json().begin(); it != curve.extra.json().end(); ++it)
-                notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
-        }
-    }
+    });
     std::string text;
     const char *separator = "";
     for (std::size_t column = 0; column < kWrittenCount; ++column) {
@@ -177,30 +182,30 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
         appendCell(text, other);
     }
     text += '\n';
-    for (std::size_t row = 0; row < rows.size(); ++row) {
+    Notes said; // the first time
+    forEachRow(sets, said, [&](const Row &row, const Landmark *landmark) {
         separator = "";
         // A row of nothing but commas would be a spreadsheet's padding.
-        const bool isEmpty =
-            std::all_of(rows[row].begin(), rows[row].end(), [](const auto &cell) { return cell.empty(); });
+        const bool isEmpty = std::all_of(row.begin(), row.end(), [](const std::string &cell) { return cell.empty(); });
         for (std::size_t column = 0; column < kWrittenCount; ++column) {
             if (!isUsed[column])
                 continue;
             text += separator;
             if (isEmpty && column == Name)
                 text += "\"\"";
-            appendCell(text, rows[row][column]);
+            appendCell(text, row[column]);
             separator = ",";
         }
         for (const std::string &other : others) {
             text += ',';
-            if (!landmarks[row])
+            if (!landmark)
                 continue;
-            const Json &extra = landmarks[row]->extra.json();
+            const Json &extra = landmark->extra.json();
             if (extra.is_object() && extra.contains(other))
                 appendCell(text, cellOf(extra[other]));
         }
         text += '\n';
-    }
+    });
     return text;
 }
 

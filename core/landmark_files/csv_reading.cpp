@@ -54,7 +54,8 @@ public:
     {
         constexpr int kCount = 3;
         const auto column = [first](int i) { return Column(first + std::size_t(i)); };
-        const auto isMissing = [&](int i) { return (*this)[column(i)].empty() || isMissingWord((*this)[column(i)]); };
+        const auto cell = [&](int i) { return rawText(column(i)); };
+        const auto isMissing = [&](int i) { return cell(i).empty() || isMissingWord(cell(i)); };
         int given = 0;
         for (int i = 0; i < kCount; ++i)
             given += isMissing(i) ? 0 : 1;
@@ -63,11 +64,11 @@ public:
         glm::dvec3 v(0.0);
         for (int i = 0; i < kCount; ++i) {
             if (isMissing(i))
-                throw Failure{line(), (*this)[column(i)].empty()
+                throw Failure{line(), cell(i).empty()
                                           ? tr("%1 is empty and its neighbours are not; give all three, or none",
                                                titleOf(column(i)))
                                           : tr("%1 is \"%2\" and its neighbours are numbers; give all three, or none",
-                                               titleOf(column(i)), (*this)[column(i)])};
+                                               titleOf(column(i)), cell(i))};
             v[i] = number(column(i));
         }
         return v;
@@ -86,6 +87,11 @@ public:
     }
 
 private:
+    std::string_view rawText(Column column) const
+    {
+        return m_table.header.has(column) ? std::string_view(m_row.cells[m_table.header.places[column]].text)
+                                          : std::string_view();
+    }
     /// As the table itself calls it.
     const std::string &titleOf(Column column) const { return m_table.header.titles[column]; }
 

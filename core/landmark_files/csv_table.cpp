@@ -65,6 +65,7 @@ Header headerOf(const CsvRow &row)
 {
     Header header;
     header.places.fill(Header::npos);
+    std::copy(kColumnNames.begin(), kColumnNames.end(), header.titles.begin());
     header.count = row.cells.size();
     std::set<std::string> names;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {

@@ -145,6 +145,20 @@ std::string textOf(std::span<const LandmarkSet> sets, Format format, Notes &note
     return {};
 }
 
+/// A point of .mrk.json takes more than this.
+constexpr std::size_t kLeastJsonBytes = 200;
+
+/// What is written shall be read again.
+void checkSize(std::size_t bytes)
+{
+    if (bytes > kMostLandmarkBytes)
+        throw Failure{0,
+                      tr("the file would have %1 MiB or more, and a file of landmarks may have at most %2 MiB; write "
+                         "fewer points, or a format that takes less",
+                         (bytes >> 20) + 1, kMostLandmarkBytes >> 20),
+                      LandmarkFileError::Code::CannotHold};
+}
+
 } // namespace
 
 Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format)
@@ -158,13 +172,14 @@ Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const Landma
             plain = withCurvesAsPoints(sets, notes);
             sets = plain;
         }
+        if (format == Format::SlicerJson) { // before gigabytes are laid out
+            std::size_t points = 0;
+            for (const LandmarkSet &set : sets)
+                points += set.landmarks.size();
+            checkSize(points * kLeastJsonBytes);
+        }
         std::string text = textOf(sets, format, notes);
-        if (text.size() > kMostLandmarkBytes) // what is written shall be read again
-            throw Failure{0,
-                          tr("the file would have %1 MiB, and a file of landmarks may have at most %2 MiB; write fewer "
-                             "points, or a format that takes less",
-                             (text.size() >> 20) + 1, kMostLandmarkBytes >> 20),
-                          LandmarkFileError::Code::CannotHold};
+        checkSize(text.size());
         return WrittenLandmarks{std::move(text), notes.take()};
     } catch (const Failure &failure) {
         return LandmarkFileError{failure.code, {}, failure.line, failure.text};

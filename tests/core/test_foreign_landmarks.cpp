@@ -154,6 +154,10 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f:3: a quote is opened here and never closed; close it, or double it within quotes");
     add("csv: not finite", Format::Csv, "name,x,y,z\n\na,nan,2,3\n",
         "f:3: x is \"nan\" and its neighbours are numbers; give all three, or none");
+    add("csv: half a point is NA", Format::Csv, "name,x,y,z\na,1,2,NA\n",
+        "f:2: z is \"NA\" and its neighbours are numbers; give all three, or none");
+    add("csv: no column v", Format::Csv, "x,y,z,face,u\n1,2,3,7,0.5\n",
+        "f:2: v is empty and its neighbours are not; give all three, or none");
     add("csv: infinite", Format::Csv, "name,x,y,z\na,inf,2,3\n", "f:2: x is \"inf\"; write a number");
     add("csv: four numbers that may be anything", Format::Csv, "1,2,3,4\n2,2,3,4\n",
         "f:1: there is no column x; the first line names the columns, name,x,y,z at least");

@@ -141,6 +141,8 @@ private slots:
     void blanksAroundTextsAreSaid();
     void badCurvesAreRefused_data();
     void badCurvesAreRefused();
+    void largeFilesAreReadOrNotWritten_data();
+    void largeFilesAreReadOrNotWritten();
     void filesOnDisk();
 };
 
@@ -514,6 +516,42 @@ void TestLandmarkFiles::badCurvesAreRefused()
     const auto read = parseLandmarks(text.toStdString(), Format(format), "x");
     QVERIFY(!read);
     QCOMPARE(QString::fromStdString(errorText(read.error())), message);
+}
+
+void TestLandmarkFiles::largeFilesAreReadOrNotWritten_data()
+{
+    QTest::addColumn<Format>("format");
+    QTest::addColumn<int>("count");
+    QTest::addColumn<int>("nameLength");
+    QTest::addColumn<bool>("isWritten");
+    QTest::newRow("mrk.json of more than a scene may have") << Format::SlicerJson << 30000 << 1 << true;
+    QTest::newRow("mrk.json of too many") << Format::SlicerJson << 400000 << 1 << false;
+    QTest::newRow("pp in several pieces") << Format::MeshLab << 10000 << 1 << true;
+    QTest::newRow("pp of long names") << Format::MeshLab << 20000 << 4000 << false;
+}
+
+void TestLandmarkFiles::largeFilesAreReadOrNotWritten()
+{
+    QFETCH(Format, format);
+    QFETCH(int, count);
+    QFETCH(int, nameLength);
+    QFETCH(bool, isWritten);
+    LandmarkSet set;
+    for (int i = 0; i < count; ++i) {
+        Landmark &landmark = set.landmarks.emplace_back();
+        landmark.name = std::string(std::size_t(nameLength), 'P') + std::to_string(i);
+        landmark.world = WorldPoint(i, 0.1 * i, -i);
+    }
+    const auto text = landmarksText({&set, 1}, format);
+    QCOMPARE(bool(text), isWritten);
+    if (!text) {
+        const QString said = QString::fromStdString(errorText(text.error()));
+        QVERIFY2(said.contains("a file of landmarks may have at most 64 MiB; write fewer points"), qPrintable(said));
+        return;
+    }
+    const auto read = parseLandmarks(text->text, format, "f");
+    QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+    QVERIFY(read->sets.front() == set);
 }
 
 void TestLandmarkFiles::filesOnDisk()
