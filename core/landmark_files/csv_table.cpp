@@ -174,11 +174,16 @@ void readHeader(Table &table, std::optional<char> separator)
         fail(*error);
     if (!first)
         throw Failure{1, tr("the file is empty; the first line names the columns, name,x,y,z at least")};
-    table.separator = separator.value_or(text::csvSeparatorOf(first->source));
-    if (std::optional<Header> guessed = guessedHeader(table.text, table.separator)) {
-        table.header = std::move(*guessed);
-        return;
+    for (const char candidate : text::kCsvSeparators) {
+        if (separator.value_or(candidate) != candidate)
+            continue;
+        if (std::optional<Header> guessed = guessedHeader(table.text, candidate)) {
+            table.separator = candidate;
+            table.header = std::move(*guessed);
+            return;
+        }
     }
+    table.separator = separator.value_or(text::csvSeparatorOf(first->source));
     if (error)
         fail(*error);
     CsvReader reader(table.text, table.separator);

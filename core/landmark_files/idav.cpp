@@ -51,8 +51,9 @@ ReadLandmarks readIdav(std::string_view text)
         const std::string_view lastOfName = words[words.size() - 4];
         landmark.name = lines.text().substr(
             0, static_cast<std::size_t>(lastOfName.data() + lastOfName.size() - lines.text().data()));
-        glm::dvec3 v;
-        for (int i = 0; i < 3; ++i)
+        glm::dvec3 v(kMissing);
+        const bool isMissing = std::all_of(words.end() - 3, words.end(), isMissingWord);
+        for (int i = 0; i < 3 && !isMissing; ++i)
             v[i] = numberOf(words[words.size() - 3 + std::size_t(i)], lines.number(),
                             i == 0   ? "x"
                             : i == 1 ? "y"

@@ -189,14 +189,17 @@ Landmark pointOf(const Tree &point, std::size_t line, std::size_t number, bool i
         throw Failure{line,
                       tr("active of %1 is %2; write 1, or 0 where it is not placed", who, mesh_import::quoted(active))};
     constexpr std::array kAxes{"x", "y", "z"};
-    for (std::size_t i = 0; i < kAxes.size() && !isTemplate; ++i) {
+    const bool isMissing = std::all_of(kAxes.begin(), kAxes.end(), [&point](const char *axis) {
+        return isMissingWord(attributeOf(point, axis).value_or(std::string()));
+    });
+    for (std::size_t i = 0; i < kAxes.size() && !isTemplate && !isMissing; ++i) {
         const std::optional<std::string> value = attributeOf(point, kAxes[i]);
         if (value)
             v[static_cast<int>(i)] = numberOf(*value, line, tr("%1 of %2", kAxes[i], who));
         else if (active == "1")
             throw Failure{line, tr("%1 of %2 is missing; give it, or write active=\"0\"", kAxes[i], who)};
     }
-    if (active == "1" && !isTemplate)
+    if (active == "1" && !isTemplate && !isMissing)
         landmark.world = WorldPoint(v);
     else if (v != glm::dvec3(0.0))
         notes.add(LandmarkNote::Kind::MissingHadPosition);

@@ -133,6 +133,8 @@ QString PointFiles::importFilter()
         if (format != Format::MeshLabTemplate)
             patterns << patternOf(format);
     }
+    for (const char *other : {"*.dta", "*.txt", "*.tsv"}) // NTSYS's matrices, and tables
+        patterns << QLatin1String(other);
     return tr("Points (%1)").arg(patterns.join(u' '));
 }
 

@@ -91,6 +91,8 @@ void TestLandmarkTables::tables_data()
         {"the table has no first line that names its columns; they are taken for name,x,y,z"});
     csv("picks of CloudCompare by index", "0,1.5,2,-3\n1,4,5,6\n", {"0 1.5 2 -3 | 1 4 5 6"},
         {"the table has no first line that names its columns; they are taken for name,x,y,z"});
+    csv("picks with semicolons and decimal commas", "P0;1,5;2,0;-3\nP1;4;5;6\n", {"P0 1.5 2 -3 | P1 4 5 6"},
+        {"the table has no first line that names its columns; they are taken for name,x,y,z", kCommas});
     csv("coordinates only", "1.5 2 -3\n4 5 6\n", {" 1.5 2 -3 |  4 5 6"},
         {"the table has no first line that names its columns; they are taken for x,y,z"});
     csv("3D Slicer's table, LPS",
@@ -171,6 +173,12 @@ void TestLandmarkTables::tables_data()
     nts("nts: two coordinates", "1 1L 4 0 DIM=2\na\n1 2 3 4\n", {"a:  1 2 0 |  3 4 0"},
         {"2 points have two coordinates; z is 0"});
 
+    QTest::newRow("pts: NA") << Format::Idav << QByteArray("Version 1.0\n2\nS0 NA NA NA\nS1 1 2 3\n")
+                             << QStringList{"S0 missing | S1 1 2 3"} << QStringList();
+    QTest::newRow("pp: nan") << Format::MeshLab
+                             << QByteArray("<PickedPoints><point x=\"nan\" y=\"nan\" z=\"nan\" active=\"1\" "
+                                           "name=\"a\"/></PickedPoints>")
+                             << QStringList{"a missing"} << QStringList();
     QTest::newRow("landmarkAscii")
         << Format::LandmarkAscii
         << QByteArray("# Avizo 3D ASCII 2.0\r\n\r\n\r\ndefine Markers 2\r\n\r\nParameters {\r\n    NumSets 1,\r\n    "
