@@ -22,7 +22,7 @@ std::optional<Declaration> declarationOf(std::string_view line)
 {
     std::string spaced;
     for (const char c : line)
-        spaced += c == '{' || c == '}' ? std::string{' ', c, ' '} : std::string{c};
+        spaced += c == '{' || c == '}' ? std::string{' ', c, ' '} : std::string{c == '=' ? ' ' : c}; // older: "} = @1"
     const std::vector<std::string_view> words = wordsOf(spaced);
     if (words.size() != 6 || words[0] != "Markers" || words[1] != "{" || words[4] != "}" || !words[5].starts_with('@'))
         return std::nullopt;

@@ -188,7 +188,7 @@ void TestLandmarkTables::tables_data()
     QTest::newRow("landmarkAscii: two sets and something else")
         << Format::LandmarkAscii
         << QByteArray("# AmiraMesh 3D ASCII 2.0\ndefine Markers 1\nMarkers { float[3] Coordinates } @1\n"
-                      "Markers { int MarkerTypes } @2\nMarkers { float[3] Coordinates2 } @3\n"
+                      "Markers { int MarkerTypes } @2\nMarkers { float[3] Coordinates2 } = @3\n"
                       "@1\n1 2 3\n@2\n7\n@3\n4 5 6\n")
         << QStringList{" 1 2 3", " 4 5 6"} << QStringList{"other values of 1 specimen are left out: MarkerTypes"};
     QTest::newRow("ljson: version 2")

@@ -201,7 +201,7 @@ void TestPointFiles::whatCannotBeReadSaysWhy_data()
     QTest::addColumn<QString>("said");
     QTest::newRow("a word for a number") << "p.csv" << QByteArray("name,x,y,z\na,1,two,3\n") << "p.csv:2:";
     QTest::newRow("not there") << "none.csv" << QByteArray() << "none.csv";
-    QTest::newRow("of no known kind") << "p.txt" << QByteArray("1 2 3") << "p.txt";
+    QTest::newRow("of no known kind") << "p.doc" << QByteArray("1 2 3") << "p.doc";
 }
 
 void TestPointFiles::whatCannotBeReadSaysWhy()
