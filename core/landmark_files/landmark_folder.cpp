@@ -56,6 +56,14 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
     return found;
 }
 
+/// A name as a table has it whose format allows no blanks in names.
+std::string withoutBlanks(std::string name)
+{
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c >= 0 && c <= ' '; }, '_');
+    return name;
+}
+
 /// Whether a file is more than an earlier table of a folder: it has a specimen that the folder's other files lack, or that
 /// is named after it.
 bool holdsMore(const std::filesystem::path &table, const std::vector<LandmarkSet> &others)
@@ -63,8 +71,9 @@ bool holdsMore(const std::filesystem::path &table, const std::vector<LandmarkSet
     const auto read = readLandmarkFile(table);
     return read && std::any_of(read->sets.begin(), read->sets.end(), [&](const LandmarkSet &set) {
                return set.name.empty() || set.name == specimenOf(table)
-                      || std::none_of(others.begin(), others.end(),
-                                      [&set](const LandmarkSet &other) { return other.name == set.name; });
+                      || std::none_of(others.begin(), others.end(), [&set](const LandmarkSet &other) {
+                             return other.name == set.name || withoutBlanks(other.name) == set.name;
+                         });
            });
 }
 

@@ -4,6 +4,7 @@
 #include "core/text/translation.h"
 
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include <cmath>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "core/mesh_import/gltf_file.h"
 
-#include <glm/gtc/quaternion.hpp>
+#include <glm/ext/quaternion_double.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
