@@ -104,6 +104,7 @@ public:
         switch (rtcGetDeviceError(m_device)) {
         case RTC_ERROR_NONE: return true;
         case RTC_ERROR_OUT_OF_MEMORY: throw std::bad_alloc();
+        case RTC_ERROR_CANCELLED: return false;
         default:
             // The system has no thread for it. To release now what its scheduler still holds would end the program.
             m_scene = nullptr;

@@ -35,7 +35,7 @@ constexpr int kBottomLines = 16;
 /// What the panels of both sides, or those above and below, may take of the
 /// window together, and one side at first.
 constexpr double kMostOfTheWindow = 0.62;
-constexpr double kMostOfOneSide = 0.38;
+constexpr double kMostOfOneSide = 0.40;
 constexpr double kMostOfANarrowWindow = 0.48;
 
 bool isSame(const char *a, const char *b)

@@ -118,7 +118,8 @@ void TestLessonsAnswers::thePapersAnswersWait()
 /// In a narrow window the lesson and the panel that has the answer are tabs of one column.
 void TestLessonsAnswers::theReasonStaysInFront()
 {
-    const auto window = windowOfSize({900, 700});
+    const int digit = QFontMetrics(QApplication::font()).horizontalAdvance(u'0'); // what is narrow goes by it
+    const auto window = windowOfSize({100 * digit, 700});
     QVERIFY(window->lessons().start("weng"));
     follow(*window, QStringLiteral("step:look_at"));
     QVERIFY(isSeen(*window, "lesson"));

@@ -107,7 +107,8 @@ void TestSceneCodeWindow::everyDialectIsCopiedAndSaved()
         QVERIFY(std::any_of(labels.begin(), labels.end(),
                             [](const QLabel *label) { return label->text() == QStringLiteral("Saved: code"); }));
     }
-    QVERIFY(m_code->exportTo(std::filesystem::path(folder.path().toStdU16String())).startsWith(folder.path()));
+    QVERIFY(m_code->exportTo(std::filesystem::path(folder.path().toStdU16String()))
+                .startsWith(QDir::toNativeSeparators(folder.path())));
 }
 
 void TestSceneCodeWindow::filesOfTheSceneAreNotWrittenOver()
