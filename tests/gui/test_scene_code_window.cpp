@@ -84,19 +84,18 @@ void TestSceneCodeWindow::matricesOfAFileStayMatrices()
 void TestSceneCodeWindow::everyDialectIsCopiedAndSaved()
 {
     QTemporaryDir folder;
-    QPushButton *copies = nullptr;
-    for (QPushButton *button : m_code->findChildren<QPushButton *>()) {
-        if (button->text().remove(u'&') == QStringLiteral("Copy"))
-            copies = button;
-    }
-    QVERIFY(copies);
+    const QList<QPushButton *> buttons = m_code->findChildren<QPushButton *>();
+    const auto copies = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton *button) {
+        return button->text().remove(u'&') == QStringLiteral("Copy");
+    });
+    QVERIFY(copies != buttons.end());
     for (const auto &[dialect, word] : {std::pair(CodeDialect::Glu, "gluUnProject"),
                                         {CodeDialect::Glm, "glm::unProject"},
                                         {CodeDialect::Qt, "QMatrix4x4"},
                                         {CodeDialect::ThreeJs, "THREE."}}) {
         m_code->setDialect(dialect);
         QVERIFY2(shown().contains(QLatin1String(word)), word);
-        copies->click();
+        (*copies)->click();
         QCOMPARE(QGuiApplication::clipboard()->text(), shown());
         const QString file = folder.filePath(QStringLiteral("code"));
         QCOMPARE(m_code->exportTo(std::filesystem::path(file.toStdU16String())), QString());
