@@ -32,6 +32,7 @@ namespace {
 void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
 {
     std::vector<FileNote> ofFile;
+    ofFile.reserve(notes.size());
     for (const LandmarkNote &note : notes)
         ofFile.push_back({name, note});
     for (const std::string &line : noteLines(ofFile))

@@ -134,7 +134,7 @@ void SceneCodeWindow::save()
 QString SceneCodeWindow::exportTo(const std::filesystem::path &file)
 {
     m_said->clear();
-    if (const QString refusal = overwritingText(m_document, m_session, file); !refusal.isEmpty())
+    if (QString refusal = overwritingText(m_document, m_session, file); !refusal.isEmpty())
         return refusal;
     const files::Written written = files::replaceFile(file, code().toStdString());
     if (!written)

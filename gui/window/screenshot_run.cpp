@@ -102,7 +102,7 @@ QString ScreenshotRun::savePicture()
     if (!m_window->grab().save(&buffer, format.constData(), quality))
         return tr("%1 is no picture's name; let it end in .png.").arg(m_request.picture);
     const std::filesystem::path file(m_request.picture.toStdU16String());
-    if (const QString refusal = overwritingText(m_window->document(), m_window->session(), file); !refusal.isEmpty())
+    if (QString refusal = overwritingText(m_window->document(), m_window->session(), file); !refusal.isEmpty())
         return refusal;
     const files::Written written =
         files::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
