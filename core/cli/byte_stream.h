@@ -58,7 +58,7 @@ public:
 
     /// @param file    UTF-8, "-" for stdout
     /// @param inputs  of this run
-    /// What cannot be opened or would destroy an input is said on stderr, and `isOpen` is false.
+    /// Where the file cannot be opened, or is an input, it prints the reason on stderr, and `isOpen` is false.
     ByteSink(const std::string &file, const InputFiles &inputs);
 
     bool isOpen() const { return m_stream != nullptr || m_file; }

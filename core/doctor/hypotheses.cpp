@@ -68,7 +68,7 @@ bool hasOtherWay(const Variant &a, const Variant &b)
 double unitsOff(const Sought &sought, int axis, const glm::dvec3 &answer)
 {
     const double got = sought.got[axis], off = (answer[axis] - got) / sought.lastDigit[axis];
-    // Where the digits that count are fewer than those given, nobody has cut anything off at the last of them.
+    // Where fewer digits count than were given, the last that counts is not where the number was cut off.
     const bool isAllThatWasGiven = sought.lastDigit[axis] == sought.writtenDigit[axis];
     const bool isNearerToZero = (got > 0.0 && off < -kRounded) || (got < 0.0 && off > kRounded);
     return isAllThatWasGiven && isNearerToZero ? std::max(2.0, std::abs(off)) : std::abs(off);

@@ -101,7 +101,7 @@ mode_t permissionsAfter(mode_t before, bool isOwnerKept, bool isGroupKept)
 void removeUnlessHeld(const std::filesystem::path &file)
 {
 #ifdef _WIN32
-    // Whoever holds it has it open for writing, which this one does not share.
+    // A program that still writes the file holds it open for writing, and this call does not share that.
     HANDLE handle = CreateFileW(file.c_str(), DELETE, 0, nullptr, OPEN_EXISTING,
                                 FILE_FLAG_DELETE_ON_CLOSE | FILE_FLAG_OPEN_REPARSE_POINT, nullptr);
     if (handle != INVALID_HANDLE_VALUE)
@@ -313,7 +313,7 @@ std::error_code FreshFile::moveTo(const std::filesystem::path &target)
     if ((now.st_mode & mode_t{07777}) != m_permissions
         && ::fchmod(m_descriptor, static_cast<mode_t>(m_permissions)) != 0)
         return lastError();
-    // Held until it has its name: nobody takes it for an abandoned one. All of it is on the disk since sync().
+    // The lock is held until the file has its name, so that no other program removes it. sync() has put all of it on the disk.
     if (::rename(m_path.c_str(), target.c_str()) != 0)
         return lastError();
     close();

@@ -136,7 +136,7 @@ std::optional<glm::u8vec3> colorOf(std::string_view text, std::size_t line)
     return glm::u8vec3(value >> 16, (value >> 8) & 0xff, value & 0xff);
 }
 
-/// A cell of a column of somebody else's: as JSON where it is what JSON writes, else as a text.
+/// A cell in a column of another program: a JSON value where the cell is written as one, otherwise a text.
 Json jsonOf(const std::string &cell)
 {
     const auto json = scene_file::parseStrictJson(cell); // no deeper than what writes it has stack for
@@ -310,7 +310,7 @@ ReadLandmarks readCsv(std::string_view text)
     read.notes = notes.take();
     for (LandmarkSet &set : read.sets) {
         for (Curve &curve : set.curves) {
-            if (curve.count == 0) // the table of somebody who knows the semilandmarks only
+            if (curve.count == 0) // the table has semilandmarks alone
                 curve.count = static_cast<std::uint32_t>(
                     std::clamp<std::size_t>(curve.semilandmarks.size(), 2, kMostSemilandmarks));
         }

@@ -18,7 +18,7 @@ namespace unprojector::landmark_files::csv {
 struct Header {
     std::array<std::size_t, kColumnCount> places;            ///< npos: there is no such column
     std::array<std::string, kColumnCount> titles;            ///< as the table calls them
-    std::vector<std::pair<std::size_t, std::string>> others; ///< columns of somebody else's
+    std::vector<std::pair<std::size_t, std::string>> others; ///< columns of other programs
     std::optional<std::size_t> rowNames; ///< a first column without a name that holds R's row names, which are dropped
     std::size_t count = 0;
     Axes axes = Axes::Lps;

@@ -1,5 +1,6 @@
 // How files are written: whole or not at all, never over somebody else's work, and with the system's reason if not.
 #include "core/files/replace_file.h"
+#include "file_folder.h"
 
 #include <QDir>
 #include <QFile>
@@ -17,38 +18,9 @@
 #endif
 
 using namespace unprojector::files;
+using namespace written_files;
 
 namespace {
-
-std::filesystem::path pathOf(const QString &name)
-{
-    return std::filesystem::path(name.toStdU16String());
-}
-
-/// A folder of its own for each test.
-class Folder {
-public:
-    QString path(const QString &name) const { return m_folder.filePath(name); }
-    std::filesystem::path operator/(const QString &name) const { return pathOf(path(name)); }
-    void write(const QString &name, const QByteArray &contents) const
-    {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(contents) == contents.size());
-    }
-    QByteArray read(const QString &name) const
-    {
-        QFile file(path(name));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("none");
-    }
-    /// Hidden ones too: a new file that was left behind would be one.
-    QStringList names() const
-    {
-        return QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::System | QDir::Hidden | QDir::NoDotAndDotDot);
-    }
-
-private:
-    QTemporaryDir m_folder;
-};
 
 QString textOf(const Written &written)
 {

@@ -1,5 +1,6 @@
 // Files while they are written: they are the user's alone, and none stays behind for ever.
 #include "core/files/replace_file.h"
+#include "file_folder.h"
 
 #include <QDir>
 #include <QFile>
@@ -14,40 +15,7 @@
 #endif
 
 using namespace unprojector::files;
-
-namespace {
-
-std::filesystem::path pathOf(const QString &name)
-{
-    return std::filesystem::path(name.toStdU16String());
-}
-
-/// A folder of its own for each test.
-class Folder {
-public:
-    QString path(const QString &name) const { return m_folder.filePath(name); }
-    std::filesystem::path operator/(const QString &name) const { return pathOf(path(name)); }
-    void write(const QString &name, const QByteArray &contents) const
-    {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(contents) == contents.size());
-    }
-    QByteArray read(const QString &name) const
-    {
-        QFile file(path(name));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("none");
-    }
-    /// Hidden ones too: a new file that was left behind would be one.
-    QStringList names() const
-    {
-        return QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::System | QDir::Hidden | QDir::NoDotAndDotDot);
-    }
-
-private:
-    QTemporaryDir m_folder;
-};
-
-} // namespace
+using namespace written_files;
 
 class TestFreshFiles : public QObject {
     Q_OBJECT

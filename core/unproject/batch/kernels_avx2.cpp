@@ -1,5 +1,7 @@
 #include <immintrin.h>
 
+#include "core/unproject/batch/interleaved.inl"
+
 #include <cstddef>
 
 namespace unprojector::unproject::batch {
@@ -40,14 +42,7 @@ struct Pack {
     static void storeInterleaved(const Pack (&p)[3], float *to)
     {
         const __m128 x = _mm256_cvtpd_ps(p[0].lanes), y = _mm256_cvtpd_ps(p[1].lanes), z = _mm256_cvtpd_ps(p[2].lanes);
-        const __m128 xy01 = _mm_unpacklo_ps(x, y), xy23 = _mm_unpackhi_ps(x, y);
-        const __m128 z0x1 = _mm_shuffle_ps(z, xy01, _MM_SHUFFLE(2, 2, 0, 0));
-        const __m128 y1z1 = _mm_shuffle_ps(xy01, z, _MM_SHUFFLE(1, 1, 3, 3));
-        const __m128 z2x3 = _mm_shuffle_ps(z, xy23, _MM_SHUFFLE(2, 2, 2, 2));
-        const __m128 y3z3 = _mm_shuffle_ps(xy23, z, _MM_SHUFFLE(3, 3, 3, 3));
-        _mm_storeu_ps(to, _mm_shuffle_ps(xy01, z0x1, _MM_SHUFFLE(2, 0, 1, 0)));
-        _mm_storeu_ps(to + 4, _mm_shuffle_ps(y1z1, xy23, _MM_SHUFFLE(1, 0, 2, 0)));
-        _mm_storeu_ps(to + 8, _mm_shuffle_ps(z2x3, y3z3, _MM_SHUFFLE(2, 0, 2, 0)));
+        storeInterleavedFloats(x, y, z, to);
     }
     friend Pack operator+(Pack a, Pack b) { return _mm256_add_pd(a.lanes, b.lanes); }
     friend Pack operator-(Pack a, Pack b) { return _mm256_sub_pd(a.lanes, b.lanes); }

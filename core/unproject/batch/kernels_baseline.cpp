@@ -1,5 +1,7 @@
 #ifdef UNPROJECTOR_WIDE_KERNELS // x86-64
 #include <emmintrin.h>
+
+#include "core/unproject/batch/interleaved.inl"
 #endif
 #include <cstddef>
 
@@ -59,14 +61,7 @@ struct Pack {
     static void storeInterleaved(const Pack (&p)[3], float *to)
     {
         const __m128 x = p[0].asFloats(), y = p[1].asFloats(), z = p[2].asFloats();
-        const __m128 xy01 = _mm_unpacklo_ps(x, y), xy23 = _mm_unpackhi_ps(x, y);
-        const __m128 z0x1 = _mm_shuffle_ps(z, xy01, _MM_SHUFFLE(2, 2, 0, 0));
-        const __m128 y1z1 = _mm_shuffle_ps(xy01, z, _MM_SHUFFLE(1, 1, 3, 3));
-        const __m128 z2x3 = _mm_shuffle_ps(z, xy23, _MM_SHUFFLE(2, 2, 2, 2));
-        const __m128 y3z3 = _mm_shuffle_ps(xy23, z, _MM_SHUFFLE(3, 3, 3, 3));
-        _mm_storeu_ps(to, _mm_shuffle_ps(xy01, z0x1, _MM_SHUFFLE(2, 0, 1, 0)));
-        _mm_storeu_ps(to + 4, _mm_shuffle_ps(y1z1, xy23, _MM_SHUFFLE(1, 0, 2, 0)));
-        _mm_storeu_ps(to + 8, _mm_shuffle_ps(z2x3, y3z3, _MM_SHUFFLE(2, 0, 2, 0)));
+        storeInterleavedFloats(x, y, z, to);
     }
     friend Pack operator+(Pack a, Pack b) { return {_mm_add_pd(a.low, b.low), _mm_add_pd(a.high, b.high)}; }
     friend Pack operator-(Pack a, Pack b) { return {_mm_sub_pd(a.low, b.low), _mm_sub_pd(a.high, b.high)}; }
