@@ -35,13 +35,11 @@ std::string boundsText(const WorldVector &uncertainty)
            + withWhatIsLeftOut(uncertainty.z);
 }
 
-/// @param vertex  counted through all meshes of the object's model
-glm::dvec3 halfGapOf(const SceneObject &object, std::size_t vertex)
+/// @param vertex  its number in the file
+glm::dvec3 halfGapOf(const SceneObject &object, std::uint32_t vertex)
 {
-    auto mesh = object.model->meshes.begin();
-    for (; vertex >= mesh->positions.size(); ++mesh)
-        vertex -= mesh->positions.size();
-    return halfGapAt(*mesh, vertex, glm::dmat3(worldFromObject(object.transform)));
+    const Model::VertexPlace place = object.model->vertexOf(vertex).value();
+    return halfGapAt(object.model->meshes[place.mesh], place.vertex, glm::dmat3(worldFromObject(object.transform)));
 }
 
 /// How far an object's own coordinates may be off.

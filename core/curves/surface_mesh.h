@@ -35,7 +35,7 @@ public:
     bool isFlat(std::uint32_t triangle) const;
     /// Object space.
     const glm::dvec3 &place(std::uint32_t corner) const { return m_places[corner]; }
-    /// The corner of a vertex, counted through all meshes of the model; kNone where no triangle uses it.
+    /// The corner of a vertex by its number, see Model::vertexNumber; kNone where no triangle uses it.
     std::uint32_t cornerOfVertex(std::uint32_t vertex) const;
     /// The triangles that have a corner.
     std::pair<const std::uint32_t *, const std::uint32_t *> around(std::uint32_t corner) const;

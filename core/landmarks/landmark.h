@@ -17,7 +17,8 @@
 namespace unprojector::landmarks {
 using namespace geometry;
 
-// How a landmark is held to an object. Triangles and vertices are counted through all meshes of its model from 0.
+// How a landmark is held to an object. Triangles are counted through all meshes of its model from 0, vertices as its file
+// counts them, from 0.
 
 /// By nothing: its coordinates say where it is.
 struct Free {

@@ -19,7 +19,8 @@ UncertaintyRow::UncertaintyRow(const Picture &picture, const SurfaceImage &surfa
         for (const ray::Mesh &mesh : object.model->meshes) {
             meshes.push_back(
                 {&mesh, before,
-                 DepthErrors(picture, glm::translate(scene::worldFromObject(object.transform), mesh.origin))});
+                 DepthErrors(picture, glm::translate(scene::worldFromObject(object.transform), mesh.origin),
+                             !mesh.remainders.empty())});
             before += mesh.triangleCount();
         }
     }

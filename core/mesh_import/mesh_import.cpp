@@ -23,6 +23,7 @@
 #include <limits>
 #include <mutex>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 #include <system_error>
 
@@ -66,35 +67,31 @@ Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(doub
     const std::size_t vertexCount = mesh.positions.size();
     Box bounds;
     std::mutex mutex;
-    const auto add = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
+    const auto add = [&](const ShownBox &own) {
         const std::lock_guard lock(mutex);
-        bounds.add(mesh.origin + glm::dvec3(lowest));
-        bounds.add(mesh.origin + glm::dvec3(highest));
+        bounds.add(own.box());
     };
-    constexpr float kMost = std::numeric_limits<float>::max();
     const auto half = [&report](double from) { return [&report, from](double share) { report(from + share / 2.0); }; };
     inParallelRanges(vertexCount, kElementsInTask, half(0.0), [&](std::size_t begin, std::size_t end) {
-        glm::vec3 lowest(kMost), highest(-kMost);
+        ShownBox own;
         for (std::size_t v = begin; v < end; ++v) {
             const glm::vec3 &position = mesh.positions[v];
-            lowest = glm::min(lowest, position);
-            highest = glm::max(highest, position);
             // The sum of what is finite may overflow, but rarely does.
             if (!std::isfinite(position.x + position.y + position.z) && !isFinite(position))
                 throw Failure(ImportErrorCode::NotFinite, {}, firstVertex + v);
+            if (mesh.indices.empty())
+                own.add(mesh, v);
         }
-        if (mesh.indices.empty())
-            add(lowest, highest);
+        add(own);
     });
     inParallelRanges(mesh.indices.size(), kElementsInTask, half(0.5), [&](std::size_t begin, std::size_t end) {
-        glm::vec3 lowest(kMost), highest(-kMost);
+        ShownBox own;
         for (std::size_t i = begin; i < end; ++i) {
             if (mesh.indices[i] >= vertexCount)
                 failMalformed(tr("a face refers to vertex %1, the mesh has %2", mesh.indices[i], vertexCount));
-            lowest = glm::min(lowest, mesh.positions[mesh.indices[i]]);
-            highest = glm::max(highest, mesh.positions[mesh.indices[i]]);
+            own.add(mesh, mesh.indices[i]);
         }
-        add(lowest, highest);
+        add(own);
     });
     if (mesh.colors.size() != vertexCount)
         mesh.colors.clear();
@@ -152,6 +149,33 @@ void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
         makeNormals(mesh, 0.5f, report);
 }
 
+/// As they come, where a reader has said nothing else.
+void numberVertices(Model &model)
+{
+    std::uint32_t number = 0;
+    for (Mesh &mesh : model.meshes) {
+        if (!mesh.vertexNumbers.empty())
+            return;
+        mesh.vertexNumbers.resize(mesh.positions.size());
+        std::iota(mesh.vertexNumbers.begin(), mesh.vertexNumbers.end(), number);
+        number += static_cast<std::uint32_t>(mesh.positions.size());
+    }
+}
+
+/// Drops the vertices' numbers where they are as the vertices come.
+void dropPlainNumbers(Model &model)
+{
+    std::uint32_t number = 0;
+    for (const Mesh &mesh : model.meshes) {
+        for (const std::uint32_t own : mesh.vertexNumbers) {
+            if (own != number++)
+                return;
+        }
+    }
+    for (Mesh &mesh : model.meshes)
+        mesh.vertexNumbers = {};
+}
+
 void finishModel(Model &model, ProgressReporter &progress)
 {
     std::erase_if(model.meshes, [](const Mesh &mesh) { return mesh.triangleCount() == 0 && mesh.pointCount() == 0; });
@@ -163,6 +187,8 @@ void finishModel(Model &model, ProgressReporter &progress)
         total += mesh.elementCount();
         isSoup = isSoup || (mesh.kind == Mesh::Kind::Triangles && mesh.indices.empty());
     }
+    if (model.meshes.size() > 1)
+        numberVertices(model);
     std::size_t firstVertex = 0;
     std::size_t done = 0;
     for (Mesh &mesh : model.meshes) {
@@ -178,6 +204,7 @@ void finishModel(Model &model, ProgressReporter &progress)
         finishNormals(mesh, reporting(0.1, 1.0));
         done += elements;
     }
+    dropPlainNumbers(model);
     if (model.fileVertices == 0 && !isSoup)
         model.fileVertices = firstVertex;
     noteWhatIsNotSeen(model);

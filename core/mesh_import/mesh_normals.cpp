@@ -191,6 +191,13 @@ private:
 std::uint32_t appendCopy(Mesh &mesh, std::uint32_t vertex)
 {
     mesh.positions.push_back(glm::vec3(mesh.positions[vertex]));
+    if (!mesh.remainders.empty())
+        mesh.remainders.push_back(glm::ivec3(mesh.remainders[vertex]));
+    if (mesh.vertexNumbers.empty()) {
+        mesh.vertexNumbers.resize(mesh.positions.size() - 1);
+        std::iota(mesh.vertexNumbers.begin(), mesh.vertexNumbers.end(), 0u);
+    }
+    mesh.vertexNumbers.push_back(std::uint32_t{mesh.vertexNumbers[vertex]});
     mesh.normals.push_back(glm::vec3(mesh.normals[vertex]));
     if (!mesh.colors.empty())
         mesh.colors.push_back(glm::u8vec4(mesh.colors[vertex]));
@@ -239,8 +246,11 @@ void mergeEqualVertices(Mesh &mesh)
     const bool hasNormals = !mesh.normals.empty();
     const bool hasColors = !mesh.colors.empty();
     const bool hasTexcoords = !mesh.texcoords.empty();
+    const bool hasNumbers = !mesh.vertexNumbers.empty();
     const auto areEqual = [&](std::uint32_t a, std::uint32_t b) {
-        return mesh.positions[a] == mesh.positions[b] && (!hasNormals || mesh.normals[a] == mesh.normals[b])
+        return mesh.fromOrigin(a) == mesh.fromOrigin(b)
+               && (!hasNumbers || mesh.vertexNumbers[a] == mesh.vertexNumbers[b])
+               && (!hasNormals || mesh.normals[a] == mesh.normals[b])
                && (!hasColors || mesh.colors[a] == mesh.colors[b])
                && (!hasTexcoords || mesh.texcoords[a] == mesh.texcoords[b]);
     };
@@ -282,6 +292,8 @@ void mergeEqualVertices(Mesh &mesh)
         values = std::move(gathered);
     };
     gather(mesh.positions);
+    gather(mesh.remainders);
+    gather(mesh.vertexNumbers);
     gather(mesh.normals);
     gather(mesh.colors);
     gather(mesh.texcoords);

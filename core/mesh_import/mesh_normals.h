@@ -15,7 +15,6 @@ public:
     explicit PositionIndex(std::size_t expectedCount = 0);
     /// The number of this position: that of the first equal one, else the next.
     std::uint32_t add(const glm::vec3 &position);
-    std::vector<glm::vec3> takePositions() { return std::move(m_positions); }
     std::size_t size() const { return m_positions.size(); }
 
 private:
@@ -25,7 +24,7 @@ private:
     std::vector<std::uint32_t> m_slots;
 };
 
-/// Merges vertices that agree in position, normal, colour and texture coordinate, in order of first use, and drops
+/// Merges vertices that agree in position, number, normal, colour and texture coordinate, in order of first use, and drops
 /// those that no triangle uses. The mesh has indices then.
 void mergeEqualVertices(Mesh &mesh);
 

@@ -29,6 +29,12 @@ int findAny(const PlyElement &element, std::initializer_list<std::string_view> n
     return -1;
 }
 
+/// Whether all values of a type are floats.
+bool isFloat(PlyType type)
+{
+    return type != PlyType::Float64 && type != PlyType::Int32 && type != PlyType::Uint32;
+}
+
 std::uint8_t channelFromValue(double value, PlyType type)
 {
     double share = value;
@@ -170,15 +176,23 @@ void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Me
         box.add(own);
     });
     mesh.origin = originFor(box);
+    const bool areFloats = std::all_of(axes.begin(), axes.end(), [](const Field &axis) { return isFloat(axis.type); });
+    mesh.remainders.resize(areFloats ? 0 : element.count);
     fillInParallel(mesh.positions, element.count, reporting(0.2, 0.4), [&](std::size_t begin, std::size_t end) {
         std::vector<double> values(element.properties.size());
         for (std::size_t v = begin; v < end; ++v) {
-            mesh.positions[v] = glm::vec3(positionAt(v) - mesh.origin);
+            if (areFloats)
+                mesh.positions[v] = glm::vec3(positionAt(v) - mesh.origin);
+            else
+                setPosition(mesh, v, positionAt(v));
             for (const Field &field : fields)
                 values[field.property] = plyValue(records + v * size + field.offset, field.type, format);
             layout.set(mesh, v, values);
         }
     });
+    const auto isZero = [](const glm::ivec3 &remainder) { return remainder == glm::ivec3(0); };
+    if (std::all_of(mesh.remainders.begin(), mesh.remainders.end(), isZero))
+        mesh.remainders = {};
 }
 
 } // namespace

@@ -101,9 +101,11 @@ Mesh PolygonMesh::take()
             target.push_back(ofVertex[index]);
     };
     gather(split.positions, mesh.positions);
+    gather(split.remainders, mesh.remainders);
     gather(split.normals, mesh.normals);
     gather(split.colors, mesh.colors);
     gather(split.texcoords, mesh.texcoords);
+    split.vertexNumbers = mesh.indices;
     if (!m_cornerColors.empty())
         split.colors = std::move(m_cornerColors);
     if (!m_cornerTexcoords.empty())

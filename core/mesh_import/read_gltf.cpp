@@ -50,6 +50,22 @@ std::uint8_t byteFromShare(double share)
 struct Group {
     Mesh mesh;
     std::vector<glm::dvec3> positions;
+    struct Part {
+        std::size_t begin;  ///< in `positions`
+        std::size_t number; ///< of its first vertex, of all that are shown
+    };
+    std::vector<Part> parts;
+
+    std::vector<std::uint32_t> vertexNumbers() const
+    {
+        std::vector<std::uint32_t> numbers(positions.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const std::size_t end = i + 1 < parts.size() ? parts[i + 1].begin : numbers.size();
+            for (std::size_t v = parts[i].begin; v < end; ++v)
+                numbers[v] = static_cast<std::uint32_t>(parts[i].number + v - parts[i].begin);
+        }
+        return numbers;
+    }
 
     /// Around the vertices that are used.
     Box box() const
@@ -201,7 +217,7 @@ private:
             mesh.kind = key.arePoints ? Mesh::Kind::Points : Mesh::Kind::Triangles;
             mesh.texture = key.hasTexcoords ? material.texture : -1;
             mesh.baseColor = material.baseColorOf(mesh.kind, key.hasColors);
-            m_groups.push_back({std::move(mesh), {}});
+            m_groups.push_back({std::move(mesh), {}, {}});
         }
         return m_groups[found->second];
     }
@@ -313,6 +329,7 @@ private:
                     throw Failure(ImportErrorCode::NotFinite, {}, m_doneVertices + v);
             }
         });
+        group.parts.push_back({group.positions.size(), m_doneVertices});
         m_doneVertices += positions.size();
         if (group.positions.empty())
             group.positions = std::move(positions);
@@ -378,6 +395,7 @@ private:
             values = std::move(gathered);
         };
         gather(group.positions);
+        gather(group.mesh.vertexNumbers);
         gather(group.mesh.normals);
         gather(group.mesh.colors);
         gather(group.mesh.texcoords);
@@ -420,11 +438,15 @@ private:
             if (group.mesh.indices.empty())
                 continue;
             const glm::dvec3 origin = originOf(boxes[i], originFor(all));
+            const bool isOnly = m_groups.size() == 1 && group.mesh.kind == Mesh::Kind::Triangles;
+            if (!isOnly)
+                group.mesh.vertexNumbers = group.vertexNumbers();
             if (group.mesh.kind == Mesh::Kind::Points)
                 listPoints(group);
             setPositions(group.mesh, origin, group.positions);
             m_model.meshes.push_back(std::move(group.mesh));
         }
+        m_model.fileVertices = m_doneVertices;
         m_model.otherFiles = m_file.bufferFiles();
         return std::move(m_model);
     }

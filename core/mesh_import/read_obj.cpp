@@ -103,9 +103,8 @@ private:
     ObjMaterials m_materials;
     std::deque<ObjChunk> m_chunks;
     ObjCounts m_total{};
-    glm::dvec3 m_origin{0.0};
-    std::vector<glm::vec3> m_positions; ///< relative to the origin
-    std::vector<glm::u8vec4> m_colors;  ///< one a position, or empty
+    std::vector<ObjCounts> m_before; ///< of each chunk
+    Mesh m_vertices;                 ///< all positions and colours of the file
     std::vector<glm::vec2> m_texcoords;
     std::vector<glm::vec3> m_normals;
     bool m_hasFaces = false;
@@ -137,6 +136,7 @@ void ObjReader::throwFirstFailure()
         if (chunk.failure())
             failMalformed(tr("line %1: %2", lines + chunk.failure()->line + 1, chunk.failure()->message));
         lines += chunk.lineCount();
+        m_before.push_back(m_total);
         for (std::size_t kind = 0; kind < kObjKinds; ++kind)
             m_total[kind] += chunk.counts()[kind];
         faces += chunk.runs.size();
@@ -154,22 +154,24 @@ void ObjReader::placePositions()
     Box box;
     for (const ObjChunk &chunk : m_chunks)
         box.add(chunk.box);
-    m_origin = originFor(box);
+    m_vertices.origin = originFor(box);
     m_model.fileVertices = static_cast<std::size_t>(m_total[ObjVertex]);
-    m_positions.reserve(m_model.fileVertices);
+    m_vertices.positions.reserve(m_model.fileVertices);
     const bool hasColors =
         std::any_of(m_chunks.begin(), m_chunks.end(), [](const ObjChunk &chunk) { return !chunk.colors.empty(); });
     for (std::size_t i = 0; i < m_chunks.size(); ++i) {
         reporting(0.6, 0.65)(static_cast<double>(i) / static_cast<double>(m_chunks.size()));
         ObjChunk &chunk = m_chunks[i];
         for (const glm::dvec3 &position : chunk.positions) {
-            m_positions.emplace_back(position - m_origin);
-            if (!isFinite(m_positions.back()))
-                throw Failure(ImportErrorCode::NotFinite, {}, m_positions.size() - 1);
+            addPosition(m_vertices, position);
+            if (!isFinite(m_vertices.positions.back()))
+                throw Failure(ImportErrorCode::NotFinite, {}, m_vertices.positions.size() - 1);
         }
-        m_colors.insert(m_colors.end(), chunk.colors.begin(), chunk.colors.end());
+        chunk.positions = {};
+        std::vector<glm::u8vec4> &colors = m_vertices.colors;
+        colors.insert(colors.end(), chunk.colors.begin(), chunk.colors.end());
         if (hasColors)
-            m_colors.resize(m_positions.size(), glm::u8vec4(255));
+            colors.resize(m_vertices.positions.size(), glm::u8vec4(255));
         m_texcoords.insert(m_texcoords.end(), chunk.texcoords.begin(), chunk.texcoords.end());
         m_normals.insert(m_normals.end(), chunk.normals.begin(), chunk.normals.end());
     }
@@ -177,19 +179,13 @@ void ObjReader::placePositions()
 
 void ObjReader::resolveFaces()
 {
-    std::vector<ObjCounts> before(m_chunks.size());
     std::vector<std::size_t> linesBefore(m_chunks.size());
-    for (std::size_t i = 1; i < m_chunks.size(); ++i) {
-        const ObjCounts counts = m_chunks[i - 1].counts();
-        for (std::size_t kind = 0; kind < kObjKinds; ++kind)
-            before[i][kind] = before[i - 1][kind] + counts[kind];
+    for (std::size_t i = 1; i < m_chunks.size(); ++i)
         linesBefore[i] = linesBefore[i - 1] + m_chunks[i - 1].lineCount();
-    }
     inParallel(m_chunks.size(), reporting(0.65, 0.85), [&](std::size_t i) {
         ObjChunk &chunk = m_chunks[i];
-        chunk.resolve(before[i], m_total, linesBefore[i]);
+        chunk.resolve(m_before[i], m_total, linesBefore[i]);
         triangulate(chunk);
-        chunk.positions = {};
         chunk.colors = {};
         chunk.texcoords = {};
         chunk.normals = {};
@@ -210,7 +206,7 @@ void ObjReader::triangulate(ObjChunk &chunk) const
         for (std::uint32_t face = 0; face < run.faces; ++face, first += run.cornersEach) {
             outline.clear();
             for (std::size_t corner = first; corner < first + run.cornersEach; ++corner)
-                outline.push_back(m_positions[static_cast<std::size_t>(chunk.corners[ObjVertex][corner])]);
+                outline.push_back(m_vertices.positions[static_cast<std::size_t>(chunk.corners[ObjVertex][corner])]);
             triangles.clear();
             triangulator.triangulate(outline, triangles);
             for (std::size_t kind = 0; kind < kObjKinds; ++kind) {
@@ -322,7 +318,7 @@ void ObjReader::makeMeshes()
     const bool isOnly = m_parts.size() == 1;
     for (const Part &part : m_parts) {
         Mesh mesh = isOnly && !part.hasNormals && !part.hasTexcoords ? plainMesh() : splitMesh(part, isOnly);
-        mesh.origin = m_origin;
+        mesh.origin = m_vertices.origin;
         mesh.texture = part.hasTexcoords ? part.material.texture : -1;
         mesh.baseColor = part.material.baseColorOf(mesh.kind, !mesh.colors.empty());
         m_model.meshes.push_back(std::move(mesh));
@@ -340,8 +336,9 @@ Mesh ObjReader::plainMesh()
         mesh.indices.insert(mesh.indices.end(), vertices.begin(), vertices.end());
         vertices = {};
     }
-    mesh.positions = std::move(m_positions);
-    mesh.colors = std::move(m_colors);
+    mesh.positions = std::move(m_vertices.positions);
+    mesh.remainders = std::move(m_vertices.remainders);
+    mesh.colors = std::move(m_vertices.colors);
     return mesh;
 }
 
@@ -350,7 +347,7 @@ Mesh ObjReader::plainMesh()
 ///                the order of their use
 Mesh ObjReader::splitMesh(const Part &part, bool isOnly)
 {
-    ObjVertices vertices(isOnly ? m_positions.size() : 0);
+    ObjVertices vertices(isOnly ? m_vertices.positions.size() : 0);
     Mesh mesh;
     mesh.indices.reserve(part.cornerCount);
     for (const Corners &corners : part.corners) {
@@ -364,11 +361,16 @@ Mesh ObjReader::splitMesh(const Part &part, bool isOnly)
         }
     }
     mesh.positions.reserve(vertices.all().size());
+    const bool isSplit = !isOnly || vertices.all().size() > m_vertices.positions.size();
     for (const ObjVertices::Vertex &of : vertices.all()) {
         const auto vertex = static_cast<std::size_t>(of[ObjVertex]);
-        mesh.positions.push_back(glm::vec3(m_positions[vertex]));
-        if (!m_colors.empty())
-            mesh.colors.push_back(glm::u8vec4(m_colors[vertex]));
+        mesh.positions.push_back(glm::vec3(m_vertices.positions[vertex]));
+        if (isSplit)
+            mesh.vertexNumbers.push_back(static_cast<std::uint32_t>(vertex));
+        if (!m_vertices.remainders.empty())
+            mesh.remainders.push_back(glm::ivec3(m_vertices.remainders[vertex]));
+        if (!m_vertices.colors.empty())
+            mesh.colors.push_back(glm::u8vec4(m_vertices.colors[vertex]));
         if (part.hasTexcoords)
             mesh.texcoords.push_back(of[ObjTexcoord] >= 0 ? m_texcoords[static_cast<std::size_t>(of[ObjTexcoord])]
                                                           : glm::vec2(0.0f));
@@ -381,11 +383,8 @@ Mesh ObjReader::splitMesh(const Part &part, bool isOnly)
 
 void ObjReader::makePoints()
 {
-    Mesh mesh;
+    Mesh mesh = std::move(m_vertices);
     mesh.kind = Mesh::Kind::Points;
-    mesh.origin = m_origin;
-    mesh.positions = std::move(m_positions);
-    mesh.colors = std::move(m_colors);
     mesh.baseColor = Material{}.baseColorOf(mesh.kind, !mesh.colors.empty());
     m_model.meshes.push_back(std::move(mesh));
 }

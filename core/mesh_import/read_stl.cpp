@@ -48,16 +48,6 @@ glm::vec3 vectorAt(const std::uint8_t *bytes)
 /// would take longer than everything else.
 constexpr std::size_t kMostTrianglesToWeld = 300000;
 
-/// STL repeats each vertex in every triangle around it: equal positions become one vertex.
-void weld(Mesh &mesh)
-{
-    PositionIndex index(mesh.positions.size() / 6);
-    mesh.indices.reserve(mesh.positions.size());
-    for (const glm::vec3 &position : mesh.positions)
-        mesh.indices.push_back(index.add(position));
-    mesh.positions = index.takePositions();
-}
-
 [[noreturn]] void failAtCorner(std::size_t corner)
 {
     throw Failure(ImportErrorCode::NotFinite, {}, corner);
@@ -372,12 +362,9 @@ Model readStl(const Source &source)
         mesh = readBinary(source, model.notes);
     }
     // The facets' normals are left out: they say nothing that the corners don't.
-    if (mesh.triangleCount() <= kMostTrianglesToWeld) {
-        if (mesh.colors.empty())
-            weld(mesh);
-        else
-            mergeEqualVertices(mesh);
-    }
+    // STL repeats each vertex in every triangle around it.
+    if (mesh.triangleCount() <= kMostTrianglesToWeld)
+        mergeEqualVertices(mesh);
     model.meshes.push_back(std::move(mesh));
     return model;
 }

@@ -63,8 +63,7 @@ glm::dvec3 closestToOrigin(const std::array<glm::dvec3, 3> &corners)
 
 ClosestPlaces::ClosestPlaces(std::shared_ptr<const Model> model, const Box &bounds)
     : m_model(std::move(model)), m_triangles(m_model->meshes, [](const Mesh &mesh) { return mesh.triangleCount(); }),
-      m_points(m_model->meshes, [](const Mesh &mesh) { return mesh.pointCount(); }),
-      m_vertices(m_model->meshes, [](const Mesh &mesh) { return mesh.positions.size(); }), m_space(bounds)
+      m_points(m_model->meshes, [](const Mesh &mesh) { return mesh.pointCount(); }), m_space(bounds)
 {
 }
 
@@ -145,15 +144,14 @@ std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
         const ElementNumbers::Place place = m_points.place(number - m_triangles.count());
         const Mesh &mesh = m_model->meshes[place.mesh];
         const glm::dvec3 from = point.coordinates() - mesh.origin;
-        take(number, glm::length(glm::dvec3(mesh.positions[mesh.vertexAt(place.element)]) - from), glm::dvec3(0.0));
+        take(number, glm::length(mesh.fromOrigin(mesh.vertexAt(place.element)) - from), glm::dvec3(0.0));
     });
     if (!std::isfinite(least))
         return std::nullopt;
     Hold hold = OnTriangle{closest, barycentric};
     if (closest >= m_triangles.count()) {
         const ElementNumbers::Place place = m_points.place(closest - m_triangles.count());
-        const std::size_t vertex = m_model->meshes[place.mesh].vertexAt(place.element);
-        hold = AtVertex{m_vertices.of(place.mesh, static_cast<std::uint32_t>(vertex))};
+        hold = AtVertex{m_model->vertexNumber(place.mesh, m_model->meshes[place.mesh].vertexAt(place.element))};
     }
     const std::optional<ObjectPoint> place = placeOf(hold, *m_model);
     return place ? std::optional(ClosestPlace{hold, *place, least}) : std::nullopt;
@@ -162,11 +160,8 @@ std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
 std::optional<ObjectPoint> placeOf(const Hold &hold, const Model &model)
 {
     const auto vertexAt = [&model](std::uint32_t number) -> std::optional<glm::dvec3> {
-        const ElementNumbers vertices(model.meshes, [](const Mesh &mesh) { return mesh.positions.size(); });
-        if (number >= vertices.count())
-            return std::nullopt;
-        const ElementNumbers::Place place = vertices.place(number);
-        return model.meshes[place.mesh].position(place.element);
+        const std::optional<Model::VertexPlace> place = model.vertexOf(number);
+        return place ? std::optional(model.meshes[place->mesh].position(place->vertex)) : std::nullopt;
     };
     if (const auto *triangle = std::get_if<OnTriangle>(&hold)) {
         const ElementNumbers triangles(model.meshes, [](const Mesh &mesh) { return mesh.triangleCount(); });

@@ -43,7 +43,7 @@ private:
     ClosestPlaces(std::shared_ptr<const Model> model, const Box &bounds);
 
     std::shared_ptr<const Model> m_model;
-    ElementNumbers m_triangles, m_points, m_vertices;
+    ElementNumbers m_triangles, m_points;
     UnitSpace m_space;
     BoxTree m_tree; ///< of all triangles and behind them all points
 };

@@ -20,6 +20,7 @@ DrawnSurface drawnSurface(const SceneObject &object, const WorldPoint &point)
         if (distance < nearest) {
             nearest = distance;
             surface.worldFromVertices = worldFromVertices;
+            surface.areVerticesRounded = !mesh.remainders.empty();
         }
     }
     surface.isPoint =
@@ -39,6 +40,7 @@ DrawnSurface drawnSurface(const SceneObject &object, const SceneHit &hit)
     for (; number >= mesh->triangleCount(); ++mesh)
         number -= mesh->triangleCount();
     DrawnSurface surface{glm::translate(worldFromObject(object.transform), mesh->origin)};
+    surface.areVerticesRounded = !mesh->remainders.empty();
     std::array<glm::dvec3, 3> &corners = surface.triangle.emplace();
     for (std::size_t k = 0; k < 3; ++k)
         corners[k] = glm::dvec3(mesh->positions[mesh->vertexAt(3 * number + k)]);

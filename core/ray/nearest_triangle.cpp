@@ -4,9 +4,8 @@ namespace unprojector::ray {
 namespace {
 
 /// Differences of doubles near each other are exact: the mesh's digits and the ray's meet about the mesh's own origin.
-LineCrossing lineAbout(const Model &model, std::uint32_t mesh, const Ray<ObjectSpace> &ray)
+LineCrossing lineAbout(const glm::dvec3 &origin, const Ray<ObjectSpace> &ray)
 {
-    const glm::dvec3 origin = mesh < model.meshes.size() ? model.meshes[mesh].origin : glm::dvec3(0.0);
     return {ray.from.coordinates() - origin, ray.along.coordinates()};
 }
 
@@ -15,19 +14,26 @@ LineCrossing lineAbout(const Model &model, std::uint32_t mesh, const Ray<ObjectS
 std::array<glm::dvec3, 3> cornersOf(const Mesh &mesh, std::uint32_t triangle)
 {
     const std::size_t first = std::size_t{3} * triangle;
-    return {glm::dvec3(mesh.positions[mesh.vertexAt(first)]), glm::dvec3(mesh.positions[mesh.vertexAt(first + 1)]),
-            glm::dvec3(mesh.positions[mesh.vertexAt(first + 2)])};
+    return {mesh.fromOrigin(mesh.vertexAt(first)), mesh.fromOrigin(mesh.vertexAt(first + 1)),
+            mesh.fromOrigin(mesh.vertexAt(first + 2))};
+}
+
+glm::dvec3 preciseBarycentric(const Mesh &mesh, std::uint32_t triangle, const Ray<ObjectSpace> &ray)
+{
+    const std::array<glm::dvec3, 3> corners = cornersOf(mesh, triangle);
+    return lineAbout(mesh.origin, ray).preciseBarycentric(corners[0], corners[1], corners[2]);
 }
 
 NearestTriangle::NearestTriangle(const Model &model, const Ray<ObjectSpace> &ray)
-    : m_model(model), m_ray(ray), m_line(lineAbout(model, 0, ray))
+    : m_model(model), m_ray(ray),
+      m_line(lineAbout(model.meshes.empty() ? glm::dvec3(0.0) : model.meshes.front().origin, ray))
 {
 }
 
 bool NearestTriangle::test(std::uint32_t mesh, std::uint32_t triangle, const std::array<glm::dvec3, 3> &corners)
 {
     if (mesh != m_mesh) {
-        m_line = lineAbout(m_model, mesh, m_ray);
+        m_line = lineAbout(m_model.meshes[mesh].origin, m_ray);
         m_mesh = mesh;
     }
     const std::optional<Crossing> crossing = m_line.with(corners[0], corners[1], corners[2]);

@@ -20,8 +20,12 @@ struct TriangleHit {
     glm::dvec3 barycentric{0.0};
 };
 
-/// The corners of a mesh's triangle, relative to the mesh's origin: exactly what the mesh holds.
+/// The corners of a mesh's triangle, relative to the mesh's origin, exact.
 std::array<glm::dvec3, 3> cornersOf(const Mesh &mesh, std::uint32_t triangle);
+
+/// The barycentric coordinates of a hit, each to double's last digit.
+/// @param mesh, triangle  in it, of the hit
+glm::dvec3 preciseBarycentric(const Mesh &mesh, std::uint32_t triangle, const Ray<ObjectSpace> &ray);
 
 /// Finds, of all triangles that it is shown, the one that a ray meets first; where two are met at the very same t, that
 /// of the lower number. The answer does not depend on the order in which they are shown, nor on

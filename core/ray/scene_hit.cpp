@@ -30,19 +30,22 @@ public:
     ObjectPoint object(const glm::dvec3 &place) const { return ObjectPoint(m_origin + place); }
     const glm::dmat3 &linear() const { return m_linear; }
 
-    /// Half a unit in the last place of floats this large, seen in the world.
-    glm::dvec3 storage(const glm::dvec3 &largest) const { return 0x1p-24 * (m_absolute * largest); }
-    /// What rounding in double may add to a point of the world. @param ray  through it, at t
-    glm::dvec3 arithmetic(const glm::dvec3 &place, const Ray<WorldSpace> &ray, double t) const
+    /// What rounding in double may add to a place of the mesh in the world, or between places that are not larger.
+    WorldVector rounding(const glm::dvec3 &place) const
     {
-        constexpr double kRoundings = 8.0;
-        const glm::dvec3 mesh = m_size + m_absolute * glm::abs(place);
+        return WorldVector(kRoundings * (m_size + m_absolute * glm::abs(place)));
+    }
+    /// The same with that of a ray that goes through it at t.
+    WorldVector rounding(const glm::dvec3 &place, const Ray<WorldSpace> &ray, double t) const
+    {
         const glm::dvec3 along =
             glm::abs(ray.from.coordinates()) + 2.0 * std::abs(t) * glm::abs(ray.along.coordinates());
-        return kRoundings * 0x1p-53 * (mesh + along);
+        return rounding(place) + WorldVector(kRoundings * along);
     }
 
 private:
+    static constexpr double kRoundings = 8.0 * 0x1p-53;
+
     glm::dvec3 m_origin;
     glm::dmat3 m_linear;
     glm::dvec3 m_worldOrigin;
@@ -53,15 +56,6 @@ private:
 double distanceOf(const WorldPoint &world, const Ray<WorldSpace> &ray, double t, const std::optional<WorldPoint> &eye)
 {
     return eye ? distance(world, *eye) : t * length(ray.along);
-}
-
-/// Numbers of a model's vertices; those of a mesh follow those of the one before.
-std::uint32_t verticesBefore(const Model &model, std::uint32_t mesh)
-{
-    std::size_t count = 0;
-    for (std::uint32_t i = 0; i < mesh; ++i)
-        count += model.meshes[i].positions.size();
-    return static_cast<std::uint32_t>(count);
 }
 
 /// Where on the way between two points a third is nearest, in [0, 1].
@@ -137,10 +131,9 @@ SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std:
     TriangleDetail detail;
     detail.triangle = triangle;
     detail.barycentric = barycentric;
-    const std::uint32_t before = verticesBefore(caster.model(), place.mesh);
     std::array<WorldPoint, 3> world;
     for (std::size_t k = 0; k < 3; ++k) {
-        detail.ids[k] = before + static_cast<std::uint32_t>(mesh.vertexAt(std::size_t{3} * place.element + k));
+        detail.ids[k] = caster.model().vertexNumber(place.mesh, mesh.vertexAt(std::size_t{3} * place.element + k));
         world[k] = placed.world(corners[k]);
     }
     // Scaled to about 1: the square of a length can leave the range of doubles.
@@ -150,25 +143,26 @@ SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std:
     detail.normal =
         WorldVector(glm::normalize(normal / std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)})));
 
-    const glm::dvec3 arithmetic = placed.arithmetic(point, ray, hit.t);
-    const std::array<glm::dvec3, 3> sizes{glm::abs(corners[0]), glm::abs(corners[1]), glm::abs(corners[2])};
-    const auto off = [&](const glm::dvec3 &largest) { return WorldVector(arithmetic + placed.storage(largest)); };
     detail.edge.distance = hit.vertex.distance = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         if (const double d = distance(world[k], hit.world); d < hit.vertex.distance)
-            hit.vertex = {detail.ids[k], world[k], d, off(sizes[k])};
+            hit.vertex = {detail.ids[k], world[k], d, placed.rounding(corners[k])};
         const double share = nearestShare(world[k], world[next], hit.world);
         const WorldPoint nearest = world[k] + share * (world[next] - world[k]);
         if (const double d = distance(nearest, hit.world); d < detail.edge.distance)
-            detail.edge = {{detail.ids[k], detail.ids[next]}, nearest, d, off(glm::max(sizes[k], sizes[next]))};
+            detail.edge = {{detail.ids[k], detail.ids[next]},
+                           nearest,
+                           d,
+                           placed.rounding(glm::max(glm::abs(corners[k]), glm::abs(corners[next])))};
     }
 
     // What the plane may be off along its normal moves the hit along the ray.
     const glm::dvec3 n = glm::abs(detail.normal.coordinates()), along = glm::abs(ray.along.coordinates());
-    const glm::dvec3 plane = off(glm::max(glm::max(sizes[0], sizes[1]), sizes[2])).coordinates();
-    const double shift = glm::dot(n, plane) / std::abs(dot(detail.normal, ray.along));
-    hit.uncertainty = WorldVector(arithmetic + along * shift);
+    const glm::dvec3 largest = glm::max(glm::max(glm::abs(corners[0]), glm::abs(corners[1])), glm::abs(corners[2]));
+    const WorldVector rounding = placed.rounding(largest, ray, hit.t);
+    const double shift = glm::dot(n, rounding.coordinates()) / std::abs(dot(detail.normal, ray.along));
+    hit.uncertainty = rounding + WorldVector(along * shift);
     hit.triangle = detail;
     return hit;
 }
@@ -181,14 +175,14 @@ SceneHit hitOnPoint(const RayCaster &caster, const Placement &placement, std::ui
     while (inMesh >= model.meshes[mesh].positions.size())
         inMesh -= static_cast<std::uint32_t>(model.meshes[mesh++].positions.size());
     const PlacedMesh placed(model.meshes[mesh], placement.worldFromObject());
-    const glm::dvec3 point(model.meshes[mesh].positions[inMesh]);
+    const glm::dvec3 point = model.meshes[mesh].fromOrigin(inMesh);
     SceneHit hit;
     hit.objectPoint = placed.object(point);
     hit.world = placed.world(point);
     hit.t = dot(hit.world - ray.from, ray.along) / dot(ray.along, ray.along);
     hit.distance = distanceOf(hit.world, ray, hit.t, eye);
-    hit.uncertainty = WorldVector(placed.arithmetic(point, ray, hit.t) + placed.storage(glm::abs(point)));
-    hit.vertex = {vertex, hit.world, 0.0, hit.uncertainty};
+    hit.uncertainty = placed.rounding(point);
+    hit.vertex = {model.vertexNumber(mesh, inMesh), hit.world, 0.0, hit.uncertainty};
     return hit;
 }
 

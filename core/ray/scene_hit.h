@@ -16,19 +16,17 @@
 namespace unprojector::ray {
 using namespace unproject;
 
-/// A vertex, counted through all meshes of its model as they hold them, from 0.
 struct NearVertex {
-    std::uint32_t id = 0;
+    std::uint32_t id = 0; ///< its number in the file, see Model::vertexNumber
     WorldPoint world;
     double distance = 0.0; ///< from the hit, world units
-    /// How far each coordinate may be off the file's, at most, for what single precision has rounded of it about its mesh's
-    /// origin, and for the arithmetic in double.
+    /// How far each coordinate may be off what the file says, at most, for the arithmetic in double.
     WorldVector uncertainty = {};
 };
 
 /// An edge of the triangle that was hit.
 struct NearEdge {
-    std::array<std::uint32_t, 2> ids{}; ///< of its vertices
+    std::array<std::uint32_t, 2> ids{}; ///< of its vertices, as NearVertex has them
     WorldPoint world;                   ///< its point nearest to the hit
     double distance = 0.0;              ///< from the hit, world units
     WorldVector uncertainty = {};       ///< of that point, as a vertex's: how far the edge may be off the file's
@@ -58,10 +56,9 @@ struct SceneHit {
     double distance = 0.0;
     std::optional<TriangleDetail> triangle; ///< nothing: a point of a point cloud
     NearVertex vertex;                      ///< the triangle's nearest; or the point itself
-    /// How far each coordinate of `world` may be off what the file says, at most, to first order: for what single precision has
-    /// rounded of the vertices, about their mesh's origin, and for the arithmetic in double. Both are carried along the ray
-    /// to the surface; where that is nearly edge on, little can be said. The position in the picture counts as exact: how
-    /// much of the surface a pixel covers is not in it.
+    /// How far each coordinate of `world` may be off what the file says, at most, to first order: for the arithmetic in double,
+    /// carried along the ray to the surface; where that is nearly edge on, little can be said. The position in the picture
+    /// counts as exact: how much of the surface a pixel covers is not in it.
     WorldVector uncertainty;
 };
 
@@ -101,7 +98,7 @@ SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std:
                        const glm::dvec3 &barycentric, const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye);
 
 /// A point of a point cloud, as hitOnTriangle.
-/// @param vertex  number in the model
+/// @param vertex  place among those of all meshes
 SceneHit hitOnPoint(const RayCaster &caster, const Placement &placement, std::uint32_t vertex,
                     const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye);
 

@@ -68,6 +68,7 @@ std::optional<SceneHit> SceneRays::nearest(const Ray<WorldSpace> &ray) const
 {
     const Object *object = nullptr;
     std::optional<TriangleHit> first;
+    Ray<ObjectSpace> firstRay;
     for (const Object &candidate : m_objects) {
         const Result<Ray<ObjectSpace>> own = candidate.placement.objectRay(ray);
         if (!own)
@@ -75,13 +76,16 @@ std::optional<SceneHit> SceneRays::nearest(const Ray<WorldSpace> &ray) const
         const std::optional<TriangleHit> hit = candidate.caster->nearestTriangle(*own);
         if (hit && (!first || hit->t < first->t)) {
             first = hit;
+            firstRay = *own;
             object = &candidate;
         }
     }
     if (!first)
         return std::nullopt;
-    SceneHit hit =
-        hitOnTriangle(*object->caster, object->placement, first->triangle, first->barycentric, ray, m_rays.eye());
+    const ElementNumbers::Place place = object->caster->triangleNumbers().place(first->triangle);
+    const glm::dvec3 barycentric =
+        preciseBarycentric(object->caster->model().meshes[place.mesh], place.element, firstRay);
+    SceneHit hit = hitOnTriangle(*object->caster, object->placement, first->triangle, barycentric, ray, m_rays.eye());
     hit.object = object->place;
     return hit;
 }

@@ -47,6 +47,12 @@ double LineCrossing::preciseEdge(const glm::dvec3 &b, const glm::dvec3 &c) const
     return (area / (DoubleDouble(m_along[m_z]) * m_along[m_z])).value;
 }
 
+glm::dvec3 LineCrossing::preciseBarycentric(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec3 &c) const
+{
+    const glm::dvec3 edges(preciseEdge(b, c), preciseEdge(c, a), preciseEdge(a, b));
+    return edges / (edges.x + edges.y + edges.z);
+}
+
 std::optional<Crossing> LineCrossing::with(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec3 &c) const
 {
     const Sheared p = sheared(a), q = sheared(b), r = sheared(c);

@@ -26,6 +26,10 @@ public:
     /// Either side of the triangle counts.
     /// @return nothing beside the triangle, and for one that the line sees edge on or that has no area
     std::optional<Crossing> with(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec3 &c) const;
+    /// The barycentric coordinates of where it crosses a triangle, each to double's last digit: however thin the triangle is,
+    /// the place is on the line.
+    /// @pre `with` finds a crossing
+    glm::dvec3 preciseBarycentric(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec3 &c) const;
 
 private:
     struct Sheared {

@@ -53,7 +53,7 @@ void PacketSearch::enter(std::uint32_t mesh)
 }
 
 TrianglePackets::TrianglePackets(const Model &model, const ElementNumbers &numbers, const UnitSpace &space)
-    : m_model(model), m_space(space)
+    : m_model(model), m_numbers(numbers), m_space(space)
 {
     for (std::uint32_t number = 0; number < model.meshes.size(); ++number) {
         const Mesh &mesh = model.meshes[number];
@@ -161,6 +161,7 @@ bool TrianglePackets::test(std::uint32_t packet, PacketSearch &search) const
         const float most = std::max(std::max(u, v), w), least = std::min(std::min(u, v), w);
         isMissed[k] = static_cast<int>(most > unsure) & static_cast<int>(least < -unsure);
     }
+    const bool areFloats = m_model.meshes[mesh].remainders.empty();
     bool isNearer = false;
     for (std::size_t k = 0; k < kSize; ++k) {
         if (isMissed[k] != 0)
@@ -168,7 +169,10 @@ bool TrianglePackets::test(std::uint32_t packet, PacketSearch &search) const
         const auto corner = [&](std::size_t c) {
             return glm::dvec3(p.corners[0][c][k], p.corners[1][c][k], p.corners[2][c][k]);
         };
-        isNearer = search.m_nearest.test(mesh, p.numbers[k], {corner(0), corner(1), corner(2)}) || isNearer;
+        const std::array<glm::dvec3, 3> corners =
+            areFloats ? std::array{corner(0), corner(1), corner(2)}
+                      : cornersOf(m_model.meshes[mesh], m_numbers.place(p.numbers[k]).element);
+        isNearer = search.m_nearest.test(mesh, p.numbers[k], corners) || isNearer;
     }
     if (isNearer)
         search.m_length = search.m_unit.lengthTo(search.m_nearest.high());

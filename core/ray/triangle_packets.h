@@ -40,13 +40,13 @@ private:
     std::array<std::uint32_t, 2> m_waiting{kNone, kNone}; ///< packets on their way from memory, the earlier first
 };
 
-/// A model's triangles, eight neighbours of a mesh together, as the mesh has them: what a tree has for leaves. With all eight
+/// A model's triangles, eight neighbours of a mesh together, in single precision: what a tree has for leaves. With all eight
 /// at once it is seen which of them a ray may meet; that is then tested exactly.
 class TrianglePackets {
 public:
     static constexpr std::size_t kSize = 8;
 
-    /// @param numbers  of the model's triangles
+    /// @param numbers  of the model's triangles. All three outlive this
     TrianglePackets(const Model &model, const ElementNumbers &numbers, const UnitSpace &space);
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(m_packets.size()); }
@@ -67,6 +67,7 @@ private:
     bool test(std::uint32_t packet, PacketSearch &search) const;
 
     const Model &m_model;
+    const ElementNumbers &m_numbers;
     const UnitSpace &m_space;
     std::vector<Packet, InLargePages<Packet>> m_packets;
     std::vector<std::uint32_t> m_starts; ///< of each mesh, its first packet

@@ -30,7 +30,7 @@ public:
     /// @param bounds  object space, not empty, finite
     explicit UnitSpace(const Box &bounds);
 
-    /// A position relative to a mesh's origin.
+    /// A position relative to a mesh's origin. Its rounding to single precision is less than an eighth of kMargin.
     glm::vec3 at(const glm::dvec3 &origin, const glm::vec3 &position) const
     {
         return glm::vec3(((origin - m_center) + glm::dvec3(position)) * m_scale);

@@ -31,9 +31,10 @@ private:
 };
 
 /// How many different ones there are. The list is put into another order.
-std::size_t countDifferent(std::vector<glm::vec3> &places)
+template <class Place>
+std::size_t countDifferent(std::vector<Place> &places)
 {
-    const auto isBefore = [](const glm::vec3 &a, const glm::vec3 &b) {
+    const auto isBefore = [](const Place &a, const Place &b) {
         return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
     };
     std::sort(places.begin(), places.end(), isBefore);
@@ -47,13 +48,20 @@ std::size_t placesOf(const std::vector<Mesh> &meshes)
     std::vector<bool> isCounted(meshes.size());
     for (std::size_t first = 0; first < meshes.size(); ++first) {
         std::vector<glm::vec3> places;
+        std::vector<glm::dvec3> exactPlaces;
         for (std::size_t i = first; i < meshes.size(); ++i) {
-            if (isCounted[i] || meshes[i].origin != meshes[first].origin)
+            const Mesh &mesh = meshes[i];
+            if (isCounted[i] || mesh.origin != meshes[first].origin)
                 continue;
-            places.insert(places.end(), meshes[i].positions.begin(), meshes[i].positions.end());
             isCounted[i] = true;
+            if (mesh.remainders.empty())
+                places.insert(places.end(), mesh.positions.begin(), mesh.positions.end());
+            for (std::size_t vertex = 0; vertex < mesh.remainders.size(); ++vertex)
+                exactPlaces.push_back(mesh.fromOrigin(vertex));
         }
-        count += countDifferent(places);
+        if (!exactPlaces.empty())
+            exactPlaces.insert(exactPlaces.end(), places.begin(), places.end());
+        count += exactPlaces.empty() ? countDifferent(places) : countDifferent(exactPlaces);
     }
     return count;
 }
@@ -80,6 +88,8 @@ void widen(Measures &measures, const glm::dvec3 &lowest, const glm::dvec3 &lowes
 glm::dvec3 halfGapAt(const Mesh &mesh, std::size_t vertex, const glm::dmat3 &worldFromSource)
 {
     glm::dvec3 world(0.0);
+    if (!mesh.remainders.empty())
+        return world;
     for (int axis = 0; axis < 3; ++axis) {
         const float size = std::abs(mesh.positions[vertex][axis]);
         // Below a power of two the gap is half as large as above it.
@@ -114,9 +124,7 @@ Measures measuresOf(const SceneObject &object)
         measures.triangles += mesh.triangleCount();
         // About the object's center, where no large numbers cancel.
         const glm::dvec3 origin = mesh.origin - center, worldOrigin(worldFromSource * glm::dvec4(mesh.origin, 1.0));
-        const auto position = [&mesh](std::size_t element) {
-            return glm::dvec3(mesh.positions[mesh.vertexAt(element)]);
-        };
+        const auto position = [&mesh](std::size_t element) { return mesh.fromOrigin(mesh.vertexAt(element)); };
         for (std::size_t element = 0; element < mesh.elementCount(); ++element) {
             const glm::dvec3 world = worldOrigin + linear * position(element);
             if (measures.box.isEmpty() || glm::any(glm::lessThan(world, measures.box.lowest))

@@ -30,8 +30,9 @@ struct Measures {
 /// Of an object where it stands, hidden or not. A transform that mirrors it leaves the volume's sign as it is.
 Measures measuresOf(const SceneObject &object);
 
-/// Numbers that are nearer than this to a coordinate of a vertex are held by its mesh as the same float. World space, each axis;
-/// where the mesh is turned, what is left open of a coordinate by the gaps of all three.
+/// Of a mesh of floats: numbers that are nearer than this to a coordinate of a vertex are the same float, and the shortest of
+/// them is what the file means. World space, each axis; where the mesh is turned, what is left open of a coordinate by the
+/// gaps of all three. 0 for a mesh of doubles.
 /// @param worldFromSource  the linear part
 glm::dvec3 halfGapAt(const Mesh &mesh, std::size_t vertex, const glm::dmat3 &worldFromSource);
 

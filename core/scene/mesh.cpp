@@ -4,8 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace unprojector::scene {
+namespace {
+
+glm::ivec3 remaindersOf(const glm::dvec3 &exact, const glm::vec3 &rounded)
+{
+    return {remainderOf(exact.x, rounded.x), remainderOf(exact.y, rounded.y), remainderOf(exact.z, rounded.z)};
+}
+
+} // namespace
 
 std::size_t Model::triangleCount() const
 {
@@ -41,30 +50,97 @@ glm::dvec3 originFor(const Box &box)
     return origin;
 }
 
+std::size_t Model::vertexCount() const
+{
+    std::size_t count = 0;
+    for (const Mesh &mesh : meshes)
+        count += mesh.positions.size();
+    return count;
+}
+
+std::uint32_t Model::vertexNumber(std::size_t mesh, std::size_t vertex) const
+{
+    if (!meshes[mesh].vertexNumbers.empty())
+        return meshes[mesh].vertexNumbers[vertex];
+    std::size_t number = vertex;
+    for (std::size_t i = 0; i < mesh; ++i)
+        number += meshes[i].positions.size();
+    return static_cast<std::uint32_t>(number);
+}
+
+std::optional<Model::VertexPlace> Model::vertexOf(std::uint32_t number) const
+{
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const std::vector<std::uint32_t> &numbers = meshes[i].vertexNumbers;
+        const std::size_t count = meshes[i].positions.size(), place = number - before;
+        if (numbers.empty() ? number < before + count : number < count && numbers[number] == number)
+            return VertexPlace{i, numbers.empty() ? place : number};
+        if (const auto found = std::find(numbers.begin(), numbers.end(), number); found != numbers.end())
+            return VertexPlace{i, static_cast<std::size_t>(found - numbers.begin())};
+        before += count;
+    }
+    return std::nullopt;
+}
+
+std::int32_t remainderOf(double exact, float rounded)
+{
+    if (std::abs(rounded) < std::numeric_limits<float>::min() || !std::isfinite(rounded))
+        return 0;
+    return static_cast<std::int32_t>(std::bit_cast<std::int64_t>(exact) - std::bit_cast<std::int64_t>(double{rounded}));
+}
+
+void addPosition(Mesh &mesh, const glm::dvec3 &position)
+{
+    const glm::dvec3 exact = position - mesh.origin;
+    const glm::vec3 rounded(exact);
+    const glm::ivec3 remainder = remaindersOf(exact, rounded);
+    if (mesh.remainders.empty() && remainder != glm::ivec3(0)) {
+        mesh.remainders.reserve(mesh.positions.capacity());
+        mesh.remainders.resize(mesh.positions.size(), glm::ivec3(0));
+    }
+    if (!mesh.remainders.empty() || remainder != glm::ivec3(0))
+        mesh.remainders.push_back(remainder);
+    mesh.positions.push_back(rounded);
+}
+
+void setPosition(Mesh &mesh, std::size_t vertex, const glm::dvec3 &position)
+{
+    const glm::dvec3 exact = position - mesh.origin;
+    mesh.positions[vertex] = glm::vec3(exact);
+    mesh.remainders[vertex] = remaindersOf(exact, mesh.positions[vertex]);
+}
+
 void setPositions(Mesh &mesh, const glm::dvec3 &origin, std::span<const glm::dvec3> positions)
 {
     mesh.origin = origin;
     mesh.positions.clear();
+    mesh.remainders.clear();
     mesh.positions.reserve(positions.size());
     for (const glm::dvec3 &position : positions)
-        mesh.positions.emplace_back(position - mesh.origin);
+        addPosition(mesh, position);
+}
+
+void ShownBox::add(const Mesh &mesh, std::size_t vertex)
+{
+    const glm::vec3 &p = mesh.positions[vertex];
+    // Only what reaches the box's rim in single precision is looked at in double.
+    if (p.x > m_lowest.x && p.y > m_lowest.y && p.z > m_lowest.z && p.x < m_highest.x && p.y < m_highest.y
+        && p.z < m_highest.z)
+        return;
+    m_lowest = glm::min(m_lowest, p);
+    m_highest = glm::max(m_highest, p);
+    m_box.add(mesh.position(vertex));
 }
 
 Box boundsOf(const std::vector<Mesh> &meshes)
 {
     Box box;
     for (const Mesh &mesh : meshes) {
-        if (mesh.elementCount() == 0)
-            continue;
-        glm::vec3 lowest = mesh.positions[mesh.vertexAt(0)];
-        glm::vec3 highest = lowest;
-        for (std::size_t element = 1; element < mesh.elementCount(); ++element) {
-            const glm::vec3 &position = mesh.positions[mesh.vertexAt(element)];
-            lowest = glm::min(lowest, position);
-            highest = glm::max(highest, position);
-        }
-        box.add(mesh.origin + glm::dvec3(lowest));
-        box.add(mesh.origin + glm::dvec3(highest));
+        ShownBox own;
+        for (std::size_t element = 0; element < mesh.elementCount(); ++element)
+            own.add(mesh, mesh.vertexAt(element));
+        box.add(own.box());
     }
     return box;
 }

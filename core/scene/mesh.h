@@ -6,10 +6,13 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,18 +36,22 @@ struct Texture {
     bool wrapRepeat = true;
 };
 
-/// Triangles or points that share one material. Object space, in single precision as GPUs hold it, about an origin in
-/// double: so a mesh far from the object's origin keeps its digits.
+/// Triangles or points that share one material. GPUs take `positions`, in single precision about an origin in double, so
+/// that a mesh far from the object's origin is drawn as well as any. What is computed takes `position` or `fromOrigin`,
+/// which are the file's numbers in double precision.
 struct Mesh {
     enum class Kind { Triangles, Points };
 
     Kind kind = Kind::Triangles;
     glm::dvec3 origin{0.0};             ///< object space
-    std::vector<glm::vec3> positions;   ///< relative to `origin`
+    std::vector<glm::vec3> positions;   ///< relative to `origin`, rounded
+    std::vector<glm::ivec3> remainders; ///< see remainderOf: one a vertex, or empty where `positions` are exact
     std::vector<glm::vec3> normals;     ///< one a vertex, or empty: triangles are drawn flat
     std::vector<glm::u8vec4> colors;    ///< one a vertex, or empty: the vertices are white
     std::vector<glm::vec2> texcoords;   ///< one a vertex, or empty: no texture. (0, 0) is the image's bottom-left
     std::vector<std::uint32_t> indices; ///< three a triangle, or empty: the vertices as they come. None for points
+    /// Of each vertex its number in the file, see Model::vertexNumber. Empty, in all meshes of the model: as they come.
+    std::vector<std::uint32_t> vertexNumbers;
     glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
     int texture = -1;      ///< index into Model::textures, or -1
     bool isClosed = false; ///< known: seen from outside, every back side is hidden by a front side
@@ -55,9 +62,29 @@ struct Mesh {
     std::size_t elementCount() const { return indices.empty() ? positions.size() : indices.size(); }
     /// The vertex of corner `element % 3` of triangle `element / 3`, or of a point.
     std::size_t vertexAt(std::size_t element) const { return indices.empty() ? element : indices[element]; }
-    /// Object space.
-    glm::dvec3 position(std::size_t vertex) const { return origin + glm::dvec3(positions[vertex]); }
+    /// Relative to `origin`, exact.
+    glm::dvec3 fromOrigin(std::size_t vertex) const;
+    /// Object space: the file's number, rounded to double.
+    glm::dvec3 position(std::size_t vertex) const { return origin + fromOrigin(vertex); }
 };
+
+/// What single precision leaves out of a number: how many doubles lie between it and its float. A float has 29 bits less
+/// than a double, so it always fits; only below 1.2e-38, where floats have fewer bits, it is 0.
+std::int32_t remainderOf(double exact, float rounded);
+/// The number again.
+inline double withRemainder(float rounded, std::int32_t remainder)
+{
+    return std::bit_cast<double>(std::bit_cast<std::int64_t>(double{rounded}) + remainder);
+}
+
+inline glm::dvec3 Mesh::fromOrigin(std::size_t vertex) const
+{
+    const glm::vec3 &p = positions[vertex];
+    if (remainders.empty())
+        return glm::dvec3(p);
+    const glm::ivec3 &r = remainders[vertex];
+    return {withRemainder(p.x, r.x), withRemainder(p.y, r.y), withRemainder(p.z, r.z)};
+}
 
 /// Something of a model file that is not shown, or not as the file has it.
 struct ModelNote {
@@ -100,7 +127,8 @@ struct Model {
     std::vector<Mesh> meshes;
     std::vector<Texture> textures;
     Box bounds;
-    /// Of the file, before any were split for their normals or the like. 0: of a soup, whose triangles have theirs alone.
+    /// Of the file, before any were split for their normals or the like. 0: of a soup, whose triangles have theirs alone. Those
+    /// of the meshes have smaller numbers.
     std::size_t fileVertices = 0;
     std::vector<ModelNote> notes; ///< what is not as in the file
     /// The other files that were read for it: libraries of materials, buffers. Those of textures are at the textures.
@@ -108,16 +136,45 @@ struct Model {
 
     std::size_t triangleCount() const;
     std::size_t pointCount() const;
+    std::size_t vertexCount() const; ///< of all meshes
+
+    struct VertexPlace {
+        std::size_t mesh, vertex;
+    };
+    /// The number of a vertex in the file, from 0. Several vertices have the same number where one of the file was split: for
+    /// normals, colours or texture coordinates that differ from corner to corner, or by material.
+    std::uint32_t vertexNumber(std::size_t mesh, std::size_t vertex) const;
+    /// The first vertex of a number; nothing where the file has no such vertex, or none that is used. Looks through all of
+    /// them where the file's were split.
+    std::optional<VertexPlace> vertexOf(std::uint32_t number) const;
 };
 
 /// The origin that keeps the digits of positions in a box: along each axis on which the box is farther from zero than it
-/// is wide, its middle rounded to single precision; else zero. Where the box holds floats, their differences from it are
-/// floats too: no bit of them is lost.
+/// is wide, its middle rounded to single precision; else zero. Differences of the box's numbers from it are exact, and
+/// those of floats are floats.
 glm::dvec3 originFor(const Box &box);
-/// Sets a mesh's origin and positions; a position that is not finite stays so.
+/// Adds a vertex to a mesh whose origin is set; a position that is not finite stays so.
+/// @param position  object space
+void addPosition(Mesh &mesh, const glm::dvec3 &position);
+/// The same for a vertex that there is already, and so from many threads at once.
+/// @pre both `positions` and `remainders` have it
+void setPosition(Mesh &mesh, std::size_t vertex, const glm::dvec3 &position);
+/// Sets a mesh's origin and positions.
 /// @param origin  the same for all meshes of a model that touch each other, or else they part by a rounding on the screen
 /// @param positions  object space
 void setPositions(Mesh &mesh, const glm::dvec3 &origin, std::span<const glm::dvec3> positions);
+
+/// Finds the box around vertices of one mesh, of their exact positions.
+class ShownBox {
+public:
+    void add(const Mesh &mesh, std::size_t vertex);
+    const Box &box() const { return m_box; }
+
+private:
+    static constexpr float kMost = std::numeric_limits<float>::max();
+    glm::vec3 m_lowest{kMost}, m_highest{-kMost}; ///< of one mesh, in single precision
+    Box m_box;
+};
 
 /// The box around all points and all vertices that triangles use.
 Box boundsOf(const std::vector<Mesh> &meshes);

@@ -108,9 +108,9 @@ double DepthFormat::kept(double depth) const
     return std::round(depth * steps) / steps;
 }
 
-DepthErrors::DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVertices)
+DepthErrors::DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVertices, bool areVerticesRounded)
     : m_picture(picture), m_clipFromVertices(clipFromWorld(picture).value() * worldFromVertices),
-      m_verticesFromWorld(glm::inverse(worldFromVertices))
+      m_verticesFromWorld(glm::inverse(worldFromVertices)), m_vertexRoundings(areVerticesRounded ? 2.0 : 1.0)
 {
 }
 
@@ -127,7 +127,8 @@ DepthError DepthErrors::at(const WindowPoint &window, const WorldPoint &world, c
     for (int column = 0; column < 4; ++column)
         sums += glm::abs(m_clipFromVertices[column] * place[column]);
     const glm::dvec3 ndc = glm::abs(glm::dvec3(clip) / clip.w);
-    const glm::dvec3 vertices = kFloatRounding * (glm::dvec3(sums) + ndc * sums.w) / std::abs(clip.w);
+    const glm::dvec3 vertices =
+        m_vertexRoundings * kFloatRounding * (glm::dvec3(sums) + ndc * sums.w) / std::abs(clip.w);
 
     std::optional<DepthSlope> slope = sample.slope;
     std::optional<Corners> corners;
@@ -178,7 +179,8 @@ DepthError DepthErrors::at(const WindowPoint &window, const WorldPoint &world, c
 DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const WorldPoint &world,
                         const DepthSample &sample, const DrawnSurface &surface)
 {
-    return DepthErrors(picture, surface.worldFromVertices).at(window, world, sample, surface.triangle, surface.isPoint);
+    return DepthErrors(picture, surface.worldFromVertices, surface.areVerticesRounded)
+        .at(window, world, sample, surface.triangle, surface.isPoint);
 }
 
 } // namespace unprojector::unproject

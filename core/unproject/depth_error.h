@@ -21,6 +21,8 @@ struct DrawnSurface {
     std::optional<std::array<glm::dvec3, 3>> triangle = {};
     /// A point of a point cloud was drawn, of which all that is known is that it lies in the pixel.
     bool isPoint = false;
+    /// The GPU's vertices are the surface's, rounded to single precision.
+    bool areVerticesRounded = false;
 };
 
 /// By how much the depth that was read may differ from that of the surface at the pixel's centre. Window depth.
@@ -35,7 +37,8 @@ struct DepthError {
 ///
 ///   rounding       half a step of the depth buffer
 ///   vertices       clip = M v in single precision: u (sum_j |M_ij v_j|) / |w| of each NDC coordinate i, and as much by w for
-///                  its share in the quotient; x and y times the slope of the depth
+///                  its share in the quotient; x and y times the slope of the depth. The same again where the vertices
+///                  themselves are rounded
 ///   window depth   2 u d: the viewport's product and sum, and those of the interpolation
 ///   interpolation  2 u (|x dd/dx| + |y dd/dy|): a triangle's depth is a plane through the framebuffer's corner
 ///   thin triangle  the relative error of its area and its differences, times how far it goes (see thinTriangleError)
@@ -59,7 +62,7 @@ DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const
 class DepthErrors {
 public:
     /// @pre the picture is valid and by parameters
-    DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVertices);
+    DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVertices, bool areVerticesRounded);
 
     /// @param triangle, isPoint  see DrawnSurface
     DepthError at(const WindowPoint &window, const WorldPoint &world, const DepthSample &sample,
@@ -69,6 +72,7 @@ private:
     Picture m_picture;
     glm::dmat4 m_clipFromVertices;
     glm::dmat4 m_verticesFromWorld;
+    double m_vertexRoundings; ///< how often u counts
 };
 
 } // namespace unprojector::unproject

@@ -18,7 +18,7 @@ using landmarks::Landmark;
 /// Of a triangle, twice its area long; object space.
 glm::dvec3 areaOf(const Mesh &mesh, std::size_t triangle)
 {
-    const auto corner = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.vertexAt(3 * triangle + k)]); };
+    const auto corner = [&](std::size_t k) { return mesh.fromOrigin(mesh.vertexAt(3 * triangle + k)); };
     return glm::cross(corner(1) - corner(0), corner(2) - corner(0));
 }
 
@@ -44,11 +44,8 @@ glm::dvec3 areasAbout(const Model &model, const std::vector<glm::dvec3> &places)
 
 std::optional<glm::dvec3> vertexAt(const Model &model, std::uint32_t number)
 {
-    const ray::ElementNumbers vertices(model.meshes, [](const Mesh &mesh) { return mesh.positions.size(); });
-    if (number >= vertices.count())
-        return std::nullopt;
-    const auto place = vertices.place(number);
-    return model.meshes[place.mesh].position(place.element);
+    const std::optional<Model::VertexPlace> place = model.vertexOf(number);
+    return place ? std::optional(model.meshes[place->mesh].position(place->vertex)) : std::nullopt;
 }
 
 glm::dvec3 objectNormal(const landmarks::Hold &hold, const Model &model)

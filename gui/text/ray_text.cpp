@@ -179,9 +179,8 @@ QString takenCertaintyText(Snap snap, const SceneHit &taken)
     const WorldVector &u = taken.uncertainty;
     const QString most = boundText(std::max({u.x, u.y, u.z}));
     if (snap == Snap::Vertex || !taken.triangle)
-        return RayTexts::tr(
-                   "The vertex taken is certain to ± %1: it is the file's, in single precision. The table above is "
-                   "of the surface under the pixel.")
+        return RayTexts::tr("The vertex taken is certain to ± %1: it is the file's. The table above is of the surface "
+                            "under the pixel.")
             .arg(most);
     if (snap == Snap::Edge)
         return RayTexts::tr(

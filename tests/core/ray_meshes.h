@@ -59,12 +59,12 @@ inline std::shared_ptr<Model> torus(std::uint32_t n)
     });
 }
 
-/// Triangles of all sizes and shapes anywhere, some of them without an area.
+/// Triangles of all sizes and shapes anywhere, some of them without an area; in double precision.
 inline std::shared_ptr<Model> soup(std::size_t count, std::uint64_t seed)
 {
     std::mt19937_64 engine(seed);
     std::uniform_real_distribution<double> place(-1.0, 1.0), size(-4.0, -0.5);
-    std::vector<glm::vec3> positions;
+    std::vector<glm::dvec3> positions;
     const auto anywhere = [&] { return glm::dvec3(place(engine), place(engine), place(engine)); };
     for (std::size_t i = 0; i < count; ++i) {
         const glm::dvec3 center = anywhere();
@@ -72,7 +72,9 @@ inline std::shared_ptr<Model> soup(std::size_t count, std::uint64_t seed)
         const glm::dvec3 a = center + extent * anywhere(), b = center + extent * anywhere();
         positions.insert(positions.end(), {a, b, i % 16 == 0 ? a : i % 16 == 1 ? 2.0 * b - a : center});
     }
-    return modelOf(positions);
+    Mesh mesh;
+    setPositions(mesh, glm::dvec3(0.0), positions);
+    return modelOf(std::move(mesh));
 }
 
 /// The nearest of all triangles, each tested.

@@ -31,7 +31,7 @@ double leastDistance(const Model &model, const glm::dvec3 &p)
         for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
             Vec c[3];
             for (std::size_t k = 0; k < 3; ++k)
-                c[k] = Vec(mesh.origin) + Vec(mesh.positions[mesh.vertexAt(3 * i + k)]) - Vec(p);
+                c[k] = Vec(mesh.origin) + Vec(mesh.fromOrigin(mesh.vertexAt(3 * i + k))) - Vec(p);
             for (int k = 0; k < 3; ++k)
                 least = std::min(least, onSegment(c[k], c[(k + 1) % 3]));
             const Vec u = c[1] - c[0], v = c[2] - c[0];

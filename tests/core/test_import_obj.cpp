@@ -98,24 +98,24 @@ void TestImportObj::readsATriangleHoweverItIsWritten()
 void TestImportObj::roundsNumbersCorrectly_data()
 {
     QTest::addColumn<QByteArray>("word");
-    QTest::addColumn<float>("expected");
-    QTest::newRow("six digits") << QByteArray("0.123457") << 0.123457f;
-    QTest::newRow("an exponent") << QByteArray("1.844674e+19") << 1.844674e+19f;
-    QTest::newRow("a small one") << QByteArray("7.006492e-35") << 7.006492e-35f;
-    QTest::newRow("half way, to even") << QByteArray("16777217") << 16777216.0f;
-    QTest::newRow("all digits") << QByteArray("3.14159265358979323846264338327950288") << 3.14159274f;
-    QTest::newRow("too small") << QByteArray("1e-400") << 0.0f;
+    QTest::addColumn<double>("expected");
+    QTest::newRow("six digits") << QByteArray("0.123457") << 0.123457;
+    QTest::newRow("an exponent") << QByteArray("1.844674e+19") << 1.844674e+19;
+    QTest::newRow("a small one") << QByteArray("7.006492e-35") << 7.006492e-35;
+    QTest::newRow("half way, to even") << QByteArray("9007199254740993") << 9007199254740992.0;
+    QTest::newRow("all digits") << QByteArray("3.14159265358979323846264338327950288") << 3.141592653589793;
+    QTest::newRow("too small") << QByteArray("1e-400") << 0.0;
 }
 
 void TestImportObj::roundsNumbersCorrectly()
 {
     QFETCH(QByteArray, word);
-    QFETCH(float, expected);
+    QFETCH(double, expected);
     const auto result = m_folder.imported("number.obj", "v " + word + " 0 0\nv -" + word + " 0 0\nv 0 1 0\nf 1 2 3\n");
     REQUIRE_MODEL(result);
     const Mesh &mesh = result.value()->meshes.front();
-    QVERIFY(mesh.position(0) == glm::dvec3(double(expected), 0, 0));
-    QVERIFY(mesh.position(1) == glm::dvec3(-double(expected), 0, 0));
+    QVERIFY(mesh.position(0) == glm::dvec3(expected, 0, 0));
+    QVERIFY(mesh.position(1) == glm::dvec3(-expected, 0, 0));
 }
 
 void TestImportObj::readsVertexColors_data()

@@ -89,7 +89,7 @@ void TestRayCaster::answersAreThoseOfTestingAll()
     for (int i = 0; i < 100'000 / kFewer; ++i) {
         // A tenth of them aimed at corners, where several triangles may be met at once.
         const glm::dvec3 target =
-            i % 10 == 0 ? glm::dvec3(model->meshes[0].positions[aim.below(1500)]) : aim.share() * aim.direction();
+            i % 10 == 0 ? model->meshes[0].position(aim.below(1500)) : aim.share() * aim.direction();
         const Ray<ObjectSpace> ray = aim.at(target, glm::dvec3(0.0), 4.0 * aim.share());
         const auto expected = testingAll(*model, ray);
         hits += expected ? 1 : 0;

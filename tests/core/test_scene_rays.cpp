@@ -6,12 +6,15 @@
 #include "tests/core/ray_meshes.h"
 
 #include "tests/support/cube_sphere.h"
+#include "tests/support/oracle.h"
 
 #include <QTest>
 
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -100,8 +103,8 @@ private slots:
     void distances();
     void nearestVertexAndEdge();
     void farWorldsKeepTheirMillimetres();
-    void uncertaintyHoldsWhatFloatsHaveRounded_data();
-    void uncertaintyHoldsWhatFloatsHaveRounded();
+    void uncertaintyHoldsWhatIsRounded_data();
+    void uncertaintyHoldsWhatIsRounded();
 };
 
 void TestSceneRays::hitsAreSeenWhereTheClickWas_data()
@@ -366,51 +369,84 @@ void TestSceneRays::farWorldsKeepTheirMillimetres()
     QVERIFY2(hits > 50, qPrintable(QString::number(hits)));
 }
 
-void TestSceneRays::uncertaintyHoldsWhatFloatsHaveRounded_data()
+void TestSceneRays::uncertaintyHoldsWhatIsRounded_data()
 {
     QTest::addColumn<double>("offset");
-    QTest::newRow("about the origin") << 0.0;
-    QTest::newRow("beside it") << 100.0;
+    QTest::addColumn<double>("thickness");
+    QTest::newRow("about the origin") << 0.0 << 0.3;
+    QTest::newRow("beside it") << 100.0 << 0.3;
+    QTest::newRow("far away") << 1e7 << 0.3;
+    QTest::newRow("thin") << 0.0 << 1e-5;
+    QTest::newRow("very thin") << 100.0 << 1e-11;
 }
 
-/// The truth has the vertices in double; the mesh has them rounded.
-void TestSceneRays::uncertaintyHoldsWhatFloatsHaveRounded()
+/// The truth is computed with 50 digits.
+void TestSceneRays::uncertaintyHoldsWhatIsRounded()
 {
     QFETCH(double, offset);
+    QFETCH(double, thickness);
+    using Number = oracle::Extended;
+    using Place = std::array<Number, 3>;
+    const auto minus = [](const Place &a, const Place &b) { return Place{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
+    const auto dot = [](const Place &a, const Place &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const auto cross = [](const Place &a, const Place &b) {
+        return Place{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto placeOf = [](const glm::dvec3 &p) { return Place{p.x, p.y, p.z}; };
     Aim aim(6);
     std::vector<glm::dvec3> exact;
+    Box box;
     for (int i = 0; i < 300; ++i) {
         const glm::dvec3 center = glm::dvec3(offset, 0.0, 0.0) + 2.0 * aim.share() * aim.direction();
-        for (int k = 0; k < 3; ++k)
-            exact.push_back(center + 0.3 * aim.direction());
+        const glm::dvec3 along = 0.3 * aim.direction();
+        for (const glm::dvec3 &corner : {center, center + along, center + 0.5 * along + thickness * aim.direction()}) {
+            exact.push_back(corner);
+            box.add(corner);
+        }
     }
-    const auto model = modelOf(std::vector<glm::vec3>(exact.begin(), exact.end()));
+    Mesh mesh;
+    setPositions(mesh, originFor(box), exact);
+    QVERIFY(!mesh.remainders.empty());
+    const auto model = modelOf(std::move(mesh));
     Picture picture = usualPicture();
     picture.camera() = {WorldPoint(offset, 0.0, 9.0), WorldPoint(offset, 0.0, 0.0), kCamera.up};
     const SceneRays rays = Clicked{{objectOf(model)}}.rays(picture);
     int hits = 0, outside = 0;
     std::vector<double> ratios;
-    for (int i = 0; i < 20000; ++i) {
-        const DevicePoint click(200.0 + 240.0 * aim.share(), 120.0 + 240.0 * aim.share());
-        const auto hit = *rays.at(click);
+    const auto click = [&](const DevicePoint &position) {
+        const auto hit = *rays.at(position);
         if (!hit)
-            continue;
-        const Ray<WorldSpace> ray = *rays.rays().at(click);
+            return;
+        const Ray<WorldSpace> ray = *rays.rays().at(position);
         const std::size_t first = std::size_t{3} * hit->triangle->triangle;
-        const auto truth = LineCrossing(ray.from.coordinates(), ray.along.coordinates())
-                               .with(exact[first], exact[first + 1], exact[first + 2]);
-        if (!truth)
-            continue; // its rim has passed the ray
+        const Place a = placeOf(exact[first]), from = placeOf(ray.from.coordinates()),
+                    along = placeOf(ray.along.coordinates());
+        const Place normal = cross(minus(placeOf(exact[first + 1]), a), minus(placeOf(exact[first + 2]), a));
+        const Number t = dot(minus(a, from), normal) / dot(along, normal);
         ++hits;
-        const glm::dvec3 off = glm::abs(ray.at(truth->t).coordinates() - hit->world.coordinates());
-        const glm::dvec3 &bound = hit->uncertainty.coordinates();
-        outside += glm::all(glm::lessThanEqual(off, bound)) ? 0 : 1;
-        ratios.push_back(bound.z / std::max(off.z, 1e-300));
+        bool isInside = true;
+        glm::dvec3 off(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<std::size_t>(axis);
+            off[axis] = static_cast<double>(abs(Number(from[k] + t * along[k] - hit->world[axis])));
+            isInside = isInside && off[axis] <= hit->uncertainty.coordinates()[axis];
+        }
+        ratios.push_back(length(hit->uncertainty) / glm::length(off));
+        outside += isInside ? 0 : 1;
+    };
+    for (int i = 0; i < 20000; ++i)
+        click(DevicePoint(200.0 + 240.0 * aim.share(), 120.0 + 240.0 * aim.share()));
+    // Thin ones have to be aimed at.
+    for (std::size_t i = 0; i < exact.size(); i += 3) {
+        const glm::dvec3 middle = (exact[i] + exact[i + 1] + exact[i + 2]) / 3.0;
+        const auto seen = windowFromWorld(picture, WorldPoint(middle));
+        if (seen)
+            click(deviceFromWindow(picture.surface, *seen));
     }
     std::sort(ratios.begin(), ratios.end());
-    QVERIFY2(hits > 2000, qPrintable(QString::number(hits)));
+    QVERIFY2(hits > (thickness < 1e-3 ? 50 : 2000), qPrintable(QString::number(hits)));
     QCOMPARE(outside, 0);
-    QVERIFY2(ratios[ratios.size() / 2] < 10.0, qPrintable(QString::number(ratios[ratios.size() / 2])));
+    QVERIFY2(ratios[ratios.size() / 2] < 1000.0, qPrintable(QString::number(ratios[ratios.size() / 2])));
 }
 
 QTEST_GUILESS_MAIN(TestSceneRays)

@@ -209,27 +209,24 @@ void TestSnap::everySnapIsExactOnAMesh()
     QVERIFY2(vertices > 10 && edges > 20, qPrintable(QStringLiteral("%1 %2").arg(vertices).arg(edges)));
 }
 
-/// The file's coordinates have more digits than single precision holds.
 void TestSnap::whatIsTakenIsAsSureAsItsVertices()
 {
     Aim aim(3);
     int vertices = 0, edges = 0;
     for (int i = 0; i < 300; ++i) {
         std::array<glm::dvec3, 3> file;
-        std::vector<glm::vec3> held;
-        for (glm::dvec3 &corner : file) {
+        for (glm::dvec3 &corner : file)
             corner = aim.direction();
-            held.emplace_back(corner);
-        }
+        Mesh mesh;
+        setPositions(mesh, glm::dvec3(0.0), file);
         const Picture picture = straightPicture();
-        const SceneRays rays = raysOf({modelOf(held)}, {}, picture);
-        const auto off = [](const glm::dvec3 &a, const WorldPoint &b) { return glm::abs(a - b.coordinates()); };
+        const SceneRays rays = raysOf({modelOf(std::move(mesh))}, {}, picture);
         const DevicePoint corner = deviceFromWindow(picture.surface, *windowFromWorld(picture, WorldPoint(file[0])));
         if (const auto hit = *rays.at(corner, Snap::Vertex)) {
             ++vertices;
             const glm::dvec3 stated = hit->uncertainty.coordinates();
-            QVERIFY(glm::all(glm::lessThanEqual(off(file[hit->vertex.id], hit->world), stated)));
-            QVERIFY(glm::all(glm::lessThan(stated, glm::dvec3(6.1e-8)))); // 2^-24 of 1, and rounding in double
+            QVERIFY(hit->world.coordinates() == file[hit->vertex.id]);
+            QVERIFY(glm::all(glm::lessThan(stated, glm::dvec3(1e-15)))); // rounding in double
         }
         const WorldPoint middle(0.5 * (file[0] + file[1]));
         const DevicePoint between = deviceFromWindow(picture.surface, *windowFromWorld(picture, middle));
@@ -239,7 +236,8 @@ void TestSnap::whatIsTakenIsAsSureAsItsVertices()
             const glm::dvec3 w = hit->triangle->barycentric;
             const glm::dvec3 place = w.x * file[0] + w.y * file[1] + w.z * file[2];
             QVERIFY(w[static_cast<int>(3 - from - to)] == 0.0);
-            QVERIFY(glm::all(glm::lessThanEqual(off(place, hit->world), hit->uncertainty.coordinates())));
+            QVERIFY(glm::all(
+                glm::lessThanEqual(glm::abs(place - hit->world.coordinates()), hit->uncertainty.coordinates())));
         }
     }
     QVERIFY(vertices > 100 && edges > 100);
